@@ -1,0 +1,132 @@
+# edesign: set-up, main job, tests. `make help` lists the targets.
+#
+# Everything a target needs is set up by itself, once: system packages (tools/setup_system.sh), a virtual environment in
+# .venv, the build of the C core. Stamp files in .venv/stamps remember what is done, so a second call starts at once.
+
+# The environment; only a directory that was made here is ever removed.
+VENV    := .venv
+PROJECT ?= projects/thesis_10_storey/project.yaml
+# Arguments for pytest, e.g. make pytest ARGS="-k newmark"
+ARGS    ?=
+WORKERS ?= 2
+
+PY     := $(VENV)/bin/python
+BIN    := $(VENV)/bin
+STAMPS := $(VENV)/stamps
+PIP    := $(PY) -m pip --disable-pip-version-check --no-input -qq
+SAY    := @echo edesign:
+
+CORE_SOURCES := $(wildcard core_c/src/*/*.c core_c/src/*/*.h core_c/include/*.h) edesign/core/build.py
+
+# An environment whose Python has gone, or that was copied here from another directory, is made anew.
+VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PWD" ] && echo yes)
+
+.PHONY: help run setup test test-setup lint types layers ctest pytest format bench memcheck clean distclean
+.NOTPARALLEL:
+.DEFAULT_GOAL := help
+
+help:
+	@echo "make run       set up, analyse $(PROJECT), print the summary"
+	@echo "make test      set up, then lint, types, import layers, C tests with sanitizers, Python tests"
+	@echo "make bench     side by side with OpenSeesPy: CPU time and ratio"
+	@echo "make memcheck  C tests under valgrind"
+	@echo "make setup     only the set-up of run;  make test-setup: only that of the tests"
+	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
+	@echo "make format    lay out and sort the Python sources (ruff)"
+	@echo "make clean     remove builds and caches;  make distclean: the environment too"
+	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
+
+# ---- set-up ----
+
+# What the system must offer depends on the goal; a goal hands it to its prerequisites.
+SYSTEM := run
+test test-setup lint types layers ctest pytest bench format: SYSTEM := test
+memcheck: SYSTEM := memcheck
+
+ifneq ($(VALID),yes)
+.PHONY: $(STAMPS)/venv
+endif
+$(STAMPS)/venv:
+	@if [ -e $(VENV) ] && [ ! -f $(STAMPS)/place ]; then \
+	    echo "edesign: $(VENV) exists and was not made by this Makefile: move it away, or choose VENV=directory" >&2; exit 1; fi
+	@python="$$(tools/setup_system.sh $(SYSTEM))" && \
+	echo "edesign: making $(VENV) with $$python" && \
+	rm -rf $(VENV) && mkdir -p $(STAMPS) && pwd >$(STAMPS)/place && "$$python" -m venv $(VENV)
+	@touch $@
+
+# The first time, or when the packaging changed: install. When only C sources changed: compile these.
+$(STAMPS)/build: $(STAMPS)/venv pyproject.toml setup.py $(CORE_SOURCES)
+	$(SAY) building
+	@if [ -n "$(filter-out $(CORE_SOURCES),$?)" ]; then \
+	    $(PY) tools/requirements.py build >$(STAMPS)/build.txt && $(PIP) install -r $(STAMPS)/build.txt && \
+	    $(PIP) install --no-build-isolation -e '.[records]'; \
+	else \
+	    $(PY) setup.py --quiet build_ext --inplace; \
+	fi
+	@touch $@
+
+$(STAMPS)/test: $(STAMPS)/build tools/requirements.py tools/setup_system.sh
+	@tools/setup_system.sh $(SYSTEM) >/dev/null
+	$(SAY) installing what the tests need
+	@$(PY) tools/requirements.py dev >$(STAMPS)/dev.txt && $(PIP) install -r $(STAMPS)/dev.txt
+	@touch $@
+
+# OpenSeesPy has no build for some systems; comparisons with it are then skipped.
+$(STAMPS)/peers: $(STAMPS)/test
+	@$(PY) tools/requirements.py peers >$(STAMPS)/peers.txt; \
+	if $(PIP) install -r $(STAMPS)/peers.txt >$(STAMPS)/peers.log 2>&1 && \
+	    $(PY) -c "import openseespy.opensees" >>$(STAMPS)/peers.log 2>&1; then :; \
+	else echo "edesign: notice: no OpenSeesPy for this system, comparisons with it are skipped ($(STAMPS)/peers.log)"; fi
+	@touch $@
+
+setup: $(STAMPS)/build
+test-setup: $(STAMPS)/peers
+
+# ---- jobs ----
+
+run: setup
+	@$(BIN)/edesign run $(PROJECT)
+	@$(BIN)/edesign show "$$($(PY) -c 'import sys; from edesign.project.loader import load_project; \
+	    print(load_project(sys.argv[1]).archive_path)' $(PROJECT))"
+
+bench: test-setup
+	@$(PY) benchmarks/run.py
+
+test: test-setup lint types layers ctest pytest
+
+lint: $(STAMPS)/test
+	$(SAY) lint
+	@$(BIN)/ruff check .
+
+types: $(STAMPS)/test
+	$(SAY) types
+	@$(BIN)/mypy edesign
+
+layers: $(STAMPS)/test
+	$(SAY) import layers
+	@$(BIN)/lint-imports >$(STAMPS)/layers.log 2>&1 || { cat $(STAMPS)/layers.log; exit 1; }
+	@tail -n 2 $(STAMPS)/layers.log
+
+ctest: $(STAMPS)/test
+	$(SAY) C tests with sanitizers
+	@$(MAKE) --no-print-directory -j $(WORKERS) -s -C core_c asan
+
+pytest: $(STAMPS)/peers
+	$(SAY) Python tests
+	@$(PY) -m pytest -n $(WORKERS) $(ARGS)
+
+memcheck: $(STAMPS)/build
+	@tools/setup_system.sh memcheck >/dev/null
+	@$(MAKE) --no-print-directory -j $(WORKERS) -s -C core_c valgrind
+
+format: $(STAMPS)/test
+	@$(BIN)/ruff format .
+	@$(BIN)/ruff check --fix .
+
+clean:
+	rm -rf build dist *.egg-info core_c/build edesign/core/_edcore*.so .pytest_cache .mypy_cache .ruff_cache .hypothesis \
+	    .import_linter_cache $(STAMPS)/build
+	find . -name __pycache__ -not -path './.venv/*' -prune -exec rm -rf {} +
+
+distclean: clean
+	@[ ! -f $(STAMPS)/place ] || rm -rf $(VENV)

@@ -1,0 +1,155 @@
+"""A regular plane steel moment frame as plain numbers, known neither to edesign nor to any peer program.
+
+Verification and benchmarks describe a frame once here and hand it to both sides. All values are in SI units (m, N, kg, Pa).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+FIBRES_FLANGE_THICKNESS = 4
+FIBRES_WEB_HEIGHT = 16
+
+
+@dataclass(frozen=True)
+class ISection:
+    """Doubly symmetric I section of three rectangles (no fillets), bent about its strong axis.
+
+    name: label; h: overall depth, m; b: flange width, m; tw: web thickness, m; tf: flange thickness, m.
+    """
+
+    name: str
+    h: float
+    b: float
+    tw: float
+    tf: float
+
+    @property
+    def area(self) -> float:
+        """Area, m2."""
+        return 2.0 * self.b * self.tf + self.tw * (self.h - 2.0 * self.tf)
+
+    @property
+    def inertia(self) -> float:
+        """Second moment of area about the strong axis, exact for the three rectangles, m4."""
+        hw = self.h - 2.0 * self.tf
+        return (self.b * self.h**3 - (self.b - self.tw) * hw**3) / 12.0
+
+    def layers(
+        self, flange: int = FIBRES_FLANGE_THICKNESS, web: int = FIBRES_WEB_HEIGHT
+    ) -> tuple[tuple[float, ...], tuple[float, ...]]:
+        """Depths (m) and areas (m2) of the layers, bottom to top.
+
+        In plane bending all fibres at one depth share one strain, so fibres across a flange's width or a web's
+        thickness are one layer: `flange` layers in each flange and `web` in the web.
+        """
+        hw = self.h - 2.0 * self.tf
+        plates = (
+            (-0.5 * self.h, self.tf, self.b, flange),
+            (-0.5 * hw, hw, self.tw, web),
+            (0.5 * hw, self.tf, self.b, flange),
+        )
+        depths = tuple(y0 + (i + 0.5) * d / n for y0, d, _, n in plates for i in range(n))
+        areas = tuple(width * d / n for _, d, width, n in plates for _ in range(n))
+        return depths, areas
+
+
+@dataclass(frozen=True)
+class PeerFrame:
+    """Regular plane frame with fixed bases and centreline members.
+
+    bay_widths: (n_bays,), m; storey_heights: (n_storeys,), m; columns: section of each storey, (n_storeys,);
+    beams: section of each floor from 1, (n_storeys,); masses: horizontal nodal mass of each line, alike on
+    all floors, (n_bays + 1,), kg; gravity: line load on all beams, downwards, N/m; E: Pa; fy: Pa;
+    hardening: ratio; flange_fibres, web_fibres: (across the plate's other side, through the section's depth);
+    points: Gauss-Lobatto points of a member.
+    """
+
+    title: str
+    bay_widths: tuple[float, ...]
+    storey_heights: tuple[float, ...]
+    columns: tuple[ISection, ...]
+    beams: tuple[ISection, ...]
+    masses: tuple[float, ...]
+    gravity: float
+    E: float = 210e9
+    fy: float = 275e6
+    hardening: float = 0.0
+    flange_fibres: tuple[int, int] = (16, FIBRES_FLANGE_THICKNESS)
+    web_fibres: tuple[int, int] = (2, FIBRES_WEB_HEIGHT)
+    points: int = 5
+
+    def __post_init__(self) -> None:
+        if not len(self.storey_heights) == len(self.columns) == len(self.beams):
+            raise ValueError("one column and one beam section is needed for each storey")
+        if len(self.masses) != len(self.bay_widths) + 1:
+            raise ValueError("one mass is needed for each column line")
+
+    @property
+    def n_bays(self) -> int:
+        """Number of bays."""
+        return len(self.bay_widths)
+
+    @property
+    def n_storeys(self) -> int:
+        """Number of storeys."""
+        return len(self.storey_heights)
+
+    @property
+    def n_lines(self) -> int:
+        """Number of column lines."""
+        return len(self.bay_widths) + 1
+
+    @property
+    def n_members(self) -> int:
+        """Number of columns and beams."""
+        return self.n_storeys * (self.n_lines + self.n_bays)
+
+    @property
+    def height(self) -> float:
+        """Height of the roof over the base, m."""
+        return float(sum(self.storey_heights))
+
+    @property
+    def x(self) -> tuple[float, ...]:
+        """Coordinates of the lines, (n_lines,), m."""
+        return tuple(float(sum(self.bay_widths[:i])) for i in range(self.n_lines))
+
+    @property
+    def y(self) -> tuple[float, ...]:
+        """Levels of the floors from the base up, (n_storeys + 1,), m."""
+        return tuple(float(sum(self.storey_heights[:i])) for i in range(self.n_storeys + 1))
+
+
+# Dimensions of the profiles by EN 10365, mm -> m
+HEB450 = ISection("HEB450", 0.450, 0.300, 0.0140, 0.0260)
+HEB360 = ISection("HEB360", 0.360, 0.300, 0.0125, 0.0225)
+HEB320 = ISection("HEB320", 0.320, 0.300, 0.0115, 0.0205)
+IPE450 = ISection("IPE450", 0.450, 0.190, 0.0094, 0.0146)
+IPE400 = ISection("IPE400", 0.400, 0.180, 0.0086, 0.0135)
+IPE360 = ISection("IPE360", 0.360, 0.170, 0.0080, 0.0127)
+
+THESIS_DEAD = 23.0e3  # N/m
+THESIS_LIVE = 9.6e3  # N/m
+MASS_INTERIOR = 29.5e3  # kg
+MASS_CORNER = 19.35e3  # kg
+
+
+def _masses(bays: int) -> tuple[float, ...]:
+    return (MASS_CORNER, *(MASS_INTERIOR for _ in range(bays - 1)), MASS_CORNER)
+
+
+def thesis_frame(bays: int = 4) -> PeerFrame:
+    """Ten-storey interior frame of the thesis: Table 5.2 (X axis), loads and masses of sections 5.2 and 5.3.2.
+
+    bays: 3 or 4, the two readings of the plan.
+    """
+    return PeerFrame(
+        title=f"thesis frame, 10 storeys, {bays} bays",
+        bay_widths=(7.2,) * bays,
+        storey_heights=(3.5,) * 10,
+        columns=(HEB450,) * 4 + (HEB360,) * 3 + (HEB320,) * 3,
+        beams=(IPE450,) * 4 + (IPE400,) * 3 + (IPE360,) * 3,
+        masses=_masses(bays),
+        gravity=THESIS_DEAD + 0.3 * THESIS_LIVE,
+    )

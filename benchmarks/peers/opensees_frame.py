@@ -1,0 +1,425 @@
+"""The peer frame in OpenSeesPy."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+import openseespy.opensees as ops
+from numpy.typing import NDArray
+
+from benchmarks.peers.frame_data import ISection, PeerFrame
+
+Array = NDArray[np.float64]
+
+G_STANDARD = 9.80665  # m/s2
+GRAVITY_PATTERN, PUSH_PATTERN, QUAKE_PATTERN = 1, 2, 3
+GRAVITY_SERIES, PUSH_SERIES, QUAKE_SERIES = 1, 2, 3
+STEEL = 1
+
+
+@dataclass(frozen=True)
+class ModelOptions:
+    """What the text of a frame leaves open; the defaults are the ones of the known values (see the module's docstring).
+
+    steel: "Steel01" or "ElasticPP"; vertical_mass: the nodal mass acts vertically too; diaphragm: nodes of a floor share ux;
+    column_geometry, beam_geometry: "Linear", "PDelta" or "Corotational"; element_iterations, element_tolerance: internal
+    iteration of the force-based element.
+    """
+
+    steel: str = "Steel01"
+    vertical_mass: bool = False
+    diaphragm: bool = False
+    column_geometry: str = "PDelta"
+    beam_geometry: str = "Linear"
+    element_iterations: int = 10
+    element_tolerance: float = 1e-12
+
+
+@dataclass(frozen=True)
+class SolverOptions:
+    """Equation solver, convergence test and numberer, by the names OpenSees gives them.
+
+    system: BandGeneral | UmfPack | SparseGeneral | ProfileSPD | BandSPD | SparseSYM (the last three need a positive
+    definite tangent); test: NormDispIncr | EnergyIncr | NormUnbalance...; tolerance: in the unit of the test
+    (m and rad, J, N and Nm); max_iterations: of one attempt.
+    """
+
+    system: str = "BandGeneral"
+    test: str = "NormDispIncr"
+    tolerance: float = 1e-6
+    max_iterations: int = 25
+    numberer: str = "RCM"
+
+
+@dataclass
+class HistoryResult:
+    """Peaks and cost of a time history. All peaks are absolute values; relative to the ground where not said otherwise.
+
+    status: "completed" or "failed"; steps: of the record's step done; roof_displacement, residual: m; interstorey_drift: ratio;
+    base_shear: N, reactions of the members; base_shear_damped: N, with the members' Rayleigh forces;
+    roof_acceleration: total, m/s2; iterations: of all accepted steps (0 if not sampled); fallbacks: steps that left plain
+    Newton; smallest_step: s; cpu_s: s, of the calls that integrate; time, roof: (steps,) if asked for, s and m.
+    """
+
+    status: str = "completed"
+    steps: int = 0
+    roof_displacement: float = 0.0
+    interstorey_drift: float = 0.0
+    base_shear: float = 0.0
+    base_shear_damped: float = 0.0
+    roof_acceleration: float = 0.0
+    residual: float = 0.0
+    iterations: int = 0
+    fallbacks: int = 0
+    smallest_step: float = 0.0
+    cpu_s: float = 0.0
+    drifts: Array = field(default_factory=lambda: np.zeros(0))
+    time: Array = field(default_factory=lambda: np.zeros(0))
+    roof: Array = field(default_factory=lambda: np.zeros(0))
+
+
+def node_tag(frame: PeerFrame, line: int, floor: int) -> int:
+    """Tag of the node of a line (from 0) at a floor (0 is the base)."""
+    return 1 + line + floor * frame.n_lines
+
+
+def build(frame: PeerFrame, options: ModelOptions | None = None) -> None:
+    """Build the frame in OpenSees' one domain, which is wiped first; no loads yet."""
+    options = options or ModelOptions()
+    ops.wipe()
+    ops.model("basic", "-ndm", 2, "-ndf", 3)
+    for floor, y in enumerate(frame.y):
+        for line, x in enumerate(frame.x):
+            ops.node(node_tag(frame, line, floor), x, y)
+    for line in range(frame.n_lines):
+        ops.fix(node_tag(frame, line, 0), 1, 1, 1)
+    for floor in range(1, frame.n_storeys + 1):
+        for line, mass in enumerate(frame.masses):
+            ops.mass(node_tag(frame, line, floor), mass, mass if options.vertical_mass else 0.0, 0.0)
+            if options.diaphragm and line:
+                ops.equalDOF(node_tag(frame, 0, floor), node_tag(frame, line, floor), 1)
+    _steel(frame, options.steel)
+    sections = {s: i + 1 for i, s in enumerate(dict.fromkeys((*frame.columns, *frame.beams)))}
+    for section, tag in sections.items():
+        _fibre_section(frame, section, tag)
+        ops.beamIntegration("Lobatto", tag, tag, frame.points)
+    ops.geomTransf(options.column_geometry, 1)
+    ops.geomTransf(options.beam_geometry, 2)
+    accuracy = ("-iter", options.element_iterations, options.element_tolerance)
+    tag = 0
+    for storey in range(frame.n_storeys):
+        for line in range(frame.n_lines):
+            tag += 1
+            ends = node_tag(frame, line, storey), node_tag(frame, line, storey + 1)
+            ops.element("forceBeamColumn", tag, *ends, 1, sections[frame.columns[storey]], *accuracy)
+    for storey in range(frame.n_storeys):
+        for bay in range(frame.n_bays):
+            tag += 1
+            ends = node_tag(frame, bay, storey + 1), node_tag(frame, bay + 1, storey + 1)
+            ops.element("forceBeamColumn", tag, *ends, 2, sections[frame.beams[storey]], *accuracy)
+
+
+def _steel(frame: PeerFrame, kind: str) -> None:
+    if kind == "ElasticPP":
+        if frame.hardening:
+            raise ValueError("ElasticPP has no hardening")
+        ops.uniaxialMaterial("ElasticPP", STEEL, frame.E, frame.fy / frame.E)
+    else:
+        ops.uniaxialMaterial(kind, STEEL, frame.fy, frame.E, frame.hardening)
+
+
+def _fibre_section(frame: PeerFrame, section: ISection, tag: int) -> None:
+    ops.section("Fiber", tag)
+    for y, area in zip(*section.layers(frame.flange_fibres[1], frame.web_fibres[1]), strict=True):
+        ops.fiber(y, 0.0, area, STEEL)
+
+
+def apply_gravity(frame: PeerFrame, solver: SolverOptions, steps: int = 10) -> None:
+    """Load all beams by the frame's gravity load in `steps` steps, then keep it constant and set the time to zero."""
+    ops.timeSeries("Linear", GRAVITY_SERIES)
+    ops.pattern("Plain", GRAVITY_PATTERN, GRAVITY_SERIES)
+    first = frame.n_storeys * frame.n_lines + 1
+    for tag in range(first, frame.n_members + 1):
+        ops.eleLoad("-ele", tag, "-type", "-beamUniform", -frame.gravity)
+    _equations(solver)
+    ops.algorithm("Newton")
+    ops.integrator("LoadControl", 1.0 / steps)
+    ops.analysis("Static")
+    if ops.analyze(steps) != 0:
+        raise RuntimeError(f"{frame.title}: gravity did not converge")
+    ops.loadConst("-time", 0.0)
+    ops.wipeAnalysis()
+
+
+def _equations(solver: SolverOptions) -> None:
+    ops.constraints("Plain")
+    ops.numberer(solver.numberer)
+    ops.system(solver.system)
+    ops.test(solver.test, solver.tolerance, solver.max_iterations)
+
+
+def _omega(n: int) -> Array:
+    return np.sqrt(np.array(ops.eigen(n), dtype=float))
+
+
+def periods(
+    frame: PeerFrame, n: int = 3, options: ModelOptions | None = None, solver: SolverOptions | None = None
+) -> tuple[Array, Array]:
+    """Periods without loads and under gravity, (n,) and (n,), s."""
+    build(frame, options)
+    bare = 2.0 * np.pi / _omega(n)
+    ops.wipeAnalysis()
+    apply_gravity(frame, solver or SolverOptions())
+    loaded = 2.0 * np.pi / _omega(n)
+    ops.wipe()
+    return bare, loaded
+
+
+def pushover(
+    frame: PeerFrame,
+    roof_drift: float = 0.02,
+    steps: int = 200,
+    options: ModelOptions | None = None,
+    solver: SolverOptions | None = None,
+    modes_under_gravity: bool = True,
+) -> tuple[Array, Array]:
+    """Pushover to a roof drift by displacement control under nodal loads mass * first mode shape, after gravity.
+
+    Returns roof displacement, (steps + 1,), m, and base shear (sum of the bases' horizontal reactions, gravity's sum is
+    zero), (steps + 1,), N. Raises RuntimeError when a step fails even in 256 parts.
+    """
+    solver = solver or SolverOptions()
+    build(frame, options)
+    if not modes_under_gravity:
+        _omega(1)
+    shape_bare = None if modes_under_gravity else _first_shape(frame)
+    ops.wipeAnalysis()
+    apply_gravity(frame, solver)
+    if shape_bare is None:
+        _omega(1)
+    shape = _first_shape(frame) if shape_bare is None else shape_bare
+    ops.wipeAnalysis()
+    loads = shape * np.array(frame.masses)
+    loads /= loads.sum()
+    ops.timeSeries("Linear", PUSH_SERIES)
+    ops.pattern("Plain", PUSH_PATTERN, PUSH_SERIES)
+    for floor in range(1, frame.n_storeys + 1):
+        for line in range(frame.n_lines):
+            ops.load(node_tag(frame, line, floor), float(loads[floor - 1, line]), 0.0, 0.0)
+    _equations(solver)
+    ops.algorithm("Newton")
+    roof = node_tag(frame, 0, frame.n_storeys)
+    start = ops.nodeDisp(roof, 1)
+    step = roof_drift * frame.height / steps
+    ops.integrator("DisplacementControl", roof, 1, step)
+    ops.analysis("Static")
+
+    def advance(size: float, parts: int) -> bool:
+        ops.integrator("DisplacementControl", roof, 1, size)
+        if ops.analyze(1) == 0:
+            return True
+        return parts < 256 and all(advance(0.5 * size, 2 * parts) for _ in range(2))
+
+    displacement, shear = np.zeros(steps + 1), np.zeros(steps + 1)
+    displacement[0] = start
+    for i in range(1, steps + 1):
+        if not advance(step, 1):
+            raise RuntimeError(f"{frame.title}: pushover stops at {displacement[i - 1]:.4f} m")
+        displacement[i] = ops.nodeDisp(roof, 1)
+        shear[i] = -_base_reaction(frame)
+    ops.wipe()
+    return displacement, shear
+
+
+def _first_shape(frame: PeerFrame) -> Array:
+    return np.array(
+        [
+            [ops.nodeEigenvector(node_tag(frame, line, floor), 1, 1) for line in range(frame.n_lines)]
+            for floor in range(1, frame.n_storeys + 1)
+        ]
+    )
+
+
+def _base_reaction(frame: PeerFrame, *what: str) -> float:
+    ops.reactions(*what)
+    return float(sum(ops.nodeReaction(node_tag(frame, line, 0), 1) for line in range(frame.n_lines)))
+
+
+def rayleigh_factors(omega: Sequence[float] | Array, ratio: float) -> tuple[float, float]:
+    """Mass and stiffness factor (1/s, s) that give `ratio` at the two circular frequencies omega[0], omega[1] (rad/s)."""
+    w1, w2 = float(omega[0]), float(omega[1])
+    return 2.0 * ratio * w1 * w2 / (w1 + w2), 2.0 * ratio / (w1 + w2)
+
+
+def prepare_history(
+    frame: PeerFrame,
+    ground_acceleration: Array,
+    dt: float,
+    options: ModelOptions | None = None,
+    solver: SolverOptions | None = None,
+    damping: float = 0.02,
+    damping_after_gravity: bool = True,
+) -> None:
+    """Build, load by gravity, damp, and set up Newmark's average acceleration; ground_acceleration: (n,), m/s2 every dt s."""
+    solver = solver or SolverOptions()
+    build(frame, options)
+    omega = np.zeros(0)
+    if not damping_after_gravity:
+        omega = _omega(2)
+        ops.wipeAnalysis()
+    apply_gravity(frame, solver)
+    if damping_after_gravity:
+        omega = _omega(2)
+        ops.wipeAnalysis()
+    a0, a1 = rayleigh_factors(omega, damping)
+    ops.rayleigh(a0, a1, 0.0, 0.0)
+    ops.timeSeries("Path", QUAKE_SERIES, "-dt", dt, "-values", *(float(a) for a in ground_acceleration))
+    ops.pattern("UniformExcitation", QUAKE_PATTERN, 1, "-accel", QUAKE_SERIES)
+    _equations(solver)
+    ops.algorithm("Newton")
+    ops.integrator("Newmark", 0.5, 0.25)
+    ops.analysis("Transient")
+
+
+class _Stepper:
+    """Advances the domain and keeps count; the fallback ladder is Newton, KrylovNewton, two half steps, down to dt/256."""
+
+    def __init__(self, dt: float, smallest: int = 256) -> None:
+        self.dt, self.smallest = dt, smallest
+        self.iterations = self.fallbacks = 0
+        self.smallest_step = dt
+        self.cpu_s = 0.0
+
+    def run(self, n: int, dt: float) -> bool:
+        start = time.process_time()
+        status = ops.analyze(n, dt)
+        self.cpu_s += time.process_time() - start
+        return bool(status == 0)
+
+    def rescue(self, dt: float, parts: int = 1) -> bool:
+        """One step of dt that plain Newton has failed to take."""
+        ops.algorithm("KrylovNewton")
+        done = self.run(1, dt)
+        ops.algorithm("Newton")
+        if done:
+            self.smallest_step = min(self.smallest_step, dt)
+            self.iterations += ops.testIter()
+            return True
+        if parts >= self.smallest:
+            return False
+        for _ in range(2):
+            if self.run(1, 0.5 * dt):
+                self.smallest_step = min(self.smallest_step, 0.5 * dt)
+                self.iterations += ops.testIter()
+            elif not self.rescue(0.5 * dt, 2 * parts):
+                return False
+        return True
+
+    def step(self) -> bool:
+        """One step of the record."""
+        if self.run(1, self.dt):
+            self.iterations += ops.testIter()
+            return True
+        self.fallbacks += 1
+        return self.rescue(self.dt)
+
+
+def history(
+    frame: PeerFrame,
+    ground_acceleration: Array,
+    dt: float,
+    options: ModelOptions | None = None,
+    solver: SolverOptions | None = None,
+    damping: float = 0.02,
+    damping_after_gravity: bool = True,
+    free_vibration: float = 0.0,
+    keep_history: bool = False,
+    steps: int | None = None,
+) -> HistoryResult:
+    """Time history under a ground acceleration, every step sampled (outside the timed calls).
+
+    ground_acceleration: (n,), m/s2, every dt (s); free_vibration: s, appended; steps: stop after so many.
+    """
+    prepare_history(frame, ground_acceleration, dt, options, solver, damping, damping_after_gravity)
+    total = _n_steps(ground_acceleration, dt, free_vibration, steps)
+    stepper = _Stepper(dt)
+    nodes = [node_tag(frame, 0, floor) for floor in range(frame.n_storeys + 1)]
+    heights = np.array(frame.storey_heights)
+    result = HistoryResult(drifts=np.zeros(frame.n_storeys))
+    times, roof = np.zeros(total), np.zeros(total)
+    for i in range(total):
+        if not stepper.step():
+            result.status = "failed"
+            break
+        result.steps = i + 1
+        u = np.array([ops.nodeDisp(n, 1) for n in nodes])
+        times[i], roof[i] = ops.getTime(), u[-1]
+        result.drifts = np.maximum(result.drifts, np.abs(np.diff(u)) / heights)
+        result.base_shear = max(result.base_shear, abs(_base_reaction(frame)))
+        result.base_shear_damped = max(result.base_shear_damped, abs(_base_reaction(frame, "-dynamic")))
+        ground = ground_acceleration[i + 1] if i + 1 < len(ground_acceleration) else 0.0
+        result.roof_acceleration = max(result.roof_acceleration, abs(ops.nodeAccel(nodes[-1], 1) + ground))
+    roof, times = roof[: result.steps], times[: result.steps]
+    result.roof_displacement = float(np.max(np.abs(roof), initial=0.0))
+    result.interstorey_drift = float(np.max(result.drifts))
+    result.residual = float(roof[-1]) if len(roof) else 0.0
+    if keep_history:
+        result.time, result.roof = times, roof
+    _account(result, stepper)
+    return result
+
+
+def benchmark_history(
+    frame: PeerFrame,
+    ground_acceleration: Array,
+    dt: float,
+    options: ModelOptions | None = None,
+    solver: SolverOptions | None = None,
+    damping: float = 0.02,
+    free_vibration: float = 0.0,
+    steps: int | None = None,
+) -> HistoryResult:
+    """The same history without any sampling: one call integrates until the end or until a step needs the fallback ladder.
+
+    Returns a result with status, steps, fallbacks, cpu_s and the last roof displacement (residual) only.
+    """
+    prepare_history(frame, ground_acceleration, dt, options, solver, damping)
+    total = _n_steps(ground_acceleration, dt, free_vibration, steps)
+    stepper = _Stepper(dt)
+    result = HistoryResult()
+    while result.steps < total:
+        if stepper.run(total - result.steps, dt):
+            result.steps = total
+            break
+        result.steps = round(ops.getTime() / dt)
+        stepper.fallbacks += 1
+        if not stepper.rescue(dt):
+            result.status = "failed"
+            break
+        result.steps += 1
+    result.residual = ops.nodeDisp(node_tag(frame, 0, frame.n_storeys), 1)
+    _account(result, stepper)
+    result.iterations = 0
+    return result
+
+
+def _n_steps(ground_acceleration: Array, dt: float, free_vibration: float, steps: int | None) -> int:
+    total = len(ground_acceleration) - 1 + round(free_vibration / dt)
+    return total if steps is None else min(steps, total)
+
+
+def _account(result: HistoryResult, stepper: _Stepper) -> None:
+    result.iterations, result.fallbacks = stepper.iterations, stepper.fallbacks
+    result.smallest_step, result.cpu_s = stepper.smallest_step, stepper.cpu_s
+    ops.wipe()
+
+
+def read_at2(path: str) -> tuple[Array, float]:
+    """Acceleration (n,), m/s2, and step, s, of a PEER AT2 file."""
+    with open(path, encoding="latin-1") as file:
+        header = [next(file) for _ in range(4)]
+        values = np.array(file.read().split(), dtype=float)
+    return values * G_STANDARD, float(header[3].upper().split("DT=")[1].split()[0].rstrip(","))

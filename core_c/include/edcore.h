@@ -1,0 +1,203 @@
+/* edcore: the numerical core of edesign. Plane frames of force-based fibre beam-columns under static loads,
+ * prescribed displacements and ground acceleration.
+ *
+ * Conventions
+ *   Units      any consistent set (edesign uses m, N, kg, s). No tolerance depends on it.
+ *   Degrees    three a node: 0 ux, 1 uy, 2 rz (anticlockwise). y points upwards.
+ *   Elements   local x runs from end i to end j, local y 90 degrees anticlockwise of it.
+ *   Sections   strain at depth y is e0 - y*kappa; axial force and strain are positive in tension.
+ *   Ids        non-negative integers in the order of creation; a negative return is an ed_status.
+ *   Handles    made by *_new, freed by *_free. A model is read-only once an analysis has been made of it; analyses of one
+ *              model share nothing that changes and may run in parallel threads. The library has no global state, never
+ *              prints and never exits.
+ */
+#ifndef EDCORE_H
+#define EDCORE_H
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* One list yields the enum and the texts: name, value, text. Below zero: error; above zero: the caller asked for it. */
+#define ED_STATUS_LIST(X) \
+  X(ED_OK, 0, "ok") \
+  X(ED_STOPPED, 1, "stopped on request") \
+  X(ED_E_MEMORY, -1, "out of memory") \
+  X(ED_E_ARGUMENT, -2, "invalid argument") \
+  X(ED_E_ID, -3, "no object with this id") \
+  X(ED_E_EMPTY, -4, "the model has no free degree of freedom") \
+  X(ED_E_DISCONNECTED, -5, "a node is not connected to any support") \
+  X(ED_E_MECHANISM, -6, "the structure is a mechanism") \
+  X(ED_E_SINGULAR, -7, "the tangent matrix is singular") \
+  X(ED_E_NOT_CONVERGED, -8, "equilibrium was not found") \
+  X(ED_E_ELEMENT, -9, "an element state was not found") \
+  X(ED_E_NOT_FINITE, -10, "a result is not a finite number") \
+  X(ED_E_STATE, -11, "this call is not allowed in the present state")
+
+#define ED_STATUS_ENUM(name, value, text) name = value,
+typedef enum { ED_STATUS_LIST(ED_STATUS_ENUM) ED_STATUS_END = 99 } ed_status;
+
+const char *ed_status_name(int status);
+const char *ed_status_text(int status);
+const char *ed_version(void);
+
+typedef struct ed_model ed_model;
+typedef struct ed_analysis ed_analysis;
+
+/* ---- model ------------------------------------------------------------------------------------------------------ */
+
+ed_model *ed_model_new(void); /* NULL: out of memory */
+void ed_model_free(ed_model *model);
+const char *ed_model_message(const ed_model *model); /* the last error, for people */
+
+/* Uniaxial laws. Parameters: ELASTIC E; BILINEAR E, fy, b (kinematic hardening ratio, 0 <= b < 1);
+ * MENEGOTTO_PINTO E, fy, b, R0, cR1, cR2. */
+enum { ED_ELASTIC = 0, ED_BILINEAR = 1, ED_MENEGOTTO_PINTO = 2 };
+int ed_model_material(ed_model *model, int law, int n_parameters, const double *parameters);
+
+int ed_model_elastic_section(ed_model *model, double EA, double EI);
+/* n fibres at depths y with areas and materials; those of one depth and material are merged into one layer. */
+int ed_model_fibre_section(ed_model *model, int n, const double *y, const double *area, const int *material);
+int ed_model_section_layers(const ed_model *model, int section); /* layers after merging */
+
+int ed_model_node(ed_model *model, const char *name, double x, double y);
+int ed_model_fix(ed_model *model, int node, int ux, int uy, int rz);
+int ed_model_tie(ed_model *model, int node, int master, int ux, int uy, int rz); /* the node shares the master's degrees */
+int ed_model_mass(ed_model *model, int node, double mx, double my, double mrz);  /* added to what is there */
+
+enum { ED_LINEAR = 0, ED_P_DELTA = 1, ED_COROTATIONAL = 2 };
+/* Force-based fibre beam-column; sections: one id a Gauss-Lobatto point (2..10). release_*: moment-free end. */
+int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int points, const int *sections, int geometry,
+                         int release_i, int release_j);
+int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int section, int geometry, int release_i,
+                          int release_j);
+int ed_model_truss(ed_model *model, const char *name, int i, int j, int material, double area, int geometry);
+/* Elastic link with stiffnesses along local x, y and in rotation. Two nodes apart: local x runs along the link and shear
+ * acts at mid-length; at one place: local x is at `angle` (rad) from global x. */
+int ed_model_link(ed_model *model, const char *name, int i, int j, double kx, double ky, double krz, double angle);
+
+int ed_model_pattern(ed_model *model);
+int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, double fy, double mz);
+/* Loads on beam-columns, force a length in local axes, or a force at position (0..1) of the length. */
+int ed_model_uniform_load(ed_model *model, int pattern, int element, double axial, double transverse);
+int ed_model_point_load(ed_model *model, int pattern, int element, double position, double axial, double transverse);
+
+/* ---- analysis --------------------------------------------------------------------------------------------------- */
+
+/* Numbers the degrees, analyses the matrix symbolically and checks the structure. On failure *status and `message`
+ * (size bytes) say why and NULL is returned. The model must outlive the analysis. */
+ed_analysis *ed_analysis_new(const ed_model *model, int *status, char *message, int size);
+void ed_analysis_free(ed_analysis *analysis);
+const char *ed_analysis_message(const ed_analysis *analysis);
+
+int ed_n_equations(const ed_analysis *analysis);
+int ed_n_nonzeros(const ed_analysis *analysis);
+void ed_equations(const ed_analysis *analysis, int *equation); /* 3 n_nodes; -1 where fixed */
+/* Tangent stiffness at the present state, compressed columns: column_start n+1, row nnz, value nnz. */
+int ed_stiffness(ed_analysis *analysis, int *column_start, int *row, double *value);
+void ed_mass(const ed_analysis *analysis, double *mass); /* n */
+
+/* Settings; each has a default. */
+enum {
+  ED_TOLERANCE = 0,          /* unbalanced force / largest force so far; default 1e-6 */
+  ED_MAX_ITERATIONS = 1,     /* a solution attempt; default 25 */
+  ED_ELEMENT_TOLERANCE = 2,  /* energy of the section unbalance / largest section energy so far; default 1e-16 */
+  ED_HALVINGS = 3,           /* how often a step may be halved; default 8 (1/256) */
+  ED_FAST_ELASTIC = 4,       /* shortcut for sections that stay elastic; default 1 */
+  ED_REUSE_FACTORS = 5,      /* keep the factors while they converge well; default 1 */
+  ED_ENERGY = 6              /* energy balance; default 1 */
+};
+int ed_set(ed_analysis *analysis, int setting, double value);
+
+enum { ED_STIFFNESS_INITIAL = 0, ED_STIFFNESS_COMMITTED = 1, ED_STIFFNESS_CURRENT = 2 };
+int ed_rayleigh(ed_analysis *analysis, double mass_factor, double stiffness_factor, int stiffness);
+/* n modes over the equations (n x n_equations, row by row, any scale), circular frequencies, ratios of critical. */
+int ed_modal_damping(ed_analysis *analysis, int n, const double *shape, const double *omega, const double *ratio);
+
+/* Recorded quantities: weighted sums of terms. Components in brackets. */
+enum {
+  ED_DISPLACEMENT = 0,       /* node (0..2), relative to the ground */
+  ED_VELOCITY = 1,
+  ED_ACCELERATION = 2,
+  ED_TOTAL_ACCELERATION = 3,
+  ED_REACTION = 4,           /* node (0..2): resisting force of the elements at the degree, without inertia and damping */
+  ED_GROUND_ACCELERATION = 5,/* 0 (0 x, 1 y) */
+  ED_LOAD_FACTOR = 6,        /* pattern */
+  ED_END_FORCE = 7,          /* element (0..5: N V M at i, N V M at j), on the element, local axes */
+  ED_GLOBAL_FORCE = 8,       /* element (0..5), on the element, global axes, second-order terms included */
+  ED_AXIAL_FORCE = 9,        /* element */
+  ED_DEFORMATION = 10,       /* element (0 elongation, 1 2 end rotations from the chord) */
+  ED_PLASTIC_ROTATION = 11,  /* element (0 i, 1 j): chord rotation less its elastic part */
+  ED_SECTION_FORCE = 12,     /* element (2 point + 0 N, + 1 M) */
+  ED_SECTION_DEFORMATION = 13,
+  ED_FIBRE_STRESS = 14,      /* element (point * layers + layer) */
+  ED_FIBRE_STRAIN = 15
+};
+int ed_channel(ed_analysis *analysis, int n_terms, const double *coefficient, const int *kind, const int *object,
+               const int *component, int keep_history);
+void ed_clear_channels(ed_analysis *analysis);
+/* Extremes since the run began: n_channels each. */
+void ed_extremes(const ed_analysis *analysis, double *maximum, double *time_of_maximum, double *minimum,
+                 double *time_of_minimum, double *last);
+
+enum { ED_INPUT = 0, ED_KINETIC = 1, ED_DAMPING = 2, ED_STORED = 3, ED_HYSTERETIC = 4, ED_GEOMETRIC = 5, ED_BALANCE = 6,
+       ED_N_ENERGY = 7 };
+
+/* A run is begun once, advanced in pieces (so that the caller can show progress or stop between them) and ends by itself.
+ * Buffers belong to the caller, hold every `every`-th step and the start: abscissa n_rows, values n_rows x n_history,
+ * energy n_rows x ED_N_ENERGY; any may be NULL. */
+int ed_static_begin(ed_analysis *analysis, int pattern, double factor, int steps);
+int ed_pushover_begin(ed_analysis *analysis, int pattern, int node, int degree, double target, int steps);
+enum { ED_NEWMARK = 0, ED_GENERALISED_ALPHA = 1 };
+/* ground_*: n+1 samples dt apart, relative motion starts at sample 0; y may be NULL. parameters: NEWMARK gamma, beta;
+ * GENERALISED_ALPHA alpha_m, alpha_f, gamma, beta (HHT: alpha_m = 0). */
+int ed_history_begin(ed_analysis *analysis, int n, double dt, const double *ground_x, const double *ground_y, int method,
+                     const double *parameters);
+void ed_run_buffers(ed_analysis *analysis, int every, double *abscissa, double *values, double *energy);
+/* Returns ED_OK while all went well, an error when the run cannot go on (the last good state stands). */
+int ed_run_advance(ed_analysis *analysis, int max_steps);
+int ed_run_steps_done(const ed_analysis *analysis);
+int ed_run_rows(const ed_analysis *analysis);
+void ed_run_end(ed_analysis *analysis);
+/* Free vibration: initial velocities of the equations (n), before ed_history_begin. */
+int ed_initial_velocity(ed_analysis *analysis, const double *velocity);
+
+typedef struct {
+  long steps;            /* finished, as asked for */
+  long substeps;         /* finished, after halving */
+  long iterations;       /* linear solutions for equilibrium */
+  long factorisations;   /* numerical, with pivoting */
+  long refactorisations; /* numerical, with known pivots */
+  long state_updates;    /* element state determinations */
+  long element_iterations;
+  long elastic_updates;  /* element states found by the elastic shortcut */
+  long fallbacks;        /* rungs of the ladder that were tried */
+  double worst_unbalance;/* of an accepted step, relative */
+  double energy_error;   /* |balance| / largest input so far */
+} ed_statistics;
+void ed_get_statistics(const ed_analysis *analysis, ed_statistics *statistics);
+
+/* The failure ladder: every rung that was tried. */
+enum { ED_RUNG_FULL_NEWTON = 1, ED_RUNG_LINE_SEARCH = 2, ED_RUNG_FROZEN_DAMPING = 3, ED_RUNG_HALVE = 4 };
+typedef struct {
+  double time;   /* of the step that was attempted; load factor in static runs */
+  int step;      /* number of the whole step, from 1 */
+  int rung;
+  int level;     /* halvings */
+  int success;
+  int iterations;
+} ed_event;
+int ed_n_events(const ed_analysis *analysis); /* kept: the first 10 000 */
+void ed_get_event(const ed_analysis *analysis, int index, ed_event *event);
+
+/* State of the present commit, for tests and restarts. */
+int ed_state_size(const ed_analysis *analysis); /* doubles */
+void ed_state_get(const ed_analysis *analysis, double *state);
+int ed_state_set(ed_analysis *analysis, const double *state);
+/* One attempt at a fraction of the next step of the run, and a return to where it began, as after a failure. */
+int ed_try_and_revert(ed_analysis *analysis, double fraction);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

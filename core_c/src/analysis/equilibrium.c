@@ -1,0 +1,155 @@
+/* Iteration of one step to equilibrium: Newton with factors kept while they converge well, full Newton, line search. */
+#include "system/analysis.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Unbalance relative to the largest force so far; moments are made comparable by the mean element length. */
+double ed_unbalance(ed_analysis *a, const double *r)
+{
+  double largest = 0.0;
+  for (int i = 0; i < a->n; i++) {
+    const double value = fabs(r[i]) / (a->rotational[i] ? a->length : 1.0);
+    if (!(value <= largest)) { /* a NaN counts as the largest */
+      largest = value;
+      a->worst = i;
+      if (!isfinite(value))
+        return value;
+    }
+  }
+  const double level = a->trial.head->force_level;
+  return level > 0.0 ? largest / level : (largest > 0.0 ? HUGE_VAL : 0.0);
+}
+
+void ed_raise_force_level(ed_analysis *a, const double *force)
+{
+  double level = a->trial.head->force_level;
+  for (int i = 0; i < a->n; i++)
+    level = fmax(level, fabs(force[i]) / (a->rotational[i] ? a->length : 1.0));
+  a->trial.head->force_level = level;
+}
+
+void ed_freeze_damping(ed_analysis *a, int rung)
+{
+  a->frozen = rung == ED_RUNG_FROZEN_DAMPING;
+  if (a->rayleigh_stiffness == 0.0)
+    return;
+  if (a->rayleigh_kind == ED_STIFFNESS_COMMITTED || (a->rayleigh_kind == ED_STIFFNESS_CURRENT && a->frozen)) {
+    ed_assemble_tangent(a);
+    memcpy(a->reference, a->tangent, ((size_t)a->nnz + 1) * sizeof(double));
+  }
+}
+
+int ed_last_iterations(const ed_analysis *a)
+{
+  return a->n_residuals > 0 ? a->n_residuals - 1 : 0;
+}
+
+static void move(ed_analysis *a, const ed_step *step, double factor)
+{
+  for (int i = 0; i < a->n; i++) {
+    const double du = factor * a->du[i];
+    a->trial.u[i] += du;
+    a->trial.v[i] += step->velocity * du;
+    a->trial.a[i] += step->acceleration * du;
+  }
+}
+
+static int evaluate(ed_analysis *a, const ed_step *step)
+{
+  const int status = ed_update_elements(a);
+  if (status == ED_OK)
+    step->residual(a, step, a->r);
+  return status;
+}
+
+static double slope(const ed_analysis *a)
+{
+  double sum = 0.0;
+  for (int i = 0; i < a->n; i++)
+    sum += a->du[i] * a->r[i];
+  return sum;
+}
+
+/* Shortens the last step until the residual along it has fallen (Crisfield 1991, 9.2.3). */
+static int search(ed_analysis *a, const ed_step *step, double start)
+{
+  double taken = 1.0, end = slope(a), low = 0.0, at_low = start;
+  for (int i = 0; i < 6 && fabs(end) > 0.8 * fabs(start); i++) {
+    double next;
+    if (end * at_low < 0.0)
+      next = low + (taken - low) * at_low / (at_low - end);
+    else {
+      if (taken >= 1.0)
+        return ED_OK; /* still descending at the full step */
+      low = taken;
+      at_low = end;
+      next = 0.5 * (taken + 1.0);
+    }
+    next = fmax(next, 0.1 * taken);
+    move(a, step, next - taken);
+    taken = next;
+    const int status = evaluate(a, step);
+    if (status != ED_OK)
+      return status;
+    end = slope(a);
+  }
+  return ED_OK;
+}
+
+/* Are new factors worth their price? With the rate of convergence seen, the iterations still to come cost more. */
+static int worth_factoring(const ed_analysis *a, double unbalance, double before)
+{
+  if (a->factored_stamp == a->tangent_stamp)
+    return 0;
+  const double rate = unbalance / before;
+  if (rate >= 0.7)
+    return 1;
+  const double to_come = log(a->tolerance / unbalance) / log(rate);
+  /* a factorisation costs as much as `price` iterations: its operations against those of a solution and of the
+   * element states (about 150 an element and iteration for each operation of the matrix) */
+  const double price = a->factor_price;
+  return to_come > 1.5 + price;
+}
+
+int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
+{
+  const int keep_factors = rung == 0 && a->reuse;
+  double before = HUGE_VAL;
+  int status;
+  a->n_residuals = 0;
+  step->residual(a, step, a->r);
+  for (int iteration = 0;; iteration++) {
+    const double unbalance = ed_unbalance(a, a->r);
+    if (a->n_residuals < ED_MAX_RESIDUALS)
+      a->residuals[a->n_residuals++] = unbalance;
+    if (!isfinite(unbalance) && iteration > 0)
+      return ED_E_NOT_FINITE;
+    if (unbalance <= a->tolerance) {
+      a->statistics.worst_unbalance = fmax(a->statistics.worst_unbalance, unbalance);
+      return ED_OK;
+    }
+    if (iteration == a->max_iterations)
+      return ED_E_NOT_CONVERGED;
+    const int same = a->factored_stamp >= 0 && a->factored_k == step->k && a->factored_m == step->m &&
+                     a->factored_c == step->c;
+    int factor = !same;
+    if (same && !keep_factors)
+      factor = a->factored_stamp != a->tangent_stamp || rung != 0;
+    else if (same && iteration > 0)
+      factor = worth_factoring(a, unbalance, before);
+    if (factor && (status = ed_factor_effective(a, step->k, step->m, step->c)) != ED_OK)
+      return status;
+    memcpy(a->du, a->r, (size_t)a->n * sizeof(double));
+    if ((status = ed_solve_effective(a, a->du)) != ED_OK)
+      return status;
+    a->statistics.iterations++;
+    const double start = rung >= ED_RUNG_LINE_SEARCH ? slope(a) : 0.0;
+    move(a, step, 1.0);
+    if ((status = evaluate(a, step)) != ED_OK)
+      return status;
+    if (rung >= ED_RUNG_LINE_SEARCH && (status = search(a, step, start)) != ED_OK)
+      return status;
+    before = unbalance;
+  }
+}

@@ -1,0 +1,121 @@
+/* Time histories by Newmark and generalised-alpha (Chung & Hulbert 1993; HHT is alpha_m = 0). Internal and damping forces are
+ * weighted between the ends of the step. */
+#include "system/analysis.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void residual(ed_analysis *a, const ed_step *step, double *r)
+{
+  const ed_state *now = &a->trial, *before = &a->committed;
+  const double af = a->run.alpha_f, am = a->run.alpha_m;
+  const int n = a->n;
+  ed_damping_force(a, now->v, now->damping);
+  if (af == 0.0 && am == 0.0) {
+    for (int i = 0; i < n; i++)
+      r[i] = a->external[i] - now->resisting[i] - now->damping[i] -
+             a->mass[i] * (now->a[i] + a->influence[0][i] * step->ground[0] + a->influence[1][i] * step->ground[1]);
+  } else {
+    const double gx = (1.0 - af) * step->ground[0] + af * step->ground_before[0];
+    const double gy = (1.0 - af) * step->ground[1] + af * step->ground_before[1];
+    for (int i = 0; i < n; i++)
+      r[i] = a->external[i] - (1.0 - af) * (now->resisting[i] + now->damping[i]) -
+             af * (before->resisting[i] + before->damping[i]) -
+             a->mass[i] * ((1.0 - am) * now->a[i] + am * before->a[i] + a->influence[0][i] * gx +
+                           a->influence[1][i] * gy);
+  }
+  ed_raise_force_level(a, now->resisting);
+}
+
+int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, const double *ground_y, int method,
+                     const double *p)
+{
+  if (a->run.kind != ED_RUN_NONE)
+    return ed_fail(a, ED_E_STATE, "another run has not ended");
+  if (n < 1 || !(dt > 0.0) || !isfinite(dt))
+    return ed_fail(a, ED_E_ARGUMENT, "%d steps of %g", n, dt);
+  double mass = 0.0;
+  for (int i = 0; i < a->n; i++)
+    mass += a->mass[i];
+  if (mass == 0.0)
+    return ed_fail(a, ED_E_ARGUMENT, "a time history needs masses");
+  const double am = method == ED_GENERALISED_ALPHA ? p[0] : 0.0, af = method == ED_GENERALISED_ALPHA ? p[1] : 0.0;
+  const double gamma = method == ED_GENERALISED_ALPHA ? p[2] : p[0], beta = method == ED_GENERALISED_ALPHA ? p[3] : p[1];
+  if (!(beta > 0.0 && gamma > 0.0 && am < 1.0 && af >= 0.0 && af < 1.0))
+    return ed_fail(a, ED_E_ARGUMENT, "integration parameters out of range");
+  const size_t samples = (size_t)n + 1;
+  double *block = calloc(2 * samples, sizeof *block);
+  if (!block)
+    return ed_fail(a, ED_E_MEMORY, "out of memory");
+  const double *given[2] = {ground_x, ground_y};
+  for (int axis = 0; axis < 2; axis++)
+    for (size_t i = 0; given[axis] && i < samples; i++) {
+      block[(size_t)axis * samples + i] = given[axis][i];
+      if (!isfinite(given[axis][i])) {
+        free(block);
+        return ed_fail(a, ED_E_NOT_FINITE, "ground acceleration: sample %ld is not a finite number", (long)i + 1);
+      }
+    }
+  ed_start_run(a, ED_RUN_HISTORY, n);
+  ed_run *run = &a->run;
+  run->dt = dt;
+  run->ground[0] = block;
+  run->ground[1] = block + samples;
+  run->alpha_m = am;
+  run->alpha_f = af;
+  run->gamma = gamma;
+  run->beta = beta;
+  for (int axis = 0; axis < 2; axis++)
+    run->ground_now[axis] = run->ground_before[axis] = run->ground[axis][0];
+  a->committed.head->time = a->trial.head->time = 0.0;
+  /* the first acceleration from equilibrium, where there is mass */
+  ed_freeze_damping(a, 0);
+  ed_damping_force(a, a->trial.v, a->trial.damping);
+  for (int i = 0; i < a->n; i++)
+    if (a->mass[i] > 0.0)
+      a->trial.a[i] = (a->external[i] - a->trial.resisting[i] - a->trial.damping[i]) / a->mass[i] -
+                      a->influence[0][i] * run->ground_now[0] - a->influence[1][i] * run->ground_now[1];
+  memcpy(a->committed.a, a->trial.a, (size_t)a->n * sizeof(double));
+  memcpy(a->committed.damping, a->trial.damping, (size_t)a->n * sizeof(double));
+  return ED_OK;
+}
+
+static double ground_at(const ed_run *run, int axis, double position)
+{
+  const double *g = run->ground[axis];
+  const int i = run->done;
+  if (position <= 0.0)
+    return g[i];
+  return position >= 1.0 ? g[i + 1] : g[i] + position * (g[i + 1] - g[i]);
+}
+
+int ed_history_attempt(ed_analysis *a, double fraction, int rung)
+{
+  ed_run *run = &a->run;
+  ed_state_head *head = a->trial.head;
+  const double dt = run->dt * fraction, b = run->beta, g = run->gamma;
+  ed_freeze_damping(a, rung);
+  ed_step step = {
+      .k = 1.0 - run->alpha_f,
+      .m = (1.0 - run->alpha_m) / (b * dt * dt),
+      .c = (1.0 - run->alpha_f) * g / (b * dt),
+      .velocity = g / (b * dt),
+      .acceleration = 1.0 / (b * dt * dt),
+      .residual = residual,
+      .dt = dt,
+  };
+  for (int axis = 0; axis < 2; axis++) {
+    step.ground_before[axis] = run->ground_before[axis] = ground_at(run, axis, head->position);
+    step.ground[axis] = run->ground_now[axis] = ground_at(run, axis, head->position + fraction);
+  }
+  head->position += fraction;
+  head->time = (run->done + head->position) * run->dt;
+  /* start from the committed displacement: its element states are known */
+  const double *v0 = a->committed.v, *a0 = a->committed.a;
+  for (int i = 0; i < a->n; i++) {
+    a->trial.v[i] = (1.0 - g / b) * v0[i] + dt * (1.0 - 0.5 * g / b) * a0[i];
+    a->trial.a[i] = (1.0 - 0.5 / b) * a0[i] - v0[i] / (b * dt);
+  }
+  return ed_equilibrate(a, &step, rung);
+}

@@ -1,0 +1,110 @@
+/* The failure ladder. A step is tried with ever safer iterations, then halved, a bounded number of times; every rung that
+ * was used is recorded, and when all fail the state is exactly what it was before the step. */
+#include "system/analysis.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static void record(ed_analysis *a, int rung, int level, int status)
+{
+  a->statistics.fallbacks++;
+  if (a->n_events == ED_MAX_EVENTS)
+    return;
+  a->events[a->n_events++] = (ed_event){.time = a->committed.head->time,
+                                        .step = a->run.done + 1,
+                                        .rung = rung,
+                                        .level = level,
+                                        .success = status == ED_OK,
+                                        .iterations = ed_last_iterations(a)};
+}
+
+static int climb(ed_analysis *a, ed_attempt attempt, double fraction, int level)
+{
+  int status = ED_E_NOT_CONVERGED;
+  for (int rung = 0; rung <= ED_RUNG_FROZEN_DAMPING; rung++) {
+    if (rung == ED_RUNG_FULL_NEWTON && !a->reuse)
+      continue; /* was the first attempt */
+    if (rung == ED_RUNG_FROZEN_DAMPING &&
+        (a->rayleigh_kind != ED_STIFFNESS_CURRENT || a->rayleigh_stiffness == 0.0 || a->run.kind != ED_RUN_HISTORY))
+      continue; /* nothing to freeze */
+    status = attempt(a, fraction, rung);
+    if (rung > 0)
+      record(a, rung, level, status);
+    if (status == ED_OK) {
+      ed_commit(a);
+      a->statistics.substeps++;
+      return ED_OK;
+    }
+    if (level == a->halvings && rung == ED_RUNG_FROZEN_DAMPING)
+      break;
+    ed_revert(a);
+  }
+  if (level == a->halvings)
+    return status;
+  record(a, ED_RUNG_HALVE, level + 1, ED_OK);
+  for (int half = 0; half < 2; half++)
+    if ((status = climb(a, attempt, 0.5 * fraction, level + 1)) != ED_OK)
+      return status;
+  return ED_OK;
+}
+
+int ed_climb(ed_analysis *a, ed_attempt attempt)
+{
+  /* the first attempt needs no copy of the layers: only a commit changes them */
+  int status = attempt(a, 1.0, 0);
+  if (status == ED_OK) {
+    ed_commit(a);
+    a->statistics.substeps++;
+    return ED_OK;
+  }
+  ed_revert(a);
+  ed_backup(a);
+  status = climb(a, attempt, 1.0, 0);
+  if (status == ED_OK)
+    return ED_OK;
+  status = ed_explain(a, status);
+  ed_restore(a);
+  return status;
+}
+
+/* Says what happened, where and how, from the last attempt. */
+int ed_explain(ed_analysis *a, int status)
+{
+  char degree[ED_NAME + 8], where[2 * ED_NAME] = "", path[200] = "", cause[420] = "";
+  const ed_element *e = NULL;
+  if (status == ED_E_ELEMENT)
+    e = &a->elements[a->failed_member];
+  /* the element with the largest share of inelastic sections at the worst degree's node */
+  for (int m = 0; !e && m < a->model->n_members; m++)
+    for (int i = 0; i < 6; i++)
+      if (a->equation[a->elements[m].dof[i]] == a->worst &&
+          (a->trial.elements[a->elements[m].state + ED_BLOCK_INELASTIC] != 0.0))
+        e = &a->elements[m];
+  if (e) {
+    int section = 0;
+    for (int p = 0; p < e->points; p++)
+      if (a->trial.elements[e->state + ED_BLOCK_POINTS + p * ED_POINT_SIZE + ED_POINT_ELASTIC] == 0.0)
+        section = p + 1;
+    snprintf(where, sizeof where, section ? ", element %s section %d" : ", element %s", e->member->name, section);
+  }
+  for (int i = 0; i < a->n_residuals; i++) {
+    const size_t used = strlen(path);
+    if (i < 4 || i >= a->n_residuals - 4)
+      snprintf(path + used, sizeof path - used, "%s%.2g", i ? " " : "", a->residuals[i]);
+    else if (i == 4)
+      snprintf(path + used, sizeof path - used, " ...");
+  }
+  if (status == ED_E_SINGULAR) {
+    char names[300];
+    ed_assemble_tangent(a);
+    ed_name_mechanism(a, names, sizeof names);
+    snprintf(cause, sizeof cause, "; softest at %s: the structure has reached its limit load or lost stability", names);
+  }
+  const char *abscissa = a->run.kind == ED_RUN_HISTORY ? "time" : a->run.kind == ED_RUN_STATIC ? "load factor" : "displacement";
+  return ed_fail(a, status,
+                 "%s: step %d, %s %.6g, after %d halvings of the step; largest unbalance at %s%s; relative residuals %s%s. "
+                 "Try a smaller step%s",
+                 ed_status_text(status), a->run.done + 1, abscissa, a->committed.head->time, a->halvings,
+                 ed_equation_name(a, a->worst, degree, sizeof degree), where, path, cause,
+                 a->run.kind == ED_RUN_STATIC ? ", or displacement control if the load exceeds the capacity" : "");
+}

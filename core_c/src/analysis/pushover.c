@@ -1,0 +1,98 @@
+/* Displacement control: the load factor of a pattern follows so that one degree moves as asked (Batoz & Dhatt 1979). */
+#include "system/analysis.h"
+
+#include <math.h>
+#include <string.h>
+
+int ed_pushover_begin(ed_analysis *a, int pattern, int node, int degree, double target, int steps)
+{
+  const ed_model *model = a->model;
+  if (a->run.kind != ED_RUN_NONE)
+    return ed_fail(a, ED_E_STATE, "another run has not ended");
+  if (pattern < 0 || pattern >= model->n_patterns || node < 0 || node >= model->n_nodes || degree < 0 || degree > 2)
+    return ed_fail(a, ED_E_ID, "there is no load pattern %d or no degree %d at node %d", pattern, degree, node);
+  if (steps < 1 || !isfinite(target))
+    return ed_fail(a, ED_E_ARGUMENT, "%d steps to %g", steps, target);
+  for (int i = 0; i < model->n_member_loads; i++)
+    if (model->member_loads[i].pattern == pattern)
+      return ed_fail(a, ED_E_ARGUMENT, "a pushover pattern takes loads on nodes only");
+  const int control = a->equation[3 * node + degree];
+  if (control < 0)
+    return ed_fail(a, ED_E_ARGUMENT, "node %s: the controlled degree is fixed", model->nodes[node].name);
+  int loaded = 0;
+  for (int i = 0; i < model->n_nodal_loads; i++)
+    loaded |= model->nodal_loads[i].pattern == pattern;
+  if (!loaded)
+    return ed_fail(a, ED_E_ARGUMENT, "the pushover pattern has no load");
+  ed_start_run(a, ED_RUN_PUSHOVER, steps);
+  a->run.pattern = pattern;
+  a->run.control = control;
+  a->run.control_start = a->committed.u[control];
+  a->run.control_end = target;
+  return ED_OK;
+}
+
+static void reference_load(const ed_analysis *a, double *load)
+{
+  memset(load, 0, (size_t)a->n * sizeof *load);
+  for (int i = 0; i < a->model->n_nodal_loads; i++) {
+    const ed_nodal_load *nodal = &a->model->nodal_loads[i];
+    for (int d = 0; nodal->pattern == a->run.pattern && d < 3; d++) {
+      const int equation = a->equation[3 * nodal->node + d];
+      if (equation >= 0)
+        load[equation] += nodal->force[d];
+    }
+  }
+}
+
+int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
+{
+  const ed_run *run = &a->run;
+  ed_state_head *head = a->trial.head;
+  double *load = a->predicted, *by_load = a->work;
+  int status;
+  head->position += fraction;
+  const double share = (run->done + head->position) / run->steps;
+  const double target = run->control_start + share * (run->control_end - run->control_start);
+  head->time = target;
+  reference_load(a, load);
+  a->n_residuals = 0;
+  /* from the safer rungs on, the step in free degrees is shortened when it overshoots */
+  const double damp = rung >= ED_RUNG_LINE_SEARCH ? 0.5 : 1.0;
+  for (int iteration = 0;; iteration++) {
+    for (int i = 0; i < a->n; i++)
+      a->r[i] = a->external[i] - a->trial.resisting[i];
+    ed_raise_force_level(a, a->trial.resisting);
+    const double unbalance = ed_unbalance(a, a->r);
+    if (a->n_residuals < ED_MAX_RESIDUALS)
+      a->residuals[a->n_residuals++] = unbalance;
+    if (!isfinite(unbalance) && iteration > 0)
+      return ED_E_NOT_FINITE;
+    if (iteration > 0 && unbalance <= a->tolerance) {
+      a->statistics.worst_unbalance = fmax(a->statistics.worst_unbalance, unbalance);
+      return ED_OK;
+    }
+    if (iteration == a->max_iterations * (rung >= ED_RUNG_LINE_SEARCH ? 2 : 1))
+      return ED_E_NOT_CONVERGED;
+    if ((status = ed_factor_effective(a, 1.0, 0.0, 0.0)) != ED_OK)
+      return status;
+    memcpy(a->du, a->r, (size_t)a->n * sizeof(double));
+    memcpy(by_load, load, (size_t)a->n * sizeof(double));
+    if ((status = ed_solver_solve(a->solver, a->du, 1)) != ED_OK ||
+        (status = ed_solver_solve(a->solver, by_load, 1)) != ED_OK)
+      return status;
+    a->statistics.iterations++;
+    if (by_load[run->control] == 0.0)
+      return ed_fail(a, ED_E_ARGUMENT, "the pushover loads do not move the controlled degree");
+    const double missing = target - a->trial.u[run->control];
+    const double factor = (missing - a->du[run->control]) / by_load[run->control];
+    const double share_taken = iteration > 0 ? damp : 1.0;
+    for (int i = 0; i < a->n; i++)
+      a->trial.u[i] += share_taken * (a->du[i] + factor * by_load[i]);
+    a->factors[run->pattern] += share_taken * factor;
+    for (int i = 0; i < a->n; i++)
+      a->external[i] += share_taken * factor * load[i];
+    if ((status = ed_update_elements(a)) != ED_OK)
+      return status;
+  }
+}

@@ -1,0 +1,96 @@
+/* Runs are begun, advanced in pieces and ended. */
+#include "system/analysis.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const ed_attempt attempts[] = {NULL, ed_static_attempt, ed_pushover_attempt, ed_history_attempt};
+
+void ed_start_run(ed_analysis *a, int kind, int steps)
+{
+  memset(&a->run, 0, sizeof a->run);
+  a->run.kind = (ed_run_kind)kind;
+  a->run.steps = steps;
+  a->run.every = 1;
+  a->n_events = 0;
+  a->committed.head->position = a->trial.head->position = 0.0;
+  /* about 2000 operations an element and iteration beside the solution; a division, two passes over the factors */
+  const double others = 2000.0 * a->model->n_members;
+  a->factor_price = ed_solver_flops(a->solver) / (ed_solver_solve_flops(a->solver) + others);
+}
+
+void ed_run_buffers(ed_analysis *a, int every, double *abscissa, double *values, double *energy)
+{
+  a->run.every = every > 0 ? every : 1;
+  a->run.abscissa = abscissa;
+  a->run.values = values;
+  a->run.energy = energy;
+}
+
+int ed_run_advance(ed_analysis *a, int max_steps)
+{
+  ed_run *run = &a->run;
+  if (run->kind == ED_RUN_NONE)
+    return ed_fail(a, ED_E_STATE, "no run has begun");
+  if (run->failed)
+    return ed_fail(a, ED_E_STATE, "the run has failed");
+  if (run->done == 0 && run->row == 0)
+    ed_sample(a, 1);
+  for (int i = 0; i < max_steps && run->done < run->steps; i++) {
+    const int status = ed_climb(a, attempts[run->kind]);
+    if (status != ED_OK) {
+      run->failed = 1;
+      return status;
+    }
+    a->committed.head->position = a->trial.head->position = 0.0;
+    run->done++;
+    a->statistics.steps++;
+    ed_sample(a, run->done % run->every == 0);
+  }
+  return ED_OK;
+}
+
+int ed_run_steps_done(const ed_analysis *a)
+{
+  return a->run.done;
+}
+
+int ed_run_rows(const ed_analysis *a)
+{
+  return a->run.row;
+}
+
+void ed_run_end(ed_analysis *a)
+{
+  if (a->run.kind == ED_RUN_NONE)
+    return;
+  if (a->energy)
+    ed_close_energy(a);
+  free(a->run.ground[0]);
+  memset(&a->run, 0, sizeof a->run);
+}
+
+int ed_initial_velocity(ed_analysis *a, const double *velocity)
+{
+  if (a->run.kind != ED_RUN_NONE)
+    return ed_fail(a, ED_E_STATE, "initial velocities come before the run");
+  memcpy(a->committed.v, velocity, (size_t)a->n * sizeof(double));
+  memcpy(a->trial.v, velocity, (size_t)a->n * sizeof(double));
+  double kinetic = 0.0;
+  for (int i = 0; i < a->n; i++)
+    kinetic += 0.5 * a->mass[i] * velocity[i] * velocity[i];
+  a->trial.head->energy[ED_INPUT] += kinetic;
+  a->trial.head->largest_input = fmax(a->trial.head->largest_input, kinetic);
+  *a->committed.head = *a->trial.head;
+  return ED_OK;
+}
+
+int ed_try_and_revert(ed_analysis *a, double fraction)
+{
+  if (a->run.kind == ED_RUN_NONE || a->run.done == a->run.steps)
+    return ed_fail(a, ED_E_STATE, "there is no next step to try");
+  const int status = attempts[a->run.kind](a, fraction, 0);
+  ed_revert(a);
+  return status;
+}

@@ -1,0 +1,45 @@
+/* Load control. */
+#include "system/analysis.h"
+
+#include <math.h>
+#include <string.h>
+
+static void residual(ed_analysis *a, const ed_step *step, double *r)
+{
+  (void)step;
+  for (int i = 0; i < a->n; i++)
+    r[i] = a->external[i] - a->trial.resisting[i];
+  ed_raise_force_level(a, a->trial.resisting);
+  ed_raise_force_level(a, a->external);
+}
+
+int ed_static_begin(ed_analysis *a, int pattern, double factor, int steps)
+{
+  if (a->run.kind != ED_RUN_NONE)
+    return ed_fail(a, ED_E_STATE, "another run has not ended");
+  if (pattern < 0 || pattern >= a->model->n_patterns)
+    return ed_fail(a, ED_E_ID, "there is no load pattern %d", pattern);
+  if (steps < 1 || !isfinite(factor))
+    return ed_fail(a, ED_E_ARGUMENT, "%d load steps to factor %g", steps, factor);
+  ed_start_run(a, ED_RUN_STATIC, steps);
+  a->run.pattern = pattern;
+  a->run.factor_start = a->factors_committed[pattern];
+  a->run.factor_end = factor;
+  return ED_OK;
+}
+
+int ed_static_attempt(ed_analysis *a, double fraction, int rung)
+{
+  const ed_run *run = &a->run;
+  const ed_step step = {.k = 1.0, .residual = residual};
+  ed_state_head *head = a->trial.head;
+  head->position += fraction;
+  const double share = (run->done + head->position) / run->steps;
+  const double factor = share >= 1.0 ? run->factor_end : run->factor_start + share * (run->factor_end - run->factor_start);
+  a->factors[run->pattern] = factor;
+  head->time = factor;
+  ed_set_factors(a);
+  /* element loads act inside the elements: their states must follow before the first residual */
+  const int status = ed_update_elements(a);
+  return status == ED_OK ? ed_equilibrate(a, &step, rung) : status;
+}

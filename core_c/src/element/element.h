@@ -1,0 +1,85 @@
+/* Elements at run time. Each keeps a block of doubles in the state: basic deformations v, basic forces q, tangent kb, and
+ * what its kind needs; the layers' committed state lies elsewhere. Basic system: simply supported, axially fixed at i;
+ * v = (elongation, rotation i, rotation j from the chord), q conjugate. */
+#ifndef ED_ELEMENT_H
+#define ED_ELEMENT_H
+
+#include "system/model.h"
+
+/* symmetric 3x3: 00 01 02 11 12 22 */
+typedef struct {
+  const ed_member *member;
+  ed_element_kind kind;
+  int geometry;
+  int dof[6];            /* into vectors over all degrees, 3 a node */
+  int release[2];
+  double length, c, s;
+  int points;
+  const ed_section *section[ED_MAX_POINTS];
+  double x[ED_MAX_POINTS];       /* 0..1 */
+  double weight[ED_MAX_POINTS];  /* times length */
+  double inverse[ED_MAX_POINTS][3]; /* initial section flexibility 11 12 22 */
+  double flexibility[6];         /* elastic, of the whole basic system */
+  double stiffness[6];           /* elastic basic stiffness with releases */
+  double yield_strain;           /* smallest over the sections */
+  const ed_steel *steel;         /* truss */
+  double area;
+  double link[36];               /* link: stiffness, global */
+  double link_axis[2];
+  int state;                     /* offset of the block */
+  int layers;                    /* offset of the layers' state */
+  int layer_offset[ED_MAX_POINTS];
+  /* loads at the present factors */
+  double section_load[ED_MAX_POINTS][2]; /* N, M */
+  double end_load[3];            /* reactions: axial i, transverse i, transverse j */
+  double free_deformation[3];    /* elastic deformation under the loads with q = 0 */
+} ed_element;
+
+typedef struct {
+  double tolerance;
+  int fast_elastic;
+  long updates, iterations, elastic;
+} ed_element_control;
+
+/* Offsets in the block. */
+enum { ED_BLOCK_V = 0, ED_BLOCK_Q = 3, ED_BLOCK_K = 6, ED_BLOCK_REFERENCE = 12, ED_BLOCK_INELASTIC = 13, ED_BLOCK_POINTS = 14 };
+/* a point: e0 kappa, N M, k11 k12 k22, elastic */
+enum { ED_POINT_E = 0, ED_POINT_S = 2, ED_POINT_K = 4, ED_POINT_ELASTIC = 7, ED_POINT_SIZE = 8 };
+
+void ed_element_setup(ed_element *element, const ed_model *model, int index);
+int ed_element_block_size(const ed_element *element);
+int ed_element_layer_size(const ed_element *element);
+void ed_element_initialise(const ed_element *element, double *block, double *layers);
+
+void ed_element_clear_loads(ed_element *element);
+void ed_element_add_load(ed_element *element, const ed_member_load *load, double factor);
+void ed_element_finish_loads(ed_element *element);
+
+/* Finds q and kb for the displacements of the six degrees; *tangent_changed says whether kb is another than before. */
+int ed_element_update(const ed_element *element, const double *displacement, const double *layers, double *block,
+                      ed_element_control *control, int *tangent_changed);
+/* Resisting forces at the six degrees in global axes. */
+void ed_element_forces(const ed_element *element, const double *displacement, const double *block, double *force);
+/* Tangent 6x6 in global axes. */
+void ed_element_tangent(const ed_element *element, const double *displacement, const double *block, double *tangent);
+/* Advances the layers to the block's deformations; the return is the energy dissipated on the way. */
+double ed_element_commit(const ed_element *element, double *block, double *layers);
+double ed_element_stored(const ed_element *element, const double *block, const double *layers);
+/* Lateral second-order force N D / L and drift D across a P-Delta element; 0 for others. */
+void ed_element_p_delta(const ed_element *element, const double *displacement, const double *block, double *force,
+                        double *drift);
+double ed_element_plastic_rotation(const ed_element *element, const double *block, int end);
+
+/* Geometry (geometry.c). */
+typedef struct {
+  double c, s, l;        /* chord */
+  double v[3];
+  double drift;          /* transverse, from i to j, along the original axes */
+} ed_kinematics;
+void ed_kinematics_of(const ed_element *element, const double *displacement, ed_kinematics *k);
+
+/* Force-based beam (fibre_beam.c). */
+int ed_fibre_beam_update(const ed_element *element, const double *v, const double *layers, double *block,
+                         ed_element_control *control, int *tangent_changed);
+
+#endif

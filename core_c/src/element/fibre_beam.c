@@ -1,0 +1,208 @@
+/* State determination of the force-based beam-column (Spacone, Ciampi & Filippou 1996; Neuenhofer & Filippou 1997).
+ *
+ * Given the basic deformations v, find section deformations e_p and basic forces q with
+ *     s_p(e_p) = b_p q + sl_p        (equilibrium in every section, sl: element load)
+ *     sum_p w_p b_p' e_p = v         (compatibility)
+ * Newton on both at once, with e_p condensed out. After the first step compatibility holds exactly, and the iteration is
+ * then Newton on the convex potential of the sections under linear constraints, so a line search on its slope makes it
+ * converge from anywhere for laws without softening.
+ */
+#include "base/symmetric.h"
+#include "element/element.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MAX_ITERATIONS = 60, MAX_SEARCH = 12 };
+
+/* A fully plastic section has no stiffness; for the direction of the next step (never for forces) it keeps this share of
+ * the elastic one. */
+static const double RESIDUAL_STIFFNESS = 1e-8;
+
+/* b_p' f b_p with b = [1 0 0; 0 x-1 x], added with its weight to the flexibility. */
+static inline void add_flexibility(double *F, const double *f, double x, double w)
+{
+  const double i = x - 1.0;
+  F[0] += w * f[0];
+  F[1] += w * f[1] * i;
+  F[2] += w * f[1] * x;
+  F[3] += w * f[2] * i * i;
+  F[4] += w * f[2] * i * x;
+  F[5] += w * f[2] * x * x;
+}
+
+static inline void section_flexibility(const ed_element *e, int p, const double *point, double *f)
+{
+  if (point[ED_POINT_ELASTIC] != 0.0) {
+    memcpy(f, e->inverse[p], 3 * sizeof *f);
+    return;
+  }
+  const ed_section *section = e->section[p];
+  const double *k = point + ED_POINT_K;
+  const double k11 = k[0] + RESIDUAL_STIFFNESS * section->k11;
+  const double k12 = k[1] + RESIDUAL_STIFFNESS * section->k12;
+  const double k22 = k[2] + RESIDUAL_STIFFNESS * section->k22;
+  const double r = 1.0 / (k11 * k22 - k12 * k12);
+  f[0] = k22 * r;
+  f[1] = -k12 * r;
+  f[2] = k11 * r;
+}
+
+static inline int invert_flexibility(const ed_element *e, const double *F, double *K)
+{
+  double reduced[6];
+  memcpy(reduced, F, sizeof reduced);
+  for (int end = 0; end < 2; end++)
+    if (e->release[end])
+      ed_sym3_release(reduced, end + 1, F[3]);
+  if (!(ed_sym3_inverse(reduced, K) > 0.0))
+    return 0;
+  for (int end = 0; end < 2; end++)
+    if (e->release[end])
+      ed_sym3_release(K, end + 1, 0.0);
+  return 1;
+}
+
+static inline void respond(const ed_element *e, int p, const double *layers, double *point)
+{
+  ed_section_response r;
+  ed_section_trial(e->section[p], layers + e->layer_offset[p], point[0], point[1], &r);
+  point[ED_POINT_S] = r.N;
+  point[ED_POINT_S + 1] = r.M;
+  point[ED_POINT_K] = r.k11;
+  point[ED_POINT_K + 1] = r.k12;
+  point[ED_POINT_K + 2] = r.k22;
+  point[ED_POINT_ELASTIC] = r.elastic;
+}
+
+/* A member that never yielded and does not yield now is linear: closed form. Returns 0 when it does not apply. */
+static int elastic_shortcut(const ed_element *e, const double *v, double *block)
+{
+  double relative[3], q[3];
+  for (int i = 0; i < 3; i++)
+    relative[i] = v[i] - e->free_deformation[i];
+  ed_sym3_times(e->stiffness, relative, q);
+  double deformation[ED_MAX_POINTS][2], force[ED_MAX_POINTS][2];
+  for (int p = 0; p < e->points; p++) {
+    const double x = e->x[p];
+    const double N = q[0] + e->section_load[p][0];
+    const double M = (x - 1.0) * q[1] + x * q[2] + e->section_load[p][1];
+    const double *f = e->inverse[p];
+    force[p][0] = N;
+    force[p][1] = M;
+    deformation[p][0] = f[0] * N + f[1] * M;
+    deformation[p][1] = f[1] * N + f[2] * M;
+    if (!(fabs(deformation[p][0]) + e->section[p]->depth * fabs(deformation[p][1]) < e->section[p]->yield_strain))
+      return 0;
+  }
+  memcpy(block + ED_BLOCK_V, v, 3 * sizeof *v);
+  memcpy(block + ED_BLOCK_Q, q, sizeof q);
+  memcpy(block + ED_BLOCK_K, e->stiffness, 6 * sizeof(double));
+  for (int p = 0; p < e->points; p++) {
+    double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
+    memcpy(point + ED_POINT_E, deformation[p], sizeof deformation[p]);
+    memcpy(point + ED_POINT_S, force[p], sizeof force[p]);
+    point[ED_POINT_K] = e->section[p]->k11;
+    point[ED_POINT_K + 1] = e->section[p]->k12;
+    point[ED_POINT_K + 2] = e->section[p]->k22;
+    point[ED_POINT_ELASTIC] = 1.0;
+  }
+  return 1;
+}
+
+int ed_fibre_beam_update(const ed_element *e, const double *v, const double *layers, double *block,
+                         ed_element_control *control, int *tangent_changed)
+{
+  double before[6];
+  memcpy(before, block + ED_BLOCK_K, sizeof before);
+  control->updates++;
+  if (control->fast_elastic && block[ED_BLOCK_INELASTIC] == 0.0 && elastic_shortcut(e, v, block)) {
+    control->elastic++;
+    *tangent_changed = memcmp(before, block + ED_BLOCK_K, sizeof before) != 0;
+    return ED_OK;
+  }
+  double *q = block + ED_BLOCK_Q, *K = block + ED_BLOCK_K, *points = block + ED_BLOCK_POINTS;
+  double f[ED_MAX_POINTS][3], unbalance[ED_MAX_POINTS][2], step[ED_MAX_POINTS][2];
+  memcpy(block + ED_BLOCK_V, v, 3 * sizeof *v);
+
+  for (int iteration = 0;; iteration++) {
+    double F[6] = {0}, missing[3] = {v[0], v[1], v[2]};
+    double energy = 0.0, level = 0.0;
+    for (int p = 0; p < e->points; p++) {
+      double *point = points + p * ED_POINT_SIZE;
+      const double x = e->x[p], w = e->weight[p];
+      const double N = q[0] + e->section_load[p][0];
+      const double M = (x - 1.0) * q[1] + x * q[2] + e->section_load[p][1];
+      section_flexibility(e, p, point, f[p]);
+      unbalance[p][0] = N - point[ED_POINT_S];
+      unbalance[p][1] = M - point[ED_POINT_S + 1];
+      const double de = f[p][0] * unbalance[p][0] + f[p][1] * unbalance[p][1];
+      const double dk = f[p][1] * unbalance[p][0] + f[p][2] * unbalance[p][1];
+      const double curvature = w * (point[1] + dk);
+      missing[0] -= w * (point[0] + de);
+      missing[1] -= (x - 1.0) * curvature;
+      missing[2] -= x * curvature;
+      add_flexibility(F, f[p], x, w);
+      /* measured with the elastic flexibility: the softened one would magnify rounding */
+      const double *f0 = e->inverse[p];
+      energy += w * (f0[0] * unbalance[p][0] * unbalance[p][0] + 2.0 * f0[1] * unbalance[p][0] * unbalance[p][1] +
+                     f0[2] * unbalance[p][1] * unbalance[p][1]);
+      level += w * (f0[0] * N * N + 2.0 * f0[1] * N * M + f0[2] * M * M);
+    }
+    if (!isfinite(energy))
+      return ED_E_NOT_FINITE;
+    if (level > block[ED_BLOCK_REFERENCE])
+      block[ED_BLOCK_REFERENCE] = level;
+    if (!invert_flexibility(e, F, K))
+      return ED_E_ELEMENT;
+    if (iteration > 0 && energy <= control->tolerance * block[ED_BLOCK_REFERENCE])
+      break;
+    if (iteration == MAX_ITERATIONS)
+      return ED_E_ELEMENT;
+    control->iterations++;
+
+    double dq[3], slope = 0.0;
+    ed_sym3_times(K, missing, dq);
+    for (int i = 0; i < 3; i++)
+      q[i] += dq[i];
+    for (int p = 0; p < e->points; p++) {
+      double *point = points + p * ED_POINT_SIZE;
+      const double x = e->x[p];
+      const double N = unbalance[p][0] + dq[0];
+      const double M = unbalance[p][1] + (x - 1.0) * dq[1] + x * dq[2];
+      step[p][0] = f[p][0] * N + f[p][1] * M;
+      step[p][1] = f[p][1] * N + f[p][2] * M;
+      slope -= e->weight[p] * (unbalance[p][0] * step[p][0] + unbalance[p][1] * step[p][1]);
+      point[0] += step[p][0];
+      point[1] += step[p][1];
+      respond(e, p, layers, point);
+    }
+    if (iteration == 0)
+      continue;
+    /* slope of the potential along the step: negative at its start, should be small at its end */
+    double taken = 1.0, low = 0.0, high = 1.0;
+    for (int search = 0; search < MAX_SEARCH; search++) {
+      double end = 0.0;
+      for (int p = 0; p < e->points; p++) {
+        const double *point = points + p * ED_POINT_SIZE;
+        const double x = e->x[p];
+        const double N = q[0] + e->section_load[p][0] - point[ED_POINT_S];
+        const double M = (x - 1.0) * q[1] + x * q[2] + e->section_load[p][1] - point[ED_POINT_S + 1];
+        end -= e->weight[p] * (N * step[p][0] + M * step[p][1]);
+      }
+      if (slope >= 0.0 || end <= 0.0 || end <= 0.5 * -slope)
+        break;
+      high = taken;
+      const double next = fmax(low + 0.1 * (high - low), low + (high - low) * slope / (slope - end));
+      for (int p = 0; p < e->points; p++) {
+        double *point = points + p * ED_POINT_SIZE;
+        point[0] += (next - taken) * step[p][0];
+        point[1] += (next - taken) * step[p][1];
+        respond(e, p, layers, point);
+      }
+      taken = next;
+    }
+  }
+  *tangent_changed = memcmp(before, K, sizeof before) != 0;
+  return ED_OK;
+}

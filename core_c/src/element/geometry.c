@@ -1,0 +1,109 @@
+/* Small rotations (linear and P-Delta) and exact corotational kinematics of a plane member (Crisfield 1991, 7.3). */
+#include "element/element.h"
+
+#include <math.h>
+
+void ed_kinematics_of(const ed_element *e, const double *d, ed_kinematics *k)
+{
+  const double dx = d[3] - d[0], dy = d[4] - d[1];
+  k->drift = -e->s * dx + e->c * dy;
+  if (e->geometry != ED_COROTATIONAL) {
+    const double chord = k->drift / e->length;
+    k->c = e->c;
+    k->s = e->s;
+    k->l = e->length;
+    k->v[0] = e->c * dx + e->s * dy;
+    k->v[1] = d[2] - chord;
+    k->v[2] = d[5] - chord;
+    return;
+  }
+  const double along = e->length + e->c * dx + e->s * dy;
+  k->l = hypot(along, k->drift);
+  const double cb = along / k->l, sb = k->drift / k->l; /* chord from its first direction */
+  k->c = e->c * cb - e->s * sb;
+  k->s = e->s * cb + e->c * sb;
+  /* l - L without cancellation */
+  k->v[0] = (2.0 * e->length * (e->c * dx + e->s * dy) + dx * dx + dy * dy) / (k->l + e->length);
+  const double chord = atan2(sb, cb);
+  const double turn = 6.283185307179586476925286766559;
+  k->v[1] = remainder(d[2] - chord, turn);
+  k->v[2] = remainder(d[5] - chord, turn);
+}
+
+void ed_element_forces(const ed_element *e, const double *d, const double *block, double *force)
+{
+  if (e->kind == ED_LINK) {
+    for (int i = 0; i < 6; i++) {
+      double sum = 0.0;
+      for (int j = 0; j < 6; j++)
+        sum += e->link[6 * i + j] * d[j];
+      force[i] = sum;
+    }
+    return;
+  }
+  ed_kinematics k;
+  ed_kinematics_of(e, d, &k);
+  const double *q = block + ED_BLOCK_Q;
+  const double shear = (q[1] + q[2]) / k.l;
+  const double second = e->geometry == ED_P_DELTA ? q[0] * k.drift / e->length : 0.0;
+  const double fy_i = shear - second, fy_j = -shear + second;
+  force[0] = -k.c * q[0] - k.s * fy_i;
+  force[1] = -k.s * q[0] + k.c * fy_i;
+  force[2] = q[1];
+  force[3] = k.c * q[0] - k.s * fy_j;
+  force[4] = k.s * q[0] + k.c * fy_j;
+  force[5] = q[2];
+  /* element loads keep their direction */
+  force[0] += e->c * e->end_load[0] - e->s * e->end_load[1];
+  force[1] += e->s * e->end_load[0] + e->c * e->end_load[1];
+  force[3] += -e->s * e->end_load[2];
+  force[4] += e->c * e->end_load[2];
+}
+
+void ed_element_tangent(const ed_element *e, const double *d, const double *block, double *t)
+{
+  if (e->kind == ED_LINK) {
+    for (int i = 0; i < 36; i++)
+      t[i] = e->link[i];
+    return;
+  }
+  ed_kinematics k;
+  ed_kinematics_of(e, d, &k);
+  const double *q = block + ED_BLOCK_Q, *kb = block + ED_BLOCK_K;
+  const double l = k.l, ax = k.c, ay = k.s, tx = -k.s, ty = k.c;
+  /* along the chord a, across it t: translations D = A aa' + B (at' + ta') + G tt' */
+  const double A = kb[0];
+  double B = -(kb[1] + kb[2]) / l;
+  double G = (kb[3] + 2.0 * kb[4] + kb[5]) / (l * l);
+  if (e->geometry != ED_LINEAR)
+    G += q[0] / l;
+  if (e->geometry == ED_COROTATIONAL)
+    B += (q[1] + q[2]) / (l * l);
+  const double xx = A * ax * ax + 2.0 * B * ax * tx + G * tx * tx;
+  const double xy = A * ax * ay + B * (ax * ty + ay * tx) + G * tx * ty;
+  const double yy = A * ay * ay + 2.0 * B * ay * ty + G * ty * ty;
+  const double gi = (kb[3] + kb[4]) / l, gj = (kb[4] + kb[5]) / l;
+  const double ix = kb[1] * ax - gi * tx, iy = kb[1] * ay - gi * ty;
+  const double jx = kb[2] * ax - gj * tx, jy = kb[2] * ay - gj * ty;
+  const double full[36] = {
+      xx,  xy,  -ix, -xx, -xy, -jx,   /* ux i */
+      xy,  yy,  -iy, -xy, -yy, -jy,   /* uy i */
+      -ix, -iy, kb[3], ix, iy, kb[4], /* rz i */
+      -xx, -xy, ix,  xx,  xy,  jx,    /* ux j */
+      -xy, -yy, iy,  xy,  yy,  jy,    /* uy j */
+      -jx, -jy, kb[4], jx, jy, kb[5], /* rz j */
+  };
+  for (int i = 0; i < 36; i++)
+    t[i] = full[i];
+}
+
+void ed_element_p_delta(const ed_element *e, const double *d, const double *block, double *force, double *drift)
+{
+  *force = *drift = 0.0;
+  if (e->geometry != ED_P_DELTA || e->kind == ED_LINK)
+    return;
+  ed_kinematics k;
+  ed_kinematics_of(e, d, &k);
+  *drift = k.drift;
+  *force = block[ED_BLOCK_Q] * k.drift / e->length;
+}

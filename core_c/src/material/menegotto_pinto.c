@@ -1,0 +1,140 @@
+/* Menegotto & Pinto (1973) with the curvature rule of Filippou, Popov & Bertero (1983), no isotropic hardening.
+ *
+ * A branch runs from a reversal point towards the asymptote of its direction. The classical rule forgets the branch it left,
+ * so that a small unloading and reloading rises above the curve that would have been followed without it. Here the branch
+ * that was left is remembered: after a re-reversal the response follows the lower of the new branch and the remembered
+ * one (the higher when loading downwards) and, where they meet, continues on the remembered one.
+ */
+#include "material/menegotto_pinto.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { BRANCH = 5 };
+typedef struct {
+  double strain_r, stress_r; /* reversal point */
+  double strain_0, stress_0; /* meeting point of the elastic line and the asymptote */
+  double R;                  /* 0: no branch */
+} branch;
+
+typedef struct {
+  branch now;      /* being followed */
+  branch outer;    /* same direction, left at an earlier reversal: bounds `now` */
+  branch opposite; /* left at the last reversal: becomes `outer` at the next */
+  double direction; /* +1, -1; 0 while virgin */
+  double strain_max, strain_min;
+  double strain, stress;
+} mp_state;
+
+_Static_assert(sizeof(mp_state) == (3 * BRANCH + 5) * sizeof(double), "state is plain doubles");
+_Static_assert(sizeof(mp_state) == ED_MENEGOTTO_PINTO_STATE * sizeof(double), "state fits");
+
+static void follow(const ed_steel *steel, const branch *path, double strain, double *stress, double *tangent)
+{
+  const double b = steel->hardening;
+  const double x = (strain - path->strain_r) / (path->strain_0 - path->strain_r);
+  const double range = path->stress_0 - path->stress_r;
+  const double power = pow(fabs(x), path->R);
+  const double root = pow(1.0 + power, 1.0 / path->R);
+  *stress = path->stress_r + range * (b * x + (1.0 - b) * x / root);
+  *tangent = range / (path->strain_0 - path->strain_r) * (b + (1.0 - b) / (root * (1.0 + power)));
+}
+
+/* New branch from (strain, stress) in `direction`. */
+static branch turn(const ed_steel *steel, const mp_state *state, double direction)
+{
+  const double yield_strain = steel->fy / steel->E;
+  const double b = steel->hardening;
+  branch path = {.strain_r = state->strain, .stress_r = state->stress, .R = steel->R0};
+  /* elastic line through the reversal point meets stress = direction fy (1 - b) + b E strain */
+  path.strain_0 =
+      (direction * steel->fy * (1.0 - b) - state->stress + steel->E * state->strain) / (steel->E * (1.0 - b));
+  const double shortest = 1e-12 * yield_strain; /* a turn on the asymptote itself leaves no elastic part */
+  if (direction * (path.strain_0 - path.strain_r) < shortest)
+    path.strain_0 = path.strain_r + direction * shortest;
+  path.stress_0 = path.stress_r + steel->E * (path.strain_0 - path.strain_r);
+  const double extreme = direction > 0.0 ? state->strain_max : state->strain_min;
+  const double excursion = fabs((extreme - path.strain_0) / yield_strain);
+  path.R = steel->R0 * (1.0 - steel->cR1 * excursion / (steel->cR2 + excursion));
+  return path;
+}
+
+/* State with the branch that leads to `strain`; the state itself is not touched. */
+static void prepare(const ed_steel *steel, mp_state *state, double strain)
+{
+  const double change = strain - state->strain;
+  if (change == 0.0)
+    return;
+  const double direction = change > 0.0 ? 1.0 : -1.0;
+  if (state->direction == 0.0) { /* virgin: both directions start at the origin */
+    const double yield_strain = steel->fy / steel->E;
+    state->now = (branch){0.0, 0.0, direction * yield_strain, direction * steel->fy, steel->R0};
+    state->direction = direction;
+    state->strain_max = yield_strain;
+    state->strain_min = -yield_strain;
+    return;
+  }
+  if (direction == state->direction)
+    return;
+  /* of a reversal inside a reversal the wider curve stays the bound */
+  const branch left = state->outer.R > 0.0 ? state->outer : state->now;
+  state->now = turn(steel, state, direction);
+  state->outer = state->opposite;
+  state->opposite = left;
+  state->direction = direction;
+  /* only a return to a curve that began behind this turning point is a small reversal; a longer way back erases it */
+  if (direction * (state->strain - state->outer.strain_r) <= 0.0)
+    state->outer.R = 0.0;
+}
+
+/* Stress on the path, bounded by the outer branch. The return is 1 when the outer branch governs. */
+static int respond(const ed_steel *steel, const mp_state *state, double strain, double *stress, double *tangent)
+{
+  if (state->direction == 0.0) {
+    *stress = state->stress;
+    *tangent = steel->E;
+    return 0;
+  }
+  follow(steel, &state->now, strain, stress, tangent);
+  if (state->outer.R > 0.0) {
+    double bound, bound_tangent;
+    follow(steel, &state->outer, strain, &bound, &bound_tangent);
+    if (state->direction * (*stress - bound) > 0.0) {
+      *stress = bound;
+      *tangent = bound_tangent;
+      return 1;
+    }
+  }
+  return 0;
+}
+
+void ed_menegotto_pinto_trial(const ed_steel *steel, const double *committed, double strain, double *stress,
+                              double *tangent)
+{
+  mp_state state;
+  memcpy(&state, committed, sizeof state);
+  prepare(steel, &state, strain);
+  respond(steel, &state, strain, stress, tangent);
+}
+
+double ed_menegotto_pinto_commit(const ed_steel *steel, double *committed, double strain)
+{
+  mp_state state;
+  double stress, tangent;
+  memcpy(&state, committed, sizeof state);
+  prepare(steel, &state, strain);
+  if (respond(steel, &state, strain, &stress, &tangent)) {
+    state.now = state.outer; /* back on the curve that was left; nothing remains of the small reversal */
+    state.outer.R = 0.0;
+  }
+  const double work = 0.5 * (state.stress + stress) * (strain - state.strain);
+  const double stored = ed_steel_stored(steel, stress) - ed_steel_stored(steel, state.stress);
+  state.strain = strain;
+  state.stress = stress;
+  if (strain > state.strain_max)
+    state.strain_max = strain;
+  if (strain < state.strain_min)
+    state.strain_min = strain;
+  memcpy(committed, &state, sizeof state);
+  return work - stored;
+}

@@ -1,0 +1,56 @@
+#include "material/steel.h"
+
+#include "edcore.h"
+#include "material/menegotto_pinto.h"
+
+#include <math.h>
+
+int ed_steel_state_size(const ed_steel *steel)
+{
+  return steel->law == ED_MENEGOTTO_PINTO ? ED_MENEGOTTO_PINTO_STATE : ED_BILINEAR_STATE;
+}
+
+/* Closest-point return for linear kinematic hardening (Simo & Hughes 1998, box 1.5 with K = 0). */
+static int bilinear_return(const ed_steel *steel, double plastic, double strain, double *stress, double *flow)
+{
+  const double relative = steel->E * strain - (steel->E + steel->H) * plastic; /* stress less back stress */
+  if (fabs(relative) <= steel->fy) {
+    *stress = steel->E * (strain - plastic);
+    *flow = 0.0;
+    return 1;
+  }
+  *flow = (relative - copysign(steel->fy, relative)) / (steel->E + steel->H);
+  *stress = steel->E * (strain - plastic - *flow);
+  return 0;
+}
+
+int ed_steel_trial(const ed_steel *steel, const double *state, double strain, double *stress, double *tangent)
+{
+  if (steel->law == ED_MENEGOTTO_PINTO) {
+    ed_menegotto_pinto_trial(steel, state, strain, stress, tangent);
+    return *tangent == steel->E;
+  }
+  double flow;
+  const int elastic = bilinear_return(steel, state[0], strain, stress, &flow);
+  *tangent = elastic ? steel->E : steel->hardening * steel->E;
+  return elastic;
+}
+
+double ed_steel_commit(const ed_steel *steel, double *state, double strain)
+{
+  if (steel->law == ED_MENEGOTTO_PINTO)
+    return ed_menegotto_pinto_commit(steel, state, strain);
+  double stress, flow;
+  if (bilinear_return(steel, state[0], strain, &stress, &flow))
+    return 0.0;
+  /* plastic work of the straight path from yield to the end of the step: mean stress times flow; with the back stress
+   * counted as dissipated, since kinematic hardening gives it back only by further flow */
+  const double at_yield = stress - steel->H * flow;
+  state[0] += flow;
+  return 0.5 * (at_yield + stress) * flow;
+}
+
+double ed_steel_stored(const ed_steel *steel, double stress)
+{
+  return 0.5 * stress * stress / steel->E;
+}

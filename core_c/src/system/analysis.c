@@ -1,0 +1,208 @@
+#include "system/analysis.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+int ed_fail(ed_analysis *a, int status, const char *format, ...)
+{
+  va_list arguments;
+  va_start(arguments, format);
+  vsnprintf(a->message, sizeof a->message, format, arguments);
+  va_end(arguments);
+  return status;
+}
+
+static int allocate_work(ed_analysis *a)
+{
+  const ed_model *model = a->model;
+  const size_t n = (size_t)a->n, degrees = 3 * (size_t)model->n_nodes;
+  double **vectors[] = {&a->r, &a->du, &a->work, &a->work2, &a->predicted, &a->external, &a->external_committed};
+  for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
+    if (!(*vectors[i] = calloc(n, sizeof(double))))
+      return ED_E_MEMORY;
+  a->displacement = calloc(degrees, sizeof(double));
+  a->resisting = calloc(degrees, sizeof(double));
+  a->member_force = calloc(6 * (size_t)model->n_members + 1, sizeof(double));
+  a->factors = calloc((size_t)model->n_patterns + 1, sizeof(double));
+  a->factors_committed = calloc((size_t)model->n_patterns + 1, sizeof(double));
+  a->factors_backup = calloc((size_t)model->n_patterns + 1, sizeof(double));
+  a->loads_committed = calloc((size_t)model->n_members + 1, sizeof *a->loads_committed);
+  a->residuals = calloc(ED_MAX_RESIDUALS, sizeof(double));
+  a->events = calloc(ED_MAX_EVENTS, sizeof *a->events);
+  return a->displacement && a->resisting && a->member_force && a->factors && a->factors_committed &&
+                 a->factors_backup && a->loads_committed && a->residuals && a->events
+             ? ED_OK
+             : ED_E_MEMORY;
+}
+
+static int prepare(ed_analysis *a)
+{
+  const ed_model *model = a->model;
+  int status = ed_number(a);
+  if (status != ED_OK)
+    return status;
+  a->elements = calloc((size_t)model->n_members + 1, sizeof *a->elements);
+  if (!a->elements)
+    return ED_E_MEMORY;
+  double total = 0.0;
+  int long_ones = 0;
+  for (int m = 0; m < model->n_members; m++) {
+    ed_element_setup(&a->elements[m], model, m);
+    total += a->elements[m].length;
+    long_ones += a->elements[m].length > 0.0;
+  }
+  a->length = long_ones ? total / long_ones : 1.0;
+  if ((status = allocate_work(a)) != ED_OK || (status = ed_state_allocate(a)) != ED_OK ||
+      (status = ed_build_pattern(a)) != ED_OK)
+    return status;
+  a->tangent_stamp = 1;
+  a->factored_stamp = -1;
+  if ((status = ed_check_structure(a)) != ED_OK)
+    return status;
+  memcpy(a->initial, a->tangent, ((size_t)a->nnz + 1) * sizeof(double));
+  memcpy(a->reference, a->initial, ((size_t)a->nnz + 1) * sizeof(double));
+  return ED_OK;
+}
+
+ed_analysis *ed_analysis_new(const ed_model *model, int *status, char *message, int size)
+{
+  ed_analysis *a = calloc(1, sizeof *a);
+  *status = ED_E_MEMORY;
+  if (a) {
+    a->model = model;
+    a->tolerance = 1e-6;
+    a->element_tolerance = 1e-16;
+    a->max_iterations = 25;
+    a->halvings = 8;
+    a->fast_elastic = 1;
+    a->reuse = 1;
+    a->energy = 1;
+    a->rayleigh_kind = ED_STIFFNESS_INITIAL;
+    a->control.tolerance = a->element_tolerance;
+    a->control.fast_elastic = 1;
+    *status = prepare(a);
+  }
+  if (*status == ED_OK)
+    return a;
+  if (*status == ED_E_MEMORY)
+    snprintf(message, (size_t)size, "out of memory");
+  else
+    snprintf(message, (size_t)size, "%s", a->message);
+  ed_analysis_free(a);
+  return NULL;
+}
+
+void ed_analysis_free(ed_analysis *a)
+{
+  if (!a)
+    return;
+  ed_run_end(a);
+  ed_solver_free(a->solver);
+  void *blocks[] = {a->equation,        a->mass,          a->influence[0],  a->influence[1],    a->rotational,
+                    a->name,            a->column_start,  a->row,           a->diagonal,        a->scatter,
+                    a->tangent,         a->initial,       a->reference,     a->effective,     a->elements,        a->trial.block,
+                    a->committed.block, a->block_backup,  a->layers,        a->layers_backup,   a->displacement,
+                    a->resisting,       a->member_force,  a->factors,       a->factors_committed, a->factors_backup,
+                    a->external,        a->external_committed, a->loads_committed, a->modal,     a->modal_solved,
+                    a->modal_small,     a->modal_pivot,   a->r,             a->du,              a->work,
+                    a->work2,           a->predicted,     a->residuals,     a->channels,        a->terms,
+                    a->maximum,         a->minimum,       a->time_maximum,  a->time_minimum,    a->last,
+                    a->events};
+  for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
+    free(blocks[i]);
+  free(a);
+}
+
+const char *ed_analysis_message(const ed_analysis *a)
+{
+  return a->message;
+}
+
+int ed_n_equations(const ed_analysis *a)
+{
+  return a->n;
+}
+
+int ed_n_nonzeros(const ed_analysis *a)
+{
+  return a->nnz;
+}
+
+void ed_equations(const ed_analysis *a, int *equation)
+{
+  memcpy(equation, a->equation, 3 * (size_t)a->model->n_nodes * sizeof *equation);
+}
+
+int ed_stiffness(ed_analysis *a, int *column_start, int *row, double *value)
+{
+  ed_assemble_tangent(a);
+  memcpy(column_start, a->column_start, ((size_t)a->n + 1) * sizeof *column_start);
+  memcpy(row, a->row, (size_t)a->nnz * sizeof *row);
+  memcpy(value, a->tangent, (size_t)a->nnz * sizeof *value);
+  return ED_OK;
+}
+
+void ed_mass(const ed_analysis *a, double *mass)
+{
+  memcpy(mass, a->mass, (size_t)a->n * sizeof *mass);
+}
+
+int ed_set(ed_analysis *a, int setting, double value)
+{
+  if (a->run.kind != ED_RUN_NONE)
+    return ed_fail(a, ED_E_STATE, "settings cannot change during a run");
+  if (!isfinite(value) || value < 0.0)
+    return ed_fail(a, ED_E_ARGUMENT, "setting %d: %g is not allowed", setting, value);
+  switch (setting) {
+    case ED_TOLERANCE:
+      if (!(value > 0.0 && value < 1.0))
+        return ed_fail(a, ED_E_ARGUMENT, "the tolerance %g is not between 0 and 1", value);
+      a->tolerance = value;
+      return ED_OK;
+    case ED_MAX_ITERATIONS:
+      if (value < 1.0 || value > ED_MAX_RESIDUALS)
+        return ed_fail(a, ED_E_ARGUMENT, "iterations must be in 1..%d", ED_MAX_RESIDUALS);
+      a->max_iterations = (int)value;
+      return ED_OK;
+    case ED_ELEMENT_TOLERANCE:
+      a->control.tolerance = a->element_tolerance = value;
+      return ED_OK;
+    case ED_HALVINGS:
+      if (value > 20.0)
+        return ed_fail(a, ED_E_ARGUMENT, "more than 20 halvings are not allowed");
+      a->halvings = (int)value;
+      return ED_OK;
+    case ED_FAST_ELASTIC:
+      a->control.fast_elastic = a->fast_elastic = value != 0.0;
+      return ED_OK;
+    case ED_REUSE_FACTORS:
+      a->reuse = value != 0.0;
+      return ED_OK;
+    case ED_ENERGY:
+      a->energy = value != 0.0;
+      return ED_OK;
+    default:
+      return ed_fail(a, ED_E_ARGUMENT, "unknown setting %d", setting);
+  }
+}
+
+void ed_get_statistics(const ed_analysis *a, ed_statistics *statistics)
+{
+  *statistics = a->statistics;
+  statistics->state_updates = a->control.updates;
+  statistics->element_iterations = a->control.iterations;
+  statistics->elastic_updates = a->control.elastic;
+}
+
+int ed_n_events(const ed_analysis *a)
+{
+  return a->n_events;
+}
+
+void ed_get_event(const ed_analysis *a, int index, ed_event *event)
+{
+  *event = a->events[index];
+}

@@ -1,0 +1,205 @@
+/* An analysis at run time: numbering, state, matrices, settings, records. Private to the core. */
+#ifndef ED_ANALYSIS_H
+#define ED_ANALYSIS_H
+
+#include "edcore.h"
+#include "element/element.h"
+#include "system/model.h"
+#include "system/solver.h"
+
+enum { ED_MAX_EVENTS = 10000, ED_MAX_RESIDUALS = 64 };
+
+/* Start of the state block; the vectors u v a, resisting and damping forces and the elements' blocks follow. */
+typedef struct {
+  double time;
+  double force_level;            /* largest force so far: scale of the unbalance */
+  double energy[ED_N_ENERGY];
+  double largest_input;
+  double position;               /* within the present whole step, 0..1 */
+} ed_state_head;
+
+typedef struct {
+  double *block;                 /* owns */
+  ed_state_head *head;
+  double *u, *v, *a;             /* n */
+  double *resisting, *damping;   /* n: at this state */
+  double *p_delta;               /* per element: force and drift, 2 n_members */
+  double *elements;
+} ed_state;
+
+typedef struct {
+  double section_load[ED_MAX_POINTS][2], end_load[3], free_deformation[3];
+} ed_loads;
+
+typedef struct {
+  int n_terms, first;            /* into terms */
+  int history;                   /* column, or -1 */
+} ed_channel_head;
+
+typedef struct {
+  double coefficient;
+  int kind, object, component;
+} ed_term;
+
+typedef enum { ED_RUN_NONE, ED_RUN_STATIC, ED_RUN_PUSHOVER, ED_RUN_HISTORY } ed_run_kind;
+
+typedef struct {
+  ed_run_kind kind;
+  int steps, done, row, every;
+  double *abscissa, *values, *energy;
+  int failed;
+  /* static */
+  int pattern;
+  double factor_start, factor_end;
+  int control;                   /* equation */
+  double control_start, control_end;
+  double control_sign;
+  /* history */
+  double dt;
+  double *ground[2];             /* copies, n+1 samples */
+  double ground_now[2], ground_before[2]; /* of the present substep */
+  double alpha_m, alpha_f, gamma, beta;
+} ed_run;
+
+struct ed_analysis {
+  const ed_model *model;
+  char message[ED_MESSAGE];
+
+  /* numbering */
+  int n;                         /* equations */
+  int *equation;                 /* 3 n_nodes */
+  double *mass;                  /* n */
+  double *influence[2];          /* n: 1 where the equation moves with the ground along x, y */
+  double length;                 /* mean element length: makes moments comparable with forces */
+  int *rotational;               /* n */
+  int *name;                     /* n: degree (3 node + d) that names the equation */
+
+  /* matrix */
+  int nnz;
+  int *column_start, *row, *diagonal;
+  int *scatter;                  /* 36 a member, into values; nnz is a bin for fixed degrees */
+  double *tangent;               /* nnz + 1: K at the trial state */
+  double *initial;               /* nnz + 1: K of the unloaded structure */
+  double *reference;             /* nnz + 1: K that Rayleigh damping uses when it is not the current one */
+  double *effective;             /* nnz + 1 */
+  ed_solver *solver;
+
+  /* elements and state */
+  ed_element *elements;
+  ed_state trial, committed;
+  int state_size;                /* of the block */
+  double *layers;
+  int layer_size;
+  double *layers_backup, *block_backup;
+  double *displacement;          /* over all degrees, at the trial state */
+  double *resisting;             /* over all degrees, at the trial state */
+  double *member_force;          /* 6 a member */
+  double *factors;               /* of the load patterns, trial */
+  double *factors_committed, *factors_backup;
+  double *external;              /* n: loads at `factors` */
+  double *external_committed;    /* n: loads at the last commit */
+  ed_loads *loads_committed;     /* per member: element loads at the last commit */
+  long tangent_stamp, assembled_stamp, factored_stamp, reference_stamp, material_stamp, factored_material;
+  double factored_k, factored_m, factored_c;
+  double factor_price;           /* of a factorisation, in iterations */
+
+  /* damping */
+  double rayleigh_mass, rayleigh_stiffness;
+  int rayleigh_kind;
+  int frozen;                    /* this attempt damps with the committed stiffness */
+  int n_modal;
+  double *modal;                 /* n_modal x n: M phi scaled so that C = sum m m' */
+  double *modal_solved;          /* n_modal x n: A^-1 m */
+  double *modal_small;           /* n_modal x n_modal factors of 1/c + m' A^-1 m */
+  int *modal_pivot;
+
+  /* work */
+  double *r, *du, *work, *work2, *predicted;
+  double *residuals;             /* history of the last attempt */
+  int n_residuals;
+  int worst;                     /* equation of the largest unbalance */
+  int failed_member;
+
+  /* settings */
+  double tolerance, element_tolerance;
+  int max_iterations, halvings, fast_elastic, reuse, energy;
+
+  /* channels */
+  ed_channel_head *channels;
+  ed_term *terms;
+  int n_channels, n_terms, n_history;
+  double *maximum, *minimum, *time_maximum, *time_minimum, *last;
+
+  ed_run run;
+  ed_statistics statistics;
+  ed_element_control control;
+  ed_event *events;
+  int n_events;
+};
+
+/* message for people; returns the status */
+int ed_fail(ed_analysis *a, int status, const char *format, ...);
+
+/* numbering.c */
+int ed_number(ed_analysis *a);
+const char *ed_equation_name(const ed_analysis *a, int equation, char *buffer, int size);
+
+/* assembly.c */
+int ed_build_pattern(ed_analysis *a);
+void ed_set_factors(ed_analysis *a);              /* external and element loads from a->factors */
+void ed_spread(const ed_analysis *a, const double *u, double *displacement);
+int ed_update_elements(ed_analysis *a);           /* trial u -> element states, resisting forces */
+void ed_assemble_tangent(ed_analysis *a);
+void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, double *y); /* symmetric, y = A x */
+
+/* damping.c */
+void ed_damping_force(ed_analysis *a, const double *v, double *force);
+int ed_factor_effective(ed_analysis *a, double k, double m, double c);
+int ed_solve_effective(ed_analysis *a, double *x);
+
+/* state.c */
+int ed_state_allocate(ed_analysis *a);
+void ed_commit(ed_analysis *a);
+void ed_revert(ed_analysis *a);
+void ed_backup(ed_analysis *a);
+void ed_restore(ed_analysis *a);
+
+/* check.c */
+int ed_check_structure(ed_analysis *a);
+void ed_name_mechanism(ed_analysis *a, char *buffer, int size);
+
+/* channels.c */
+double ed_channel_value(const ed_analysis *a, int channel);
+void ed_sample(ed_analysis *a, int keep_row);
+
+/* energy.c */
+void ed_count_energy(ed_analysis *a, double dissipated);
+void ed_close_energy(ed_analysis *a);
+
+/* equilibrium.c: iterates the trial state of one (sub)step to equilibrium */
+typedef struct ed_step {
+  double k, m, c;                /* effective matrix k K + m M + c C */
+  double velocity, acceleration; /* dv / du, da / du */
+  void (*residual)(ed_analysis *a, const struct ed_step *step, double *r);
+  double dt, ground[2], ground_before[2];
+} ed_step;
+int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung);
+double ed_unbalance(ed_analysis *a, const double *r);  /* relative; notes the worst equation */
+void ed_raise_force_level(ed_analysis *a, const double *force);
+void ed_freeze_damping(ed_analysis *a, int rung);
+int ed_last_iterations(const ed_analysis *a);
+
+/* ladder.c */
+typedef int (*ed_attempt)(ed_analysis *a, double fraction, int rung);
+int ed_climb(ed_analysis *a, ed_attempt attempt);
+int ed_explain(ed_analysis *a, int status);
+
+/* run.c */
+void ed_start_run(ed_analysis *a, int kind, int steps);
+
+/* one attempt a kind of run: static.c, pushover.c, history.c */
+int ed_static_attempt(ed_analysis *a, double fraction, int rung);
+int ed_pushover_attempt(ed_analysis *a, double fraction, int rung);
+int ed_history_attempt(ed_analysis *a, double fraction, int rung);
+
+#endif

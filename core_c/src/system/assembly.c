@@ -1,0 +1,190 @@
+#include "system/analysis.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int compare_ints(const void *a, const void *b)
+{
+  return *(const int *)a - *(const int *)b;
+}
+
+/* Pattern of the matrix from the elements' equations (every diagonal is in it), and where each element term goes. */
+int ed_build_pattern(ed_analysis *a)
+{
+  const int n = a->n, members = a->model->n_members;
+  int *count = calloc((size_t)n + 1, sizeof *count);
+  a->column_start = calloc((size_t)n + 1, sizeof *a->column_start);
+  a->diagonal = calloc((size_t)n, sizeof *a->diagonal);
+  a->scatter = malloc(36 * (size_t)(members + 1) * sizeof *a->scatter);
+  if (!count || !a->column_start || !a->diagonal || !a->scatter) {
+    free(count);
+    return ED_E_MEMORY;
+  }
+  for (int i = 0; i < n; i++)
+    count[i] = 1;
+  for (int m = 0; m < members; m++)
+    for (int j = 0; j < 6; j++) {
+      const int column = a->equation[a->elements[m].dof[j]];
+      if (column >= 0)
+        count[column] += 6;
+    }
+  int *start = malloc(((size_t)n + 1) * sizeof *start), *fill = malloc((size_t)n * sizeof *fill);
+  int total = 0;
+  for (int i = 0; start && i < n; i++) {
+    start[i] = total;
+    total += count[i];
+  }
+  int *rows = malloc((size_t)total * sizeof *rows);
+  free(count);
+  if (!start || !fill || !rows) {
+    free(start);
+    free(fill);
+    free(rows);
+    return ED_E_MEMORY;
+  }
+  start[n] = total;
+  for (int i = 0; i < n; i++) {
+    rows[start[i]] = i;
+    fill[i] = start[i] + 1;
+  }
+  for (int m = 0; m < members; m++)
+    for (int j = 0; j < 6; j++) {
+      const int column = a->equation[a->elements[m].dof[j]];
+      for (int i = 0; column >= 0 && i < 6; i++) {
+        const int row = a->equation[a->elements[m].dof[i]];
+        if (row >= 0)
+          rows[fill[column]++] = row;
+      }
+    }
+  int nnz = 0;
+  for (int i = 0; i < n; i++) {
+    qsort(rows + start[i], (size_t)(fill[i] - start[i]), sizeof *rows, compare_ints);
+    a->column_start[i] = nnz;
+    for (int k = start[i]; k < fill[i]; k++)
+      if (k == start[i] || rows[k] != rows[k - 1])
+        rows[nnz++] = rows[k]; /* nnz never runs ahead of k */
+  }
+  a->column_start[n] = nnz;
+  a->nnz = nnz;
+  a->row = rows;
+  free(start);
+  free(fill);
+  for (int i = 0; i < n; i++)
+    for (int k = a->column_start[i]; k < a->column_start[i + 1]; k++)
+      if (a->row[k] == i)
+        a->diagonal[i] = k;
+  for (int m = 0; m < members; m++)
+    for (int j = 0; j < 6; j++)
+      for (int i = 0; i < 6; i++) {
+        const int column = a->equation[a->elements[m].dof[j]], row = a->equation[a->elements[m].dof[i]];
+        int place = nnz;
+        if (column >= 0 && row >= 0) {
+          const int *first = a->row + a->column_start[column];
+          const size_t length = (size_t)(a->column_start[column + 1] - a->column_start[column]);
+          const int *found = bsearch(&row, first, length, sizeof *first, compare_ints);
+          place = (int)(found - a->row);
+        }
+        a->scatter[36 * m + 6 * j + i] = place;
+      }
+  const size_t bytes = ((size_t)nnz + 1) * sizeof(double);
+  a->tangent = malloc(bytes);
+  a->initial = malloc(bytes);
+  a->reference = malloc(bytes);
+  a->effective = malloc(bytes);
+  if (!a->tangent || !a->initial || !a->reference || !a->effective)
+    return ED_E_MEMORY;
+  a->solver = ed_solver_new(n, a->column_start, a->row, a->diagonal);
+  return a->solver ? ED_OK : ED_E_MEMORY;
+}
+
+void ed_set_factors(ed_analysis *a)
+{
+  const ed_model *model = a->model;
+  memset(a->external, 0, (size_t)a->n * sizeof *a->external);
+  for (int i = 0; i < model->n_nodal_loads; i++) {
+    const ed_nodal_load *load = &model->nodal_loads[i];
+    for (int d = 0; d < 3; d++) {
+      const int equation = a->equation[3 * load->node + d];
+      if (equation >= 0)
+        a->external[equation] += a->factors[load->pattern] * load->force[d];
+    }
+  }
+  for (int m = 0; m < model->n_members; m++)
+    if (model->members[m].loaded)
+      ed_element_clear_loads(&a->elements[m]);
+  for (int i = 0; i < model->n_member_loads; i++) {
+    const ed_member_load *load = &model->member_loads[i];
+    ed_element_add_load(&a->elements[load->element], load, a->factors[load->pattern]);
+  }
+  for (int m = 0; m < model->n_members; m++)
+    if (model->members[m].loaded)
+      ed_element_finish_loads(&a->elements[m]);
+}
+
+void ed_spread(const ed_analysis *a, const double *u, double *displacement)
+{
+  const int degrees = 3 * a->model->n_nodes;
+  for (int i = 0; i < degrees; i++)
+    displacement[i] = a->equation[i] >= 0 ? u[a->equation[i]] : 0.0;
+}
+
+int ed_update_elements(ed_analysis *a)
+{
+  const int members = a->model->n_members, degrees = 3 * a->model->n_nodes;
+  ed_spread(a, a->trial.u, a->displacement);
+  memset(a->resisting, 0, (size_t)degrees * sizeof *a->resisting);
+  int changed_any = 0;
+  for (int m = 0; m < members; m++) {
+    const ed_element *e = &a->elements[m];
+    double *block = a->trial.elements + e->state;
+    double d[6], *force = a->member_force + 6 * m;
+    int changed;
+    for (int i = 0; i < 6; i++)
+      d[i] = a->displacement[e->dof[i]];
+    const int status = ed_element_update(e, d, a->layers + e->layers, block, &a->control, &changed);
+    if (status != ED_OK) {
+      a->failed_member = m;
+      return status;
+    }
+    changed_any |= changed;
+    ed_element_forces(e, d, block, force);
+    for (int i = 0; i < 6; i++)
+      a->resisting[e->dof[i]] += force[i];
+  }
+  memset(a->trial.resisting, 0, (size_t)a->n * sizeof *a->trial.resisting);
+  for (int i = 0; i < degrees; i++)
+    if (a->equation[i] >= 0)
+      a->trial.resisting[a->equation[i]] += a->resisting[i];
+  a->tangent_stamp++;
+  a->material_stamp += changed_any;
+  return ED_OK;
+}
+
+void ed_assemble_tangent(ed_analysis *a)
+{
+  if (a->assembled_stamp == a->tangent_stamp)
+    return;
+  memset(a->tangent, 0, ((size_t)a->nnz + 1) * sizeof *a->tangent);
+  for (int m = 0; m < a->model->n_members; m++) {
+    const ed_element *e = &a->elements[m];
+    double d[6], t[36];
+    const int *place = a->scatter + 36 * m;
+    for (int i = 0; i < 6; i++)
+      d[i] = a->displacement[e->dof[i]];
+    ed_element_tangent(e, d, a->trial.elements + e->state, t);
+    for (int i = 0; i < 36; i++)
+      a->tangent[place[i]] += t[i];
+  }
+  a->tangent[a->nnz] = 0.0;
+  a->assembled_stamp = a->tangent_stamp;
+}
+
+void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, double *y)
+{
+  for (int j = 0; j < a->n; j++) { /* symmetric: a column is a row */
+    double sum = 0.0;
+    for (int k = a->column_start[j]; k < a->column_start[j + 1]; k++)
+      sum += matrix[k] * x[a->row[k]];
+    y[j] = sum;
+  }
+}

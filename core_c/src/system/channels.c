@@ -1,0 +1,194 @@
+/* Recorded quantities at the committed state. */
+#include "system/analysis.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int valid(const ed_analysis *a, int kind, int object, int component)
+{
+  const ed_model *model = a->model;
+  if (kind <= ED_REACTION)
+    return kind >= 0 && object >= 0 && object < model->n_nodes && component >= 0 && component < 3;
+  if (kind == ED_GROUND_ACCELERATION)
+    return component >= 0 && component < 2;
+  if (kind == ED_LOAD_FACTOR)
+    return object >= 0 && object < model->n_patterns;
+  if (kind > ED_FIBRE_STRAIN || object < 0 || object >= model->n_members || component < 0)
+    return 0;
+  const ed_element *e = &a->elements[object];
+  const int fibres = e->kind == ED_FIBRE_BEAM;
+  switch (kind) {
+    case ED_END_FORCE:
+    case ED_GLOBAL_FORCE:
+      return component < 6;
+    case ED_AXIAL_FORCE:
+      return component == 0 && e->kind != ED_LINK;
+    case ED_DEFORMATION:
+      return component < 3 && e->kind != ED_LINK;
+    case ED_PLASTIC_ROTATION:
+      return component < 2 && fibres;
+    case ED_SECTION_FORCE:
+    case ED_SECTION_DEFORMATION:
+      return fibres && component < 2 * e->points;
+    default:
+      return fibres && !e->section[0]->elastic && component < e->points * e->section[0]->n;
+  }
+}
+
+int ed_channel(ed_analysis *a, int n, const double *coefficient, const int *kind, const int *object,
+               const int *component, int keep_history)
+{
+  if (a->run.row > 0)
+    return ed_fail(a, ED_E_STATE, "channels cannot be added once a run has advanced");
+  if (n < 1)
+    return ed_fail(a, ED_E_ARGUMENT, "a channel needs a term");
+  for (int i = 0; i < n; i++)
+    if (!valid(a, kind[i], object[i], component[i]))
+      return ed_fail(a, ED_E_ID, "channel %d: no quantity of kind %d, object %d, component %d", a->n_channels, kind[i],
+                     object[i], component[i]);
+  ed_channel_head *channels = realloc(a->channels, ((size_t)a->n_channels + 1) * sizeof *channels);
+  if (channels)
+    a->channels = channels;
+  ed_term *terms = realloc(a->terms, (size_t)(a->n_terms + n) * sizeof *terms);
+  if (terms)
+    a->terms = terms;
+  double **extremes[] = {&a->maximum, &a->minimum, &a->time_maximum, &a->time_minimum, &a->last};
+  int ok = channels && terms;
+  for (int i = 0; i < 5; i++) {
+    double *grown = realloc(*extremes[i], ((size_t)a->n_channels + 1) * sizeof *grown);
+    if (grown)
+      *extremes[i] = grown;
+    ok = ok && grown;
+  }
+  if (!ok)
+    return ed_fail(a, ED_E_MEMORY, "out of memory");
+  a->channels[a->n_channels] = (ed_channel_head){n, a->n_terms, keep_history ? a->n_history++ : -1};
+  for (int i = 0; i < n; i++)
+    a->terms[a->n_terms++] = (ed_term){coefficient[i], kind[i], object[i], component[i]};
+  return a->n_channels++;
+}
+
+void ed_clear_channels(ed_analysis *a)
+{
+  a->n_channels = a->n_terms = a->n_history = 0;
+}
+
+static double node_value(const ed_analysis *a, const ed_term *term)
+{
+  const int degree = 3 * term->object + term->component, equation = a->equation[degree];
+  if (term->kind == ED_REACTION)
+    return a->resisting[degree];
+  double ground = 0.0;
+  if (term->kind == ED_TOTAL_ACCELERATION && term->component < 2 && a->run.kind == ED_RUN_HISTORY)
+    ground = a->run.ground_now[term->component];
+  if (equation < 0)
+    return ground;
+  switch (term->kind) {
+    case ED_DISPLACEMENT:
+      return a->committed.u[equation];
+    case ED_VELOCITY:
+      return a->committed.v[equation];
+    default:
+      return a->committed.a[equation] + ground;
+  }
+}
+
+static double element_value(const ed_analysis *a, const ed_term *term)
+{
+  const ed_element *e = &a->elements[term->object];
+  const double *block = a->committed.elements + e->state, *force = a->member_force + 6 * term->object;
+  const int c = term->component;
+  switch (term->kind) {
+    case ED_GLOBAL_FORCE:
+      return force[c];
+    case ED_END_FORCE: {
+      const double *f = force + 3 * (c / 3);
+      if (c % 3 == 0)
+        return e->c * f[0] + e->s * f[1];
+      return c % 3 == 1 ? -e->s * f[0] + e->c * f[1] : f[2];
+    }
+    case ED_AXIAL_FORCE:
+      return block[ED_BLOCK_Q];
+    case ED_DEFORMATION:
+      return block[ED_BLOCK_V + c];
+    case ED_PLASTIC_ROTATION:
+      return ed_element_plastic_rotation(e, block, c);
+    case ED_SECTION_FORCE:
+      return block[ED_BLOCK_POINTS + (c / 2) * ED_POINT_SIZE + ED_POINT_S + c % 2];
+    case ED_SECTION_DEFORMATION:
+      return block[ED_BLOCK_POINTS + (c / 2) * ED_POINT_SIZE + ED_POINT_E + c % 2];
+    default: {
+      const ed_section *section = e->section[0];
+      const int p = c / section->n;
+      const double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
+      double stress, strain;
+      ed_section_layer(e->section[p], a->layers + e->layers + e->layer_offset[p], c % section->n, point[0], point[1],
+                       &stress, &strain);
+      return term->kind == ED_FIBRE_STRESS ? stress : strain;
+    }
+  }
+}
+
+double ed_channel_value(const ed_analysis *a, int channel)
+{
+  const ed_channel_head *head = &a->channels[channel];
+  double value = 0.0;
+  for (int i = 0; i < head->n_terms; i++) {
+    const ed_term *term = &a->terms[head->first + i];
+    double part;
+    if (term->kind <= ED_REACTION)
+      part = node_value(a, term);
+    else if (term->kind == ED_GROUND_ACCELERATION)
+      part = a->run.kind == ED_RUN_HISTORY ? a->run.ground_now[term->component] : 0.0;
+    else if (term->kind == ED_LOAD_FACTOR)
+      part = a->factors_committed[term->object];
+    else
+      part = element_value(a, term);
+    value += term->coefficient * part;
+  }
+  return value;
+}
+
+/* Extremes of every channel, and a row of the caller's buffers. */
+void ed_sample(ed_analysis *a, int keep_row)
+{
+  const double time = a->committed.head->time;
+  const int first = a->run.done == 0;
+  double *row = keep_row && a->run.values ? a->run.values + (size_t)a->run.row * (size_t)a->n_history : NULL;
+  for (int i = 0; i < a->n_channels; i++) {
+    const double value = ed_channel_value(a, i);
+    a->last[i] = value;
+    if (first || value > a->maximum[i]) {
+      a->maximum[i] = value;
+      a->time_maximum[i] = time;
+    }
+    if (first || value < a->minimum[i]) {
+      a->minimum[i] = value;
+      a->time_minimum[i] = time;
+    }
+    if (row && a->channels[i].history >= 0)
+      row[a->channels[i].history] = value;
+  }
+  if (!keep_row)
+    return;
+  if (a->run.abscissa)
+    a->run.abscissa[a->run.row] = time;
+  if (a->run.energy) {
+    ed_close_energy(a);
+    memcpy(a->run.energy + (size_t)a->run.row * ED_N_ENERGY, a->committed.head->energy, ED_N_ENERGY * sizeof(double));
+  }
+  a->run.row++;
+}
+
+void ed_extremes(const ed_analysis *a, double *maximum, double *time_of_maximum, double *minimum,
+                 double *time_of_minimum, double *last)
+{
+  const size_t bytes = (size_t)a->n_channels * sizeof(double);
+  if (bytes == 0)
+    return;
+  memcpy(maximum, a->maximum, bytes);
+  memcpy(time_of_maximum, a->time_maximum, bytes);
+  memcpy(minimum, a->minimum, bytes);
+  memcpy(time_of_minimum, a->time_minimum, bytes);
+  memcpy(last, a->last, bytes);
+}

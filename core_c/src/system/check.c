@@ -1,0 +1,100 @@
+/* Structures that cannot stand are refused before the first analysis, by name. */
+#include "system/analysis.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static int find(int *parent, int i)
+{
+  while (parent[i] != i)
+    i = parent[i] = parent[parent[i]];
+  return i;
+}
+
+/* Every node must reach a support through elements or ties. */
+static int check_connected(ed_analysis *a)
+{
+  const ed_model *model = a->model;
+  const int n = model->n_nodes;
+  int *parent = malloc(((size_t)n + 1) * sizeof *parent);
+  if (!parent)
+    return ed_fail(a, ED_E_MEMORY, "out of memory");
+  for (int i = 0; i <= n; i++) /* n: the ground */
+    parent[i] = i;
+  for (int m = 0; m < model->n_members; m++)
+    parent[find(parent, model->members[m].node[0])] = find(parent, model->members[m].node[1]);
+  for (int i = 0; i < n; i++)
+    for (int d = 0; d < 3; d++) {
+      if (model->nodes[i].fixed[d])
+        parent[find(parent, i)] = find(parent, n);
+      if (model->nodes[i].master[d] >= 0)
+        parent[find(parent, i)] = find(parent, model->nodes[i].master[d]);
+    }
+  char names[400] = "";
+  int lost = 0;
+  for (int i = 0; i < n; i++)
+    if (find(parent, i) != find(parent, n)) {
+      const size_t used = strlen(names);
+      if (lost < 12)
+        snprintf(names + used, sizeof names - used, "%s%s", lost ? ", " : "", model->nodes[i].name);
+      lost++;
+    }
+  free(parent);
+  if (lost == 0)
+    return ED_OK;
+  return ed_fail(a, ED_E_DISCONNECTED, "%d node%s not connected to any support: %s%s", lost, lost == 1 ? " is" : "s are",
+                 names, lost > 12 ? ", ..." : "");
+}
+
+/* The degrees that move most in the softest motion, by inverse iteration on a slightly stiffened matrix. */
+void ed_name_mechanism(ed_analysis *a, char *buffer, int size)
+{
+  const int n = a->n;
+  buffer[0] = '\0';
+  double largest = 0.0;
+  for (int i = 0; i < n; i++)
+    largest = fmax(largest, fabs(a->tangent[a->diagonal[i]]) / (a->rotational[i] ? a->length * a->length : 1.0));
+  memcpy(a->effective, a->tangent, (size_t)a->nnz * sizeof(double));
+  for (int i = 0; i < n; i++)
+    a->effective[a->diagonal[i]] += 1e-9 * largest * (a->rotational[i] ? a->length * a->length : 1.0);
+  int repivoted;
+  if (ed_solver_factor(a->solver, a->effective, &repivoted) != ED_OK)
+    return;
+  double *x = a->work;
+  for (int i = 0; i < n; i++)
+    x[i] = (1.0 + 0.1 * ((i * 7) % 11)) / (a->rotational[i] ? a->length : 1.0);
+  for (int iteration = 0; iteration < 6; iteration++) {
+    if (ed_solver_solve(a->solver, x, 1) != ED_OK)
+      return;
+    double norm = 0.0;
+    for (int i = 0; i < n; i++)
+      norm = fmax(norm, fabs(x[i]) * (a->rotational[i] ? a->length : 1.0));
+    for (int i = 0; norm > 0.0 && i < n; i++)
+      x[i] /= norm;
+  }
+  int named = 0;
+  for (int i = 0; i < n && named < 8; i++) {
+    char name[ED_NAME + 8];
+    if (fabs(x[i]) * (a->rotational[i] ? a->length : 1.0) < 0.5)
+      continue;
+    const size_t used = strlen(buffer);
+    snprintf(buffer + used, (size_t)size - used, "%s%s", named++ ? ", " : "",
+             ed_equation_name(a, i, name, sizeof name));
+  }
+}
+
+int ed_check_structure(ed_analysis *a)
+{
+  const int status = check_connected(a);
+  if (status != ED_OK)
+    return status;
+  ed_assemble_tangent(a);
+  int repivoted;
+  if (ed_solver_factor(a->solver, a->tangent, &repivoted) == ED_OK && ed_solver_pivot_ratio(a->solver) > 1e-12)
+    return ED_OK;
+  char names[400];
+  ed_name_mechanism(a, names, sizeof names);
+  return ed_fail(a, ED_E_MECHANISM, "the structure is a mechanism; it moves freely at %s", names);
+}

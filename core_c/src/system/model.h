@@ -1,0 +1,58 @@
+/* The description of a structure: what the caller declared, checked, in growing arrays. */
+#ifndef ED_MODEL_H
+#define ED_MODEL_H
+
+#include "base/quadrature.h"
+#include "edcore.h"
+#include "material/steel.h"
+#include "section/section.h"
+
+enum { ED_NAME = 48, ED_MESSAGE = 1024 };
+
+typedef enum { ED_FIBRE_BEAM, ED_ELASTIC_BEAM, ED_TRUSS, ED_LINK } ed_element_kind;
+
+typedef struct {
+  char name[ED_NAME];
+  double x, y;
+  double mass[3];
+  int fixed[3];
+  int master[3]; /* node whose degree this one shares, or -1 */
+} ed_node;
+
+typedef struct {
+  char name[ED_NAME];
+  ed_element_kind kind;
+  int node[2];
+  int geometry;
+  int release[2];
+  int points;                   /* fibre beam */
+  int section[ED_MAX_POINTS];   /* beams; ids */
+  int material;                 /* truss */
+  double area;                  /* truss */
+  double stiffness[3], angle;   /* link */
+  int loaded;
+} ed_member;
+
+typedef struct {
+  int pattern, node;
+  double force[3];
+} ed_nodal_load;
+
+typedef struct {
+  int pattern, element;
+  double position; /* of a point load, 0..1; -1: uniform */
+  double axial, transverse;
+} ed_member_load;
+
+struct ed_model {
+  ed_steel *materials;
+  ed_section *sections;
+  ed_node *nodes;
+  ed_member *members;
+  ed_nodal_load *nodal_loads;
+  ed_member_load *member_loads;
+  int n_materials, n_sections, n_nodes, n_members, n_nodal_loads, n_member_loads, n_patterns;
+  char message[ED_MESSAGE];
+};
+
+#endif

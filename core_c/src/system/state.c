@@ -1,0 +1,127 @@
+/* Committed and trial state, each one block copied whole. The layers' committed state is advanced only by a commit; trial
+ * evaluations never write it, so that a failed attempt leaves nothing behind. */
+#include "system/analysis.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static int head_size(void)
+{
+  return (int)((sizeof(ed_state_head) + sizeof(double) - 1) / sizeof(double));
+}
+
+static void point_into(ed_state *state, double *block, const ed_analysis *a)
+{
+  double *next = block;
+  state->block = block;
+  state->head = (ed_state_head *)(void *)next;
+  next += head_size();
+  double **vectors[] = {&state->u, &state->v, &state->a, &state->resisting, &state->damping};
+  for (int i = 0; i < 5; i++) {
+    *vectors[i] = next;
+    next += a->n;
+  }
+  state->p_delta = next;
+  state->elements = next + 2 * a->model->n_members;
+}
+
+int ed_state_allocate(ed_analysis *a)
+{
+  int blocks = 0, layers = 0;
+  for (int m = 0; m < a->model->n_members; m++) {
+    ed_element *e = &a->elements[m];
+    e->state = blocks;
+    e->layers = layers;
+    blocks += ed_element_block_size(e);
+    layers += ed_element_layer_size(e);
+  }
+  a->state_size = head_size() + 5 * a->n + 2 * a->model->n_members + blocks;
+  a->layer_size = layers;
+  double *trial = calloc((size_t)a->state_size, sizeof *trial);
+  double *committed = calloc((size_t)a->state_size, sizeof *committed);
+  a->block_backup = malloc((size_t)a->state_size * sizeof(double));
+  a->layers = calloc((size_t)layers + 1, sizeof(double));
+  a->layers_backup = malloc(((size_t)layers + 1) * sizeof(double));
+  point_into(&a->trial, trial, a);
+  point_into(&a->committed, committed, a);
+  if (!trial || !committed || !a->block_backup || !a->layers || !a->layers_backup)
+    return ED_E_MEMORY;
+  for (int m = 0; m < a->model->n_members; m++) {
+    const ed_element *e = &a->elements[m];
+    ed_element_initialise(e, a->trial.elements + e->state, a->layers + e->layers);
+  }
+  memcpy(a->committed.block, a->trial.block, (size_t)a->state_size * sizeof(double));
+  return ED_OK;
+}
+
+static void copy_factors(ed_analysis *a, double *to, const double *from)
+{
+  memcpy(to, from, (size_t)a->model->n_patterns * sizeof *to);
+}
+
+void ed_commit(ed_analysis *a)
+{
+  double dissipated = 0.0;
+  for (int m = 0; m < a->model->n_members; m++) {
+    const ed_element *e = &a->elements[m];
+    dissipated += ed_element_commit(e, a->trial.elements + e->state, a->layers + e->layers);
+  }
+  if (a->energy)
+    ed_count_energy(a, dissipated);
+  memcpy(a->committed.block, a->trial.block, (size_t)a->state_size * sizeof(double));
+  copy_factors(a, a->factors_committed, a->factors);
+}
+
+/* Everything that follows from the trial block and the load factors. */
+static void derive(ed_analysis *a)
+{
+  ed_set_factors(a);
+  ed_spread(a, a->trial.u, a->displacement);
+  a->tangent_stamp++;
+  a->material_stamp++;
+}
+
+void ed_revert(ed_analysis *a)
+{
+  memcpy(a->trial.block, a->committed.block, (size_t)a->state_size * sizeof(double));
+  copy_factors(a, a->factors, a->factors_committed);
+  derive(a);
+}
+
+void ed_backup(ed_analysis *a)
+{
+  memcpy(a->block_backup, a->committed.block, (size_t)a->state_size * sizeof(double));
+  memcpy(a->layers_backup, a->layers, (size_t)a->layer_size * sizeof(double));
+  copy_factors(a, a->factors_backup, a->factors_committed);
+}
+
+void ed_restore(ed_analysis *a)
+{
+  memcpy(a->committed.block, a->block_backup, (size_t)a->state_size * sizeof(double));
+  memcpy(a->layers, a->layers_backup, (size_t)a->layer_size * sizeof(double));
+  copy_factors(a, a->factors_committed, a->factors_backup);
+  ed_revert(a);
+}
+
+int ed_state_size(const ed_analysis *a)
+{
+  return a->state_size + a->layer_size + a->model->n_patterns;
+}
+
+void ed_state_get(const ed_analysis *a, double *state)
+{
+  memcpy(state, a->committed.block, (size_t)a->state_size * sizeof(double));
+  memcpy(state + a->state_size, a->layers, (size_t)a->layer_size * sizeof(double));
+  memcpy(state + a->state_size + a->layer_size, a->factors_committed, (size_t)a->model->n_patterns * sizeof(double));
+}
+
+int ed_state_set(ed_analysis *a, const double *state)
+{
+  if (a->run.kind != ED_RUN_NONE)
+    return ed_fail(a, ED_E_STATE, "the state cannot be set during a run");
+  memcpy(a->committed.block, state, (size_t)a->state_size * sizeof(double));
+  memcpy(a->layers, state + a->state_size, (size_t)a->layer_size * sizeof(double));
+  memcpy(a->factors_committed, state + a->state_size + a->layer_size, (size_t)a->model->n_patterns * sizeof(double));
+  ed_revert(a);
+  return ED_OK;
+}

@@ -1,0 +1,50 @@
+"""edesign: seismic design and evaluation of steel moment frames, from a project file to an archive.
+
+The functions behind the commands, loaded when first used:
+
+    load_project(path) -> Project             edesign check
+    check_project(project) -> dict            edesign check
+    new_project(folder) -> Path               edesign new
+    run_project(project, ...) -> RunSummary   edesign run
+    open_archive(path) -> Archive             edesign show
+    summarise(archive) -> dict                edesign show --json
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+from edesign._version import __version__
+
+if TYPE_CHECKING:
+    from edesign.archive.reader import open_archive
+    from edesign.project.loader import load_project
+    from edesign.project.template import new_project
+    from edesign.report.summary import summarise
+    from edesign.study.check import check_project
+    from edesign.study.run import run_project
+
+__all__ = ["__version__", "check_project", "load_project", "new_project", "open_archive", "run_project", "summarise"]
+
+_PLACES = {
+    "load_project": "edesign.project.loader",
+    "new_project": "edesign.project.template",
+    "check_project": "edesign.study.check",
+    "open_archive": "edesign.archive.reader",
+    "run_project": "edesign.study.run",
+    "summarise": "edesign.report.summary",
+}
+
+
+def __getattr__(name: str) -> Any:
+    """Load a function when it is first asked for, so that `import edesign` stays quick."""
+    if name not in _PLACES:
+        raise AttributeError(f"module 'edesign' has no attribute {name!r}")
+    value = getattr(import_module(_PLACES[name]), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *__all__})

@@ -1,0 +1,161 @@
+"""A file that changes on disk only by whole transactions: a kill or a full disk cannot spoil what was committed.
+
+HDF5 itself gives no such promise: a write that fails leaves its library in a state that ends in a crash, and a process
+that is killed between two flushes may leave a file that no longer opens. Here the library writes into memory, and
+`commit` takes the changes to the disk: new space first, where nothing committed can be hurt, then the few changed
+blocks of the existing space.
+"""
+
+from __future__ import annotations
+
+import os
+from types import ModuleType
+
+fcntl: ModuleType | None
+try:
+    import fcntl
+except ImportError:  # not on this platform; two runs on one archive are then not told apart
+    fcntl = None
+
+PAGE = 1 << 16
+
+
+class TransactionFile:
+    """A random-access binary file (seek, tell, readinto, write, truncate, flush) with `commit`.
+
+    Args:
+        path: the file; it is created if missing, and locked against other writers.
+        keep: False empties the file first.
+
+    Raises:
+        BlockingIOError: another process writes to the file.
+        OSError: it cannot be created or opened.
+    """
+
+    def __init__(self, path: str | os.PathLike[str], keep: bool) -> None:
+        self._descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
+        try:
+            if fcntl is not None:
+                fcntl.flock(self._descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            if not keep:
+                os.ftruncate(self._descriptor, 0)
+        except OSError:
+            os.close(self._descriptor)
+            raise
+        self._committed = os.fstat(self._descriptor).st_size
+        self._size = self._committed
+        self._on_disk = self._committed  # bytes of the disk file that still are this file's content
+        self._position = 0
+        self._pages: dict[int, bytearray] = {}
+
+    def seek(self, offset: int, whence: int = os.SEEK_SET) -> int:
+        """Move to `offset` bytes from the start, the position or the end; return the position."""
+        base = {os.SEEK_SET: 0, os.SEEK_CUR: self._position, os.SEEK_END: self._size}[whence]
+        self._position = base + offset
+        return self._position
+
+    def tell(self) -> int:
+        """Return the position in bytes."""
+        return self._position
+
+    def readinto(self, target: memoryview) -> int:
+        """Fill `target` from the position on; return the number of bytes read."""
+        view = memoryview(target).cast("B")
+        total = max(0, min(len(view), self._size - self._position))
+        done = 0
+        while done < total:
+            number, start = divmod(self._position, PAGE)
+            count = min(PAGE - start, total - done)
+            view[done : done + count] = self._page(number)[start : start + count]
+            done += count
+            self._position += count
+        return total
+
+    def read(self, size: int = -1) -> bytes:
+        """Return up to `size` bytes from the position on, all of them for -1."""
+        left = max(0, self._size - self._position)
+        content = bytearray(left if size < 0 else min(size, left))
+        self.readinto(memoryview(content))
+        return bytes(content)
+
+    def write(self, source: bytes | memoryview) -> int:
+        """Change the bytes at the position in memory; return their number."""
+        view = memoryview(source).cast("B")
+        done = 0
+        while done < len(view):
+            number, start = divmod(self._position, PAGE)
+            count = min(PAGE - start, len(view) - done)
+            page = self._pages.get(number)
+            if page is None:
+                page = self._pages[number] = self._page(number)
+            page[start : start + count] = view[done : done + count]
+            done += count
+            self._position += count
+        self._size = max(self._size, self._position)
+        return done
+
+    def truncate(self, size: int | None = None) -> int:
+        """Cut or extend (with zeros) the file in memory; return its size in bytes."""
+        size = self._position if size is None else size
+        if size < self._size:
+            self._on_disk = min(self._on_disk, size)
+            last, start = divmod(size, PAGE)
+            for number in [n for n in self._pages if n > last]:
+                del self._pages[number]
+            if last in self._pages:
+                self._pages[last][start:] = bytes(PAGE - start)
+        self._size = size
+        return size
+
+    def flush(self) -> None:
+        """Do nothing: only `commit` touches the disk."""
+
+    def commit(self) -> None:
+        """Take all changes to the disk.
+
+        Raises:
+            OSError: no space, or another failure; the file on disk is as the last commit left it.
+        """
+        for number in range(self._on_disk // PAGE, -(-min(self._committed, self._size) // PAGE)):
+            self._pages.setdefault(number, self._page(number))  # cut off and grown again: zeros now
+        try:
+            for number in sorted(self._pages):
+                self._put(number, self._committed, self._size)
+            if self._size > self._committed:
+                os.ftruncate(self._descriptor, self._size)
+            os.fsync(self._descriptor)
+        except OSError:
+            os.ftruncate(self._descriptor, self._committed)
+            raise
+        for number in sorted(self._pages):
+            self._put(number, 0, min(self._committed, self._size))
+        os.ftruncate(self._descriptor, self._size)
+        os.fsync(self._descriptor)
+        self._pages.clear()
+        self._committed = self._on_disk = self._size
+
+    def close(self) -> None:
+        """Release the file; changes that were not committed are dropped."""
+        if self._descriptor >= 0:
+            os.close(self._descriptor)
+            self._descriptor = -1
+        self._pages.clear()
+
+    def _page(self, number: int) -> bytearray:
+        if number in self._pages:
+            return self._pages[number]
+        start = number * PAGE
+        page = bytearray(PAGE)
+        count = min(PAGE, self._on_disk - start)
+        if count > 0:
+            content = os.pread(self._descriptor, count, start)
+            page[: len(content)] = content
+        return page
+
+    def _put(self, number: int, lower: int, upper: int) -> None:
+        """Write the part of a page between two positions of the file."""
+        origin = number * PAGE
+        start, stop = max(origin, lower), min(origin + PAGE, upper)
+        page = memoryview(self._pages[number])
+        while start < stop:
+            start += os.pwrite(self._descriptor, page[start - origin : stop - origin], start)

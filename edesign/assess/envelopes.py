@@ -1,0 +1,31 @@
+"""Extremes over time, as every analysis archives them: `<quantity>_max`, `<quantity>_min` and `<quantity>_final`."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+
+
+def peak(group: Group, quantity: str) -> np.ndarray | None:
+    """Return the largest absolute value over time of each component, None if the analysis has no such quantity.
+
+    Args:
+        group: results of one analysis.
+        quantity: such as "floor_displacement"; its components are floors, storeys or members.
+
+    Returns:
+        An array shaped and in the unit of the stored extremes.
+    """
+    extremes = [
+        group.variables[name].values for name in (f"{quantity}_max", f"{quantity}_min") if name in group.variables
+    ]
+    if not extremes:
+        return None
+    return np.asarray(np.max(np.abs(np.asarray(extremes, dtype=float)), axis=0))
+
+
+def final(group: Group, quantity: str) -> np.ndarray | None:
+    """Return the absolute value of each component at the end, None if the analysis has no such quantity."""
+    variable = group.variables.get(f"{quantity}_final")
+    return None if variable is None else np.abs(np.asarray(variable.values, dtype=float))

@@ -1,0 +1,95 @@
+"""The command `edesign`: new, check, run, show. Exit codes are listed in docs/command_line.md."""
+
+from __future__ import annotations
+
+import logging
+import os
+import sys
+import traceback
+from collections.abc import Sequence
+from typing import Annotated
+
+import typer
+
+from edesign._version import __version__
+from edesign.cli.check import check
+from edesign.cli.new import new
+from edesign.cli.run import run
+from edesign.cli.show import show
+from edesign.errors import EdesignError, Interrupted
+
+EPILOG = (
+    "Exit codes: 0 done; 2 something in the input is wrong; 3 an analysis failed (the others are archived); "
+    "4 an archive cannot be read or written; 130 interrupted; 1 an error in edesign itself."
+)
+
+app = typer.Typer(
+    name="edesign",
+    help="Seismic design and evaluation of steel moment frames.",
+    epilog=EPILOG,
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    context_settings={"help_option_names": ["-h", "--help"]},
+)
+for command in (new, check, run, show):
+    app.command()(command)
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        typer.echo(f"edesign {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _common(
+    version: Annotated[
+        bool, typer.Option("--version", help="Print the version and leave.", callback=_version, is_eager=True)
+    ] = False,
+    debug: Annotated[bool, typer.Option("--debug", help="Show tracebacks of errors; may stand anywhere.")] = False,
+) -> None:
+    pass
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command line.
+
+    Args:
+        arguments: the words after `edesign`; those of the process if None.
+
+    Returns:
+        The exit code.
+    """
+    words = list(sys.argv[1:] if arguments is None else arguments)
+    debug = "--debug" in words
+    words = [word for word in words if word != "--debug"]
+    logging.basicConfig(level=logging.INFO if debug else logging.CRITICAL, format="%(name)s: %(message)s")
+    try:
+        app(words, prog_name="edesign")
+    except SystemExit as end:  # the end of every call: help, wrong usage, done
+        return end.code if isinstance(end.code, int) else int(end.code is not None)
+    except KeyboardInterrupt:
+        return _fail("interrupted", Interrupted.exit_code, debug)
+    except EdesignError as error:
+        return _fail(str(error), error.exit_code, debug)
+    except BrokenPipeError:  # the reader of a pipe left, as `head` does
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
+    except Exception as error:
+        text = (
+            f"an error in edesign itself ({type(error).__name__}: {error}); please report it with the output of --debug"
+        )
+        return _fail(text, 1, debug)
+    return 0
+
+
+def _fail(message: str, code: int, debug: bool) -> int:
+    if debug:
+        traceback.print_exc()
+    print(f"edesign: {message}", file=sys.stderr)
+    return code
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,27 @@
+"""The numerical core: plane frames of force-based fibre beam-columns. The only package that knows C."""
+
+from edesign.core.analysis import Analysis
+from edesign.core.errors import CoreError
+from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
+from edesign.core.materials import Bilinear, Elastic, MenegottoPinto, Steel
+from edesign.core.model import Model
+from edesign.core.modes import Modes, natural_modes
+from edesign.core.response import Channel, Response
+
+__all__ = [
+    "HHT",
+    "Analysis",
+    "Bilinear",
+    "Channel",
+    "CoreError",
+    "Elastic",
+    "GeneralisedAlpha",
+    "Integrator",
+    "MenegottoPinto",
+    "Model",
+    "Modes",
+    "Newmark",
+    "Response",
+    "Steel",
+    "natural_modes",
+]

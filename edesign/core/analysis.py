@@ -1,0 +1,303 @@
+"""Analyses of a model: static, pushover, modes, time histories."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+import scipy.sparse
+from numpy.typing import ArrayLike
+
+from edesign.core._edcore import ffi, lib
+from edesign.core.errors import CoreError
+from edesign.core.integrators import Integrator, Newmark
+from edesign.core.model import Model, status_name
+from edesign.core.modes import Modes, natural_modes
+from edesign.core.response import ENERGIES, KINDS, RUNGS, Channel, Response
+
+DEGREES = {"ux": 0, "uy": 1, "rz": 2}
+STIFFNESS = {
+    "initial": lib.ED_STIFFNESS_INITIAL,
+    "committed": lib.ED_STIFFNESS_COMMITTED,
+    "current": lib.ED_STIFFNESS_CURRENT,
+}
+SETTINGS = {
+    "tolerance": lib.ED_TOLERANCE,
+    "max_iterations": lib.ED_MAX_ITERATIONS,
+    "element_tolerance": lib.ED_ELEMENT_TOLERANCE,
+    "halvings": lib.ED_HALVINGS,
+    "fast_elastic": lib.ED_FAST_ELASTIC,
+    "reuse_factors": lib.ED_REUSE_FACTORS,
+    "energy": lib.ED_ENERGY,
+}
+_PIECE = 0.2  # seconds of computing between looks at the stop flag
+
+
+def _doubles(array: np.ndarray | None) -> Any:
+    return ffi.NULL if array is None else ffi.from_buffer("double[]", array)
+
+
+class Analysis:
+    """State of one structure and what can be done with it; runs follow each other from the state that the last one left.
+
+    Several analyses may share a model and run in parallel threads: the core releases the interpreter lock.
+
+    Args:
+        model: the structure; it must not change afterwards.
+        settings: tolerance (largest unbalance over largest force so far, default 1e-6), max_iterations, halvings,
+            element_tolerance, fast_elastic, reuse_factors, energy.
+
+    Raises:
+        CoreError: the structure is a mechanism, nodes are disconnected (both named), or a setting is out of range.
+    """
+
+    def __init__(self, model: Model, **settings: float) -> None:
+        status = ffi.new("int *")
+        message = ffi.new("char[]", 1024)
+        self.model = model
+        handle = lib.ed_analysis_new(model.handle, status, message, 1024)
+        if handle == ffi.NULL:
+            raise CoreError(status_name(status[0]), ffi.string(message).decode())
+        self._c = ffi.gc(handle, lib.ed_analysis_free)
+        for name, value in settings.items():
+            self.set(name, value)
+        n_nodes = len(model.node_names)
+        self.n_equations = int(lib.ed_n_equations(self._c))
+        self.equations = np.empty((n_nodes, 3), dtype=np.int32)
+        lib.ed_equations(self._c, ffi.from_buffer("int[]", self.equations))
+
+    def _check(self, status: int) -> None:
+        if status < 0:
+            raise CoreError(status_name(status), ffi.string(lib.ed_analysis_message(self._c)).decode())
+
+    def set(self, name: str, value: float) -> None:
+        """Change a setting (see the class)."""
+        if name not in SETTINGS:
+            raise ValueError(f"unknown setting {name!r}; known: {', '.join(SETTINGS)}")
+        self._check(lib.ed_set(self._c, SETTINGS[name], float(value)))
+
+    def stiffness(self) -> scipy.sparse.csc_matrix:
+        """Tangent stiffness over the equations at the present state, N/m."""
+        n, nnz = self.n_equations, int(lib.ed_n_nonzeros(self._c))
+        start, row, value = np.empty(n + 1, np.int32), np.empty(nnz, np.int32), np.empty(nnz)
+        lib.ed_stiffness(
+            self._c, ffi.from_buffer("int[]", start), ffi.from_buffer("int[]", row), ffi.from_buffer("double[]", value)
+        )
+        return scipy.sparse.csc_matrix((value, row, start), shape=(n, n))
+
+    def masses(self) -> np.ndarray:
+        """Lumped masses (n_equations,) in kg and kg m2."""
+        mass = np.empty(self.n_equations)
+        lib.ed_mass(self._c, ffi.from_buffer("double[]", mass))
+        return mass
+
+    def mass_matrix(self) -> scipy.sparse.csc_matrix:
+        """Mass matrix over the equations."""
+        return scipy.sparse.diags(self.masses(), format="csc")
+
+    def modes(self, count: int) -> Modes:
+        """The lowest natural modes at the present state."""
+        influence = np.zeros(self.n_equations)
+        free = self.equations[:, 0] >= 0
+        influence[self.equations[free, 0]] = 1.0
+        return natural_modes(self.stiffness(), self.masses(), self.equations, influence, count)
+
+    def rayleigh(self, a0: float, a1: float, stiffness: str = "current") -> None:
+        """Damping a0 M + a1 K with the initial, committed or current K; a0 in 1/s, a1 in s."""
+        self._check(lib.ed_rayleigh(self._c, a0, a1, STIFFNESS[stiffness]))
+
+    def modal_damping(self, modes: Modes, ratio: ArrayLike) -> None:
+        """Damping ratio (scalar or (n,)) of critical in each of the modes (Chopra 2012, Eq. 11.4.5)."""
+        shapes = np.ascontiguousarray(modes.equations)
+        omega = np.ascontiguousarray(modes.omega)
+        ratios = np.ascontiguousarray(np.broadcast_to(np.asarray(ratio, dtype=float), omega.shape))
+        self._check(
+            lib.ed_modal_damping(self._c, omega.size, _doubles(shapes.ravel()), _doubles(omega), _doubles(ratios))
+        )
+
+    def initial_velocity(self, velocity: ArrayLike) -> None:
+        """Velocities (n_equations,) m/s at the start of the next history."""
+        v = np.ascontiguousarray(velocity, dtype=float)
+        if v.shape != (self.n_equations,):
+            raise ValueError(f"{v.size} velocities for {self.n_equations} equations")
+        self._check(lib.ed_initial_velocity(self._c, _doubles(v)))
+
+    def state(self) -> np.ndarray:
+        """A copy of the whole committed state."""
+        state = np.empty(int(lib.ed_state_size(self._c)))
+        lib.ed_state_get(self._c, ffi.from_buffer("double[]", state))
+        return state
+
+    def restore(self, state: np.ndarray) -> None:
+        """Return to a state from `state()`."""
+        if state.shape != (int(lib.ed_state_size(self._c)),):
+            raise ValueError("this state belongs to another analysis")
+        self._check(lib.ed_state_set(self._c, _doubles(np.ascontiguousarray(state))))
+
+    def static(
+        self, pattern: int, factor: float = 1.0, steps: int = 1, channels: Sequence[Channel] = ()
+    ) -> Response:
+        """Load control: bring a pattern to `factor` in equal steps; it stays on for later runs."""
+        self._check(lib.ed_static_begin(self._c, pattern, factor, steps))
+        return self._run(steps, channels, 1, None, None)
+
+    def pushover(
+        self,
+        pattern: int,
+        node: int,
+        degree: str,
+        target: float,
+        steps: int,
+        channels: Sequence[Channel] = (),
+        progress: Callable[[int, int], None] | None = None,
+        stop: Callable[[], bool] | None = None,
+    ) -> Response:
+        """Displacement control: move a degree to `target` (m or rad) in equal steps under a pattern of nodal loads."""
+        self._check(lib.ed_pushover_begin(self._c, pattern, node, DEGREES[degree], target, steps))
+        return self._run(steps, channels, 1, progress, stop)
+
+    def history(
+        self,
+        ground_acceleration: ArrayLike,
+        dt: float,
+        method: Integrator = Newmark(),
+        channels: Sequence[Channel] = (),
+        every: int = 1,
+        vertical: ArrayLike | None = None,
+        progress: Callable[[int, int], None] | None = None,
+        stop: Callable[[], bool] | None = None,
+    ) -> Response:
+        """Time history under ground acceleration.
+
+        Args:
+            ground_acceleration: (nt,) m/s2 along x, `dt` s apart; the first sample is at time 0.
+            method: integrator.
+            channels: what to record; every `every`-th step is kept, extremes count every step.
+            vertical: (nt,) m/s2 along y.
+            progress: called with (steps done, steps) now and then.
+            stop: asked now and then; True ends the run with status "interrupted".
+
+        Returns:
+            Response; status "failed" with the reason when equilibrium was lost (what was computed before is in it).
+        """
+        ground = np.ascontiguousarray(ground_acceleration, dtype=float)
+        other = None if vertical is None else np.ascontiguousarray(vertical, dtype=float)
+        if ground.ndim != 1 or ground.size < 2 or (other is not None and other.shape != ground.shape):
+            raise ValueError("ground acceleration needs at least two samples, and as many vertically")
+        kind, parameters = method.parameters()
+        steps = ground.size - 1
+        self._check(lib.ed_history_begin(self._c, steps, dt, _doubles(ground), _doubles(other), kind, parameters))
+        return self._run(steps, channels, every, progress, stop)
+
+    def _add_channels(self, channels: Sequence[Channel]) -> None:
+        for channel in channels:
+            kinds = [KINDS[kind] for _, kind, _, _ in channel.terms]
+            status = lib.ed_channel(
+                self._c,
+                len(kinds),
+                [float(c) for c, _, _, _ in channel.terms],
+                kinds,
+                [int(i) for _, _, i, _ in channel.terms],
+                [int(k) for _, _, _, k in channel.terms],
+                channel.history,
+            )
+            if status < 0:
+                message = ffi.string(lib.ed_analysis_message(self._c)).decode()
+                raise CoreError(status_name(status), f"channel {channel.name}: {message}")
+
+    def _run(
+        self,
+        steps: int,
+        channels: Sequence[Channel],
+        every: int,
+        progress: Callable[[int, int], None] | None,
+        stop: Callable[[], bool] | None,
+    ) -> Response:
+        try:
+            lib.ed_clear_channels(self._c)
+            self._add_channels(channels)
+            return self._advance(steps, channels, every, progress, stop)
+        finally:
+            lib.ed_run_end(self._c)
+
+    def _advance(
+        self,
+        steps: int,
+        channels: Sequence[Channel],
+        every: int,
+        progress: Callable[[int, int], None] | None,
+        stop: Callable[[], bool] | None,
+    ) -> Response:
+        kept = [c.name for c in channels if c.history]
+        rows = steps // every + 1
+        abscissa, values, energy = np.empty(rows), np.empty((rows, len(kept))), np.empty((rows, len(ENERGIES)))
+        lib.ed_run_buffers(self._c, every, _doubles(abscissa), _doubles(values.ravel()), _doubles(energy.ravel()))
+        before = self._statistics()
+        status, reason, done, piece = "completed", "", 0, 1
+        cpu = 0.0
+        while done < steps:
+            wall, start = clock.perf_counter(), clock.thread_time()
+            result = lib.ed_run_advance(self._c, piece)
+            cpu += clock.thread_time() - start
+            wall = clock.perf_counter() - wall
+            done = int(lib.ed_run_steps_done(self._c))
+            if result < 0:
+                status, reason = "failed", ffi.string(lib.ed_analysis_message(self._c)).decode()
+                break
+            if progress is not None:
+                progress(done, steps)
+            if stop is not None and done < steps and stop():
+                status, reason = "interrupted", f"stopped after {done} of {steps} steps"
+                break
+            piece = max(1, min(4 * piece, int(piece * _PIECE / max(wall, 1e-6))))
+        n = int(lib.ed_run_rows(self._c))
+        extremes = [np.zeros(len(channels)) for _ in range(5)]
+        lib.ed_extremes(self._c, *(_doubles(e) for e in extremes))
+        names = [c.name for c in channels]
+        maximum, at_maximum, minimum, at_minimum, last = (
+            {name: float(v) for name, v in zip(names, e, strict=True)} for e in extremes
+        )
+        events = self._events()
+        lib.ed_run_end(self._c)
+        after = self._statistics()
+        statistics = {k: after[k] - before[k] for k in after if k not in ("worst_unbalance", "energy_error")}
+        statistics |= {"worst_unbalance": after["worst_unbalance"], "energy_error": after["energy_error"], "cpu_s": cpu}
+        return Response(
+            status=status,
+            reason=reason,
+            time=abscissa[:n].copy(),
+            values={name: values[:n, i].copy() for i, name in enumerate(kept)},
+            maximum=maximum,
+            minimum=minimum,
+            final=last,
+            time_of_maximum=at_maximum,
+            time_of_minimum=at_minimum,
+            energy={name: energy[:n, i].copy() for i, name in enumerate(ENERGIES)},
+            events=events,
+            statistics=statistics,
+        )
+
+    def _statistics(self) -> dict[str, float]:
+        s = ffi.new("ed_statistics *")
+        lib.ed_get_statistics(self._c, s)
+        names = [name for name, _ in ffi.typeof("ed_statistics").fields]
+        return {name: getattr(s, name) for name in names}
+
+    def _events(self) -> list[dict[str, object]]:
+        events: list[dict[str, object]] = []
+        e = ffi.new("ed_event *")
+        for i in range(int(lib.ed_n_events(self._c))):
+            lib.ed_get_event(self._c, i, e)
+            events.append(
+                {
+                    "time": e.time,
+                    "step": e.step,
+                    "rung": RUNGS[e.rung],
+                    "halvings": e.level,
+                    "success": bool(e.success),
+                    "iterations": e.iterations,
+                }
+            )
+        return events

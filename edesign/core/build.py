@@ -1,0 +1,92 @@
+"""Builds the extension module edesign.core._edcore from the C sources in core_c; run by setup.py, at the root.
+
+The public header core_c/include/edcore.h is the only declaration of the interface: the C preprocessor expands it, with
+ED_CFFI defined and without system headers, into what cffi reads. Integer macros ED_NAME become constants.
+
+Environment: CC (compiler), EDESIGN_CFLAGS (appended to the compiler flags, e.g. "-O0 -g"), SUITESPARSE_ROOT (prefix).
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shlex
+import subprocess
+import sysconfig
+from pathlib import Path
+
+import cffi
+
+CORE = Path("core_c")
+HEADER = CORE / "include" / "edcore.h"
+LIBRARIES = ["klu", "amd", "colamd", "btf", "suitesparseconfig", "m"]
+# No contraction: results must not depend on whether a machine has fused multiply-add. Hidden symbols: calls inside the
+# library may be inlined. gnu11 for M_PI and clock_gettime. No -march=native: a built package moves between machines.
+FLAGS = ["-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden", "-Wall", "-Wextra"]
+
+
+def compiler() -> list[str]:
+    """Command of the C compiler: CC, or the one that built Python."""
+    return shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
+
+
+def declarations(header: Path = HEADER) -> str:
+    """Declarations of a C header as cffi reads them.
+
+    Args:
+        header: path of the header.
+
+    Returns:
+        The preprocessed text without directives and attributes, preceded by the integer macros ED_* as constants.
+    """
+    text = header.read_text(encoding="utf-8")
+    text = re.sub(r"^[ \t]*#[ \t]*include[ \t]*<.*$", "", text, flags=re.MULTILINE)
+    command = [*compiler(), "-E", "-P", "-DED_CFFI", f"-I{header.parent}", "-x", "c", "-"]
+    result = subprocess.run(command, input=text, capture_output=True, text=True, check=False)
+    if result.returncode:
+        raise SystemExit(f"{' '.join(command)} failed on {header}:\n{result.stderr}")
+    expanded = re.sub(r"__attribute__\s*\(\(.*?\)\)(?=\s)", "", result.stdout)
+    expanded = re.sub(r"\bED_API\b", "", expanded)
+    integers = re.findall(
+        r"^[ \t]*#[ \t]*define[ \t]+(ED_\w+)[ \t]+\(?-?(?:0[xX][0-9a-fA-F]+|\d+)[uUlL]*\)?[ \t]*(?:/[*/].*)?$",
+        text,
+        flags=re.MULTILINE,
+    )
+    return "".join(f"#define {name} ...\n" for name in integers) + expanded
+
+
+def suitesparse_flags() -> list[str]:
+    """Compiler and linker flags that find SuiteSparse; see core_c/suitesparse.sh."""
+    result = subprocess.run(["sh", str(CORE / "suitesparse.sh")], capture_output=True, text=True, check=False)
+    if result.returncode:
+        raise SystemExit(
+            "edesign needs the headers of SuiteSparse (klu.h), found in none of the usual places. Install "
+            "libsuitesparse-dev (apt), suitesparse-devel (dnf), suite-sparse (brew) or suitesparse (conda), "
+            "or set SUITESPARSE_ROOT to its prefix."
+        )
+    return result.stdout.split()
+
+
+def ffibuilder() -> cffi.FFI:
+    """The cffi builder of edesign.core._edcore, as setuptools asks for it."""
+    sources = sorted(path.as_posix() for path in CORE.glob("src/*/*.c"))
+    if not sources or not HEADER.exists():
+        raise SystemExit(f"no C sources under {CORE.resolve()}: build from the root of the source tree")
+    found = suitesparse_flags()
+    builder = cffi.FFI()
+    builder.cdef(declarations())
+    builder.set_source(
+        "edesign.core._edcore",
+        '#include "edcore.h"\n',
+        sources=sources,
+        depends=sorted(path.as_posix() for path in [*CORE.glob("include/*.h"), *CORE.glob("src/**/*.h")]),
+        include_dirs=[(CORE / "include").as_posix(), (CORE / "src").as_posix()],
+        libraries=LIBRARIES,
+        extra_compile_args=[
+            *FLAGS,
+            *(flag for flag in found if flag.startswith("-I")),
+            *shlex.split(os.environ.get("EDESIGN_CFLAGS", "")),
+        ],
+        extra_link_args=[flag for flag in found if not flag.startswith("-I")],
+    )
+    return builder

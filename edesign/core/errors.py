@@ -1,0 +1,17 @@
+"""Errors of the numerical core with its own words and status."""
+
+from __future__ import annotations
+
+from edesign.errors import AnalysisError
+
+
+class CoreError(AnalysisError):
+    """The core refused a model or could not go on.
+
+    Attributes:
+        status: name of the status, for instance "ED_E_MECHANISM".
+    """
+
+    def __init__(self, status: str, message: str) -> None:
+        super().__init__(message)
+        self.status = status

@@ -1,0 +1,167 @@
+"""The numerical model of a plane frame: a thin typed layer over the C core."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from edesign.core._edcore import ffi, lib
+from edesign.core.errors import CoreError
+from edesign.core.materials import Bilinear, Elastic, MenegottoPinto, Steel
+
+GEOMETRY = {"linear": lib.ED_LINEAR, "p_delta": lib.ED_P_DELTA, "corotational": lib.ED_COROTATIONAL}
+
+
+def status_name(status: int) -> str:
+    """Name of a status of the core."""
+    return str(ffi.string(lib.ed_status_name(status)).decode())
+
+
+class Model:
+    """Nodes, elements, masses, supports and load patterns, in SI units.
+
+    Three degrees a node: ux, uy (upwards), rz (anticlockwise). Ids are the integers that the methods return. Materials come
+    before sections. Every method raises CoreError with a message for people when the core refuses its arguments.
+    """
+
+    def __init__(self) -> None:
+        self._c = ffi.gc(lib.ed_model_new(), lib.ed_model_free)
+        if self._c == ffi.NULL:
+            raise MemoryError
+        self.node_names: list[str] = []
+        self.element_names: list[str] = []
+        self.element_sections: list[int] = []
+        self.node_xy: list[tuple[float, float]] = []
+        self.n_patterns = 0
+
+    @property
+    def handle(self) -> Any:
+        """The core's handle, for Analysis."""
+        return self._c
+
+    def _checked(self, result: int) -> int:
+        if result < 0:
+            raise CoreError(status_name(result), ffi.string(lib.ed_model_message(self._c)).decode())
+        return result
+
+    def material(self, law: Steel) -> int:
+        """Add a uniaxial law."""
+        match law:
+            case Elastic(E):
+                kind, values = lib.ED_ELASTIC, [E]
+            case Bilinear(E, fy, b):
+                kind, values = lib.ED_BILINEAR, [E, fy, b]
+            case MenegottoPinto(E, fy, b, R0, cR1, cR2):
+                kind, values = lib.ED_MENEGOTTO_PINTO, [E, fy, b, R0, cR1, cR2]
+        return self._checked(lib.ed_model_material(self._c, kind, len(values), values))
+
+    def elastic_section(self, EA: float, EI: float) -> int:
+        """Add an elastic section; EA in N, EI in N m2."""
+        return self._checked(lib.ed_model_elastic_section(self._c, EA, EI))
+
+    def fibre_section(self, y: ArrayLike, area: ArrayLike, material: int | ArrayLike) -> int:
+        """Add a section of fibres at depths y (n,) m with areas (n,) m2; fibres at one depth are merged exactly."""
+        depth = np.ascontiguousarray(y, dtype=float).ravel()
+        areas = np.ascontiguousarray(area, dtype=float).ravel()
+        laws = np.ascontiguousarray(np.broadcast_to(material, depth.shape), dtype=np.int32)
+        if areas.shape != depth.shape:
+            raise ValueError(f"{depth.size} depths and {areas.size} areas")
+        return self._checked(
+            lib.ed_model_fibre_section(
+                self._c,
+                depth.size,
+                ffi.from_buffer("double[]", depth),
+                ffi.from_buffer("double[]", areas),
+                ffi.from_buffer("int[]", laws),
+            )
+        )
+
+    def layers(self, section: int) -> int:
+        """Number of layers of a fibre section after merging."""
+        return self._checked(lib.ed_model_section_layers(self._c, section))
+
+    def node(self, name: str, x: float, y: float) -> int:
+        """Add a node at (x, y) m."""
+        result = self._checked(lib.ed_model_node(self._c, name.encode(), x, y))
+        self.node_names.append(name)
+        self.node_xy.append((x, y))
+        return result
+
+    def fix(self, node: int, ux: bool = False, uy: bool = False, rz: bool = False) -> None:
+        """Hold degrees of a node."""
+        self._checked(lib.ed_model_fix(self._c, node, ux, uy, rz))
+
+    def tie(self, node: int, master: int, ux: bool = False, uy: bool = False, rz: bool = False) -> None:
+        """Let degrees of a node be those of another one (rigid diaphragm: ux)."""
+        self._checked(lib.ed_model_tie(self._c, node, master, ux, uy, rz))
+
+    def mass(self, node: int, mx: float, my: float = 0.0, mrz: float = 0.0) -> None:
+        """Add lumped mass to a node: kg, kg, kg m2."""
+        self._checked(lib.ed_model_mass(self._c, node, mx, my, mrz))
+
+    def _element(self, name: str, result: int, section: int) -> int:
+        self._checked(result)
+        self.element_names.append(name)
+        self.element_sections.append(section)
+        return result
+
+    def beam_column(
+        self,
+        name: str,
+        i: int,
+        j: int,
+        section: int | Sequence[int],
+        points: int = 5,
+        geometry: str = "p_delta",
+        release: tuple[bool, bool] = (False, False),
+    ) -> int:
+        """Add a beam-column: force-based for fibre sections, closed form for an elastic one.
+
+        Args:
+            section: one id, or one id for each Gauss-Lobatto point.
+            points: Gauss-Lobatto points, 2 to 10.
+            geometry: "linear", "p_delta" or "corotational".
+            release: moment-free ends i, j.
+        """
+        ids = [section] * points if isinstance(section, int) else list(section)
+        if isinstance(section, int) and 0 <= section and lib.ed_model_section_layers(self._c, section) == 0:
+            result = lib.ed_model_elastic_beam(self._c, name.encode(), i, j, section, GEOMETRY[geometry], *release)
+            return self._element(name, result, section)
+        if len(ids) != points:
+            raise ValueError(f"element {name}: {len(ids)} sections for {points} points")
+        result = lib.ed_model_beam_column(self._c, name.encode(), i, j, points, ids, GEOMETRY[geometry], *release)
+        return self._element(name, result, ids[0])
+
+    def truss(self, name: str, i: int, j: int, material: int, area: float, geometry: str = "linear") -> int:
+        """Add a pin-ended bar; area in m2."""
+        result = lib.ed_model_truss(self._c, name.encode(), i, j, material, area, GEOMETRY[geometry])
+        return self._element(name, result, -1)
+
+    def link(self, name: str, i: int, j: int, stiffness: tuple[float, float, float], angle: float = 0.0) -> int:
+        """Add an elastic link with stiffness along local x, y (N/m) and in rotation (N m/rad).
+
+        Between two places local x runs along the link and shear acts at mid-length; at one place local x is at `angle` rad.
+        """
+        return self._element(name, lib.ed_model_link(self._c, name.encode(), i, j, *stiffness, angle), -1)
+
+    def pattern(self, name: str = "") -> int:
+        """Add a load pattern."""
+        self.n_patterns += 1
+        return self._checked(lib.ed_model_pattern(self._c))
+
+    def nodal_load(self, pattern: int, node: int, fx: float = 0.0, fy: float = 0.0, mz: float = 0.0) -> None:
+        """Add a force (N) and moment (N m) on a node."""
+        self._checked(lib.ed_model_nodal_load(self._c, pattern, node, fx, fy, mz))
+
+    def uniform_load(self, pattern: int, element: int, axial: float = 0.0, transverse: float = 0.0) -> None:
+        """Add a load along a beam-column, N/m in its local axes."""
+        self._checked(lib.ed_model_uniform_load(self._c, pattern, element, axial, transverse))
+
+    def point_load(
+        self, pattern: int, element: int, position: float, axial: float = 0.0, transverse: float = 0.0
+    ) -> None:
+        """Add a force (N, local axes) on a beam-column at position 0..1 of its length."""
+        self._checked(lib.ed_model_point_load(self._c, pattern, element, position, axial, transverse))

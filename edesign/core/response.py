@@ -1,0 +1,91 @@
+"""What is recorded of an analysis, and what it returns."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from edesign.core._edcore import lib
+
+KINDS = {
+    "displacement": lib.ED_DISPLACEMENT,
+    "velocity": lib.ED_VELOCITY,
+    "acceleration": lib.ED_ACCELERATION,
+    "total_acceleration": lib.ED_TOTAL_ACCELERATION,
+    "reaction": lib.ED_REACTION,
+    "ground_acceleration": lib.ED_GROUND_ACCELERATION,
+    "load_factor": lib.ED_LOAD_FACTOR,
+    "end_force": lib.ED_END_FORCE,
+    "global_force": lib.ED_GLOBAL_FORCE,
+    "axial_force": lib.ED_AXIAL_FORCE,
+    "deformation": lib.ED_DEFORMATION,
+    "plastic_rotation": lib.ED_PLASTIC_ROTATION,
+    "section_force": lib.ED_SECTION_FORCE,
+    "section_deformation": lib.ED_SECTION_DEFORMATION,
+    "fibre_stress": lib.ED_FIBRE_STRESS,
+    "fibre_strain": lib.ED_FIBRE_STRAIN,
+}
+
+ENERGIES = ("input", "kinetic", "damping", "elastic", "hysteretic", "p_delta", "residual")
+
+RUNGS = {
+    lib.ED_RUNG_FULL_NEWTON: "full Newton",
+    lib.ED_RUNG_LINE_SEARCH: "line search",
+    lib.ED_RUNG_FROZEN_DAMPING: "damping stiffness of the step's start",
+    lib.ED_RUNG_HALVE: "step halved",
+}
+
+
+@dataclass(frozen=True)
+class Channel:
+    """A recorded quantity: the weighted sum of terms.
+
+    Attributes:
+        name: key of the results.
+        terms: (coefficient, kind, id of the node or element, component); kinds and components are listed in edcore.h and
+            in `KINDS`.
+        history: keep every sample, not only the extremes.
+    """
+
+    name: str
+    terms: tuple[tuple[float, str, int, int], ...]
+    history: bool = True
+
+
+@dataclass
+class Response:
+    """Result of a run.
+
+    Attributes:
+        status: "completed", "failed" or "interrupted".
+        reason: why it did not complete, "" otherwise.
+        time: (nt,) s; load factor in load control, controlled displacement (m) in displacement control.
+        values: (nt,) of every channel with history.
+        maximum, minimum, final, time_of_maximum, time_of_minimum: of every channel, every step counted.
+        energy: (nt,) J of each of ENERGIES.
+        events: rungs of the failure ladder that were used: time, step, rung, halvings, success, iterations.
+        statistics: counts, worst relative unbalance, energy error relative to the largest input, CPU seconds.
+    """
+
+    status: str
+    reason: str
+    time: np.ndarray
+    values: dict[str, np.ndarray]
+    maximum: dict[str, float]
+    minimum: dict[str, float]
+    final: dict[str, float]
+    time_of_maximum: dict[str, float]
+    time_of_minimum: dict[str, float]
+    energy: dict[str, np.ndarray]
+    events: list[dict[str, object]] = field(default_factory=list)
+    statistics: dict[str, float] = field(default_factory=dict)
+
+    def peak(self, name: str) -> float:
+        """Largest magnitude of a channel."""
+        return max(abs(self.maximum[name]), abs(self.minimum[name]))
+
+    @property
+    def load_factor(self) -> np.ndarray:
+        """The abscissa of a run in load control."""
+        return self.time

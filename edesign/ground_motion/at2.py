@@ -1,0 +1,72 @@
+"""Reader of PEER .AT2 files: three lines of text, the line with number and step of the samples, samples in g."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from edesign.errors import InputError
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.text import number, read_lines
+from edesign.project.units import STANDARD_GRAVITY
+
+_HEADER_LINES = 4  # every form of the file has so many; the samples follow
+_VALUE = r"([^\s,=]+)"
+_NEW = re.compile(rf"\s*NPTS\s*=\s*{_VALUE}\s*,?\s*DT\s*=\s*{_VALUE}", re.IGNORECASE)
+_OLD = re.compile(rf"\s*{_VALUE}\s+{_VALUE}\s+NPTS\s*,?\s*DT", re.IGNORECASE)
+_OTHER_UNIT = re.compile(r"(VELOCITY|DISPLACEMENT)|UNITS OF\s+(?!G\b)(\S+)", re.IGNORECASE)
+
+
+def read_at2(path: Path | str, name: str = "") -> Record:
+    """Read a PEER record file, of the NGA form (`NPTS=  5372, DT=  .0100 SEC`) or the older `5372  0.0100  NPTS, DT`.
+
+    Args:
+        path: the file.
+        name: of the record; its file name without ending by default.
+
+    Returns:
+        The record in m/s2 (1 g = 9.80665 m/s2); its source is the file name and the title in its second line.
+
+    Raises:
+        InputError: the file cannot be read, has no such header, holds another quantity than acceleration in g, a time
+            step that is not positive, something else than finite numbers, or not as many samples as it says.
+    """
+    path = Path(path)
+    lines = read_lines(path)
+    count, step, header = _header(path, lines)
+    samples: list[float] = []
+    for i, line in enumerate(lines[header:], start=header + 1):
+        samples += [number(word, path, i) for word in line.split()]
+        if len(samples) > count:
+            raise InputError(f"{path}:{i}: more samples than NPTS = {count} in line {header}")
+    if len(samples) < count:
+        raise InputError(
+            f"{path}:{len(lines)}: the file ends after {len(samples)} samples, but NPTS = {count} in line {header}"
+        )
+    title = " ".join(lines[1].split())
+    source = f"{path.name}: {title}" if title else path.name
+    return Record(name or path.stem, [STANDARD_GRAVITY * value for value in samples], step, source)  # type: ignore[arg-type]
+
+
+def _header(path: Path, lines: list[str]) -> tuple[int, float, int]:
+    """Number of samples, step in s, and the number of the line where they stand."""
+    for i, line in enumerate(lines[:_HEADER_LINES], start=1):
+        match = _NEW.match(line) or _OLD.match(line)
+        if match is None:
+            if i == 3 and (other := _OTHER_UNIT.search(line)):
+                seen = other[1] or f"a unit `{other[2]}`"
+                raise InputError(
+                    f"{path}:{i}: the header says {seen.lower()}; only acceleration in g is read from AT2 files"
+                )
+            continue
+        count = number(match[1], path, i, "NPTS, the number of samples,")
+        step = number(match[2], path, i, "DT, the time step in s,")
+        if count != int(count) or count < 2:
+            raise InputError(f"{path}:{i}: NPTS = {match[1]}; a whole number of at least 2 samples is expected")
+        if step <= 0.0:
+            raise InputError(f"{path}:{i}: DT = {match[2]}; the time step must be greater than zero")
+        return int(count), step, i
+    raise InputError(
+        f"{path}:{min(len(lines), _HEADER_LINES)}: none of the first {_HEADER_LINES} lines has the header of an AT2 "
+        "file, `NPTS=  5372, DT=  .0100 SEC` or `5372  0.0100  NPTS, DT`"
+    )

@@ -1,0 +1,137 @@
+"""Reader of records in .csv files: one column of accelerations, or time and acceleration."""
+
+from __future__ import annotations
+
+import csv
+from difflib import get_close_matches
+from pathlib import Path
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.text import number, read_lines
+from edesign.ground_motion.units import ACCELERATION_UNITS
+
+_UNEVEN = 1e-3  # of a step: times in files are rounded to a few decimals
+_ROUNDING = 1e-6  # relative, between a given step and that of the time column
+
+
+def read_csv(
+    path: Path | str,
+    acceleration_unit: str,
+    time_step: float | None = None,
+    time_column: int | str | None = None,
+    acceleration_column: int | str | None = None,
+    name: str = "",
+) -> Record:
+    """Read a record from a table separated by commas or semicolons, with or without one line of headers.
+
+    Without columns named, one column is the acceleration, and of two the first is the time (s). The motion begins at the
+    first sample, whatever time it bears.
+
+    Args:
+        path: the file.
+        acceleration_unit: "g", "m/s^2", "cm/s^2" or "mm/s^2".
+        time_step: s; needed without a time column, and checked against it otherwise.
+        time_column, acceleration_column: header, or number from 1.
+        name: of the record; its file name without ending by default.
+
+    Raises:
+        InputError: unreadable file, unknown unit or column, something else than finite numbers, lines of different
+            length, fewer than two samples, no time step, or times that are not evenly spaced.
+    """
+    path = Path(path)
+    if acceleration_unit not in ACCELERATION_UNITS:
+        raise InputError(f"{path}: unknown unit `{acceleration_unit}`; allowed: {', '.join(ACCELERATION_UNITS)}")
+    header, rows, places = _table(path)
+    width = len(rows[0])
+    if acceleration_column is None:
+        if width > 2:
+            raise InputError(f"{path}:{places[0]}: {width} columns; name the one that is the acceleration")
+        at, when = width - 1, 0 if width == 2 and time_column is None else None
+    else:
+        at, when = _column(path, acceleration_column, header, width), None
+    if time_column is not None:
+        when = _column(path, time_column, header, width)
+        if when == at:
+            raise InputError(f"{path}: column {at + 1} cannot be both time and acceleration")
+    samples = [number(row[at], path, line) for row, line in zip(rows, places, strict=True)]
+    if when is not None:
+        times = [number(row[when], path, line, "a time in s") for row, line in zip(rows, places, strict=True)]
+        time_step = _uniform_step(path, np.array(times), places, time_step)
+    if time_step is None:
+        raise InputError(f"{path}: the file has no column of times; a time step is needed")
+    if not time_step > 0.0:
+        raise InputError(f"{path}: the time step must be greater than zero, not {time_step:g} s")
+    factor = ACCELERATION_UNITS[acceleration_unit]
+    return Record(name or path.stem, factor * np.array(samples), time_step, f"{path.name} in {acceleration_unit}")
+
+
+def _table(path: Path) -> tuple[list[str], list[list[str]], list[int]]:
+    """Header (empty if there is none), rows of text, and the line of each row; blank lines and comments (#) are skipped."""
+    lines = read_lines(path)
+    kept = [(i, line) for i, line in enumerate(lines, start=1) if line.strip() and not line.lstrip().startswith("#")]
+    if not kept:
+        raise InputError(f"{path}: the file has no samples")
+    delimiter = ";" if ";" in kept[0][1] else ","
+    places = [i for i, _ in kept]
+    rows = [[cell.strip() for cell in row] for row in csv.reader((line for _, line in kept), delimiter=delimiter)]
+    header: list[str] = []
+    if not any(_is_number(cell) for cell in rows[0]):
+        header, rows, places = rows[0], rows[1:], places[1:]
+    if len(rows) < 2:
+        raise InputError(f"{path}:{len(lines)}: a record needs at least two samples, not {len(rows)}")
+    width = len(header or rows[0])
+    for row, line in zip(rows, places, strict=True):
+        if len(row) != width:
+            raise InputError(f"{path}:{line}: {len(row)} columns; the lines before have {width}")
+    return header, rows, places
+
+
+def _is_number(cell: str) -> bool:
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return True
+
+
+def _column(path: Path, wanted: int | str, header: list[str], width: int) -> int:
+    if isinstance(wanted, int):
+        if not 1 <= wanted <= width:
+            raise InputError(f"{path}: there is no column {wanted}; the columns are numbered 1 to {width}")
+        return wanted - 1
+    if not header:
+        raise InputError(
+            f"{path}: there is no column `{wanted}`: the file has no headers; give the number of the column"
+        )
+    if wanted not in header:
+        near = get_close_matches(wanted, header, n=1)
+        hint = f"; did you mean `{near[0]}`?" if near else ""
+        raise InputError(f"{path}: there is no column `{wanted}`{hint} (the columns are: {', '.join(header)})")
+    return header.index(wanted)
+
+
+def _uniform_step(path: Path, times: np.ndarray, places: list[int], given: float | None) -> float:
+    """The step of evenly spaced times, s; a given one is returned if it is the same."""
+    steps = np.diff(times)
+    backwards = np.flatnonzero(steps <= 0.0)
+    if backwards.size:
+        at = int(backwards[0]) + 1
+        raise InputError(
+            f"{path}:{places[at]}: the time {times[at]:g} s is not after the time {times[at - 1]:g} s before it"
+        )
+    mean = float((times[-1] - times[0]) / steps.size)
+    uneven = np.flatnonzero(np.abs(steps - mean) > _UNEVEN * mean)
+    if uneven.size:
+        at = int(uneven[0]) + 1
+        raise InputError(
+            f"{path}:{places[at]}: the times are not evenly spaced: here the step is {steps[at - 1]:g} s, "
+            f"on average {mean:g} s"
+        )
+    if given is not None:
+        if abs(given - mean) > max(_ROUNDING, _UNEVEN / steps.size) * mean:
+            raise InputError(f"{path}: the time column has a step of {mean:g} s, but {given:g} s is given")
+        return given
+    return float(f"{mean:.9g}")  # the decimal number that the file means

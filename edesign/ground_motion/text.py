@@ -1,0 +1,44 @@
+"""Text of record files, and numbers in it."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+from edesign.errors import InputError
+
+
+def read_lines(path: Path) -> list[str]:
+    """Read the lines of a text file.
+
+    Raises:
+        InputError: missing, a folder, unreadable, empty, or not text.
+    """
+    try:
+        data = path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"{path}: there is no such record file") from None
+    except IsADirectoryError:
+        raise InputError(f"{path}: this is a folder, not a record file") from None
+    except OSError as error:
+        raise InputError(f"{path}: the record cannot be read: {error.strerror}") from None
+    if not data.strip():
+        raise InputError(f"{path}: the file is empty")
+    if b"\0" in data:
+        raise InputError(f"{path}: this is not a text file")
+    return data.decode("utf-8-sig", errors="replace").splitlines()
+
+
+def number(word: str, path: Path, line: int, what: str = "an acceleration") -> float:
+    """Read a finite number.
+
+    Raises:
+        InputError: `word` is none; the message names file, line (from 1) and what was expected.
+    """
+    try:
+        value = float(word)
+    except ValueError:
+        raise InputError(f"{path}:{line}: `{word[:40]}` is not a number; {what} is expected here") from None
+    if not math.isfinite(value):
+        raise InputError(f"{path}:{line}: `{word[:40]}` is not a finite number; {what} is expected here")
+    return value

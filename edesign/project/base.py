@@ -1,0 +1,43 @@
+"""The base of all models of the project file: nothing unknown, nothing converted silently, nothing changed later."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from pydantic import BaseModel, ConfigDict
+from pydantic_core import PydanticCustomError
+
+TAG = "?"
+"""First character of the tags of alternatives, so that they are told apart from keys in the path of a problem."""
+
+
+class Model(BaseModel):
+    """A mapping of the project file; after reading, all its dimensional values are floats in SI."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, populate_by_name=True)
+
+
+def by_key(key: str) -> Callable[[Any], str]:
+    """Discriminator that chooses the model by the value of `key`; the tags are `?key=value`."""
+
+    def choose(value: Any) -> str:
+        chosen = value.get(key, "") if isinstance(value, Mapping) else getattr(value, key, "")
+        return f"{TAG}{key}={chosen}"
+
+    return choose
+
+
+def by_shape(value: Any) -> str:
+    """Discriminator that tells a mapping (`?mapping`) from everything else (`?plain`)."""
+    return TAG + ("mapping" if isinstance(value, (Mapping, BaseModel)) else "plain")
+
+
+def refuse(message: str, *at: str | int) -> PydanticCustomError:
+    """A problem of a value, ready to be raised in a validator.
+
+    Args:
+        message: what was seen and what is allowed.
+        at: path from the validated value down to the culprit, e.g. the index in a list.
+    """
+    return PydanticCustomError("project", "{message}", {"message": message, "at": at})

@@ -1,0 +1,119 @@
+"""Cross checks of loads, masses, records and analyses."""
+
+from __future__ import annotations
+
+from typing import get_args
+
+from edesign.project import names
+from edesign.project.analyses import GravityAnalysis, HistoryAnalysis
+from edesign.project.checks_frame import Selections
+from edesign.project.damping import RayleighDamping
+from edesign.project.problems import Keys, Problems, listed, unknown_name
+from edesign.project.project import Project
+from edesign.project.records import AccelerationUnit, FemaP695Record, FileRecord, StructdynRecord
+
+UNITS = get_args(AccelerationUnit)
+
+
+def check_actions(project: Project, problems: Problems) -> None:
+    """Check what acts on the frame and what is to be analysed; `project` has no schema problems."""
+    check = Selections(project.frame, problems)
+    for i, load in enumerate(project.loads.beams):
+        check.standing_beams(("loads", "beams", i), load)
+    for i, point in enumerate(project.loads.nodes):
+        check.nodes(("loads", "nodes", i), point.lines, point.floors)
+    _masses(project, problems, check)
+    _damping(project, problems)
+    _records(project, problems)
+    _analyses(project, problems)
+
+
+def _masses(project: Project, problems: Problems, check: Selections) -> None:
+    masses = project.masses
+    if masses is None:
+        return
+    if (masses.given is None) == (masses.from_loads is None):
+        problems.at_key(("masses",), "give either `given` or `from_loads`, one of them")
+        return
+    if masses.from_loads is not None and not (project.loads.beams or project.loads.nodes):
+        problems.at_key(("masses", "from_loads"), "there are no loads that masses could come from")
+    first: dict[str, int] = {}
+    for i, given in enumerate(masses.given or ()):
+        keys: Keys = ("masses", "given", i)
+        if not check.nodes(keys, given.lines, given.floors):
+            continue
+        for place in project.frame.node_places(given.lines, given.floors):
+            node = names.node_name(*place)
+            if node in first:
+                message = f"node {node} already has a mass from masses.given[{first[node]}]; give it once"
+                problems.at_value(keys, message)
+                break
+            first[node] = i
+
+
+def _damping(project: Project, problems: Problems) -> None:
+    damping = project.damping
+    if isinstance(damping, RayleighDamping) and damping.modes[0] == damping.modes[1]:
+        problems.at_value(("damping", "modes"), f"two different modes are needed, not twice mode {damping.modes[0]}")
+
+
+def _records(project: Project, problems: Problems) -> None:
+    for name, record in project.records.items():
+        keys: Keys = ("records", name)
+        if isinstance(record, FemaP695Record):
+            continue
+        _format(record, keys, problems)
+        if isinstance(record, FileRecord):
+            path = project.record_path(name)
+            if not path.exists():
+                message = f"there is no file `{path}` (the path is relative to the project file)"
+                problems.at_value((*keys, "file"), message)
+            elif not path.is_file():
+                problems.at_value((*keys, "file"), f"`{path}` is not a file")
+
+
+def _format(record: FileRecord | StructdynRecord, keys: Keys, problems: Problems) -> None:
+    """AT2 files say unit and time step themselves; CSV files need help."""
+    suffix = record.file.lower().rpartition(".")[2]
+    if suffix == "at2":
+        for key in ("acceleration_unit", "time_step", "columns"):
+            if getattr(record, key) is not None:
+                problems.at_key((*keys, key), "an AT2 file says this itself; leave this key out")
+    elif suffix == "csv":
+        if record.acceleration_unit is None:
+            message = f"this key is missing; a CSV file does not say its unit (allowed: {listed(UNITS)})"
+            problems.under(keys, "acceleration_unit", message)
+        if record.columns is not None and record.columns.time is None and record.time_step is None:
+            problems.under(keys, "time_step", "this key is missing; without a time column it is needed")
+    else:
+        problems.at_value((*keys, "file"), f"`{record.file}` is neither an .AT2 nor a .csv file")
+
+
+def _analyses(project: Project, problems: Problems) -> None:
+    first: dict[str, int] = {}
+    for i, analysis in enumerate(project.analyses):
+        keys: Keys = ("analyses", i)
+        if analysis.name in first:
+            message = f"`{analysis.name}` is already the name of analyses[{first[analysis.name]}]; choose another"
+            problems.at_value((*keys, "name"), message)
+        first.setdefault(analysis.name, i)
+        if isinstance(analysis, HistoryAnalysis):
+            _history(project, problems, keys, analysis)
+        if not isinstance(analysis, GravityAnalysis) and project.masses is None:
+            message = f"the {analysis.kind} analysis `{analysis.name}` needs `masses`, and the file has none"
+            problems.at_value(keys, message)
+
+
+def _history(project: Project, problems: Problems, keys: Keys, analysis: HistoryAnalysis) -> None:
+    if analysis.record not in project.records:
+        problems.at_value((*keys, "record"), unknown_name("record", analysis.record, project.records))
+    if analysis.pga is not None and analysis.scale is not None:
+        problems.at_key((*keys, "scale"), "`pga` and `scale` exclude each other; keep one of them")
+    if project.damping is None:
+        message = (
+            "a history needs `damping`, and the file has none; for an undamped frame write `damping: {kind: none}`"
+        )
+        problems.at_value(keys, message)
+    if project.integration is None:
+        example = "integration: {method: newmark, time_step: 0.01 s}"
+        problems.at_value(keys, f"a history needs `integration`, and the file has none; for example `{example}`")

@@ -1,0 +1,66 @@
+"""Cross checks of outputs: every member, point and layer that is asked for exists in this frame."""
+
+from __future__ import annotations
+
+from edesign.project.checks_frame import Selections
+from edesign.project.members import BraceRun
+from edesign.project.outputs import FibreOutput, SectionOutput
+from edesign.project.problems import Keys, Problems, did_you_mean
+from edesign.project.project import Project
+from edesign.project.sections import ElasticSection, RectangleSection
+from edesign.project.selections import NumberSelection
+
+
+def check_outputs(project: Project, problems: Problems) -> None:
+    """Check what is to be kept; `project` has no schema problems."""
+    outputs = project.outputs
+    for i, kind in enumerate(outputs.histories):
+        if kind in outputs.histories[:i]:
+            problems.at_value(("outputs", "histories", i), f"`{kind}` comes twice")
+    for i, member in enumerate(outputs.members):
+        _member(project, problems, ("outputs", "members", i), member)
+    for i, section in enumerate(outputs.sections):
+        _points(project, problems, ("outputs", "sections", i), section)
+    for i, fibre in enumerate(outputs.fibres):
+        keys: Keys = ("outputs", "fibres", i)
+        if _points(project, problems, keys, fibre) and isinstance(fibre.layers, NumberSelection):
+            last = layers_at_most(project, project.frame.members[fibre.member].section)
+            if last is not None:
+                Selections(project.frame, problems).numbers((*keys, "layers"), fibre.layers, "layer", last)
+    if outputs.archive is not None and not outputs.archive.endswith((".h5", ".hdf5", ".nc")):
+        problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc")
+
+
+def layers_at_most(project: Project, section: str) -> int | None:
+    """How many layers of fibres an I section has; None where the building decides (fillets, stacks of rectangles)."""
+    fibres = project.fibres
+    if fibres.fillets or isinstance(project.sections.get(section), RectangleSection):
+        return None
+    return 2 * fibres.flange_thickness + fibres.web_height
+
+
+def _member(project: Project, problems: Problems, keys: Keys, member: str) -> bool:
+    known = project.frame.members
+    if member in known:
+        return True
+    hint = did_you_mean(member, known)
+    kinds = "columns are named C_line_storey, beams B_bay_floor, braces D_bay_storey_r or _f"
+    problems.at_value(keys, f"there is no member `{member}` in this frame{hint} ({kinds})")
+    return False
+
+
+def _points(project: Project, problems: Problems, keys: Keys, asked: SectionOutput | FibreOutput) -> bool:
+    """The member exists, has integration points, and has those that are asked for."""
+    if not _member(project, problems, (*keys, "member"), asked.member):
+        return False
+    run = project.frame.members[asked.member]
+    if isinstance(run, BraceRun):
+        message = f"`{asked.member}` is a brace; a brace has no section points, only an axial force"
+        problems.at_value((*keys, "member"), message)
+        return False
+    if isinstance(project.sections.get(run.section), ElasticSection):
+        message = f"`{asked.member}` has the elastic section `{run.section}`, which has no integration points"
+        problems.at_value((*keys, "member"), message)
+        return False
+    last = project.elements.integration_points
+    return Selections(project.frame, problems).numbers((*keys, "points"), asked.points, "point", last)

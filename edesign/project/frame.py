@@ -1,0 +1,219 @@
+"""The frame: its grid, supports, diaphragms and members, and what follows from them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import cached_property
+from itertools import accumulate
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project import names
+from edesign.project.base import Model, by_shape
+from edesign.project.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, Missing, Release
+from edesign.project.selections import NO_NUMBERS, LineSelection, NumberSelection, NumbersOrNone
+from edesign.project.units import PositiveLength
+
+Support = Literal["fixed", "pinned", "roller"]
+Count = Annotated[int, Field(ge=1, le=1000)]
+Lengths = Annotated[tuple[PositiveLength, ...], Field(min_length=1)]
+
+
+class EqualBays(Model):
+    """Bays of one width."""
+
+    count: Count
+    width: PositiveLength
+
+
+class EqualStoreys(Model):
+    """Storeys of one height."""
+
+    count: Count
+    height: PositiveLength
+
+
+class Frame(Model):
+    """A plane frame on a grid of bays and storeys.
+
+    Lines are named A, B, ...; bays count from 1 at the left, storeys and floors from 1 at the bottom; floor 0 is the
+    base. Lengths are in m.
+    """
+
+    bays: Annotated[Annotated[Lengths, Tag("?plain")] | Annotated[EqualBays, Tag("?mapping")], Discriminator(by_shape)]
+    storeys: Annotated[
+        Annotated[Lengths, Tag("?plain")] | Annotated[EqualStoreys, Tag("?mapping")], Discriminator(by_shape)
+    ]
+    supports: Annotated[
+        Annotated[Support, Tag("?plain")] | Annotated[dict[str, Support], Tag("?mapping")], Discriminator(by_shape)
+    ] = "fixed"
+    diaphragms: NumbersOrNone = NO_NUMBERS
+    columns: tuple[ColumnRun, ...]
+    beams: tuple[BeamRun, ...]
+    braces: tuple[BraceRun, ...] = ()
+    missing: Missing = Missing()
+    releases: tuple[Release, ...] = ()
+
+    # --- grid
+
+    @cached_property
+    def bay_widths(self) -> tuple[float, ...]:
+        """Width of each bay, left to right, m."""
+        return (self.bays.width,) * self.bays.count if isinstance(self.bays, EqualBays) else self.bays
+
+    @cached_property
+    def storey_heights(self) -> tuple[float, ...]:
+        """Height of each storey, bottom to top, m."""
+        return (self.storeys.height,) * self.storeys.count if isinstance(self.storeys, EqualStoreys) else self.storeys
+
+    @property
+    def n_bays(self) -> int:
+        return len(self.bay_widths)
+
+    @property
+    def n_lines(self) -> int:
+        return len(self.bay_widths) + 1
+
+    @property
+    def n_storeys(self) -> int:
+        return len(self.storey_heights)
+
+    @cached_property
+    def lines(self) -> tuple[str, ...]:
+        """Names of the column lines, left to right: ("A", "B", ...)."""
+        return tuple(names.line_name(i) for i in range(self.n_lines))
+
+    @cached_property
+    def x(self) -> tuple[float, ...]:
+        """Coordinate of each line, m; line A is at 0."""
+        return tuple(accumulate(self.bay_widths, initial=0.0))
+
+    @cached_property
+    def y(self) -> tuple[float, ...]:
+        """Level of each floor from the base (floor 0) to the roof, m; n_storeys + 1 values."""
+        return tuple(accumulate(self.storey_heights, initial=0.0))
+
+    @property
+    def height(self) -> float:
+        """Level of the roof above the base, m."""
+        return self.y[-1]
+
+    def bay_lines(self, bay: int) -> tuple[str, str]:
+        """The lines left and right of a bay (bays count from 1)."""
+        return self.lines[bay - 1], self.lines[bay]
+
+    def support(self, line: str) -> Support:
+        """Support at the base of a line; lines that a mapping does not name take its `default`, else fixed."""
+        if isinstance(self.supports, dict):
+            return self.supports.get(line, self.supports.get("default", "fixed"))
+        return self.supports
+
+    @cached_property
+    def diaphragm_floors(self) -> tuple[int, ...]:
+        """Floors whose nodes share their horizontal displacement."""
+        return self.diaphragms.numbers(1, self.n_storeys)
+
+    # --- members: what stands where, after overriding and without what is missing
+
+    @cached_property
+    def column_at(self) -> dict[tuple[str, int], ColumnRun]:
+        """The run of every column that stands, by (line, storey), storey by storey from the left."""
+        absent = {place for item in self.missing.columns for place in self.column_places(item)}
+        runs = {place: run for run in self.columns for place in self.column_places(run)}
+        grid = ((line, s) for s in range(1, self.n_storeys + 1) for line in self.lines)
+        return {place: runs[place] for place in grid if place in runs and place not in absent}
+
+    @cached_property
+    def beam_at(self) -> dict[tuple[int, int], BeamRun]:
+        """The run of every beam that stands, by (bay, floor), floor by floor from the left."""
+        absent = {place for item in self.missing.beams for place in self.beam_places(item)}
+        runs = {place: run for run in self.beams for place in self.beam_places(run)}
+        grid = ((b, f) for f in range(1, self.n_storeys + 1) for b in range(1, self.n_bays + 1))
+        return {place: runs[place] for place in grid if place in runs and place not in absent}
+
+    @cached_property
+    def brace_at(self) -> dict[tuple[int, int, str], BraceRun]:
+        """The run of every brace, by (bay, storey, "r" rising | "f" falling); a cross is two braces."""
+        runs = {}
+        for run in self.braces:
+            for storey in run.storeys.numbers(1, self.n_storeys):
+                for bay in run.bays.numbers(1, self.n_bays):
+                    runs[bay, storey] = run
+        ways = {"rising": "r", "falling": "f", "cross": "rf"}
+        return {(b, s, way): run for (b, s), run in sorted(runs.items(), key=_by_storey) for way in ways[run.kind]}
+
+    @cached_property
+    def released(self) -> dict[str, tuple[bool, bool]]:
+        """Members with moment releases, by name: (released at the start, released at the end)."""
+        found: dict[str, tuple[bool, bool]] = {}
+        for release in self.releases:
+            for name in self._names_in(release):
+                start, end = found.get(name, (False, False))
+                found[name] = (start or release.ends != "end", end or release.ends != "start")
+        return found
+
+    @cached_property
+    def nodes(self) -> dict[str, tuple[float, float]]:
+        """Coordinates (x, y) in m of every node that a member needs, by name, floor by floor from the left."""
+        used = set()
+        for line, storey in self.column_at:
+            used |= {(line, storey - 1), (line, storey)}
+        for bay, floor in self.beam_at:
+            used |= {(line, floor) for line in self.bay_lines(bay)}
+        for bay, storey, way in self.brace_at:
+            left, right = self.bay_lines(bay)
+            used |= {(left, storey - 1), (right, storey)} if way == "r" else {(left, storey), (right, storey - 1)}
+        return {
+            names.node_name(line, floor): (self.x[i], self.y[floor])
+            for floor in range(self.n_storeys + 1)
+            for i, line in enumerate(self.lines)
+            if (line, floor) in used
+        }
+
+    @cached_property
+    def members(self) -> dict[str, ColumnRun | BeamRun | BraceRun]:
+        """Every member that stands, by name (C_A_1, B_1_1, D_1_1_r): columns, then beams, then braces."""
+        found: dict[str, ColumnRun | BeamRun | BraceRun] = {}
+        found.update({names.column_name(*place): run for place, run in self.column_at.items()})
+        found.update({names.beam_name(*place): run for place, run in self.beam_at.items()})
+        found.update({names.brace_name(*place): run for place, run in self.brace_at.items()})
+        return found
+
+    # --- selections on this grid
+
+    def column_places(self, chosen: ColumnPlaces) -> Iterator[tuple[str, int]]:
+        """(line, storey) of a selection of columns, whether they stand or not."""
+        for storey in chosen.storeys.numbers(1, self.n_storeys):
+            for line in chosen.lines.names(self.lines):
+                yield line, storey
+
+    def beam_places(self, chosen: BeamPlaces) -> Iterator[tuple[int, int]]:
+        """(bay, floor) of a selection of beams, whether they stand or not."""
+        for floor in chosen.floors.numbers(1, self.n_storeys):
+            for bay in chosen.bays.numbers(1, self.n_bays):
+                yield bay, floor
+
+    def standing_beams(self, chosen: BeamPlaces) -> list[tuple[int, int]]:
+        """(bay, floor) of the selected beams that stand."""
+        return [place for place in self.beam_places(chosen) if place in self.beam_at]
+
+    def node_places(self, lines: LineSelection, floors: NumberSelection) -> list[tuple[str, int]]:
+        """(line, floor) of the selected nodes that exist, floors from 1."""
+        return [
+            (line, floor)
+            for floor in floors.numbers(1, self.n_storeys)
+            for line in lines.names(self.lines)
+            if names.node_name(line, floor) in self.nodes
+        ]
+
+    def _names_in(self, release: Release) -> Iterator[str]:
+        if release.beams is not None:
+            yield from (names.beam_name(*p) for p in self.beam_places(release.beams) if p in self.beam_at)
+        if release.columns is not None:
+            yield from (names.column_name(*p) for p in self.column_places(release.columns) if p in self.column_at)
+
+
+def _by_storey(item: tuple[tuple[int, int], BraceRun]) -> tuple[int, int]:
+    (bay, storey), _ = item
+    return storey, bay

@@ -1,0 +1,63 @@
+"""Where columns, beams and braces stand, which are missing, and which ends are released."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from edesign.project.base import Model
+from edesign.project.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
+
+BraceKind = Literal["rising", "falling", "cross"]
+
+
+class ColumnPlaces(Model):
+    """Columns on some lines in some storeys."""
+
+    lines: Lines = ALL_LINES
+    storeys: Numbers
+
+
+class BeamPlaces(Model):
+    """Beams in some bays at some floors."""
+
+    bays: Numbers = ALL_NUMBERS
+    floors: Numbers
+
+
+class ColumnRun(ColumnPlaces):
+    """Columns of one section and material; a later run overrides an earlier one where they overlap."""
+
+    section: str
+    material: str
+
+
+class BeamRun(BeamPlaces):
+    """Beams of one section and material; a later run overrides an earlier one where they overlap."""
+
+    section: str
+    material: str
+
+
+class BraceRun(Model):
+    """Pin-ended braces; rising and falling are seen from left to right, cross is both."""
+
+    bays: Numbers
+    storeys: Numbers
+    kind: BraceKind
+    section: str
+    material: str
+
+
+class Missing(Model):
+    """Members that the regular grid has and this frame has not."""
+
+    columns: tuple[ColumnPlaces, ...] = ()
+    beams: tuple[BeamPlaces, ...] = ()
+
+
+class Release(Model):
+    """Moment releases at member ends; start is the left end of a beam, the lower end of a column."""
+
+    beams: BeamPlaces | None = None
+    columns: ColumnPlaces | None = None
+    ends: Literal["both", "start", "end"]

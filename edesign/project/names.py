@@ -1,0 +1,49 @@
+"""Names of lines, nodes and members of a frame."""
+
+from __future__ import annotations
+
+
+def line_name(index: int) -> str:
+    """Name of a column line: 0 -> A, 25 -> Z, 26 -> AA, 27 -> AB."""
+    if index < 0:
+        raise ValueError(f"line index {index} is negative")
+    name = ""
+    index += 1
+    while index > 0:
+        index, letter = divmod(index - 1, 26)
+        name = chr(ord("A") + letter) + name
+    return name
+
+
+def line_index(name: str) -> int:
+    """Position of a column line from the left: A -> 0, AA -> 26; the inverse of `line_name`.
+
+    Raises:
+        ValueError: `name` is not made of the letters A to Z.
+    """
+    if not name or not all("A" <= letter <= "Z" for letter in name):
+        raise ValueError(f"`{name}` is no line name: lines are A, B, ... Z, AA, AB, ...")
+    index = 0
+    for letter in name:
+        index = 26 * index + ord(letter) - ord("A") + 1
+    return index - 1
+
+
+def node_name(line: str, floor: int) -> str:
+    """Node on a line at a floor (0 is the base): A3."""
+    return f"{line}{floor}"
+
+
+def column_name(line: str, storey: int) -> str:
+    """Column on a line in a storey: C_A_3."""
+    return f"C_{line}_{storey}"
+
+
+def beam_name(bay: int, floor: int) -> str:
+    """Beam in a bay at a floor: B_2_5."""
+    return f"B_{bay}_{floor}"
+
+
+def brace_name(bay: int, storey: int, direction: str) -> str:
+    """Brace in a bay and storey, rising (r) or falling (f) from left to right: D_2_5_r."""
+    return f"D_{bay}_{storey}_{direction}"

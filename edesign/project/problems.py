@@ -1,0 +1,109 @@
+"""Problems of a project file, each with its place, all told at once."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from edesign.errors import InputError
+from edesign.project.yaml_nodes import Mark, Node, find
+
+Keys = tuple[str | int, ...]
+
+
+class ProjectError(InputError):
+    """A project file is wrong; the message lists all problems found.
+
+    Attributes:
+        problems: the problems in the order of the file.
+    """
+
+    def __init__(self, path: Path, problems: Sequence[Problem]) -> None:
+        self.path = path
+        self.problems = tuple(sorted(set(problems), key=lambda p: (p.mark, p.keys_text, p.message)))
+        lines = [f"{path}:{p.mark.line}:{p.mark.column}: {p}" for p in self.problems]
+        if len(lines) > 1:
+            lines.append(f"{len(lines)} problems in {path}")
+        super().__init__("\n".join(lines))
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What is wrong with one key or value."""
+
+    mark: Mark
+    keys_text: str
+    message: str
+
+    def __str__(self) -> str:
+        return f"{self.keys_text}: {self.message}" if self.keys_text else self.message
+
+
+class Problems:
+    """Collects the problems of one file; a key path becomes the line and column of its value or key."""
+
+    def __init__(self, root: Node) -> None:
+        self.root = root
+        self.found: list[Problem] = []
+
+    def at_value(self, keys: Keys, message: str) -> None:
+        """A problem of the value at `keys`; of the nearest part that exists if it came from a default."""
+        self.add(self.node(keys).mark, keys, message)
+
+    def at_key(self, keys: Keys, message: str) -> None:
+        """A problem of the key itself (unknown, or something under it missing)."""
+        self.add(self._key_mark(keys), keys, message)
+
+    def under(self, keys: Keys, missing: str, message: str) -> None:
+        """The key `missing` is not there; the place is that of the mapping it should stand in."""
+        self.add(self._key_mark(keys), (*keys, missing), message)
+
+    def add(self, mark: Mark, keys: Keys, message: str) -> None:
+        """A problem at a place."""
+        self.found.append(Problem(mark, keys_text(keys), message))
+
+    def node(self, keys: Keys) -> Node:
+        """The node at `keys`, or the deepest one on the way to it."""
+        return find(self.root, keys)
+
+    def _key_mark(self, keys: Keys) -> Mark:
+        node, mark = self.root, Mark(1, 1)
+        for key in keys:
+            below = node.child(key)
+            if below is None:
+                break
+            mark = node.key_marks[key] if isinstance(key, str) else below.mark
+            node = below
+        return mark
+
+
+def keys_text(keys: Iterable[str | int]) -> str:
+    """A key path for people: analyses[2].record; lists count from 0."""
+    text = ""
+    for key in keys:
+        text += f"[{key}]" if isinstance(key, int) else f".{key}" if text else key
+    return text
+
+
+def did_you_mean(seen: str, allowed: Iterable[str]) -> str:
+    """`; did you mean ...?` with the nearest allowed name, or nothing."""
+    names = {name.lower(): name for name in allowed}
+    close = difflib.get_close_matches(seen.lower(), names, n=1, cutoff=0.6)
+    return f"; did you mean `{names[close[0]]}`?" if close else ""
+
+
+def listed(names: Iterable[object], most: int = 12) -> str:
+    """Names in backquotes with commas, the first `most` of them."""
+    names = list(names)
+    text = ", ".join(f"`{name}`" for name in names[:most])
+    return text + (f" and {len(names) - most} more" if len(names) > most else "") if names else "none"
+
+
+def unknown_name(what: str, seen: str, allowed: Iterable[str]) -> str:
+    """Message for a name that is not defined."""
+    allowed = list(allowed)
+    hint = did_you_mean(seen, allowed)
+    known = "" if hint and len(allowed) > 30 else f" ({what}s here: {listed(allowed)})"
+    return f"there is no {what} `{seen}`{hint}{known}"

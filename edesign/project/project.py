@@ -1,0 +1,91 @@
+"""The whole project."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+from typing import Annotated, Literal
+
+from pydantic import Field, PrivateAttr
+
+from edesign.project.analyses import Analysis
+from edesign.project.base import Model
+from edesign.project.damping import Damping
+from edesign.project.elements import Elements
+from edesign.project.frame import Frame
+from edesign.project.integration import Integration
+from edesign.project.loads import Loads
+from edesign.project.masses import Masses
+from edesign.project.materials import Material
+from edesign.project.outputs import Outputs
+from edesign.project.records import FileRecord, Record
+from edesign.project.sections import Fibres, Section
+from edesign.project.yaml_nodes import Node, find
+
+Identifier = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]
+
+
+class Project(Model):
+    """A validated project; all values are in SI. Made by `load_project`, which also keeps the text and its marks."""
+
+    edesign: Literal[1]
+    title: Annotated[str, Field(min_length=1)]
+    frame: Frame
+    sections: dict[Identifier, Section] = {}
+    fibres: Fibres = Fibres()
+    materials: dict[Identifier, Material]
+    loads: Loads = Loads()
+    masses: Masses | None = None
+    elements: Elements = Elements()
+    damping: Damping | None = None
+    integration: Integration | None = None
+    records: dict[Identifier, Record] = {}
+    analyses: Annotated[tuple[Analysis, ...], Field(min_length=1)]
+    outputs: Outputs = Outputs()
+
+    _path: Path = PrivateAttr(default=Path("project.yaml"))
+    _text: str = PrivateAttr(default="")
+    _root: Node | None = PrivateAttr(default=None)
+
+    @property
+    def path(self) -> Path:
+        """The project file, as it was given."""
+        return self._path
+
+    @property
+    def folder(self) -> Path:
+        """The folder that the paths in the file are relative to."""
+        return self._path.parent
+
+    @property
+    def text(self) -> str:
+        """The exact text of the file."""
+        return self._text
+
+    @property
+    def checksum(self) -> str:
+        """SHA-256 of the text (UTF-8), hexadecimal."""
+        return hashlib.sha256(self._text.encode("utf-8")).hexdigest()
+
+    @property
+    def archive_path(self) -> Path:
+        """Where the archive goes unless the command line says otherwise."""
+        return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")
+
+    def record_path(self, name: str) -> Path:
+        """The file of a record that is given by `file`.
+
+        Raises:
+            KeyError: no record of this name is a file.
+        """
+        record = self.records[name]
+        if not isinstance(record, FileRecord):
+            raise KeyError(name)
+        return self.folder / record.file
+
+    def where(self, *keys: str | int) -> str:
+        """`file:line:column` of a key path, e.g. where("analyses", 2, "record"); of the nearest part that exists."""
+        if self._root is None:
+            return str(self._path)
+        mark = find(self._root, keys).mark
+        return f"{self._path}:{mark.line}:{mark.column}"

@@ -1,0 +1,72 @@
+"""Own cross-sections, and how many fibres an I section is cut into."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Any
+
+from pydantic import BaseModel, Discriminator, Field, Tag
+
+from edesign.project.base import Model
+from edesign.project.units import Length, PositiveArea, PositiveInertia, PositiveLength
+
+FibreCount = Annotated[int, Field(ge=1, le=1000)]
+
+
+class PlateSection(Model):
+    """A doubly symmetric I section welded from three plates; lengths in m."""
+
+    height: PositiveLength
+    width: PositiveLength
+    flange: PositiveLength
+    web: PositiveLength
+
+
+class Rectangle(Model):
+    """A rectangle of a section; `centre` is the coordinate of its centre along the depth, in m, upwards."""
+
+    width: PositiveLength
+    depth: PositiveLength
+    centre: Length
+
+
+class RectangleSection(Model):
+    """Any stack of rectangles; the reference axis is the centroid, wherever the coordinates start."""
+
+    rectangles: Annotated[tuple[Rectangle, ...], Field(min_length=1)]
+
+
+class ElasticSection(Model):
+    """A section that stays elastic: area in m2, second moment of area in m4 (not needed for braces)."""
+
+    area: PositiveArea
+    inertia: PositiveInertia | None = None
+
+
+def _which(value: Any) -> str:
+    keys = set(value) if isinstance(value, Mapping) else set(type(value).model_fields) if _is_model(value) else set()
+    if "rectangles" in keys:
+        return "?rectangles"
+    return "?elastic" if keys & {"area", "inertia"} else "?plates"
+
+
+def _is_model(value: Any) -> bool:
+    return isinstance(value, BaseModel)
+
+
+Section = Annotated[
+    Annotated[PlateSection, Tag("?plates")]
+    | Annotated[RectangleSection, Tag("?rectangles")]
+    | Annotated[ElasticSection, Tag("?elastic")],
+    Discriminator(_which),
+]
+
+
+class Fibres(Model):
+    """Fibre counts of an I section, and whether the root fillets of rolled profiles are kept."""
+
+    flange_width: FibreCount = 16
+    flange_thickness: FibreCount = 4
+    web_height: FibreCount = 16
+    web_thickness: FibreCount = 2
+    fillets: bool = False

@@ -1,0 +1,188 @@
+"""YAML text to a tree that knows the line and column of everything in it.
+
+The rules are those of YAML 1.2's core schema, so that `1e-5` is a number and `no`, `1:30` and `2020-01-01` are text.
+Keys that come twice are refused, and so are anchors, aliases and tags: what stands in a project file is what it means.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import yaml
+
+_INTEGER = re.compile(r"[-+]?[0-9]+")
+_FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
+_CONSTANTS: dict[str, Any] = {"": None, "null": None, "~": None, "true": True, "false": False}
+_DEEPEST = 30
+
+
+class Mark(NamedTuple):
+    """A place in the text; both count from 1."""
+
+    line: int
+    column: int
+
+
+class Fault(NamedTuple):
+    """Something wrong with the YAML itself."""
+
+    mark: Mark
+    keys: tuple[str | int, ...]
+    message: str
+
+
+@dataclass
+class Node:
+    """A value in the file: a scalar (value), a list (items) or a mapping (entries).
+
+    Attributes:
+        mark: where the value begins.
+        text: the scalar as written.
+        key_marks: where each key of a mapping stands.
+    """
+
+    mark: Mark
+    value: Any = None
+    text: str = ""
+    items: list[Node] | None = None
+    entries: dict[str, Node] | None = None
+    key_marks: dict[str, Mark] = field(default_factory=dict)
+
+    def plain(self) -> Any:
+        """The value as Python data: dict, tuple, str, int, float, bool or None."""
+        if self.entries is not None:
+            return {key: child.plain() for key, child in self.entries.items()}
+        if self.items is not None:
+            return tuple(child.plain() for child in self.items)
+        return self.value
+
+    def child(self, key: str | int) -> Node | None:
+        """The value under a key or index, None where there is none."""
+        if self.entries is not None and isinstance(key, str):
+            return self.entries.get(key)
+        if self.items is not None and isinstance(key, int) and 0 <= key < len(self.items):
+            return self.items[key]
+        return None
+
+
+def parse(text: str) -> tuple[Node, list[Fault]]:
+    """Read YAML text.
+
+    Returns:
+        The tree (of duplicated keys the first), and all faults found; after a syntax fault the tree is empty.
+    """
+    reader = _Reader(text)
+    try:
+        return reader.document(), reader.faults
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        place = Mark(mark.line + 1, mark.column + 1) if mark else Mark(1, 1)
+        said = ", ".join(part for part in (error.context, error.problem) if part)
+        return Node(Mark(1, 1), entries={}), [Fault(place, (), f"this is not valid YAML: {said}{_hint(said)}")]
+    except yaml.reader.ReaderError as error:
+        before = text[: error.position]
+        place = Mark(before.count("\n") + 1, len(before) - before.rfind("\n"))
+        return Node(Mark(1, 1), entries={}), [Fault(place, (), f"this is not valid YAML: {error.reason}")]
+
+
+def find(root: Node, keys: Sequence[str | int]) -> Node:
+    """The node at a key path, or the deepest one on the way to it."""
+    node = root
+    for key in keys:
+        below = node.child(key)
+        if below is None:
+            break
+        node = below
+    return node
+
+
+class _Reader:
+    """Builds the tree from PyYAML's events, which carry the marks."""
+
+    def __init__(self, text: str) -> None:
+        self.events: Iterator[Any] = iter(yaml.parse(text, Loader=yaml.SafeLoader))
+        self.faults: list[Fault] = []
+
+    def document(self) -> Node:
+        root: Node | None = None
+        for event in self.events:
+            if isinstance(event, yaml.DocumentStartEvent):
+                if root is not None:
+                    self.faults.append(Fault(_mark(event), (), "a second document begins; a project is one document"))
+                    return root
+                root = self.node(next(self.events), ())
+        return root or Node(Mark(1, 1))
+
+    def node(self, event: Any, keys: tuple[str | int, ...]) -> Node:
+        mark = _mark(event)
+        if len(keys) > _DEEPEST:
+            raise yaml.MarkedYAMLError(problem=f"nested deeper than {_DEEPEST} levels", problem_mark=event.start_mark)
+        self._plain_only(event, keys, mark)
+        if isinstance(event, yaml.SequenceStartEvent):
+            return self._list(mark, keys)
+        if isinstance(event, yaml.MappingStartEvent):
+            return self._mapping(mark, keys)
+        if isinstance(event, yaml.ScalarEvent):
+            return Node(mark, value=_scalar(event), text=event.value)
+        return Node(mark)
+
+    def _list(self, mark: Mark, keys: tuple[str | int, ...]) -> Node:
+        items: list[Node] = []
+        while not isinstance(event := next(self.events), yaml.SequenceEndEvent):
+            items.append(self.node(event, (*keys, len(items))))
+        return Node(mark, items=items)
+
+    def _mapping(self, mark: Mark, keys: tuple[str | int, ...]) -> Node:
+        node = Node(mark, entries={})
+        entries = node.entries
+        assert entries is not None
+        while not isinstance(event := next(self.events), yaml.MappingEndEvent):
+            if not isinstance(event, (yaml.ScalarEvent, yaml.AliasEvent)):
+                raise yaml.MarkedYAMLError(problem="a list or mapping is used as a key", problem_mark=event.start_mark)
+            self._plain_only(event, keys, _mark(event))
+            key = event.value if isinstance(event, yaml.ScalarEvent) else f"*{event.anchor}"
+            place = _mark(event)
+            child = self.node(next(self.events), (*keys, key))
+            if key in entries:
+                first = node.key_marks[key]
+                message = f"the key comes twice; it stands already in line {first.line}, column {first.column}"
+                self.faults.append(Fault(place, (*keys, key), message))
+                continue
+            entries[key] = child
+            node.key_marks[key] = place
+        return node
+
+    def _plain_only(self, event: Any, keys: tuple[str | int, ...], mark: Mark) -> None:
+        if isinstance(event, yaml.AliasEvent):
+            self.faults.append(Fault(mark, keys, f"the alias `*{event.anchor}` is not allowed; write the value out"))
+            return
+        if getattr(event, "anchor", None):
+            self.faults.append(Fault(mark, keys, f"the anchor `&{event.anchor}` is not allowed; write the value alone"))
+        if getattr(event, "tag", None):
+            self.faults.append(Fault(mark, keys, f"the tag `{event.tag}` is not allowed; write the value alone"))
+
+
+def _mark(event: Any) -> Mark:
+    return Mark(event.start_mark.line + 1, event.start_mark.column + 1)
+
+
+def _scalar(event: Any) -> Any:
+    text = str(event.value)
+    if not event.implicit[0] or event.style:
+        return text
+    if text in _CONSTANTS:
+        return _CONSTANTS[text]
+    if _INTEGER.fullmatch(text):
+        return int(text) if len(text) < 300 else text
+    return float(text) if _FLOAT.fullmatch(text) else text
+
+
+def _hint(said: str) -> str:
+    if "'\\t'" in said:
+        return " (indent with spaces, not tabs)"
+    if "mapping values are not allowed" in said:
+        return " (a `:` followed by a space inside text needs quotes around the text)"
+    return ""

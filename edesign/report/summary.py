@@ -1,0 +1,99 @@
+"""The content of an archive as plain data: what `edesign show --json` prints."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive, open_archive
+from edesign.assess.measures import response_measures
+from edesign.errors import InputError
+from edesign.study.plan import ANALYSES
+
+STATISTICS = ("steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error")
+ROOT = ("title", "status", "project_file", "project_checksum", "input_checksum", "edesign_version", "core_version")
+
+
+def summarise(archive: str | os.PathLike[str], analysis: str | None = None) -> dict[str, Any]:
+    """Summarise an archive in SI units, ready for JSON; None stands for "not applicable" and for "not finite".
+
+    Args:
+        archive: path of the archive, complete or partial.
+        analysis: name of one analysis; all if None.
+
+    Returns:
+        {"archive": {title, status, complete, versions ...}, "analyses": [{"name", "kind", "variant", "record", "level",
+        "status", "reason", "measures": {...}, "statistics": {...}}]}. Analyses that were planned and have no result
+        have the status "not run".
+
+    Raises:
+        ArchiveError: the archive cannot be read.
+        InputError: there is no such analysis.
+    """
+    with open_archive(archive) as opened:
+        names = planned(opened) if analysis is None else [find(opened, analysis)]
+        about = {name: opened.attributes.get(name) for name in ROOT} | {"complete": opened.complete}
+        return {"archive": finite(about), "analyses": [_entry(opened, name) for name in names]}
+
+
+def planned(archive: Archive) -> list[str]:
+    """Return the names of all analyses of the plan, in its order, whether they have a result or not."""
+    have = archive.names(ANALYSES)
+    plan = archive.attributes.get("planned")
+    names = [str(name) for name in plan] if isinstance(plan, list) else []
+    return names + [name for name in have if name not in names]
+
+
+def find(archive: Archive, name: str) -> str:
+    """Return `name` if the archive's plan has it.
+
+    Raises:
+        InputError: it has not.
+    """
+    names = planned(archive)
+    if name not in names:
+        raise InputError(f"{archive.path}: no analysis is named {name!r}; there are: {', '.join(names) or 'none'}")
+    return name
+
+
+def entry(name: str, group: Group) -> dict[str, Any]:
+    """Return the summary of one analysis.
+
+    Args:
+        name: of the analysis.
+        group: its results, as archived.
+    """
+    attributes = group.attributes
+    given = attributes.get("statistics")
+    statistics = given if isinstance(given, Mapping) else {}
+    labels = {label: attributes.get(label) or None for label in ("kind", "variant", "record", "level")}
+    return finite(
+        {
+            "name": name,
+            **labels,
+            "status": str(attributes.get("status", "")),
+            "reason": str(attributes.get("reason") or ""),
+            "measures": response_measures(group),
+            "statistics": {key: statistics.get(key) for key in STATISTICS} | dict(statistics),
+        }
+    )
+
+
+def finite(value: Any) -> Any:
+    """Return `value` with None in place of every number that is not finite, which JSON cannot hold."""
+    if isinstance(value, Mapping):
+        return {key: finite(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [finite(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def _entry(archive: Archive, name: str) -> dict[str, Any]:
+    if name not in archive.names(ANALYSES):
+        return entry(name, Group(attributes={"status": "not run"}))
+    return entry(name, archive.group(f"{ANALYSES}/{name}"))

@@ -1,0 +1,44 @@
+"""A table as data: what it says, not how it looks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+
+@dataclass
+class Table:
+    """Cells of text under headers that carry the units.
+
+    Attributes:
+        title: one line above.
+        columns: headers.
+        rows: cells, as many as columns in each row.
+        notes: lines below.
+        left: number of columns, from the first, that hold text and are aligned left.
+    """
+
+    title: str
+    columns: Sequence[str] = ()
+    rows: list[list[str]] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
+    left: int = 1
+
+
+def number(value: float | None, digits: int = 4, scale: float = 1.0) -> str:
+    """Return a number with significant digits, "-" for None.
+
+    Args:
+        value: in SI.
+        digits: significant digits.
+        scale: the unit shown, in SI (1e3 for kN).
+    """
+    if value is None:
+        return "-"
+    shown = value / scale
+    return f"{shown:.0f}" if abs(shown) >= 10**digits else f"{shown:#.{digits}g}".rstrip(".")
+
+
+def whole(value: float | None) -> str:
+    """Return a count, "-" for None."""
+    return "-" if value is None else f"{value:.0f}"

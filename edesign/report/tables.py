@@ -1,0 +1,178 @@
+"""The tables of `edesign show` and of the end of a run."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from typing import Any
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive, open_archive
+from edesign.assess.profile import storey_profile
+from edesign.report.summary import entry, find, planned
+from edesign.report.table import Table, number, whole
+from edesign.study.plan import ANALYSES
+
+MEASURE_COLUMNS = (  # header, measure, unit of the header in SI
+    ("roof u [m]", "roof_displacement_m", 1.0),
+    ("residual [m]", "residual_roof_displacement_m", 1.0),
+    ("roof drift [%]", "roof_drift", 0.01),
+    ("storey drift [%]", "interstorey_drift", 0.01),
+    ("residual [%]", "residual_interstorey_drift", 0.01),
+    ("base shear [kN]", "base_shear_N", 1e3),
+    ("roof a [m/s2]", "roof_acceleration_m_s2", 1.0),
+    ("beam rot. [%rad]", "beam_plastic_rotation_rad", 0.01),
+    ("col. rot. [%rad]", "column_plastic_rotation_rad", 0.01),
+    ("col. N [kN]", "column_axial_force_N", 1e3),
+)
+
+PROFILE_COLUMNS = (
+    ("floor u [m]", "floor_displacement", 1.0),
+    ("drift [%]", "storey_drift", 0.01),
+    ("residual [%]", "residual_storey_drift", 0.01),
+    ("shear [kN]", "storey_shear", 1e3),
+    ("floor a [m/s2]", "floor_acceleration", 1.0),
+)
+EVENTS_SHOWN = 20
+
+
+def overview(archive: str | os.PathLike[str]) -> list[Table]:
+    """Return the tables of a whole archive: analyses, periods, response measures, statistics.
+
+    Raises:
+        ArchiveError: the archive cannot be read.
+    """
+    with open_archive(archive) as opened:
+        groups = {name: _group(opened, name) for name in planned(opened)}
+        entries = [entry(name, group) for name, group in groups.items()]
+        tables = [_heading(opened), analyses_table(entries)]
+        tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
+        tables += [measures_table(entries), statistics_table(entries)]
+        return [table for table in tables if table.rows or table.notes]
+
+
+def details(archive: str | os.PathLike[str], name: str) -> list[Table]:
+    """Return all tables of one analysis: those of the overview, its storey profile and its fallbacks.
+
+    Raises:
+        ArchiveError: the archive cannot be read.
+        InputError: there is no such analysis.
+    """
+    with open_archive(archive) as opened:
+        group = _group(opened, find(opened, name))
+        entries = [entry(name, group)]
+        tables = [
+            analyses_table(entries),
+            periods_table(name, group),
+            measures_table(entries),
+            profile_table(name, group),
+        ]
+        tables += [statistics_table(entries), fallbacks_table(name, group)]
+        return [table for table in tables if table.rows or table.notes]
+
+
+def analyses_table(entries: list[dict[str, Any]]) -> Table:
+    """Return name, kind, labels and status of each analysis; reasons of failures stand below."""
+    table = Table("Analyses", ("analysis", "kind", "variant", "record", "level", "status"), left=6)
+    for item in entries:
+        labels = [str(item[label] or "-") for label in ("kind", "variant", "record", "level")]
+        table.rows.append([item["name"], *labels, item["status"]])
+        if item["reason"]:
+            table.notes.append(f"{item['name']}: {item['reason']}")
+    return table
+
+
+def measures_table(entries: list[dict[str, Any]]) -> Table:
+    """Return the response measures of the analyses that have any; columns that apply to none are left out."""
+    rows = [item for item in entries if any(value is not None for value in item["measures"].values())]
+    shown = [column for column in MEASURE_COLUMNS if any(item["measures"][column[1]] is not None for item in rows)]
+    table = Table("Response measures (largest absolute values)", ("analysis", *(header for header, _, _ in shown)))
+    for item in rows:
+        mark = "" if item["status"] == "completed" else " *"
+        cells = [number(item["measures"][measure], scale=unit) for _, measure, unit in shown]
+        table.rows.append([item["name"] + mark, *cells])
+    if any(item["status"] != "completed" for item in rows):
+        table.notes.append("* not completed: as far as the analysis came")
+    return table
+
+
+def statistics_table(entries: list[dict[str, Any]]) -> Table:
+    """Return what each analysis cost, and how well its energy balance closes."""
+    table = Table(
+        "Statistics", ("analysis", "steps", "iterations", "refactorisations", "fallbacks", "CPU [s]", "energy error")
+    )
+    for item in entries:
+        found = item["statistics"]
+        if all(value is None for value in found.values()):
+            continue
+        counts = [whole(found[key]) for key in ("steps", "iterations", "refactorisations", "fallbacks")]
+        table.rows.append([item["name"], *counts, number(found["cpu_s"], 3), number(found["energy_error"], 2)])
+    return table
+
+
+def periods_table(name: str, group: Group) -> Table:
+    """Return periods and effective modal masses of a modal analysis."""
+    table = Table(f"{name}: periods", ("mode", "T [s]", "f [Hz]", "effective mass [%]", "sum [%]"), left=0)
+    period = group.variables.get("period")
+    if period is None:
+        return table
+    ratio = group.variables.get("effective_mass_ratio_x")
+    total = 0.0
+    for mode, value in enumerate(period.values):
+        cells = ["-", "-"]
+        if ratio is not None:
+            total += float(ratio.values[mode])
+            cells = [f"{100 * float(ratio.values[mode]):.2f}", f"{100 * total:.2f}"]
+        table.rows.append([str(mode + 1), f"{value:.4f}", f"{1 / value:.4f}", *cells])
+    return table
+
+
+def profile_table(name: str, group: Group) -> Table:
+    """Return the peaks of every storey, from the roof down; the floor is the one above the storey."""
+    found = storey_profile(group)
+    columns = [(header, unit, found[key]) for header, key, unit in PROFILE_COLUMNS if key in found]
+    table = Table(
+        f"{name}: storeys (largest absolute values)", ("storey", *(header for header, _, _ in columns)), left=0
+    )
+    if not columns:
+        return table
+    for storey in range(len(columns[0][2]), 0, -1):
+        table.rows.append(
+            [str(storey), *(number(float(values[storey - 1]), scale=unit) for _, unit, values in columns)]
+        )
+    return table
+
+
+def fallbacks_table(name: str, group: Group) -> Table:
+    """Return what the solver had to do when a step did not converge; long lists are cut."""
+    table = Table(f"{name}: fallbacks", ("step", "time [s]", "rung", "detail"), left=0)
+    events = group.attributes.get("events")
+    listed = [event for event in events if isinstance(event, Mapping)] if isinstance(events, list) else []
+    for event in listed[:EVENTS_SHOWN]:
+        time = event.get("time")
+        shown = number(float(time)) if isinstance(time, (int, float)) else "-"
+        table.rows.append(
+            [str(event.get("step", "-")), shown, str(event.get("rung", "")), str(event.get("detail", ""))]
+        )
+    if len(listed) > EVENTS_SHOWN:
+        table.notes.append(f"and {len(listed) - EVENTS_SHOWN} more, in the archive")
+    return table
+
+
+def _heading(archive: Archive) -> Table:
+    about = archive.attributes
+    state = str(about.get("status")) if archive.complete else "not complete: the run goes on or was interrupted"
+    made = archive.group_attributes("provenance").get("created", "?") if "provenance" in archive.names() else "?"
+    rows = [
+        ["archive", str(archive.path)],
+        ["project", f"{about.get('project_file')}, sha256 {str(about.get('project_checksum'))[:12]}"],
+        ["made", f"{made} by edesign {about.get('edesign_version')}, core {about.get('core_version')}"],
+        ["status", state],
+    ]
+    return Table(str(about.get("title", "")), (), rows, left=2)
+
+
+def _group(archive: Archive, name: str) -> Group:
+    if name in archive.names(ANALYSES):
+        return archive.group(f"{ANALYSES}/{name}")
+    return Group(attributes={"status": "not run"})

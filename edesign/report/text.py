@@ -1,0 +1,62 @@
+"""Tables on a terminal (rich) or as plain text, for files and pipes."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable
+from typing import TextIO
+
+from edesign.report.table import Table
+
+
+def print_tables(tables: Iterable[Table], stream: TextIO | None = None) -> None:
+    """Print tables: with rich where the stream is a terminal, as plain aligned text elsewhere."""
+    stream = sys.stdout if stream is None else stream
+    if stream.isatty():
+        _print_rich(tables, stream)
+    else:
+        stream.write("\n\n".join(plain(table) for table in tables) + "\n")
+
+
+def plain(table: Table) -> str:
+    """Return a table as aligned text without colours or lines."""
+    lines = [table.title] if table.title else []
+    cells = [list(table.columns), *table.rows] if table.columns else table.rows
+    widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))] if cells else []
+    for position, row in enumerate(cells):
+        aligned = [
+            cell.ljust(width) if i < table.left else cell.rjust(width)
+            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
+        ]
+        lines.append("  ".join(aligned).rstrip())
+        if position == 0 and table.columns:
+            lines.append("  ".join("-" * width for width in widths))
+    return "\n".join([*lines, *table.notes])
+
+
+def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
+    from rich.box import SIMPLE_HEAD
+    from rich.console import Console
+    from rich.markup import escape
+    from rich.table import Table as RichTable
+
+    console = Console(file=stream, highlight=False)
+    for table in tables:
+        if table.title:
+            console.print(f"[bold]{escape(table.title)}[/bold]")
+        if table.rows:
+            shown = RichTable(box=SIMPLE_HEAD, show_header=bool(table.columns), pad_edge=False)
+            for i in range(len(table.rows[0])):
+                header = escape(table.columns[i]) if table.columns else ""
+                shown.add_column(header, justify="left" if i < table.left else "right", overflow="fold")
+            for row in table.rows:
+                shown.add_row(*(_coloured(escape(cell)) for cell in row))
+            console.print(shown)
+        for note in table.notes:
+            console.print(escape(note))
+        console.print()
+
+
+def _coloured(cell: str) -> str:
+    colour = {"completed": "green", "failed": "red", "not run": "yellow"}.get(cell)
+    return f"[{colour}]{cell}[/{colour}]" if colour else cell

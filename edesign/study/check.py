@@ -1,0 +1,64 @@
+"""Check a project without running its analyses: its records are read, its frame is built, its first period is found."""
+
+from __future__ import annotations
+
+from edesign.errors import AnalysisError
+from edesign.project.analyses import ModalAnalysis
+from edesign.project.project import Project
+from edesign.study import analyses
+from edesign.study.provenance import input_checksum
+
+
+def check_project(project: Project) -> dict[str, str]:
+    """Check what a run would meet, and describe the project in a few lines.
+
+    Args:
+        project: from `load_project`.
+
+    Returns:
+        Text by label: title, frame, members, period (first period under gravity), records, analyses, archive.
+
+    Raises:
+        InputError: a record cannot be read, or the frame cannot be built or is unstable.
+        AnalysisError: the first period cannot be found.
+    """
+    input_checksum(project)  # reads every record file
+    return {
+        "title": project.title,
+        "frame": _frame(project),
+        "members": _members(project),
+        "period": _first_period(project),
+        "records": ", ".join(project.records) or "none",
+        "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
+        "archive": str(project.archive_path),
+    }
+
+
+def _frame(project: Project) -> str:
+    frame = project.frame
+    width = frame.x[-1] - frame.x[0]
+    return (
+        f"{_count(frame.n_storeys, 'storey')}, {frame.height:g} m high; "
+        f"{_count(frame.n_bays, 'bay')}, {width:g} m wide; {_count(len(frame.nodes), 'node')}"
+    )
+
+
+def _members(project: Project) -> str:
+    frame = project.frame
+    counts = [_count(len(frame.column_at), "column"), _count(len(frame.beam_at), "beam")]
+    if frame.brace_at:
+        counts.append(_count(len(frame.brace_at), "brace"))
+    return ", ".join(counts)
+
+
+def _first_period(project: Project) -> str:
+    if project.masses is None:
+        return "no masses"
+    group = analyses.run_analysis(project, ModalAnalysis(name="check", kind="modal", modes=1))
+    if group.attributes.get("status") != "completed":
+        raise AnalysisError(f"{project.path}: the first period cannot be found: {group.attributes.get('reason')}")
+    return f"T1 = {float(group.variables['period'].values[0]):.4f} s under gravity"
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

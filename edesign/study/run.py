@@ -1,0 +1,276 @@
+"""Run a project: every analysis of the plan, each into the archive as soon as it is finished."""
+
+from __future__ import annotations
+
+import logging
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from types import FrameType
+from typing import Literal
+
+from edesign.archive.dataset import Group
+from edesign.archive.writer import ArchiveWriter, partial_path
+from edesign.errors import EdesignError, Interrupted
+from edesign.project.project import Project
+from edesign.study import analyses
+from edesign.study.plan import Task, make_plan
+from edesign.study.progress import Listener, Progress, silent
+from edesign.study.provenance import IDENTITY, circumstances, root_group
+
+COMPLETED, FAILED, INTERRUPTED = "completed", "failed", "interrupted"
+log = logging.getLogger("edesign")
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How one analysis ended.
+
+    Attributes:
+        name: of the analysis.
+        status: "completed" or "failed".
+        reason: of the failure, "" if there was none.
+        reused: whether the result is that of an earlier, interrupted run.
+        seconds: time it took (s), 0 if reused.
+    """
+
+    name: str
+    status: str
+    reason: str = ""
+    reused: bool = False
+    seconds: float = 0.0
+
+
+@dataclass(frozen=True)
+class RunSummary:
+    """What a run did.
+
+    Attributes:
+        archive: the finished archive.
+        outcomes: one for each analysis, in the order of the plan.
+        notes: what the user was told, such as what became of an interrupted run.
+        seconds: time of the whole run (s).
+    """
+
+    archive: Path
+    outcomes: tuple[Outcome, ...]
+    notes: tuple[str, ...] = ()
+    seconds: float = 0.0
+
+    @property
+    def failed(self) -> tuple[Outcome, ...]:
+        """The analyses that failed."""
+        return tuple(outcome for outcome in self.outcomes if outcome.status != COMPLETED)
+
+
+def run_project(
+    project: Project,
+    archive_path: str | os.PathLike[str] | None = None,
+    progress: Listener | None = None,
+    workers: int = 1,
+    only: Sequence[str] = (),
+    fresh: bool = False,
+) -> RunSummary:
+    """Run the analyses of a project and archive them.
+
+    An analysis that fails is archived as failed with its reason, and the run goes on. Results of an interrupted run
+    of the same project, inputs and versions are reused. Results do not depend on `workers`.
+
+    Args:
+        project: from `load_project`.
+        archive_path: the archive; by default what the project says, with the names appended if `only` selects some.
+        progress: called with a `Progress` at every step worth telling, from one thread at a time.
+        workers: number of analyses that run at the same time, in threads.
+        only: names of the analyses to run; all if empty.
+        fresh: True discards the results of an interrupted run.
+
+    Returns:
+        Where the archive is and how each analysis ended.
+
+    Raises:
+        InputError: an unknown name in `only`, or a record file that cannot be read.
+        ArchiveError: the archive cannot be written; what was archived before stays in the partial file.
+        Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
+    """
+    started = time.monotonic()
+    plan = make_plan(project, only)
+    path = Path(archive_path) if archive_path is not None else default_archive_path(project, only)
+    run = _Run(project, plan, progress or silent)
+    tasks = {task.path: task for task in plan}
+
+    def accept(place: str, attributes: Mapping[str, object]) -> bool:
+        return place in tasks and attributes.get("status") == COMPLETED
+
+    root = root_group(project, [task.name for task in plan])
+    extra = {"provenance": circumstances()}
+    with ArchiveWriter(path, root, IDENTITY, None if fresh else accept, extra) as writer:
+        if writer.note:
+            run.note(writer.note)
+        if writer.kept:
+            run.note(f"continuing an interrupted run: {len(writer.kept)} of {len(plan)} analyses are reused")
+        for place in writer.kept:
+            run.reuse(tasks[place])
+        todo = [task for task in plan if task.path not in writer.kept]
+        with _signals_stop(run):
+            try:
+                for task, group, seconds in _results(run, todo, workers):
+                    with run.uninterrupted():
+                        _archive(writer, run, task, group, seconds)
+            except KeyboardInterrupt:
+                run.stop.set()
+            if run.stop.is_set() and len(run.outcomes) < len(plan):
+                if not run.outcomes:
+                    writer.discard()
+                raise Interrupted(_kept_message(path, project, len(run.outcomes), len(plan)))
+            with run.uninterrupted():
+                failed = any(outcome.status != COMPLETED for outcome in run.outcomes.values())
+                writer.finish({"status": FAILED if failed else COMPLETED})
+    outcomes = tuple(run.outcomes[task.name] for task in plan)
+    return RunSummary(path, outcomes, tuple(run.notes), time.monotonic() - started)
+
+
+def default_archive_path(project: Project, only: Sequence[str] = ()) -> Path:
+    """Return where a run writes: the archive of the project; with `only`, one beside it that spares the full one."""
+    path = project.archive_path
+    if not only:
+        return path
+    return path.with_name(f"{path.stem}.{'+'.join(only)[:80]}{path.suffix}")
+
+
+@dataclass
+class _Run:
+    """The state of a run that its threads share."""
+
+    project: Project
+    plan: tuple[Task, ...]
+    listener: Listener
+    stop: threading.Event = field(default_factory=threading.Event)
+    outcomes: dict[str, Outcome] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    critical: bool = False
+    _lock: threading.RLock = field(default_factory=threading.RLock)
+
+    def tell(self, report: Progress) -> None:
+        with self._lock:
+            self.listener(report)
+
+    def note(self, message: str) -> None:
+        self.notes.append(message)
+        self.tell(Progress("note", message=message, count=len(self.plan)))
+
+    def start(self, task: Task) -> None:
+        self.tell(Progress("start", task.name, self.plan.index(task) + 1, len(self.plan)))
+
+    def advance(self, task: Task) -> Callable[[int, int], None]:
+        place = self.plan.index(task) + 1
+
+        def report(done: int, total: int) -> None:
+            self.tell(Progress("advance", task.name, place, len(self.plan), done / total if total else 1.0))
+
+        return report
+
+    def end(self, task: Task, outcome: Outcome) -> None:
+        self.outcomes[task.name] = outcome
+        message = outcome.status + (f": {outcome.reason}" if outcome.reason else "")
+        event: Literal["reuse", "end"] = "reuse" if outcome.reused else "end"
+        place = self.plan.index(task) + 1
+        self.tell(Progress(event, task.name, place, len(self.plan), 1.0, message, outcome.seconds))
+
+    def reuse(self, task: Task) -> None:
+        self.end(task, Outcome(task.name, COMPLETED, reused=True))
+
+    @contextmanager
+    def uninterrupted(self) -> Iterator[None]:
+        """Hold back a second Ctrl-C while the archive is written."""
+        self.critical = True
+        try:
+            yield
+        finally:
+            self.critical = False
+
+
+def _analyse(run: _Run, task: Task) -> tuple[Group, float]:
+    """Run one analysis; whatever goes wrong in it becomes a group with the status "failed"."""
+    started = time.monotonic()
+    run.start(task)
+    try:
+        group = analyses.run_analysis(run.project, task.spec, progress=run.advance(task), stop=run.stop.is_set)
+    except EdesignError as error:
+        group = Group(attributes={"status": FAILED, "reason": str(error)})
+    except Exception as error:  # one analysis must not take the others with it
+        log.exception("analysis %s", task.name)
+        reason = f"internal error, please report it ({type(error).__name__}: {error})"
+        group = Group(attributes={"status": FAILED, "reason": reason})
+    return group, time.monotonic() - started
+
+
+def _results(run: _Run, tasks: Sequence[Task], workers: int) -> Iterator[tuple[Task, Group, float]]:
+    """Yield results as they come; interrupted analyses are left out, and none starts after a stop."""
+    if workers <= 1:
+        for task in tasks:
+            if run.stop.is_set():
+                return
+            group, seconds = _analyse(run, task)
+            if group.attributes.get("status") != INTERRUPTED:
+                yield task, group, seconds
+        return
+    pool = ThreadPoolExecutor(workers, thread_name_prefix="edesign")
+    try:
+        waiting: dict[Future[tuple[Group, float]], Task] = {pool.submit(_analyse, run, task): task for task in tasks}
+        while waiting:
+            done, _ = wait(waiting, timeout=0.2, return_when=FIRST_COMPLETED)
+            for future in sorted(done, key=lambda item: waiting[item].order):
+                task = waiting.pop(future)
+                group, seconds = future.result()
+                if group.attributes.get("status") != INTERRUPTED:
+                    yield task, group, seconds
+            if run.stop.is_set():
+                for future in [future for future in waiting if future.cancel()]:
+                    del waiting[future]
+    finally:
+        if waiting:  # left by an error or Ctrl-C: the others need not go on
+            run.stop.set()
+        pool.shutdown(wait=True, cancel_futures=True)
+
+
+def _archive(writer: ArchiveWriter, run: _Run, task: Task, group: Group, seconds: float) -> None:
+    status = str(group.attributes.get("status", COMPLETED))
+    reason = str(group.attributes.get("reason") or "")
+    attributes = {**group.attributes, **task.labels, "status": status, "reason": reason}
+    writer.write(task.path, Group(group.coords, group.variables, attributes))
+    run.end(task, Outcome(task.name, status, reason, seconds=seconds))
+
+
+@contextmanager
+def _signals_stop(run: _Run) -> Iterator[None]:
+    """Let the first Ctrl-C (or SIGTERM) ask the analyses to stop, and a second one stop at once."""
+    if threading.current_thread() is not threading.main_thread():
+        yield
+        return
+
+    def handle(number: int, frame: FrameType | None) -> None:
+        if run.stop.is_set() and not run.critical:
+            raise KeyboardInterrupt
+        run.stop.set()
+
+    previous = {number: signal.signal(number, handle) for number in (signal.SIGINT, signal.SIGTERM)}
+    try:
+        yield
+    finally:
+        for number, handler in previous.items():
+            signal.signal(number, handler)
+
+
+def _kept_message(path: Path, project: Project, kept: int, planned: int) -> str:
+    if kept == 0:
+        return f"interrupted before an analysis was finished; {path} is unchanged"
+    return (
+        f"interrupted: {kept} of {planned} analyses are finished and kept in {partial_path(path)}; "
+        f"the same command with {project.path} goes on from there (--fresh starts anew)"
+    )

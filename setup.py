@@ -1,0 +1,39 @@
+"""Build of the C core (edesign.core._edcore) with cffi; everything else is declared in pyproject.toml."""
+
+from __future__ import annotations
+
+import os
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+from setuptools import setup
+from setuptools.command.build_ext import build_ext
+
+
+class ParallelBuild(build_ext):
+    """Compile the C files side by side, and only those older than their source, a header or the build files."""
+
+    def build_extensions(self) -> None:
+        compile_files = self.compiler.compile
+        shared = [*Path("core_c").glob("include/*.h"), *Path("core_c").glob("src/**/*.h")]
+        shared += [Path("setup.py"), Path("edesign/core/build.py")]
+        newest = max(path.stat().st_mtime for path in shared)
+
+        def compile_one(source: str, output_dir: str, options: dict[str, Any]) -> list[str]:
+            objects: list[str] = self.compiler.object_filenames([source], output_dir=output_dir)
+            built = Path(objects[0])
+            if not self.force and built.exists() and built.stat().st_mtime > max(newest, Path(source).stat().st_mtime):
+                return objects
+            return list(compile_files([source], output_dir=output_dir, **options))
+
+        def compile_all(sources: list[str], output_dir: str = "", **options: Any) -> list[str]:
+            with ThreadPoolExecutor(os.cpu_count()) as pool:
+                results = pool.map(lambda source: compile_one(source, output_dir, options), sources)
+                return [name for objects in results for name in objects]
+
+        self.compiler.compile = compile_all
+        super().build_extensions()
+
+
+setup(cffi_modules=["edesign/core/build.py:ffibuilder"], cmdclass={"build_ext": ParallelBuild})

@@ -1,0 +1,221 @@
+"""Kill, full disk, missing permission, foreign and damaged files: what is kept, and what the user reads."""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import h5py
+import pytest
+from unit.archive.archive_samples import history_group
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter, partial_path
+from edesign.errors import ArchiveError
+
+IDENTITY = ("project_checksum", "edesign_version")
+
+
+def root(checksum: str = "abc", version: str = "1") -> Group:
+    return Group(attributes={"project_checksum": checksum, "edesign_version": version})
+
+
+def python(code: str, *arguments: str) -> subprocess.Popen[str]:
+    """Start a Python process that can import the samples."""
+    return subprocess.Popen(
+        [sys.executable, "-c", textwrap.dedent(code), *arguments],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={
+            **os.environ,
+            "PYTHONPATH": os.pathsep.join([str(Path(__file__).parents[2]), str(Path(__file__).parents[3]), *sys.path]),
+        },
+    )
+
+
+def interrupted(path: Path) -> None:
+    """Leave a partial file with two finished groups and one that failed."""
+    with ArchiveWriter(path, root(), IDENTITY) as writer:
+        writer.write("analyses/a", history_group(seed=1))
+        writer.write("analyses/b", history_group(seed=2))
+        failed = history_group(seed=3)
+        failed.attributes["status"] = "failed"
+        writer.write("analyses/c", failed)
+
+
+def completed(path: str, attributes: object) -> bool:
+    return isinstance(attributes, dict) and attributes["status"] == "completed"
+
+
+def test_resume_keeps_what_the_caller_accepts(tmp_path: Path) -> None:
+    path = tmp_path / "a.h5"
+    interrupted(path)
+    with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
+        assert writer.kept == ("analyses/a", "analyses/b")
+        writer.write("analyses/c", history_group(seed=3))
+        writer.finish()
+    with open_archive(path) as archive:
+        for seed, name in enumerate("abc", start=1):
+            found = archive.group(f"analyses/{name}").variables["displacement"].values
+            assert (found == history_group(seed=seed).variables["displacement"].values).all()
+
+
+@pytest.mark.parametrize(
+    ("new", "word"), [(root(checksum="xyz"), "project checksum"), (root(version="2"), "edesign version")]
+)
+def test_another_project_or_version_starts_afresh_and_says_so(tmp_path: Path, new: Group, word: str) -> None:
+    interrupted(tmp_path / "a.h5")
+    with ArchiveWriter(tmp_path / "a.h5", new, IDENTITY, reuse=completed) as writer:
+        assert writer.kept == () and f"({word} differ)" in writer.note and "starting afresh" in writer.note
+
+
+def test_fresh_discards_the_partial_file(tmp_path: Path) -> None:
+    interrupted(tmp_path / "a.h5")
+    with ArchiveWriter(tmp_path / "a.h5", root(), IDENTITY, reuse=None) as writer:
+        assert writer.kept == () and "as asked" in writer.note
+    with open_archive(partial_path(tmp_path / "a.h5")) as archive:
+        assert archive.names("analyses") == []
+
+
+@pytest.mark.parametrize("damage", ["cut", "text", "zeros"])
+def test_a_damaged_partial_file_starts_afresh_and_says_so(tmp_path: Path, damage: str) -> None:
+    path = tmp_path / "a.h5"
+    interrupted(path)
+    partial = partial_path(path)
+    content = partial.read_bytes()
+    partial.write_bytes({"cut": content[: len(content) // 2], "text": b"hello" * 99, "zeros": bytes(4096)}[damage])
+    with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
+        assert writer.kept == () and "damaged" in writer.note
+        writer.write("analyses/a", history_group())
+        writer.finish()
+    with open_archive(path) as archive:
+        assert archive.names("analyses") == ["a"]
+
+
+def test_two_runs_on_one_archive_exclude_each_other(tmp_path: Path) -> None:
+    pytest.importorskip("fcntl")
+    with ArchiveWriter(tmp_path / "a.h5", root()), pytest.raises(ArchiveError, match="another run"):
+        ArchiveWriter(tmp_path / "a.h5", root())
+
+
+KILLED = """
+    import sys
+    from unit.archive.archive_samples import history_group
+    from edesign.archive.dataset import Group
+    from edesign.archive.writer import ArchiveWriter
+    with ArchiveWriter(sys.argv[1], Group(attributes={"project_checksum": "abc", "edesign_version": "1"})) as writer:
+        for i in range(10**6):
+            writer.write(f"analyses/a{i:06d}", history_group(2000, seed=i))
+            print(i, flush=True)
+"""
+
+
+@pytest.mark.parametrize("after", [1, 4, 9])
+def test_kill_minus_nine_keeps_every_finished_group(tmp_path: Path, after: int) -> None:
+    path = tmp_path / "a.h5"
+    process = python(KILLED, str(path))
+    assert process.stdout is not None
+    for _ in range(after):
+        assert process.stdout.readline(), process.stderr and process.stderr.read()
+    process.send_signal(signal.SIGKILL)
+    reported = after + len(process.communicate()[0].split())
+    assert process.returncode == -signal.SIGKILL
+    assert not path.exists()  # nothing under the final name
+    with open_archive(partial_path(path)) as archive:
+        assert not archive.complete and archive.attributes["complete"] == 0
+        names = archive.names("analyses")
+        assert len(names) in (reported, reported + 1)  # the kill may fall between the commit and its report
+        for i, name in enumerate(names):
+            found = archive.group(f"analyses/{name}").variables["displacement"].values
+            assert (found == history_group(2000, seed=i).variables["displacement"].values).all()
+    with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
+        assert len(writer.kept) == len(names)
+
+
+FULL = """
+    import resource, sys
+    from unit.archive.archive_samples import history_group
+    from edesign.archive.dataset import Group
+    from edesign.archive.writer import ArchiveWriter
+    from edesign.errors import ArchiveError
+    resource.setrlimit(resource.RLIMIT_FSIZE, (int(sys.argv[2]), int(sys.argv[2])))
+    written = 0
+    root = Group(attributes={"project_checksum": "abc", "edesign_version": "1"})
+    try:
+        with ArchiveWriter(sys.argv[1], root) as writer:
+            while written < 100:
+                writer.write(f"analyses/a{written}", history_group(2000, seed=written))
+                written += 1
+            writer.finish()
+    except ArchiveError as error:
+        print(written)
+        print(error)
+        sys.exit(error.exit_code)
+"""
+
+
+def test_full_disk_is_a_clear_error_and_keeps_what_was_written(tmp_path: Path) -> None:
+    """RLIMIT_FSIZE stands for the full disk; a plain HDF5 file ends in a segmentation fault here."""
+    pytest.importorskip("resource")
+    path = tmp_path / "a.h5"
+    process = python(FULL, str(path), "300000")
+    output, errors = process.communicate(timeout=60)
+    assert process.returncode == 4 and errors == ""
+    count, message = output.splitlines()
+    assert int(count) >= 2  # about 50 kB each
+    assert message == f"{path}: cannot write the archive: the file would exceed the allowed size"
+    assert not path.exists()
+    with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
+        assert len(writer.kept) == int(count)
+
+
+def test_disk_full_from_the_start_leaves_no_file(tmp_path: Path) -> None:
+    pytest.importorskip("resource")
+    process = python(FULL, str(tmp_path / "a.h5"), "100")
+    output, _ = process.communicate(timeout=60)
+    assert process.returncode == 4 and output.startswith("0\n")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_missing_folder_and_folder_in_the_way(tmp_path: Path) -> None:
+    with pytest.raises(ArchiveError, match=r"the folder .*nowhere does not exist"):
+        ArchiveWriter(tmp_path / "nowhere" / "a.h5", root())
+    with pytest.raises(ArchiveError, match="it is a folder"):
+        ArchiveWriter(tmp_path, root())
+
+
+def test_no_permission(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    if os.geteuid() == 0:  # root may write everywhere: let the system call refuse
+        monkeypatch.setattr(os, "open", lambda *_: (_ for _ in ()).throw(PermissionError(13, "Permission denied")))
+    else:
+        tmp_path.chmod(0o500)
+    with pytest.raises(ArchiveError, match="cannot write the archive: no permission"):
+        ArchiveWriter(tmp_path / "a.h5", root())
+
+
+def test_reader_names_what_is_wrong(tmp_path: Path) -> None:
+    with pytest.raises(ArchiveError, match="no such archive$"):
+        open_archive(tmp_path / "a.h5")
+    interrupted(tmp_path / "a.h5")
+    with pytest.raises(ArchiveError, match=r"an incomplete one is there: .*a\.h5\.partial"):
+        open_archive(tmp_path / "a.h5")
+    with pytest.raises(ArchiveError, match="folder"):
+        open_archive(tmp_path)
+    (tmp_path / "text.h5").write_text("hello")
+    with pytest.raises(ArchiveError, match="not an HDF5 file, or damaged"):
+        open_archive(tmp_path / "text.h5")
+    with h5py.File(tmp_path / "foreign.h5", "w") as foreign:
+        foreign.attrs["x"] = 1
+    with pytest.raises(ArchiveError, match="not an archive of edesign"):
+        open_archive(tmp_path / "foreign.h5")
+    with (
+        open_archive(partial_path(tmp_path / "a.h5")) as archive,
+        pytest.raises(ArchiveError, match="there are: a, b, c"),
+    ):
+        archive.group("analyses/d")

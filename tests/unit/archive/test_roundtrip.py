@@ -1,0 +1,102 @@
+"""What is written is what is read: by this package, and by xarray with named dimensions (netCDF-4 conventions)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from unit.archive.archive_samples import history_group
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter, partial_path
+
+
+def write(path: Path, groups: dict[str, Group]) -> Path:
+    with ArchiveWriter(path, Group(attributes={"title": "test"})) as writer:
+        for place, group in groups.items():
+            writer.write(place, group)
+        return writer.finish({"status": "completed"})
+
+
+def test_read_back_is_bitwise_what_was_written(tmp_path: Path) -> None:
+    group = history_group()
+    with open_archive(write(tmp_path / "a.h5", {"analyses/el_centro": group})) as archive:
+        read = archive.group("analyses/el_centro")
+        assert (
+            archive.complete and archive.attributes["status"] == "completed" and archive.attributes["title"] == "test"
+        )
+        assert archive.names("analyses") == ["el_centro"]
+    assert read.coords.keys() == group.coords.keys() and read.variables.keys() == group.variables.keys()
+    for name, variable in {**group.coords, **group.variables}.items():
+        found = {**read.coords, **read.variables}[name]
+        assert (found.dims, found.unit, found.long_name) == (variable.dims, variable.unit, variable.long_name)
+        assert found.values.dtype.kind == variable.values.dtype.kind, name
+        np.testing.assert_array_equal(found.values, variable.values)
+    assert read.attributes.keys() == group.attributes.keys()
+    for name, value in group.attributes.items():
+        np.testing.assert_equal(read.attributes[name], value)
+
+
+@pytest.mark.parametrize("engine", ["h5netcdf", "netcdf4"])
+def test_xarray_opens_it_with_named_dimensions(tmp_path: Path, engine: str) -> None:
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip({"h5netcdf": "h5netcdf", "netcdf4": "netCDF4"}[engine])
+    group = history_group()
+    path = write(tmp_path / "a.h5", {"analyses/el_centro": group})
+    with xarray.open_dataset(path, group="analyses/el_centro", engine=engine) as data:
+        assert data["displacement"].dims == ("time", "floor")
+        assert dict(data.sizes) == {"time": 50, "floor": 3, "member": 2}
+        assert data["displacement"].attrs == {"units": "m", "long_name": "floor displacement"}
+        np.testing.assert_array_equal(data["displacement"].values, group.variables["displacement"].values)
+        assert float(data["axial_force"].sel(member="C_A_1")) == -1.5e6
+        assert data["yielded"].dtype == bool and bool(data["yielded"].sel(member="C_A_1"))
+        assert str(data["note"].values) == "10 °C, ünïcode"
+        assert data.attrs["status"] == "completed" and data.attrs["steps"] == 50
+        # 0.07 s lies on the time axis: the coordinate really indexes the data
+        assert float(data["displacement"].sel(time=0.07, floor=2, method="nearest")) == float(
+            group.variables["displacement"].values[7, 1]
+        )
+    with xarray.open_dataset(path, engine=engine) as root:
+        assert root.attrs["complete"] == 1
+
+
+def test_groups_come_in_the_order_of_the_plan(tmp_path: Path) -> None:
+    groups = {}
+    for order, name in enumerate(["b", "a", "c"]):
+        groups[f"analyses/{name}"] = Group(attributes={"order": order})
+    with open_archive(write(tmp_path / "a.h5", groups)) as archive:
+        assert archive.names("analyses") == ["b", "a", "c"]
+
+
+def test_long_attributes_are_kept(tmp_path: Path) -> None:
+    """HDF5's older layout refuses attributes above 64 kB; events of a long run are longer."""
+    events = [{"time": float(i), "rung": "halved"} for i in range(5000)]
+    with open_archive(write(tmp_path / "a.h5", {"g/x": Group(attributes={"events": events})})) as archive:
+        assert archive.group_attributes("g/x")["events"] == events
+
+
+def test_a_dimension_needs_a_coordinate_of_the_same_length(tmp_path: Path) -> None:
+    group = Group()
+    group.add("u", ("time",), [1.0, 2.0], "m", "u")
+    with ArchiveWriter(tmp_path / "a.h5", Group()) as writer, pytest.raises(ValueError, match="dimension time"):
+        writer.write("x", group)
+    wrong = history_group()
+    wrong.add("u", ("floor",), [1.0, 2.0], "m", "u")
+    with ArchiveWriter(tmp_path / "b.h5", Group()) as writer, pytest.raises(ValueError, match="2 values along floor"):
+        writer.write("x", wrong)
+
+
+def test_until_finished_only_the_partial_file_changes(tmp_path: Path) -> None:
+    path = write(tmp_path / "a.h5", {"analyses/old": history_group(seed=1)})
+    before = path.read_bytes()
+    with ArchiveWriter(path, Group()) as writer:
+        writer.write("analyses/new", history_group(seed=2))
+        assert path.read_bytes() == before
+        with open_archive(partial_path(path)) as running:  # a run can be looked at while it goes on
+            assert not running.complete and running.names("analyses") == ["new"]
+        writer.finish()
+    assert not partial_path(path).exists()
+    with open_archive(path) as archive:
+        assert archive.complete and archive.names("analyses") == ["new"]

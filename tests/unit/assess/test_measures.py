@@ -1,0 +1,54 @@
+"""Response measures of envelopes whose extremes are known: each is the largest absolute value, on either side."""
+
+from __future__ import annotations
+
+import pytest
+from unit.assess.known_history import known_history, known_modes
+
+from edesign.archive.dataset import Group
+from edesign.assess.measures import MEASURES, response_measures
+from edesign.assess.profile import storey_profile
+
+KNOWN = {
+    "roof_displacement_m": 0.21,  # the minimum, -0.21, is the larger side
+    "residual_roof_displacement_m": 0.02,
+    "roof_drift": 0.21 / 7.0,
+    "interstorey_drift": 0.057,
+    "residual_interstorey_drift": 0.0033,
+    "base_shear_N": 3e5,
+    "roof_acceleration_m_s2": 5.0,  # of the roof, although floor 1 has 7.0
+    "beam_plastic_rotation_rad": 0.011,
+    "column_plastic_rotation_rad": 0.002,
+    "column_axial_force_N": 9e5,  # compression
+}
+
+
+def test_measures_of_a_history() -> None:
+    found = response_measures(known_history())
+    assert tuple(found) == MEASURES == tuple(KNOWN)
+    assert found == pytest.approx(KNOWN, rel=1e-15)
+    assert all(type(value) is float for value in found.values())  # JSON takes no numpy numbers
+
+
+def test_what_does_not_apply_is_none() -> None:
+    assert set(response_measures(known_modes()).values()) == {None}
+    assert set(response_measures(Group()).values()) == {None}
+    pushover = response_measures(known_history("pushover"))
+    none = {"residual_roof_displacement_m", "residual_interstorey_drift", "roof_acceleration_m_s2"}
+    assert {name for name, value in pushover.items() if value is None} == none
+
+
+def test_a_failed_history_has_peaks_but_no_residuals() -> None:
+    found = response_measures(known_history(status="failed"))
+    assert found["roof_displacement_m"] == 0.21
+    assert found["residual_roof_displacement_m"] is None and found["residual_interstorey_drift"] is None
+
+
+def test_profile_goes_from_the_lowest_storey_up() -> None:
+    found = storey_profile(known_history())
+    assert found["floor_displacement"].tolist() == [0.05, 0.21]
+    assert found["storey_drift"].tolist() == [0.0125, 0.057]
+    assert found["residual_storey_drift"].tolist() == [0.0025, 0.0033]
+    assert found["storey_shear"].tolist() == [3e5, 1e5]
+    assert found["floor_acceleration"].tolist() == [7.0, 5.0]
+    assert storey_profile(known_modes()) == {}

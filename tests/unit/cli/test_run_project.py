@@ -1,0 +1,224 @@
+"""The run: order, failures, interruption and resume. The core is replaced by known numbers, the archive is real."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from unit.cli.small_project import STEPS, Core, fail, project
+
+from edesign.archive.reader import open_archive
+from edesign.archive.writer import partial_path
+from edesign.errors import ArchiveError, InputError, Interrupted
+from edesign.study import analyses
+from edesign.study.progress import Progress
+from edesign.study.run import run_project
+
+
+def use(monkeypatch: pytest.MonkeyPatch, core: Core) -> Core:
+    monkeypatch.setattr(analyses, "run_analysis", core)
+    return core
+
+
+def results(path: Path) -> dict[str, bytes]:
+    with open_archive(path) as archive:
+        return {
+            name: archive.group(f"analyses/{name}").variables["base_shear"].values.tobytes()
+            for name in archive.names("analyses")
+        }
+
+
+def interrupt() -> None:
+    """What Ctrl-C does."""
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+def test_all_analyses_are_archived_in_the_order_of_the_plan(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    core = use(monkeypatch, Core())
+    summary = run_project(project(tmp_path, "dbca"))
+    assert core.ran == list("dbca") and summary.archive == tmp_path / "small.h5" and not summary.failed
+    assert [outcome.name for outcome in summary.outcomes] == list("dbca")
+    with open_archive(summary.archive) as archive:
+        assert archive.names("analyses") == list("dbca")
+        attributes = archive.attributes
+        assert attributes["status"] == "completed" and attributes["complete"] == 1
+        assert attributes["planned"] == list("dbca") and attributes["project_file"] == "project.yaml"
+        assert str(archive.group().variables["project_text"].values) == "title: small"
+        # sha256 of "title: small", from sha256sum
+        assert attributes["project_checksum"] == "6b976c5580c000f7cb09851387e968603dc8e85ec86c45171026b1ccacc39043"
+        assert {"created", "python_version", "numpy_version", "h5py_version"} <= archive.group_attributes(
+            "provenance"
+        ).keys()
+        analysis = archive.group_attributes("analyses/b")
+        assert (analysis["record"], analysis["level"], analysis["variant"]) == ("el_centro", "DBE", None)
+
+
+def test_a_failed_analysis_is_recorded_and_the_others_run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def bug() -> None:
+        raise ZeroDivisionError("division by zero")
+
+    use(monkeypatch, Core({("b", 7): fail, ("c", 0): bug}))
+    summary = run_project(project(tmp_path))
+    assert [outcome.status for outcome in summary.outcomes] == ["completed", "failed", "failed", "completed"]
+    with open_archive(summary.archive) as archive:
+        assert archive.attributes["status"] == "failed" and archive.complete
+        assert archive.names("analyses") == list("abcd")
+        assert archive.group_attributes("analyses/b")["reason"] == "step 7 at 0.07 s: no convergence"
+        assert "ZeroDivisionError: division by zero" in str(archive.group_attributes("analyses/c")["reason"])
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_ctrl_c_keeps_finished_analyses_and_the_next_run_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, workers: int
+) -> None:
+    use(monkeypatch, Core())
+    whole = results(run_project(project(tmp_path), tmp_path / "whole.h5").archive)
+
+    finished = threading.Event()
+
+    def slow() -> None:  # with two workers "d" runs beside "c" and must not be finished when the signal comes
+        assert finished.wait(20)
+        time.sleep(0.6)
+
+    def late() -> None:
+        assert finished.wait(20)
+        interrupt()
+        time.sleep(0.3)
+
+    core = use(monkeypatch, Core({("c", 5): late, ("d", 5): slow}))
+
+    def listen(report: Progress) -> None:
+        if report.event == "end" and report.analysis == "b":
+            finished.set()
+
+    handler = signal.getsignal(signal.SIGINT)
+    with pytest.raises(Interrupted, match=r"2 of 4 analyses are finished and kept in .*small\.h5\.partial.* goes on"):
+        run_project(project(tmp_path), None, listen, workers)
+    assert signal.getsignal(signal.SIGINT) is handler
+    assert not (tmp_path / "small.h5").exists()
+    with open_archive(partial_path(tmp_path / "small.h5")) as archive:
+        assert not archive.complete and archive.names("analyses") == ["a", "b"]
+
+    core = use(monkeypatch, Core())
+    summary = run_project(project(tmp_path), workers=workers)
+    assert sorted(core.ran) == ["c", "d"]
+    assert [outcome.reused for outcome in summary.outcomes] == [True, True, False, False]
+    assert "2 of 4 analyses are reused" in summary.notes[0]
+    assert results(summary.archive) == whole  # bitwise
+    assert not partial_path(summary.archive).exists()
+
+
+def test_interrupted_before_anything_was_finished_leaves_nothing(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    use(monkeypatch, Core({("a", 5): interrupt}))
+    with pytest.raises(Interrupted, match="before an analysis was finished"):
+        run_project(project(tmp_path))
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_second_ctrl_c_does_not_wait(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def twice() -> None:
+        interrupt()
+        interrupt()
+        time.sleep(1)
+        raise AssertionError("not stopped")
+
+    use(monkeypatch, Core({("b", 3): twice}))
+    with pytest.raises(Interrupted, match="1 of 4"):
+        run_project(project(tmp_path))
+
+
+def test_a_changed_project_starts_afresh_and_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, Core({("c", 5): interrupt}))
+    with pytest.raises(Interrupted):
+        run_project(project(tmp_path))
+    core = use(monkeypatch, Core())
+    summary = run_project(project(tmp_path, text="title: other"))
+    assert core.ran == list("abcd") and "project checksum" in summary.notes[0] and "afresh" in summary.notes[0]
+
+
+def test_fresh_reuses_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, Core({("c", 5): interrupt}))
+    with pytest.raises(Interrupted):
+        run_project(project(tmp_path))
+    core = use(monkeypatch, Core())
+    run_project(project(tmp_path), fresh=True)
+    assert core.ran == list("abcd")
+
+
+def test_results_do_not_depend_on_the_number_of_workers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, Core())
+    one = run_project(project(tmp_path), tmp_path / "1.h5", workers=1)
+    three = run_project(project(tmp_path), tmp_path / "3.h5", workers=3)
+    assert results(one.archive) == results(three.archive) and list(results(three.archive)) == list("abcd")
+
+
+def test_only_selects_and_spares_the_full_archive(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, Core())
+    full = run_project(project(tmp_path)).archive.read_bytes()
+    core = use(monkeypatch, Core())
+    summary = run_project(project(tmp_path), only=["c"])
+    assert core.ran == ["c"] and summary.archive == tmp_path / "small.c.h5"
+    assert (tmp_path / "small.h5").read_bytes() == full
+    with pytest.raises(InputError, match="no analysis is named 'x'. There are: a, b, c, d"):
+        run_project(project(tmp_path), only=["x"])
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_disk_that_fills_up_stops_the_run_and_keeps_the_rest(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, workers: int
+) -> None:
+    from edesign.archive.transaction import TransactionFile
+
+    use(monkeypatch, Core())
+    commit, calls = TransactionFile.commit, []
+
+    def full(self: TransactionFile) -> None:
+        calls.append(1)
+        if len(calls) == 3:  # the root, the first analysis, then no more
+            raise OSError(28, "No space left on device")
+        commit(self)
+
+    monkeypatch.setattr(TransactionFile, "commit", full)
+    with pytest.raises(ArchiveError, match=r"small\.h5: cannot write the archive: the disk is full"):
+        run_project(project(tmp_path), workers=workers)
+    assert not (tmp_path / "small.h5").exists()
+    assert len(results(partial_path(tmp_path / "small.h5"))) == 1
+
+
+def test_an_unwritable_archive_is_an_error_before_anything_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    core = use(monkeypatch, Core())
+    with pytest.raises(ArchiveError, match="does not exist"):
+        run_project(project(tmp_path), tmp_path / "nowhere" / "a.h5")
+    assert core.ran == []
+
+
+def test_progress_tells_every_analysis_from_start_to_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, Core({("b", 7): fail}))
+    reports: list[Progress] = []
+    run_project(project(tmp_path, "ab"), progress=reports.append)
+    assert [r.event for r in reports if r.analysis == "a"] == ["start"] + ["advance"] * STEPS + ["end"]
+    assert reports[-1].message == "failed: step 7 at 0.07 s: no convergence" and (
+        reports[-1].index,
+        reports[-1].count,
+    ) == (2, 2)
+    fractions = [r.fraction for r in reports if r.event == "advance" and r.analysis == "a"]
+    np.testing.assert_allclose(fractions, np.arange(1, STEPS + 1) / STEPS, rtol=1e-15)
+
+
+def test_the_run_works_outside_the_main_thread(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Signal handlers can only be set in the main thread; a notebook server may run elsewhere."""
+    use(monkeypatch, Core())
+    done: list[Path] = []
+    thread = threading.Thread(target=lambda: done.append(run_project(project(tmp_path)).archive))
+    thread.start()
+    thread.join(30)
+    assert done == [tmp_path / "small.h5"]

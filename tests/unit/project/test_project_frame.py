@@ -1,0 +1,83 @@
+"""The grid and members of frames, counted by hand."""
+
+from __future__ import annotations
+
+import pytest
+
+from edesign.project import Project, parse_project
+
+
+@pytest.fixture
+def project(small: str) -> Project:
+    return parse_project(small)
+
+
+def test_grid(project: Project) -> None:
+    frame = project.frame
+    assert (frame.n_bays, frame.n_lines, frame.n_storeys) == (2, 3, 3)
+    assert frame.lines == ("A", "B", "C")
+    assert frame.bay_lines(2) == ("B", "C")
+    assert frame.x == (0.0, 6.0, 13.5)
+    assert frame.y == (0.0, 3.5, 7.0, 10.5)
+    assert frame.height == 10.5
+
+
+def test_later_runs_override_and_missing_members_are_gone(project: Project) -> None:
+    frame = project.frame
+    sections = {place: run.section for place, run in frame.column_at.items()}
+    assert sections[("B", 1)] == "HEB260" and sections[("B", 2)] == sections[("B", 3)] == "HEB240"
+    assert len(sections) == 8 and ("C", 3) not in sections
+    assert list(frame.beam_at) == [(1, 1), (2, 1), (1, 2), (2, 2), (1, 3)]
+    assert list(frame.members)[:3] == ["C_A_1", "C_B_1", "C_C_1"]
+    assert len(frame.members) == 13
+    assert "C3" not in frame.nodes and len(frame.nodes) == 11
+    assert frame.nodes["B2"] == (6.0, 7.0)
+
+
+def test_supports_by_line(project: Project) -> None:
+    assert [project.frame.support(line) for line in "ABC"] == ["fixed", "pinned", "fixed"]
+
+
+def test_braces_and_releases(small: str) -> None:
+    text = small.replace(
+        "sections:\n",
+        "  diaphragms: [1, 3]\n"
+        "  braces:\n"
+        "    - {bays: 1, storeys: all, kind: rising, section: rod, material: S275}\n"
+        "    - {bays: 1, storeys: 2, kind: cross, section: rod, material: S275}\n"
+        "  releases:\n"
+        "    - {beams: {bays: all, floors: 1-3}, ends: start}\n"
+        "    - {beams: {bays: 1, floors: 1}, ends: end}\n"
+        "    - {columns: {lines: A, storeys: 1}, ends: both}\n"
+        "sections:\n",
+    )
+    frame = parse_project(text).frame
+    assert list(frame.brace_at) == [(1, 1, "r"), (1, 2, "r"), (1, 2, "f"), (1, 3, "r")]
+    assert frame.diaphragm_floors == (1, 3)
+    assert frame.released["B_1_1"] == (True, True)
+    assert frame.released["B_2_2"] == (True, False)
+    assert frame.released["C_A_1"] == (True, True)
+    assert "B_2_3" not in frame.released, "it does not stand"
+
+
+def test_a_selection_of_all_takes_only_what_exists(project: Project) -> None:
+    given = project.masses.given if project.masses else None
+    assert given is not None
+    assert len(project.frame.node_places(given[0].lines, given[0].floors)) == 6
+    loads = project.loads.beams[0]
+    assert project.frame.standing_beams(loads) == [(1, 1), (2, 1), (1, 2), (2, 2)]
+
+
+def test_defaults_and_marks(project: Project, small: str) -> None:
+    assert project.elements.integration_points == 5
+    assert project.elements.geometry.columns == "p_delta"
+    assert project.text == small
+    assert project.where("analyses", 1, "record") == "project.yaml:31:42"
+    assert project.where("records", "el_centro") == "project.yaml:28:14"
+    assert project.where("elements") == "project.yaml:1:1", "a default has no place of its own"
+    assert str(project.archive_path) == "project.h5"
+
+
+def test_projects_do_not_change(project: Project) -> None:
+    with pytest.raises(ValueError, match="frozen"):
+        project.title = "other"  # type: ignore[misc]

@@ -1,0 +1,26 @@
+"""Print the requirements of one part of pyproject.toml, one a line, for `pip install -r`.
+
+Usage: requirements.py build | dev | records | peers
+
+pip cannot install an extra of an editable project without building the project again;
+this keeps pyproject.toml the only list.
+"""
+
+from __future__ import annotations
+
+import sys
+import tomllib
+from pathlib import Path
+
+
+def requirements(part: str) -> list[str]:
+    """Requirements of the build system (`build`) or of an optional extra, as written in pyproject.toml."""
+    config = tomllib.loads((Path(__file__).parent.parent / "pyproject.toml").read_text(encoding="utf-8"))
+    found: list[str] = (
+        config["build-system"]["requires"] if part == "build" else config["project"]["optional-dependencies"][part]
+    )
+    return found
+
+
+if __name__ == "__main__":
+    print("\n".join(requirements(sys.argv[1])))

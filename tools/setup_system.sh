@@ -1,0 +1,147 @@
+#!/usr/bin/env bash
+# Make sure that what pip cannot install is there: a C compiler, SuiteSparse with headers, Python >= 3.11 with headers
+# and venv; for the tests also the sanitizers' libraries and, if it can be had, valgrind.
+#
+#   setup_system.sh run | test | memcheck
+#
+# Prints the Python interpreter to use on stdout, all else on stderr. What counts is that a small program compiles and
+# links, not that a package has a certain name, so nothing is installed where everything is there already. Missing
+# packages are installed by apt when we are root or sudo asks no password; otherwise one message names them and the exit
+# code is 1.
+# Environment: PYTHON (interpreter to try first), CC, SUITESPARSE_ROOT, EDESIGN_NO_INSTALL=1 (never call apt).
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+mode="${1:-run}"
+scratch="$(mktemp -d)"
+trap 'rm -rf "$scratch"' EXIT
+
+say() { echo "edesign: $*" >&2; }
+
+# Path of an interpreter, if it is Python >= 3.11; the second argument asks for headers and venv as well.
+check_python() {
+    local full="${2:-}"
+    "$1" -c "
+import os, sys, sysconfig
+fits = sys.version_info >= (3, 11)
+if fits and '$full':
+    import ensurepip, venv
+    fits = os.path.exists(os.path.join(sysconfig.get_path('include'), 'Python.h'))
+print(sys.executable) if fits else sys.exit(1)" 2>/dev/null
+}
+
+find_python() {
+    local candidate
+    for candidate in ${PYTHON:+"$PYTHON"} python3.11 python3 python3.12 python3.13 python3.14 /usr/bin/python3; do
+        command -v "$candidate" >/dev/null && check_python "$candidate" "${1:-}" && return 0
+    done
+    return 1
+}
+
+# What is missing, in words for people ($missing) and as packages of apt ($packages); $hard counts the indispensable.
+missing=() packages=() hard=0
+lack() { missing+=("$1"); packages+=("${@:2}"); hard=$((hard + 1)); }
+
+look() {
+    missing=() packages=() hard=0
+    local base name sanitizers="the libraries of the address and undefined-behaviour sanitizers"
+    cc=""
+    if python="$(find_python full)"; then
+        cc="${CC:-$("$python" -c 'import sysconfig; print(sysconfig.get_config_var("CC") or "cc")')}"
+    elif base="$(find_python)" && base="$(readlink -f "$base")" && [[ "$base" == /usr/bin/python3.* ]]; then
+        name="${base#/usr/bin/}"
+        lack "headers and venv of $name" "$name-dev" "$name-venv"
+    else
+        lack "Python >= 3.11 with headers and venv" python3.11-or-later
+    fi
+    cc="${cc:-cc}"
+
+    echo '#include <stdio.h>
+int main(void) { return puts("") < 0; }' >"$scratch/c.c"
+    if ! $cc -o "$scratch/c" "$scratch/c.c" -lm >/dev/null 2>&1; then
+        lack "a C compiler" gcc libc6-dev
+    elif [[ "$mode" == test ]]; then
+        $cc -fsanitize=address,undefined -o "$scratch/c" "$scratch/c.c" >/dev/null 2>&1 || lack "$sanitizers" gcc
+    fi
+
+    local flags=""
+    if ! flags="$(sh core_c/suitesparse.sh)"; then
+        lack "SuiteSparse (KLU) with headers" libsuitesparse-dev
+    elif [[ $hard == 0 ]]; then
+        echo '#include <Python.h>
+#include <klu.h>
+int main(void) { klu_common c; return !klu_defaults(&c); }' >"$scratch/klu.c"
+        # shellcheck disable=SC2086
+        $cc -I"$("$python" -c 'import sysconfig; print(sysconfig.get_path("include"))')" \
+            -o "$scratch/klu" "$scratch/klu.c" \
+            $flags -lklu -lamd -lcolamd -lbtf -lsuitesparseconfig -lm >"$scratch/log" 2>&1 ||
+            lack "a working set of C compiler, Python headers and SuiteSparse" gcc libc6-dev libsuitesparse-dev
+    fi
+    if [[ "$mode" != run && "$(uname)" == Linux ]] && ! command -v valgrind >/dev/null; then
+        lack "valgrind" valgrind
+        [[ "$mode" == memcheck ]] || hard=$((hard - 1))
+    fi
+}
+
+apt_install() {
+    local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300) version names=() name
+    [[ "$(id -u)" == 0 ]] || apt=(sudo -n "${apt[@]}")
+    say "updating the package list (apt)"
+    "${apt[@]}" update </dev/null >"$scratch/apt.log" 2>&1 || true
+    for name in "${packages[@]}"; do
+        if [[ "$name" == python3.11-or-later ]]; then
+            for version in 3.11 3.12 3.13 3.14 ""; do
+                [[ -z "$version" ]] || apt-cache show "python$version-dev" >/dev/null 2>&1 && break
+            done
+            [[ -n "$version" ]] || { say "apt offers no Python >= 3.11 on this system"; return 1; }
+            names+=("python$version" "python$version-dev" "python$version-venv")
+        else
+            names+=("$name")
+        fi
+    done
+    say "installing ${names[*]} (apt)"
+    "${apt[@]}" install --no-install-recommends "${names[@]}" </dev/null >>"$scratch/apt.log" 2>&1 && return 0
+    say "apt could not install them; its last lines:"
+    tail -n 8 "$scratch/apt.log" >&2
+    return 1
+}
+
+explain() {
+    local apt="${packages[*]}" test_dnf="" test_conda=""
+    apt="${apt/python3.11-or-later/python3.11 python3.11-dev python3.11-venv}"
+    if [[ "$mode" != run ]]; then
+        test_dnf=" libasan libubsan valgrind"
+        test_conda=" valgrind"
+    fi
+    local words
+    words="$(printf ', %s' "${missing[@]}")"
+    echo "
+edesign needs system packages that are missing here: ${words#, }.
+Please install them once, then call make again (this is done for you only with apt, as root or by a sudo without password):
+
+  Debian, Ubuntu   sudo apt-get install $apt
+  Fedora, RHEL     sudo dnf install gcc glibc-devel suitesparse-devel python3-devel$test_dnf
+  macOS            xcode-select --install; brew install suite-sparse python@3.12
+  conda            conda install -c conda-forge c-compiler suitesparse 'python>=3.11'$test_conda
+
+Another place for them: PYTHON=/path/to/python3, CC=compiler, SUITESPARSE_ROOT=/prefix.
+" >&2
+    [[ ! -s "$scratch/log" ]] || { echo "The compiler said:"; tail -n 5 "$scratch/log"; } >&2
+}
+
+look
+if [[ ${#missing[@]} -gt 0 ]]; then
+    may_install=no
+    if [[ -z "${EDESIGN_NO_INSTALL:-}" ]] && command -v apt-get >/dev/null; then
+        if [[ "$(id -u)" == 0 ]] || sudo -n true 2>/dev/null; then may_install=yes; fi
+    fi
+    if [[ $may_install == yes ]]; then
+        if apt_install; then hash -r; look; fi
+    fi
+fi
+if [[ $hard -gt 0 ]]; then
+    explain
+    exit 1
+fi
+[[ ${#missing[@]} == 0 ]] || say "valgrind is not here and cannot be installed; only 'make memcheck' needs it"
+echo "$python"
