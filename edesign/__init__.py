@@ -13,17 +13,9 @@ The functions behind the commands, loaded when first used:
 from __future__ import annotations
 
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from edesign._version import __version__
-
-if TYPE_CHECKING:
-    from edesign.archive.reader import open_archive
-    from edesign.project.loader import load_project
-    from edesign.project.template import new_project
-    from edesign.report.summary import summarise
-    from edesign.study.check import check_project
-    from edesign.study.run import run_project
 
 __all__ = ["__version__", "check_project", "load_project", "new_project", "open_archive", "run_project", "summarise"]
 

@@ -174,7 +174,7 @@ class Analysis:
         Args:
             ground_acceleration: (nt,) m/s2 along x, `dt` s apart; the first sample is at time 0.
             method: integrator.
-            channels: what to record; every `every`-th step is kept, extremes count every step.
+            channels: what to record; every `every`-th step is kept (0: only the start), extremes count every step.
             vertical: (nt,) m/s2 along y.
             progress: called with (steps done, steps) now and then.
             stop: asked now and then; True ends the run with status "interrupted".
@@ -231,6 +231,7 @@ class Analysis:
         stop: Callable[[], bool] | None,
     ) -> Response:
         kept = [c.name for c in channels if c.history]
+        every = every or steps + 1
         rows = steps // every + 1
         abscissa, values, energy = np.empty(rows), np.empty((rows, len(kept))), np.empty((rows, len(ENERGIES)))
         lib.ed_run_buffers(self._c, every, _doubles(abscissa), _doubles(values.ravel()), _doubles(energy.ravel()))

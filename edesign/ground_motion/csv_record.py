@@ -27,8 +27,8 @@ def read_csv(
 ) -> Record:
     """Read a record from a table separated by commas or semicolons, with or without one line of headers.
 
-    Without columns named, one column is the acceleration, and of two the first is the time (s). The motion begins at the
-    first sample, whatever time it bears.
+    Without columns named, one column is the acceleration, and of two the first is the time (s). The motion begins at
+    the first sample, whatever time it bears.
 
     Args:
         path: the file.
@@ -69,7 +69,7 @@ def read_csv(
 
 
 def _table(path: Path) -> tuple[list[str], list[list[str]], list[int]]:
-    """Header (empty if there is none), rows of text, and the line of each row; blank lines and comments (#) are skipped."""
+    """Header (empty if there is none), rows of text, and the line of each row; blank lines and # are skipped."""
     lines = read_lines(path)
     kept = [(i, line) for i, line in enumerate(lines, start=1) if line.strip() and not line.lstrip().startswith("#")]
     if not kept:

@@ -151,9 +151,9 @@ def fallbacks_table(name: str, group: Group) -> Table:
     for event in listed[:EVENTS_SHOWN]:
         time = event.get("time")
         shown = number(float(time)) if isinstance(time, (int, float)) else "-"
-        table.rows.append(
-            [str(event.get("step", "-")), shown, str(event.get("rung", "")), str(event.get("detail", ""))]
-        )
+        rest = {key: value for key, value in event.items() if key not in ("step", "time", "rung", "detail")}
+        detail = event.get("detail") or ", ".join(f"{key} {value}" for key, value in rest.items())
+        table.rows.append([str(event.get("step", "-")), shown, str(event.get("rung", "")), str(detail)])
     if len(listed) > EVENTS_SHOWN:
         table.notes.append(f"and {len(listed) - EVENTS_SHOWN} more, in the archive")
     return table

@@ -1,12 +1,33 @@
-"""Check a project without running its analyses: its records are read, its frame is built, its first period is found."""
+"""What is checked before a run, and by `edesign check`: records, the frame, its first period."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
+
+from edesign.building.frame import build_frame
 from edesign.errors import AnalysisError
+from edesign.ground_motion.project_records import read_record
 from edesign.project.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.study import analyses
-from edesign.study.provenance import input_checksum
+
+
+def check_inputs(project: Project, records: Iterable[str]) -> dict[str, str]:
+    """Read records and build the frame once, so that what is wrong with them shows before the first analysis.
+
+    Args:
+        project: from `load_project`.
+        records: names of the records that are needed.
+
+    Returns:
+        SHA-256 of the samples of each record, by name.
+
+    Raises:
+        InputError: a record cannot be read, or the frame cannot be built.
+    """
+    checksums = {name: read_record(project, name).checksum for name in sorted(set(records))}
+    build_frame(project)
+    return checksums
 
 
 def check_project(project: Project) -> dict[str, str]:
@@ -22,7 +43,7 @@ def check_project(project: Project) -> dict[str, str]:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
         AnalysisError: the first period cannot be found.
     """
-    input_checksum(project)  # reads every record file
+    check_inputs(project, project.records)
     return {
         "title": project.title,
         "frame": _frame(project),

@@ -36,6 +36,11 @@ class Task:
         return f"{ANALYSES}/{self.name}"
 
     @property
+    def record(self) -> str | None:
+        """Name of the record that it needs."""
+        return getattr(self.spec, "record", None)
+
+    @property
     def labels(self) -> dict[str, str | int | None]:
         """What identifies the analysis: order, name, kind, variant, record, level (None where not applicable)."""
         return {
@@ -43,7 +48,7 @@ class Task:
             "name": self.name,
             "kind": self.spec.kind,
             "variant": self.spec.variant or None,
-            "record": getattr(self.spec, "record", None),
+            "record": self.record,
             "level": getattr(self.spec, "level", None) or None,
         }
 

@@ -4,17 +4,15 @@ from __future__ import annotations
 
 import hashlib
 import platform
+from collections.abc import Mapping
 from datetime import UTC, datetime
-from importlib import metadata
 
 import numpy as np
 
 from edesign._version import __version__
 from edesign.archive.dataset import Group
 from edesign.archive.hdf5 import library_versions
-from edesign.errors import InputError
 from edesign.project.project import Project
-from edesign.project.records import FileRecord
 
 IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_version")
 """Root attributes that decide whether results of an interrupted run may be reused."""
@@ -28,38 +26,32 @@ def core_version() -> str:
     return str(version() if callable(version) else version or "unknown")
 
 
-def input_checksum(project: Project) -> str:
-    """Return the SHA-256 of all that a run reads: the project text, its record files, the packages that carry records.
+def input_checksum(project: Project, records: Mapping[str, str]) -> str:
+    """Return the SHA-256 of all that a run reads.
 
-    Raises:
-        InputError: a record file cannot be read.
+    Args:
+        project: its text counts.
+        records: SHA-256 of the samples of each record, by name.
     """
-    checksum = hashlib.sha256(project.text.encode())
-    for name in sorted(project.records):
-        record = project.records[name]
-        if isinstance(record, FileRecord):
-            try:
-                content = project.record_path(name).read_bytes()
-            except OSError as error:
-                place = project.where("records", name, "file")
-                raise InputError(f"{place}: records.{name}: cannot read {record.file}: {error.strerror}") from error
-        else:
-            try:
-                content = f"{record.package} {metadata.version(record.package)}".encode()
-            except metadata.PackageNotFoundError:
-                content = b"missing"
-        checksum.update(name.encode() + hashlib.sha256(content).digest())
-    return checksum.hexdigest()
+    parts = [project.checksum, *(f"{name} {records[name]}" for name in sorted(records))]
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
-def root_group(project: Project, planned: list[str]) -> Group:
-    """Return the root of an archive: project text, file name, checksums, versions, names of the planned analyses."""
+def root_group(project: Project, planned: list[str], records: Mapping[str, str]) -> Group:
+    """Return the root of an archive: project text, file name, checksums, versions, names of the planned analyses.
+
+    Args:
+        project: from `load_project`.
+        planned: names of the analyses.
+        records: SHA-256 of the samples of each record that is used, by name.
+    """
     group = Group(
         attributes={
             "title": project.title,
             "project_file": project.path.name,
             "project_checksum": project.checksum,
-            "input_checksum": input_checksum(project),
+            "input_checksum": input_checksum(project, records),
+            "record_checksums": dict(records),
             "edesign_version": __version__,
             "core_version": core_version(),
             "planned": planned,

@@ -20,6 +20,7 @@ from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.errors import EdesignError, Interrupted
 from edesign.project.project import Project
 from edesign.study import analyses
+from edesign.study.check import check_inputs
 from edesign.study.plan import Task, make_plan
 from edesign.study.progress import Listener, Progress, silent
 from edesign.study.provenance import IDENTITY, circumstances, root_group
@@ -94,20 +95,21 @@ def run_project(
         Where the archive is and how each analysis ended.
 
     Raises:
-        InputError: an unknown name in `only`, or a record file that cannot be read.
+        InputError: an unknown name in `only`, a record that cannot be read, a frame that cannot be built.
         ArchiveError: the archive cannot be written; what was archived before stays in the partial file.
         Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
     """
     started = time.monotonic()
     plan = make_plan(project, only)
     path = Path(archive_path) if archive_path is not None else default_archive_path(project, only)
+    checksums = check_inputs(project, [task.record for task in plan if task.record is not None])
     run = _Run(project, plan, progress or silent)
     tasks = {task.path: task for task in plan}
 
     def accept(place: str, attributes: Mapping[str, object]) -> bool:
         return place in tasks and attributes.get("status") == COMPLETED
 
-    root = root_group(project, [task.name for task in plan])
+    root = root_group(project, [task.name for task in plan], checksums)
     extra = {"provenance": circumstances()}
     with ArchiveWriter(path, root, IDENTITY, None if fresh else accept, extra) as writer:
         if writer.note:

@@ -4,6 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+enum { STALL = 8 }; /* iterations without halving the unbalance */
+
 /* Unbalance relative to the largest force so far; moments are made comparable by the mean element length. */
 double ed_unbalance(ed_analysis *a, const double *r)
 {
@@ -130,6 +132,9 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
       return ED_OK;
     }
     if (iteration == a->max_iterations)
+      return ED_E_NOT_CONVERGED;
+    /* going round in circles: piecewise linear laws, or a damping stiffness that jumps with them */
+    if (iteration >= STALL && unbalance > 0.5 * a->residuals[iteration - STALL])
       return ED_E_NOT_CONVERGED;
     const int same = a->factored_stamp >= 0 && a->factored_k == step->k && a->factored_m == step->m &&
                      a->factored_c == step->c;

@@ -241,10 +241,10 @@ double ed_element_commit(const ed_element *e, double *block, double *layers)
     return e->area * e->length * ed_steel_commit(e->steel, layers, block[ED_BLOCK_V] / e->length);
   double dissipated = 0.0;
   for (int p = 0; p < e->points; p++) {
-    const double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
+    double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
     if (point[ED_POINT_ELASTIC] != 0.0 && (e->section[p]->vector || e->section[p]->elastic))
       continue; /* no layer yields: nothing to remember */
-    block[ED_BLOCK_INELASTIC] = 1.0;
+    block[ED_BLOCK_INELASTIC] = point[ED_POINT_INELASTIC] = 1.0;
     dissipated += e->weight[p] * ed_section_commit(e->section[p], layers + e->layer_offset[p], point[0], point[1]);
   }
   return dissipated;
@@ -260,7 +260,7 @@ double ed_element_stored(const ed_element *e, const double *block, const double 
     for (int p = 0; p < e->points; p++) {
       const double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
       double density;
-      if (block[ED_BLOCK_INELASTIC] == 0.0 && e->section[p]->yield_strain > 0.0)
+      if (point[ED_POINT_INELASTIC] == 0.0 && e->section[p]->yield_strain > 0.0)
         density = 0.5 * (point[0] * point[ED_POINT_S] + point[1] * point[ED_POINT_S + 1]);
       else
         density = ed_section_stored(e->section[p], layers + e->layer_offset[p], point[0], point[1]);

@@ -43,8 +43,8 @@ typedef struct {
 
 /* Offsets in the block. */
 enum { ED_BLOCK_V = 0, ED_BLOCK_Q = 3, ED_BLOCK_K = 6, ED_BLOCK_REFERENCE = 12, ED_BLOCK_INELASTIC = 13, ED_BLOCK_POINTS = 14 };
-/* a point: e0 kappa, N M, k11 k12 k22, elastic */
-enum { ED_POINT_E = 0, ED_POINT_S = 2, ED_POINT_K = 4, ED_POINT_ELASTIC = 7, ED_POINT_SIZE = 8 };
+/* a point: e0 kappa, N M, k11 k12 k22, elastic in this trial, some layer has yielded before */
+enum { ED_POINT_E = 0, ED_POINT_S = 2, ED_POINT_K = 4, ED_POINT_ELASTIC = 7, ED_POINT_INELASTIC = 8, ED_POINT_SIZE = 9 };
 
 void ed_element_setup(ed_element *element, const ed_model *model, int index);
 int ed_element_block_size(const ed_element *element);

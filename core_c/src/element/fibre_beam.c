@@ -63,10 +63,22 @@ static inline int invert_flexibility(const ed_element *e, const double *F, doubl
   return 1;
 }
 
-static inline void respond(const ed_element *e, int p, const double *layers, double *point)
+static inline void respond(const ed_element *e, int p, const double *layers, double *point, int fast)
 {
+  const ed_section *section = e->section[p];
+  /* a section that never yielded and provably does not yield now needs no layers */
+  if (fast && point[ED_POINT_INELASTIC] == 0.0 &&
+      fabs(point[0]) + section->depth * fabs(point[1]) < section->yield_strain) {
+    point[ED_POINT_S] = section->k11 * point[0] + section->k12 * point[1];
+    point[ED_POINT_S + 1] = section->k12 * point[0] + section->k22 * point[1];
+    point[ED_POINT_K] = section->k11;
+    point[ED_POINT_K + 1] = section->k12;
+    point[ED_POINT_K + 2] = section->k22;
+    point[ED_POINT_ELASTIC] = 1.0;
+    return;
+  }
   ed_section_response r;
-  ed_section_trial(e->section[p], layers + e->layer_offset[p], point[0], point[1], &r);
+  ed_section_trial(section, layers + e->layer_offset[p], point[0], point[1], &r);
   point[ED_POINT_S] = r.N;
   point[ED_POINT_S + 1] = r.M;
   point[ED_POINT_K] = r.k11;
@@ -175,7 +187,7 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       slope -= e->weight[p] * (unbalance[p][0] * step[p][0] + unbalance[p][1] * step[p][1]);
       point[0] += step[p][0];
       point[1] += step[p][1];
-      respond(e, p, layers, point);
+      respond(e, p, layers, point, control->fast_elastic);
     }
     if (iteration == 0)
       continue;
@@ -198,7 +210,7 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
         double *point = points + p * ED_POINT_SIZE;
         point[0] += (next - taken) * step[p][0];
         point[1] += (next - taken) * step[p][1];
-        respond(e, p, layers, point);
+        respond(e, p, layers, point, control->fast_elastic);
       }
       taken = next;
     }

@@ -191,6 +191,18 @@ void ed_section_trial(const ed_section *section, const double *state, double e0,
     trial_scalar(section, state, e0, kappa, response);
 }
 
+static double stored_vector(const ed_section *section, const double *plastic, double e0, double kappa)
+{
+  lanes energy = {0};
+  for (int i = 0; i < section->n_padded; i += ED_LANES) {
+    lanes plastic_strain;
+    memcpy(&plastic_strain, plastic + i, sizeof plastic_strain);
+    const lanes strain = e0 - kappa * *(const lanes *)(section->y + i) - plastic_strain;
+    energy += *(const lanes *)(section->EA + i) * strain * strain;
+  }
+  return 0.5 * sum(&energy);
+}
+
 static double *layer_state(const ed_section *section, double *state, int layer)
 {
   return state + (section->vector ? layer : section->state_offset[layer]);
@@ -209,6 +221,8 @@ double ed_section_stored(const ed_section *section, const double *state, double 
 {
   if (section->elastic)
     return 0.5 * (section->k11 * e0 * e0 + section->k22 * kappa * kappa);
+  if (section->vector)
+    return stored_vector(section, state, e0, kappa);
   double energy = 0.0;
   for (int i = 0; i < section->n; i++) {
     double stress, strain;

@@ -40,7 +40,7 @@ void ed_section_trial(const ed_section *section, const double *state, double e0,
                       ed_section_response *response);
 /* Moves the layers to (e0, kappa); the return is the energy a unit length dissipated. */
 double ed_section_commit(const ed_section *section, double *state, double e0, double kappa);
-/* Recoverable energy a unit length at (e0, kappa). */
+/* Recoverable energy a unit length at (e0, kappa), where the state has been committed. */
 double ed_section_stored(const ed_section *section, const double *state, double e0, double kappa);
 void ed_section_layer(const ed_section *section, const double *state, int layer, double e0, double kappa,
                       double *stress, double *strain);

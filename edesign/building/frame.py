@@ -1,0 +1,282 @@
+"""A project's frame as a model of the numerical core."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+
+from edesign.building.loads import beam_loads, node_loads
+from edesign.building.masses import node_masses
+from edesign.building.profiles import profile
+from edesign.building.section import CrossSection, plate_section, rectangle_section, rolled_section
+from edesign.errors import InputError
+from edesign.project import names
+from edesign.project.frame import Frame
+from edesign.project.materials import BilinearMaterial, ElasticMaterial, Material
+from edesign.project.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.project import Project
+from edesign.project.sections import ElasticSection, PlateSection, RectangleSection
+
+if TYPE_CHECKING:
+    from edesign.core import Model, Steel
+
+Kind = Literal["column", "beam", "brace"]
+Run = ColumnRun | BeamRun | BraceRun
+Place = tuple[str, int]  # line, floor
+
+
+@dataclass(frozen=True)
+class Member:
+    """A member of the model.
+
+    Attributes:
+        element: its id in the core.
+        start, end: names of its nodes; a column starts below, beams and braces start at the left.
+        layers: depths of its layers of fibres above the centroid, bottom to top, m; None for braces, elastic members.
+    """
+
+    name: str
+    kind: Kind
+    element: int
+    start: str
+    end: str
+    layers: np.ndarray | None = None
+
+
+@dataclass(frozen=True)
+class FrameModel:
+    """A frame in the core, with the names of its parts.
+
+    Attributes:
+        model: the core's model; loads may be added until an analysis is made of it.
+        gravity: the load pattern of the gravity combination.
+        nodes: ids by name, floor by floor from the left.
+        members: by name, columns, then beams, then braces.
+        masses: kg, by node.
+        supports: fixed degrees of freedom (ux, uy, rz) of each supported node, by name.
+    """
+
+    frame: Frame
+    model: Model
+    gravity: int
+    nodes: dict[str, int]
+    members: dict[str, Member]
+    masses: dict[str, float]
+    supports: dict[str, tuple[bool, bool, bool]]
+
+    @property
+    def mass(self) -> float:
+        """Total mass, kg."""
+        return float(sum(self.masses.values()))
+
+    def of_kind(self, kind: Kind) -> list[Member]:
+        """Members of a kind in the order of `members`."""
+        return [member for member in self.members.values() if member.kind == kind]
+
+    def floor_nodes(self, floor: int) -> list[str]:
+        """Names of the nodes at a floor from the left."""
+        return [name for line in self.frame.lines if (name := names.node_name(line, floor)) in self.nodes]
+
+    @cached_property
+    def leading_nodes(self) -> list[str]:
+        """For each floor from 1 the first node from the left, which stands for the floor.
+
+        Raises:
+            InputError: a floor has no node.
+        """
+        found = []
+        for floor in range(1, self.frame.n_storeys + 1):
+            there = self.floor_nodes(floor)
+            if not there:
+                raise InputError(
+                    f"floor {floor} of the frame has no node: all columns and beams that end there are missing"
+                )
+            found.append(there[0])
+        return found
+
+
+def build_frame(project: Project, model: Model | None = None) -> FrameModel:
+    """Build the model of a project's frame: nodes, supports, members, diaphragms, masses, and the gravity loads.
+
+    A place of the grid where no member ends gets no node and no support. The rotation of a node at which only pin-ended
+    members end is fixed: nothing else would hold it, and nothing turns it.
+
+    Args:
+        project: the validated project.
+        model: an empty model to build in; a new one by default.
+
+    Raises:
+        InputError: an unknown or impossible section, loads on nodes that do not exist.
+    """
+    if model is None:
+        from edesign.core import Model
+
+        model = Model()
+    frame = project.frame
+    nodes = {name: model.node(name, x, y) for name, (x, y) in frame.nodes.items()}
+    members = _members(project, model, nodes)
+    supports = _supports(frame, model, nodes)
+    for floor in frame.diaphragm_floors:
+        tied = [nodes[name] for line in frame.lines if (name := names.node_name(line, floor)) in nodes]
+        for node in tied[1:]:
+            model.tie(node, tied[0], ux=True, uy=False, rz=False)
+    masses = node_masses(project)
+    vertical = project.masses is not None and project.masses.directions == "both"
+    for name, mass in masses.items():
+        model.mass(nodes[name], mass, mass if vertical else 0.0, 0.0)
+    gravity = model.pattern("gravity")
+    for name, load in beam_loads(project, project.loads.gravity).items():
+        model.uniform_load(gravity, members[name].element, axial=0.0, transverse=-load)
+    for name, load in node_loads(project, project.loads.gravity).items():
+        model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
+    return FrameModel(frame, model, gravity, nodes, members, masses, supports)
+
+
+def cross_section(project: Project, name: str) -> CrossSection | ElasticSection:
+    """Return a section by its name: an own one of the project, or one of the catalogue.
+
+    Raises:
+        InputError: there is no such section, or its plates do not fit together.
+    """
+    own = project.sections.get(name)
+    try:
+        if isinstance(own, PlateSection):
+            return plate_section(own, project.fibres)
+        if isinstance(own, RectangleSection):
+            return rectangle_section(own, project.fibres)
+        return own if own is not None else rolled_section(profile(name), project.fibres)
+    except InputError as error:
+        where = project.where(*(("sections", name) if own is not None else ("frame",)))
+        raise InputError(f"{where}: section {name}: {error}") from error
+
+
+def _supports(frame: Frame, model: Model, nodes: dict[str, int]) -> dict[str, tuple[bool, bool, bool]]:
+    held = _held_rotations(frame)
+    supports = {}
+    for name, node in nodes.items():
+        line, floor = name.rstrip("0123456789"), int(name.lstrip("ABCDEFGHIJKLMNOPQRSTUVWXYZ"))
+        kind = frame.support(line) if floor == 0 else None
+        ux, uy = kind in ("fixed", "pinned"), kind is not None
+        rz = kind == "fixed" or name not in held
+        if ux or uy or rz:
+            model.fix(node, ux=ux, uy=uy, rz=rz)
+        if kind is not None:
+            supports[name] = (ux, uy, rz)
+    return supports
+
+
+def _held_rotations(frame: Frame) -> set[str]:
+    """Nodes at which the end of a column or beam is not released."""
+    held = set()
+    for name, (start, end) in _ends(frame).items():
+        if name.startswith("D_"):
+            continue
+        released = frame.released.get(name, (False, False))
+        held |= {node for node, free in zip((start, end), released, strict=True) if not free}
+    return held
+
+
+def _ends(frame: Frame) -> dict[str, tuple[str, str]]:
+    """Start and end node of every member, by name: columns, then beams, then braces."""
+    ends = {}
+    for line, storey in frame.column_at:
+        ends[names.column_name(line, storey)] = (names.node_name(line, storey - 1), names.node_name(line, storey))
+    for bay, floor in frame.beam_at:
+        left, right = frame.bay_lines(bay)
+        ends[names.beam_name(bay, floor)] = (names.node_name(left, floor), names.node_name(right, floor))
+    for bay, storey, way in frame.brace_at:
+        left, right = frame.bay_lines(bay)
+        floors = (storey - 1, storey) if way == "r" else (storey, storey - 1)
+        ends[names.brace_name(bay, storey, way)] = (names.node_name(left, floors[0]), names.node_name(right, floors[1]))
+    return ends
+
+
+def _members(project: Project, model: Model, nodes: dict[str, int]) -> dict[str, Member]:
+    parts = _Parts(project, model)
+    geometry = project.elements.geometry
+    of_kind: dict[Kind, str] = {"column": geometry.columns, "beam": geometry.beams, "brace": geometry.braces}
+    kinds: dict[str, Kind] = {"C": "column", "B": "beam", "D": "brace"}
+    ends = _ends(project.frame)
+    found = {}
+    for name, run in project.frame.members.items():
+        start, end = ends[name]
+        kind = kinds[name[0]]
+        if kind == "brace":
+            material, area = parts.brace(run)
+            element = model.truss(name, nodes[start], nodes[end], material, area, geometry=of_kind[kind])
+            found[name] = Member(name, kind, element, start, end)
+            continue
+        section, layers = parts.section(run)
+        element = model.beam_column(
+            name,
+            nodes[start],
+            nodes[end],
+            section,
+            points=project.elements.integration_points,
+            geometry=of_kind[kind],
+            release=project.frame.released.get(name, (False, False)),
+        )
+        found[name] = Member(name, kind, element, start, end, layers)
+    return found
+
+
+class _Parts:
+    """Materials and sections of the core's model, each made once."""
+
+    def __init__(self, project: Project, model: Model) -> None:
+        self._project = project
+        self._model = model
+        self._materials: dict[str, int] = {}
+        self._sections: dict[tuple[str, str], tuple[int, np.ndarray | None]] = {}
+
+    def section(self, run: Run) -> tuple[int, np.ndarray | None]:
+        """Id of the section of a column or beam, and the depths of its layers unless it is elastic."""
+        key = (run.section, run.material)
+        if key not in self._sections:
+            self._sections[key] = self._make(*key)
+        return self._sections[key]
+
+    def brace(self, run: Run) -> tuple[int, float]:
+        """Material id and area of a brace; on an elastic section the material is its elastic part."""
+        shape = cross_section(self._project, run.section)
+        if isinstance(shape, ElasticSection):
+            return self._material(run.material, elastic=True), shape.area
+        return self._material(run.material), shape.area
+
+    def _make(self, section: str, material: str) -> tuple[int, np.ndarray | None]:
+        shape = cross_section(self._project, section)
+        law = self._project.materials[material]
+        if isinstance(shape, ElasticSection):
+            if shape.inertia is None:
+                where = self._project.where("sections", section)
+                raise InputError(f"{where}: section {section}: a column or beam needs `inertia`")
+            return self._model.elastic_section(law.E * shape.area, law.E * shape.inertia), None
+        if isinstance(law, ElasticMaterial):  # the integral over the section in closed form
+            return self._model.elastic_section(law.E * shape.area, law.E * shape.inertia), None
+        depths, areas = shape.fibres
+        return self._model.fibre_section(depths, areas, self._material(material)), shape.layers[0]
+
+    def _material(self, name: str, elastic: bool = False) -> int:
+        key = f"{name} (elastic)" if elastic else name
+        if key not in self._materials:
+            law = self._project.materials[name]
+            self._materials[key] = self._model.material(
+                _law(ElasticMaterial(law="elastic", E=law.E) if elastic else law)
+            )
+        return self._materials[key]
+
+
+def _law(material: Material) -> Steel:
+    """The core's description of a material."""
+    from edesign import core
+
+    if isinstance(material, ElasticMaterial):
+        return core.Elastic(E=material.E)
+    if isinstance(material, BilinearMaterial):
+        return core.Bilinear(E=material.E, fy=material.fy, b=material.hardening)
+    return core.MenegottoPinto(
+        E=material.E, fy=material.fy, b=material.hardening, R0=material.R0, cR1=material.cR1, cR2=material.cR2
+    )

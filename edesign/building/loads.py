@@ -1,0 +1,36 @@
+"""Loads of a project: combinations, loads of each beam and node."""
+
+from __future__ import annotations
+
+from edesign.building.places import chosen_nodes
+from edesign.project import names
+from edesign.project.loads import BeamLoad, Combination, NodeLoad
+from edesign.project.project import Project
+
+
+def combined(load: BeamLoad | NodeLoad, factors: Combination) -> float:
+    """Return factors.G * G + factors.Q * Q of a load, positive downwards."""
+    return factors.G * load.G + factors.Q * load.Q
+
+
+def beam_loads(project: Project, factors: Combination) -> dict[str, float]:
+    """Return the uniform load of every loaded beam in N/m, positive downwards, by name; loads on one beam add up."""
+    found: dict[str, float] = {}
+    for load in project.loads.beams:
+        for place in project.frame.standing_beams(load):
+            name = names.beam_name(*place)
+            found[name] = found.get(name, 0.0) + combined(load, factors)
+    return {name: value for name, value in found.items() if value != 0.0}
+
+
+def node_loads(project: Project, factors: Combination) -> dict[str, float]:
+    """Return the load on every loaded node in N, positive downwards, by name; loads on one node add up.
+
+    Raises:
+        InputError: a node that is named does not exist, since no member ends there.
+    """
+    found: dict[str, float] = {}
+    for i, load in enumerate(project.loads.nodes):
+        for name in chosen_nodes(project, load.lines, load.floors, ("loads", "nodes", i)):
+            found[name] = found.get(name, 0.0) + combined(load, factors)
+    return {name: value for name, value in found.items() if value != 0.0}

@@ -1,0 +1,66 @@
+"""Run one analysis of a project."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from edesign.archive.dataset import Group
+from edesign.errors import AnalysisError
+from edesign.project.analyses import Analysis, GravityAnalysis, HistoryAnalysis, ModalAnalysis
+from edesign.project.project import Project
+from edesign.study.gravity import run_gravity
+from edesign.study.history import run_history
+from edesign.study.modal import run_modal
+from edesign.study.pushover import run_pushover
+
+
+def run_analysis(
+    project: Project,
+    spec: Analysis,
+    progress: Callable[[int, int], None] | None = None,
+    stop: Callable[[], bool] | None = None,
+) -> Group:
+    """Run one analysis of a project.
+
+    Args:
+        project: the validated project.
+        spec: one of its analyses.
+        progress: called now and then with (steps done, steps) of a history or pushover.
+        stop: asked now and then; True ends a history or pushover with the status "interrupted".
+
+    Returns:
+        The results, ready for the archive. Attributes: name, kind, variant, record, level (None where there is none),
+        height (of the frame, m), status ("completed", "failed", "interrupted"), reason, and, where steps were made,
+        statistics and events. An analysis that failed has what was computed before.
+
+    Raises:
+        InputError: the frame cannot be built, the record cannot be read, or a requested output does not exist.
+    """
+    try:
+        group = _run(project, spec, progress, stop)
+    except AnalysisError as error:
+        group = Group(attributes={"status": "failed", "reason": str(error)})
+    group.attributes |= {
+        "name": spec.name,
+        "kind": spec.kind,
+        "variant": spec.variant or None,
+        "record": getattr(spec, "record", None),
+        "level": getattr(spec, "level", None) or None,
+        "height": project.frame.height,
+    }
+    return group
+
+
+def _run(
+    project: Project,
+    spec: Analysis,
+    progress: Callable[[int, int], None] | None,
+    stop: Callable[[], bool] | None,
+) -> Group:
+    if isinstance(spec, ModalAnalysis):
+        return run_modal(project, spec)
+    if isinstance(spec, GravityAnalysis):
+        return run_gravity(project, spec)
+    if isinstance(spec, HistoryAnalysis):
+        return run_history(project, spec, progress, stop)
+    return run_pushover(project, spec, progress, stop)

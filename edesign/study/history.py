@@ -1,0 +1,163 @@
+"""Time history analysis: gravity, then a scaled record, then free vibration."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.damping import rayleigh_coefficients
+from edesign.core import HHT, GeneralisedAlpha, Integrator, Modes, Newmark, Response
+from edesign.errors import InputError
+from edesign.ground_motion.project_records import read_record
+from edesign.ground_motion.record import Record
+from edesign.project.analyses import HistoryAnalysis
+from edesign.project.damping import ModalDamping, RayleighDamping
+from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
+from edesign.project.project import Project
+from edesign.study import quantities as q
+from edesign.study.recording import Quantity, channels, coordinate, store, store_run
+from edesign.study.requested import requested_quantities
+from edesign.study.residual import DEFINITION, residual
+from edesign.study.structure import Structure, make_structure
+
+
+def run_history(
+    project: Project,
+    spec: HistoryAnalysis,
+    progress: Callable[[int, int], None] | None = None,
+    stop: Callable[[], bool] | None = None,
+) -> Group:
+    """Compute the response of a frame under gravity to a record along x.
+
+    Raises:
+        InputError: the record cannot be read, or a requested output does not exist.
+        AnalysisError: no equilibrium under gravity, or no modes for the damping.
+        CoreError: the frame is a mechanism.
+    """
+    if project.integration is None:
+        raise InputError(f"{project.path}: the history {spec.name} needs `integration`")
+    recorded_motion = read_record(project, spec.record)
+    ground = input_motion(recorded_motion, spec, project.integration.time_step)
+    structure = make_structure(project)
+    frame = structure.frame
+    group = Group()
+    q.coordinates(group, frame)
+    wanted = project.outputs.histories
+    floors, storeys = "floors" in wanted, "storeys" in wanted
+    displacements, drift = q.floor_displacements(frame, history=True), q.storey_drifts(frame, history=True)
+    drifts = q.line_drifts(frame)
+    requested = requested_quantities(project, frame, group)
+    others = [
+        q.floor_accelerations(frame, floors),
+        q.storey_shears(frame, storeys),
+        q.base_shear(frame, history=True),
+        *q.member_forces(frame, q.bending_members(frame), "member", history=False),
+        *q.axial_forces(frame),
+        *q.plastic_rotations(frame),
+        *requested,
+    ]
+    period = _damp(project, structure)
+    group.attributes |= _provenance(recorded_motion, ground, spec) | {"fundamental_period_s": period}
+    # Every step is recorded, whatever is kept later: the residual response does not depend on what is kept.
+    response = structure.analysis.history(
+        ground.acceleration,
+        ground.time_step,
+        method=integrator(project.integration),
+        channels=channels([displacements, drift, drifts, *others]),
+        progress=progress,
+        stop=stop,
+    )
+    every = project.outputs.every
+    coordinate(group, "time", response.time[::every], "s", "time from the start of the record")
+    samples = ground.acceleration[: response.time.size : every]
+    group.add("ground_acceleration", ("time",), samples, "m/s^2", "ground acceleration as applied")
+    store(group, [_kept(displacements, floors), _kept(drift, storeys), *others], response, "time", every)
+    q.store_drift_extremes(group, frame, drifts, response)
+    _store_energy(group, response, every, "energy" in wanted)
+    if response.status == "completed":
+        roof = residual(displacements.values(response)[:, -1], ground.time_step, period)
+        label = f"residual roof displacement: {DEFINITION}"
+        group.add("residual_roof_displacement", (), roof, "m", label)
+        label = f"residual drift ratio of the storey on its first column line: {DEFINITION}"
+        group.add(
+            "residual_storey_drift", ("storey",), residual(drift.values(response), ground.time_step, period), "1", label
+        )
+    store_run(group, response)
+    return group
+
+
+def input_motion(record: Record, spec: HistoryAnalysis, time_step: float | None) -> Record:
+    """Return what is applied: the record scaled to its peak or by its factor, resampled, and followed by zeros."""
+    if spec.pga is not None:
+        record = record.scaled_to_pga(spec.pga)
+    elif spec.scale is not None:
+        record = record.scaled(spec.scale)
+    if time_step is not None:
+        record = record.resampled(time_step)
+    return record.with_zeros(spec.free_vibration)
+
+
+def integrator(integration: Integration) -> Integrator:
+    """Return the core's integrator of a project."""
+    if isinstance(integration, NewmarkIntegration):
+        return Newmark(integration.gamma, integration.beta)
+    if isinstance(integration, HHTIntegration):
+        return HHT(integration.alpha)
+    return GeneralisedAlpha(integration.rho_inf)
+
+
+def _damp(project: Project, structure: Structure) -> float:
+    """Apply gravity and damping; return the fundamental period under gravity in s."""
+    damping = project.damping
+    count = 0
+    if isinstance(damping, RayleighDamping):
+        count = max(damping.modes)
+    elif isinstance(damping, ModalDamping):
+        count = damping.modes
+    modes: Modes | None = None
+    initial = isinstance(damping, (RayleighDamping, ModalDamping)) and damping.state == "initial"
+    if initial:
+        modes = structure.modes(count)
+    structure.apply_gravity()
+    under_gravity = structure.modes(max(1, 0 if initial else count))
+    modes = modes or under_gravity
+    if isinstance(damping, RayleighDamping):
+        first, second = (float(modes.omega[number - 1]) for number in damping.modes)
+        a0, a1 = rayleigh_coefficients(first, second, damping.ratio)
+        structure.analysis.rayleigh(a0, a1, damping.stiffness)
+    elif isinstance(damping, ModalDamping):
+        structure.analysis.modal_damping(modes, damping.ratio)
+    return float(under_gravity.period[0])
+
+
+def _kept(quantity: Quantity, history: bool) -> Quantity:
+    """The quantity as it is stored: with its history or without."""
+    return quantity if history else Quantity(**{**quantity.__dict__, "history": False})
+
+
+def _provenance(record: Record, ground: Record, spec: HistoryAnalysis) -> dict[str, object]:
+    factor = spec.scale if spec.scale is not None else spec.pga / record.pga if spec.pga is not None else 1.0
+    return {
+        "record_source": record.source,
+        "record_checksum": record.checksum,
+        "record_pga_m_s2": record.pga,
+        "record_time_step_s": record.time_step,
+        "record_samples": int(record.acceleration.size),
+        "scale_factor": float(factor),
+        "input_motion": ground.source,
+        "input_pga_m_s2": ground.pga,
+        "time_step_s": ground.time_step,
+        "free_vibration_s": spec.free_vibration,
+    }
+
+
+def _store_energy(group: Group, response: Response, every: int, history: bool) -> None:
+    terms = list(response.energy)
+    table = np.array([response.energy[term] for term in terms]).T
+    coordinate(group, "energy_term", terms, "", "term of the energy balance")
+    if history:
+        group.add("energy", ("time", "energy_term"), table[::every], "J", "energy since the start of the record")
+    if table.size:
+        group.add("energy_final", ("energy_term",), table[-1], "J", "energy at the end")

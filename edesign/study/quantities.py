@@ -1,0 +1,182 @@
+"""The quantities that analyses of frames record.
+
+Horizontal displacements are relative to the ground and include those under gravity. A floor is represented by its first
+node from the left (its leading node); with a diaphragm all nodes of the floor agree. The drift of a storey is recorded on
+the first column line from the left that has a column there; its extremes are those of all column lines. Shears are positive
+for loads to the right.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import FrameModel, Member
+from edesign.core import Response
+from edesign.project import names
+from edesign.study.recording import Quantity, Terms, coordinate
+
+END_COMPONENTS = (  # of the core's end forces: N V M at the start, N V M at the end
+    ("axial_force", "N", 0, "force on the member's end along its axis, from start to end"),
+    ("shear_force", "N", 1, "force on the member's end across its axis, to the left of it"),
+    ("bending_moment", "N*m", 2, "moment on the member's end, anticlockwise"),
+)
+
+
+def coordinates(group: Group, frame: FrameModel) -> None:
+    """Add floors, storeys, members and member ends to a group."""
+    storeys = np.arange(1, frame.frame.n_storeys + 1)
+    coordinate(group, "floor", storeys, "1", "floor, the highest is the roof")
+    coordinate(group, "storey", storeys, "1", "storey below the floor of the same number")
+    for kind in ("column", "beam", "brace"):
+        found = [member.name for member in frame.members.values() if member.kind == kind]
+        if found:
+            coordinate(group, kind, found, "", f"name of the {kind}")
+    coordinate(group, "member", [member.name for member in bending_members(frame)], "", "name of the column or beam")
+    coordinate(group, "end", ["start", "end"], "", "end of the member: the start is below or at the left")
+    group.add("floor_level", ("floor",), frame.frame.y[1:], "m", "level of the floor above the base")
+    group.add("storey_height", ("storey",), frame.frame.storey_heights, "m", "height of the storey")
+
+
+def bending_members(frame: FrameModel) -> list[Member]:
+    """Columns, then beams."""
+    return [*frame.of_kind("column"), *frame.of_kind("beam")]
+
+
+def floor_displacements(frame: FrameModel, history: bool) -> Quantity:
+    """Horizontal displacement of each floor's leading node."""
+    cells = tuple(((1.0, "displacement", frame.nodes[node], 0),) for node in frame.leading_nodes)
+    name = "horizontal displacement of the floor's leading node, relative to the ground"
+    return Quantity("floor_displacement", ("floor",), (len(cells),), cells, "m", name, history)
+
+
+def floor_accelerations(frame: FrameModel, history: bool) -> Quantity:
+    """Total horizontal acceleration of each floor's leading node."""
+    cells = tuple(((1.0, "total_acceleration", frame.nodes[node], 0),) for node in frame.leading_nodes)
+    name = "total horizontal acceleration of the floor's leading node"
+    return Quantity("floor_acceleration", ("floor",), (len(cells),), cells, "m/s^2", name, history, ("max", "min"))
+
+
+def storey_drifts(frame: FrameModel, history: bool) -> Quantity:
+    """Drift ratio of each storey on its first column line; its extremes are stored by `store_drift_extremes`."""
+    cells = tuple(lines[0] for lines in _line_drifts(frame))
+    name = "drift ratio of the storey on its first column line"
+    return Quantity("storey_drift", ("storey",), (len(cells),), cells, "1", name, history, ("final",))
+
+
+def line_drifts(frame: FrameModel) -> Quantity:
+    """Drift ratio of each storey on every column line, one after the other; not stored as such."""
+    cells = tuple(terms for lines in _line_drifts(frame) for terms in lines)
+    return Quantity("line_drift", ("line_drift",), (len(cells),), cells, "1", "drift ratio on a column line", keep=())
+
+
+def store_drift_extremes(group: Group, frame: FrameModel, drifts: Quantity, response: Response) -> None:
+    """Add the extremes of the storey drifts over time and column lines; `drifts` is what `line_drifts` gave."""
+    counts = [len(lines) for lines in _line_drifts(frame)]
+    starts = np.concatenate(([0], np.cumsum(counts)[:-1]))
+    largest = np.maximum.reduceat(drifts.extreme(response, "max"), starts)
+    smallest = np.minimum.reduceat(drifts.extreme(response, "min"), starts)
+    label = "drift ratio of the storey"
+    group.add("storey_drift_max", ("storey",), largest, "1", f"{label}, largest value over time and column lines")
+    group.add("storey_drift_min", ("storey",), smallest, "1", f"{label}, smallest value over time and column lines")
+
+
+def storey_shears(frame: FrameModel, history: bool) -> Quantity:
+    """Horizontal force in all columns and braces of each storey, second-order terms included."""
+    cells: list[Terms] = [() for _ in range(frame.frame.n_storeys)]
+    for line, storey in frame.frame.column_at:
+        element = frame.members[names.column_name(line, storey)].element
+        cells[storey - 1] += ((1.0, "global_force", element, 3),)
+    for bay, storey, way in frame.frame.brace_at:
+        element = frame.members[names.brace_name(bay, storey, way)].element
+        upper_end = 3 if way == "r" else 0
+        cells[storey - 1] += ((1.0, "global_force", element, upper_end),)
+    name = "horizontal force on the upper ends of the storey's columns and braces"
+    return Quantity("storey_shear", ("storey",), (len(cells),), tuple(cells), "N", name, history)
+
+
+def base_shear(frame: FrameModel, history: bool) -> Quantity:
+    """The sum of the horizontal reactions, with the sign of the loads they carry."""
+    terms = tuple((-1.0, "reaction", frame.nodes[name], 0) for name, fixed in frame.supports.items() if fixed[0])
+    name = "base shear: minus the sum of the horizontal reactions"
+    return Quantity("base_shear", (), (), (terms,), "N", name, history)
+
+
+def member_forces(frame: FrameModel, members: list[Member], dim: str, history: bool) -> list[Quantity]:
+    """Forces on both ends of members, in the axes of the member.
+
+    Args:
+        frame: the model.
+        members: columns, beams or braces.
+        dim: the dimension whose coordinate lists them.
+        history: whether histories are kept, instead of extremes.
+    """
+    return [
+        Quantity(
+            f"member_{name}",
+            (dim, "end"),
+            (len(members), 2),
+            tuple(((1.0, "end_force", m.element, at + 3 * end),) for m in members for end in (0, 1)),
+            unit,
+            label,
+            history,
+            () if history else ("max", "min"),
+        )
+        for name, unit, at, label in END_COMPONENTS
+    ]
+
+
+def axial_forces(frame: FrameModel) -> list[Quantity]:
+    """Axial forces of columns and of braces, positive in tension."""
+    found = []
+    for kind in ("column", "brace"):
+        members = [member for member in frame.members.values() if member.kind == kind]
+        cells = tuple(((1.0, "axial_force", member.element, 0),) for member in members)
+        if members:
+            name = f"axial force of the {kind}, positive in tension"
+            found.append(Quantity(f"{kind}_axial_force", (kind,), (len(cells),), cells, "N", name))
+    return found
+
+
+def plastic_rotations(frame: FrameModel) -> list[Quantity]:
+    """Plastic rotations of the ends of columns and beams; members that stay elastic have none."""
+    found = []
+    for kind in ("column", "beam"):
+        members = [member for member in frame.members.values() if member.kind == kind]
+        cells = tuple(
+            ((1.0, "plastic_rotation", member.element, end),) if member.layers is not None else ()
+            for member in members
+            for end in (0, 1)
+        )
+        if members:
+            name = f"plastic rotation of the end of the {kind}: chord rotation less its elastic part"
+            shape = (len(members), 2)
+            found.append(Quantity(f"{kind}_plastic_rotation", (kind, "end"), shape, cells, "rad", name))
+    return found
+
+
+def _line_drifts(frame: FrameModel) -> list[list[Terms]]:
+    """For each storey the drift ratio on each line that has a column there, from the left.
+
+    Without any column it is taken on the lines with nodes above and below, and else between the leading nodes.
+    """
+    grid = frame.frame
+    found = []
+    for storey, height in enumerate(grid.storey_heights, start=1):
+        pairs = [(names.node_name(line, storey), names.node_name(line, storey - 1)) for line in grid.lines]
+        columns = [(line, storey) in grid.column_at for line in grid.lines]
+        chosen = [pair for pair, column in zip(pairs, columns, strict=True) if column]
+        if not chosen:
+            chosen = [pair for pair in pairs if pair[0] in frame.nodes and pair[1] in frame.nodes]
+        if not chosen:
+            below = frame.floor_nodes(storey - 1)
+            chosen = [(frame.leading_nodes[storey - 1], below[0] if below else "")]
+        found.append([_drift(frame, upper, lower, height) for upper, lower in chosen])
+    return found
+
+
+def _drift(frame: FrameModel, upper: str, lower: str, height: float) -> Terms:
+    terms: Terms = ((1.0 / height, "displacement", frame.nodes[upper], 0),)
+    if lower in frame.nodes:
+        terms += ((-1.0 / height, "displacement", frame.nodes[lower], 0),)
+    return terms

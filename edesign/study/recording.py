@@ -1,0 +1,119 @@
+"""What an analysis records: quantities over floors, storeys or members, to channels of the core and back to variables."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.archive.dataset import Group, Variable
+from edesign.core import Channel, Response
+
+Terms = tuple[tuple[float, str, int, int], ...]
+Values = dict[str, np.ndarray]
+
+_SUFFIX = {"max": "largest value", "min": "smallest value", "final": "at the end"}
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A quantity that is recorded for each floor, storey, member or member end.
+
+    Attributes:
+        name: of its variables; `_max`, `_min` and `_final` are appended for extremes over time and the last value.
+        dims: dimensions beside time; their coordinates stand in the group.
+        shape: lengths of these dimensions.
+        cells: the weighted terms of each component in C order; a component without terms is zero.
+        history: whether the value at every time is kept.
+        keep: which of max, min, final are stored.
+    """
+
+    name: str
+    dims: tuple[str, ...]
+    shape: tuple[int, ...]
+    cells: tuple[Terms, ...]
+    unit: str
+    long_name: str
+    history: bool = False
+    keep: tuple[str, ...] = ("max", "min", "final")
+
+    def channels(self) -> list[Channel]:
+        """Channels of the components that have terms."""
+        return [Channel(self._key(i), terms, self.history) for i, terms in enumerate(self.cells) if terms]
+
+    def values(self, response: Response) -> np.ndarray:
+        """Values at every time, shape (nt, *shape)."""
+        columns = np.zeros((response.time.size, len(self.cells)))
+        for i, terms in enumerate(self.cells):
+            if terms:
+                columns[:, i] = response.values[self._key(i)]
+        return columns.reshape(-1, *self.shape)
+
+    def extreme(self, response: Response, which: str) -> np.ndarray:
+        """`max` or `min` over time, or the `final` value, shape (*shape,)."""
+        found = {"max": response.maximum, "min": response.minimum, "final": response.final}[which]
+        return np.array([found[self._key(i)] if terms else 0.0 for i, terms in enumerate(self.cells)]).reshape(
+            self.shape
+        )
+
+    def _key(self, i: int) -> str:
+        return f"{self.name}[{i}]"
+
+
+def channels(quantities: Iterable[Quantity]) -> list[Channel]:
+    """Channels of all quantities."""
+    return [channel for quantity in quantities for channel in quantity.channels()]
+
+
+def store(group: Group, quantities: Iterable[Quantity], response: Response, along: str, every: int = 1) -> None:
+    """Add the recorded values to a group.
+
+    Args:
+        group: has the coordinates of all dimensions.
+        quantities: what was recorded.
+        response: of the run.
+        along: dimension of the histories, "time" or "step".
+        every: one value of so many is kept in histories; extremes count all.
+    """
+    for quantity in quantities:
+        if quantity.history:
+            values = quantity.values(response)[::every]
+            group.add(quantity.name, (along, *quantity.dims), values, quantity.unit, quantity.long_name)
+        for which in quantity.keep:
+            label = f"{quantity.long_name}, {_SUFFIX[which]}"
+            group.add(
+                f"{quantity.name}_{which}", quantity.dims, quantity.extreme(response, which), quantity.unit, label
+            )
+
+
+def coordinate(group: Group, name: str, values: object, unit: str, long_name: str) -> None:
+    """Add a coordinate to a group."""
+    group.coords[name] = Variable((name,), np.asarray(values), unit, long_name)
+
+
+def store_run(group: Group, response: Response) -> None:
+    """Add status, reason, statistics, and the rungs of the failure ladder (as attribute and as table) to a group."""
+    group.attributes |= {"status": response.status, "reason": response.reason, "statistics": dict(response.statistics)}
+    events = [
+        {
+            "time": float(str(event["time"])),
+            "step": int(str(event["step"])),
+            "rung": str(event["rung"]),
+            "detail": _detail(event),
+        }
+        for event in response.events
+    ]
+    group.attributes["events"] = events
+    if not events:
+        return
+    coordinate(group, "event", np.arange(1, len(events) + 1), "1", "number of the event")
+    group.add("event_time", ("event",), [event["time"] for event in events], "s", "time of the step that was attempted")
+    group.add("event_step", ("event",), [event["step"] for event in events], "1", "number of the step, from 1")
+    group.add("event_rung", ("event",), [event["rung"] for event in events], "", "rung of the failure ladder")
+    group.add("event_detail", ("event",), [event["detail"] for event in events], "", "outcome of the attempt")
+
+
+def _detail(event: dict[str, object]) -> str:
+    ended = "converged" if event.get("success") else "did not converge"
+    return f"step / {2 ** int(str(event.get('halvings', 0)))}, {ended} after {event.get('iterations', 0)} iterations"

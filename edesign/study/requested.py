@@ -1,0 +1,113 @@
+"""The histories that a project asks for beyond floors and storeys: member ends, sections, fibres."""
+
+from __future__ import annotations
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import FrameModel, Member
+from edesign.errors import InputError
+from edesign.project.outputs import FibreOutput
+from edesign.project.project import Project
+from edesign.project.selections import NumberSelection
+from edesign.study.quantities import member_forces
+from edesign.study.recording import Quantity, coordinate
+
+
+def requested_quantities(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
+    """Return the quantities behind `outputs.members`, `sections` and `fibres`, and add their coordinates to the group.
+
+    Raises:
+        InputError: a member, point or layer does not exist, or the member is elastic and has no sections.
+    """
+    found = []
+    outputs = project.outputs
+    if outputs.members:
+        members = [_member(project, frame, name, ("outputs", "members", i)) for i, name in enumerate(outputs.members)]
+        coordinate(group, "recorded_member", [member.name for member in members], "", "member whose ends are recorded")
+        found += member_forces(frame, members, "recorded_member", history=True)
+    if outputs.sections:
+        found += _sections(project, frame, group)
+    if outputs.fibres:
+        found += _fibres(project, frame, group)
+    return found
+
+
+def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
+    places = []
+    for i, asked in enumerate(project.outputs.sections):
+        member = _fibre_member(project, frame, asked.member, ("outputs", "sections", i))
+        places += [(member, point) for point in asked.points.numbers(1, project.elements.integration_points)]
+    coordinate(group, "section", [f"{m.name}:{p}" for m, p in places], "", "section as member:point, from its start")
+    quantities = (
+        ("section_axial_force", "section_force", 0, "N", "axial force of the section, positive in tension"),
+        ("section_moment", "section_force", 1, "N*m", "bending moment of the section"),
+        ("section_strain", "section_deformation", 0, "1", "strain at the section's centroid"),
+        ("section_curvature", "section_deformation", 1, "1/m", "curvature of the section"),
+    )
+    return [
+        Quantity(
+            name,
+            ("section",),
+            (len(places),),
+            tuple(((1.0, kind, member.element, 2 * (point - 1) + at),) for member, point in places),
+            unit,
+            label,
+            history=True,
+            keep=(),
+        )
+        for name, kind, at, unit, label in quantities
+    ]
+
+
+def _fibres(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
+    places = []
+    for i, asked in enumerate(project.outputs.fibres):
+        keys = ("outputs", "fibres", i)
+        member = _fibre_member(project, frame, asked.member, keys)
+        assert member.layers is not None
+        layers = _layers(project, asked, member.layers.size, keys)
+        points = asked.points.numbers(1, project.elements.integration_points)
+        places += [(member, point, layer) for point in points for layer in layers]
+    labels = [f"{member.name}:{point}:{layer}" for member, point, layer in places]
+    coordinate(group, "fibre", labels, "", "layer of fibres as member:point:layer, layers from the bottom")
+    depths = [member.layers[layer - 1] for member, _, layer in places if member.layers is not None]
+    group.add("fibre_depth", ("fibre",), depths, "m", "height of the layer above the section's centroid")
+    return [
+        Quantity(
+            name,
+            ("fibre",),
+            (len(places),),
+            tuple(((1.0, name, m.element, (point - 1) * _count(m) + layer - 1),) for m, point, layer in places),
+            unit,
+            f"{what} of the layer, positive in tension",
+            history=True,
+            keep=(),
+        )
+        for name, unit, what in (("fibre_stress", "Pa", "stress"), ("fibre_strain", "1", "strain"))
+    ]
+
+
+def _layers(project: Project, asked: FibreOutput, last: int, keys: tuple[str | int, ...]) -> tuple[int, ...]:
+    if not isinstance(asked.layers, NumberSelection):
+        return (last,) if asked.layers == "top" else (1,)
+    highest = max((b for _, b in asked.layers.ranges), default=1)
+    if highest > last:
+        where = project.where(*keys, "layers")
+        raise InputError(f"{where}: {asked.member} has {last} layers of fibres, there is no layer {highest}")
+    return asked.layers.numbers(1, last)
+
+
+def _count(member: Member) -> int:
+    return 0 if member.layers is None else int(member.layers.size)
+
+
+def _member(project: Project, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
+    if name not in frame.members:
+        raise InputError(f"{project.where(*keys)}: there is no member `{name}` in this frame")
+    return frame.members[name]
+
+
+def _fibre_member(project: Project, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
+    member = _member(project, frame, name, keys)
+    if member.layers is None:
+        raise InputError(f"{project.where(*keys)}: `{name}` stays elastic, so it has no sections and fibres to record")
+    return member
