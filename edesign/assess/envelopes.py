@@ -1,4 +1,4 @@
-"""Extremes over time, as every analysis archives them: `<quantity>_max`, `<quantity>_min` and `<quantity>_final`."""
+"""Extremes over time and residual values, as analyses archive them."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from edesign.archive.dataset import Group
 
 def peak(group: Group, quantity: str) -> np.ndarray | None:
     """Return the largest absolute value over time of each component, None if the analysis has no such quantity.
+
+    They are stored as `<quantity>_max` and `<quantity>_min`.
 
     Args:
         group: results of one analysis.
@@ -25,7 +27,14 @@ def peak(group: Group, quantity: str) -> np.ndarray | None:
     return np.asarray(np.max(np.abs(np.asarray(extremes, dtype=float)), axis=0))
 
 
-def final(group: Group, quantity: str) -> np.ndarray | None:
-    """Return the absolute value of each component at the end, None if the analysis has no such quantity."""
-    variable = group.variables.get(f"{quantity}_final")
+def residual(group: Group, quantity: str) -> np.ndarray | None:
+    """Return the absolute residual value of each component, None unless the analysis is a completed history.
+
+    They are stored as `residual_<quantity>`.
+
+    Args:
+        group: results of one analysis.
+        quantity: "roof_displacement" or "storey_drift".
+    """
+    variable = group.variables.get(f"residual_{quantity}")
     return None if variable is None else np.abs(np.asarray(variable.values, dtype=float))

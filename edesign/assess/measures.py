@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.envelopes import final, peak
+from edesign.assess.envelopes import peak, residual
 
 MEASURES = (
     "roof_displacement_m",
@@ -26,8 +26,9 @@ def response_measures(group: Group) -> dict[str, float | None]:
     """Compute the response measures of an analysis from its envelopes.
 
     All are absolute values, the largest over time and over floors, storeys, members and member ends. Displacements are
-    relative to the ground, the acceleration is total. Residual values are those at the end of a history, free vibration
-    included. Rotations are plastic rotations of member ends; the axial force is of columns, gravity included.
+    relative to the ground, the acceleration is total. Residual values are means over the last fundamental period of a
+    history, so that what is left of the free vibration does not count. Rotations are plastic rotations of member ends;
+    the axial force is of columns, gravity included.
 
     Args:
         group: results of one analysis, as archived.
@@ -41,16 +42,15 @@ def response_measures(group: Group) -> dict[str, float | None]:
     roof = _last(floors)
     found: dict[str, float | None] = dict.fromkeys(MEASURES)
     found["roof_displacement_m"] = roof
+    found["residual_roof_displacement_m"] = _largest(residual(group, "roof_displacement"))
     found["roof_drift"] = roof / float(height) if roof is not None and height else None
     found["interstorey_drift"] = _largest(storeys)
+    found["residual_interstorey_drift"] = _largest(residual(group, "storey_drift"))
     found["base_shear_N"] = _largest(peak(group, "base_shear"))
     found["roof_acceleration_m_s2"] = _last(peak(group, "floor_acceleration"))
     found["beam_plastic_rotation_rad"] = _largest(peak(group, "beam_plastic_rotation"))
     found["column_plastic_rotation_rad"] = _largest(peak(group, "column_plastic_rotation"))
     found["column_axial_force_N"] = _largest(peak(group, "column_axial_force"))
-    if group.attributes.get("kind") == "history" and group.attributes.get("status") == "completed":
-        found["residual_roof_displacement_m"] = _last(final(group, "floor_displacement"))
-        found["residual_interstorey_drift"] = _largest(final(group, "storey_drift"))
     return found
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.envelopes import final, peak
+from edesign.assess.envelopes import peak, residual
 
 
 def storey_profile(group: Group) -> dict[str, np.ndarray]:
@@ -21,7 +21,7 @@ def storey_profile(group: Group) -> dict[str, np.ndarray]:
     found = {
         "floor_displacement": peak(group, "floor_displacement"),
         "storey_drift": peak(group, "storey_drift"),
-        "residual_storey_drift": final(group, "storey_drift") if group.attributes.get("kind") == "history" else None,
+        "residual_storey_drift": residual(group, "storey_drift"),
         "storey_shear": peak(group, "storey_shear"),
         "floor_acceleration": peak(group, "floor_acceleration"),
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -38,7 +39,10 @@ class PlainLines:
                 return
             self._told[report.analysis] = tenths
             text = f"{place(report)} {report.analysis}: {tenths * LINE_EVERY:.0%}"
-        print(text, file=sys.stderr, flush=True)
+        try:
+            print(text, file=sys.stderr, flush=True)
+        except BrokenPipeError:  # nobody reads on: no reason to stop a run
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
 
 
 def place(report: Progress) -> str:

@@ -25,16 +25,19 @@ class Table:
     left: int = 1
 
 
-def number(value: float | None, digits: int = 4, scale: float = 1.0) -> str:
+def number(value: float | None, digits: int = 4, scale: float = 1.0, negligible: float = 0.0) -> str:
     """Return a number with significant digits, "-" for None.
 
     Args:
         value: in SI.
         digits: significant digits.
         scale: the unit shown, in SI (1e3 for kN).
+        negligible: smaller values, in SI, are rounding and are shown as 0.
     """
     if value is None:
         return "-"
+    if abs(value) < negligible:
+        return "0"
     shown = value / scale
     return f"{shown:.0f}" if abs(shown) >= 10**digits else f"{shown:#.{digits}g}".rstrip(".")
 

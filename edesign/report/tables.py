@@ -34,6 +34,7 @@ PROFILE_COLUMNS = (
     ("floor a [m/s2]", "floor_acceleration", 1.0),
 )
 EVENTS_SHOWN = 20
+ROUNDING = 1e-9  # m, N, rad: far below what any measure means
 
 
 def overview(archive: str | os.PathLike[str]) -> list[Table]:
@@ -89,7 +90,7 @@ def measures_table(entries: list[dict[str, Any]]) -> Table:
     table = Table("Response measures (largest absolute values)", ("analysis", *(header for header, _, _ in shown)))
     for item in rows:
         mark = "" if item["status"] == "completed" else " *"
-        cells = [number(item["measures"][measure], scale=unit) for _, measure, unit in shown]
+        cells = [number(item["measures"][measure], scale=unit, negligible=ROUNDING) for _, measure, unit in shown]
         table.rows.append([item["name"] + mark, *cells])
     if any(item["status"] != "completed" for item in rows):
         table.notes.append("* not completed: as far as the analysis came")
@@ -138,7 +139,10 @@ def profile_table(name: str, group: Group) -> Table:
         return table
     for storey in range(len(columns[0][2]), 0, -1):
         table.rows.append(
-            [str(storey), *(number(float(values[storey - 1]), scale=unit) for _, unit, values in columns)]
+            [
+                str(storey),
+                *(number(float(values[storey - 1]), scale=unit, negligible=ROUNDING) for _, unit, values in columns),
+            ]
         )
     return table
 

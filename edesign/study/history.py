@@ -52,7 +52,7 @@ def run_history(
     others = [
         q.floor_accelerations(frame, floors),
         q.storey_shears(frame, storeys),
-        q.base_shear(frame, history=True),
+        q.base_shear(frame, storeys),
         *q.member_forces(frame, q.bending_members(frame), "member", history=False),
         *q.axial_forces(frame),
         *q.plastic_rotations(frame),
@@ -80,11 +80,11 @@ def run_history(
         roof = residual(displacements.values(response)[:, -1], ground.time_step, period)
         label = f"residual roof displacement: {DEFINITION}"
         group.add("residual_roof_displacement", (), roof, "m", label)
-        label = f"residual drift ratio of the storey on its first column line: {DEFINITION}"
+        label = f"residual drift ratio of the storey: {DEFINITION}"
         group.add(
             "residual_storey_drift", ("storey",), residual(drift.values(response), ground.time_step, period), "1", label
         )
-    store_run(group, response)
+    store_run(group, response, "time", "s")
     return group
 
 

@@ -35,12 +35,13 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
 def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
     """Add modes to a group: period, frequency, masses, shapes of floors and nodes."""
     frame = structure.frame
-    leading = [frame.nodes[name] for name in frame.leading_nodes]
-    scale = _scale(modes.shapes, leading)
+    storeys = range(1, frame.frame.n_storeys + 1)
+    nodes = [[frame.nodes[name] for name in frame.floor_nodes(floor)] for floor in storeys]
+    floors = np.array([modes.shapes[:, there, 0].mean(axis=1) for there in nodes]).T
+    scale = _scale(floors, modes.shapes)
     shapes = modes.shapes / scale[:, None, None]
-    storeys = np.arange(1, frame.frame.n_storeys + 1)
     coordinate(group, "mode", np.arange(1, modes.omega.size + 1), "1", "number of the mode")
-    coordinate(group, "floor", storeys, "1", "floor, the highest is the roof")
+    coordinate(group, "floor", list(storeys), "1", "floor, the highest is the roof")
     coordinate(group, "node", list(frame.nodes), "", "name of the node")
     group.add("period", ("mode",), modes.period, "s", "natural period")
     group.add("frequency", ("mode",), 1.0 / modes.period, "Hz", "natural frequency")
@@ -51,19 +52,19 @@ def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
     group.add("cumulative_mass_ratio_x", ("mode",), np.cumsum(ratios), "1", f"sum up to this mode of: {label}")
     factors = modes.participation_x * scale
     group.add("participation_factor_x", ("mode",), factors, "1", "participation factor for horizontal ground motion")
-    label = "horizontal displacement of the floor's leading node in the mode"
-    group.add("floor_shape", ("mode", "floor"), shapes[:, leading, 0], "1", label)
+    label = "horizontal displacement of the floor in the mode, mean over its nodes"
+    group.add("floor_shape", ("mode", "floor"), floors / scale[:, None], "1", label)
     where = list(frame.nodes.values())
     group.add("node_shape_x", ("mode", "node"), shapes[:, where, 0], "1", "horizontal displacement in the mode")
     group.add("node_shape_y", ("mode", "node"), shapes[:, where, 1], "1", "vertical displacement in the mode")
 
 
-def _scale(shapes: np.ndarray, leading: list[int]) -> np.ndarray:
-    """What each mode is divided by, (n,)."""
+def _scale(floors: np.ndarray, shapes: np.ndarray) -> np.ndarray:
+    """What each mode is divided by, (n,); `floors` is (n, floors), `shapes` (n, nodes, 3)."""
     found = []
-    for shape in shapes:
-        floors, translations = shape[leading, 0], shape[:, :2].ravel()
+    for floor, shape in zip(floors, shapes, strict=True):
+        translations = shape[:, :2].ravel()
         largest = translations[np.argmax(np.abs(translations))]
-        across = floors[np.argmax(np.abs(floors))]
+        across = floor[np.argmax(np.abs(floor))]
         found.append(across if abs(across) > _NEGLIGIBLE * abs(largest) else largest)
     return np.array(found)

@@ -23,7 +23,7 @@ def run_pushover(
     progress: Callable[[int, int], None] | None = None,
     stop: Callable[[], bool] | None = None,
 ) -> Group:
-    """Push a frame to the right under displacement control of the roof's leading node.
+    """Push a frame to the right; the first node of the roof from the left is taken to the target in equal steps.
 
     Raises:
         AnalysisError: no equilibrium under gravity, or no usable first mode.
@@ -67,12 +67,12 @@ def run_pushover(
     coordinate(group, "step", np.arange(response.time.size), "1", "step, 0 is under gravity alone")
     store(group, recorded, response, "step")
     q.store_drift_extremes(group, frame, drifts, response)
-    store_run(group, response)
+    store_run(group, response, "displacement of the controlled node", "m")
     coordinate(group, "loaded_node", list(loads), "", "name of the node with a lateral load")
     label = "share of the node in the lateral load"
     group.add("lateral_load_share", ("loaded_node",), list(loads.values()), "1", label)
     roof = group.variables["floor_displacement"].values[:, -1]
-    group.add("roof_displacement", ("step",), roof, "m", "horizontal displacement of the roof's leading node")
+    group.add("roof_displacement", ("step",), roof, "m", "horizontal displacement of the roof, mean over its nodes")
     group.add("roof_drift", ("step",), roof / frame.frame.height, "1", "roof displacement / height of the frame")
     group.attributes |= {"pattern": spec.pattern, "target_roof_displacement_m": target}
     return group
@@ -84,9 +84,9 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: str) -> dict[str
     Args:
         project: the validated project.
         frame: its model; no analysis is made of it here.
-        pattern: "uniform" (proportional to mass), "triangular" (mass times height above the base), or "first_mode" (mass
-            times horizontal displacement in the first mode under gravity). Without masses all nodes above the base count
-            alike.
+        pattern: "uniform" (proportional to mass), "triangular" (mass times height above the base), or "first_mode"
+            (mass times horizontal displacement in the first mode under gravity). Without masses all nodes above the
+            base count alike.
 
     Raises:
         AnalysisError: the first mode does not move horizontally.
@@ -103,7 +103,5 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: str) -> dict[str
         weights = {name: weight * shape[structure.frame.nodes[name]] for name, weight in weights.items()}
     total = sum(weights.values())
     if abs(total) <= 1e-6 * sum(abs(weight) for weight in weights.values()):
-        raise AnalysisError(
-            f"the lateral loads of the pattern {pattern} have no resultant: the first mode is not lateral"
-        )
+        raise AnalysisError(f"pattern {pattern}: the lateral loads have no resultant, the first mode is not lateral")
     return {name: float(weight / total) for name, weight in weights.items()}

@@ -1,9 +1,9 @@
 """The quantities that analyses of frames record.
 
-Horizontal displacements are relative to the ground and include those under gravity. A floor is represented by its first
-node from the left (its leading node); with a diaphragm all nodes of the floor agree. The drift of a storey is recorded on
-the first column line from the left that has a column there; its extremes are those of all column lines. Shears are positive
-for loads to the right.
+Horizontal displacements are relative to the ground and include those under gravity. Displacement and acceleration of a
+floor are means over its nodes (with a diaphragm all are the same); so is the drift of a storey over the column lines
+that have a column there. The extremes of a drift are those of the worst column line. Shears are positive for loads to
+the right.
 """
 
 from __future__ import annotations
@@ -44,23 +44,23 @@ def bending_members(frame: FrameModel) -> list[Member]:
 
 
 def floor_displacements(frame: FrameModel, history: bool) -> Quantity:
-    """Horizontal displacement of each floor's leading node."""
-    cells = tuple(((1.0, "displacement", frame.nodes[node], 0),) for node in frame.leading_nodes)
-    name = "horizontal displacement of the floor's leading node, relative to the ground"
+    """Horizontal displacement of each floor."""
+    cells = _floor_means(frame, "displacement")
+    name = "horizontal displacement of the floor relative to the ground, mean over its nodes"
     return Quantity("floor_displacement", ("floor",), (len(cells),), cells, "m", name, history)
 
 
 def floor_accelerations(frame: FrameModel, history: bool) -> Quantity:
-    """Total horizontal acceleration of each floor's leading node."""
-    cells = tuple(((1.0, "total_acceleration", frame.nodes[node], 0),) for node in frame.leading_nodes)
-    name = "total horizontal acceleration of the floor's leading node"
+    """Total horizontal acceleration of each floor."""
+    cells = _floor_means(frame, "total_acceleration")
+    name = "total horizontal acceleration of the floor, mean over its nodes"
     return Quantity("floor_acceleration", ("floor",), (len(cells),), cells, "m/s^2", name, history, ("max", "min"))
 
 
 def storey_drifts(frame: FrameModel, history: bool) -> Quantity:
-    """Drift ratio of each storey on its first column line; its extremes are stored by `store_drift_extremes`."""
-    cells = tuple(lines[0] for lines in _line_drifts(frame))
-    name = "drift ratio of the storey on its first column line"
+    """Drift ratio of each storey; its extremes are stored by `store_drift_extremes`."""
+    cells = tuple(_mean(lines) for lines in _line_drifts(frame))
+    name = "drift ratio of the storey, mean over its column lines"
     return Quantity("storey_drift", ("storey",), (len(cells),), cells, "1", name, history, ("final",))
 
 
@@ -153,6 +153,19 @@ def plastic_rotations(frame: FrameModel) -> list[Quantity]:
             shape = (len(members), 2)
             found.append(Quantity(f"{kind}_plastic_rotation", (kind, "end"), shape, cells, "rad", name))
     return found
+
+
+def _floor_means(frame: FrameModel, kind: str) -> tuple[Terms, ...]:
+    """For each floor the mean over its nodes of a horizontal quantity."""
+    floors = [frame.floor_nodes(floor) for floor in range(1, frame.frame.n_storeys + 1)]
+    assert all(frame.leading_nodes)  # refuses floors without nodes
+    return tuple(tuple((1.0 / len(there), kind, frame.nodes[name], 0) for name in there) for there in floors)
+
+
+def _mean(several: list[Terms]) -> Terms:
+    """The mean of several weighted sums as one."""
+    share = 1.0 / len(several)
+    return tuple((share * factor, kind, item, at) for terms in several for factor, kind, item, at in terms)
 
 
 def _line_drifts(frame: FrameModel) -> list[list[Terms]]:

@@ -1,4 +1,4 @@
-"""What an analysis records: quantities over floors, storeys or members, to channels of the core and back to variables."""
+"""What an analysis records: quantities over floors, storeys, members, to channels of the core and back again."""
 
 from __future__ import annotations
 
@@ -92,8 +92,14 @@ def coordinate(group: Group, name: str, values: object, unit: str, long_name: st
     group.coords[name] = Variable((name,), np.asarray(values), unit, long_name)
 
 
-def store_run(group: Group, response: Response) -> None:
-    """Add status, reason, statistics, and the rungs of the failure ladder (as attribute and as table) to a group."""
+def store_run(group: Group, response: Response, abscissa: str = "load factor", unit: str = "1") -> None:
+    """Add status, reason, statistics, and the rungs of the failure ladder (as attribute and as table) to a group.
+
+    Args:
+        group: of the analysis.
+        response: of the run.
+        abscissa, unit: what the steps of the run are taken in.
+    """
     group.attributes |= {"status": response.status, "reason": response.reason, "statistics": dict(response.statistics)}
     events = [
         {
@@ -108,7 +114,7 @@ def store_run(group: Group, response: Response) -> None:
     if not events:
         return
     coordinate(group, "event", np.arange(1, len(events) + 1), "1", "number of the event")
-    group.add("event_time", ("event",), [event["time"] for event in events], "s", "time of the step that was attempted")
+    group.add("event_time", ("event",), [event["time"] for event in events], unit, f"{abscissa} of the attempt")
     group.add("event_step", ("event",), [event["step"] for event in events], "1", "number of the step, from 1")
     group.add("event_rung", ("event",), [event["rung"] for event in events], "", "rung of the failure ladder")
     group.add("event_detail", ("event",), [event["detail"] for event in events], "", "outcome of the attempt")

@@ -5,7 +5,7 @@
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__gnu_linux__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(ED_NO_CLONES)
-#define ED_CLONES __attribute__((target_clones("avx512f", "avx2", "default")))
+#define ED_CLONES __attribute__((target_clones("avx2", "default")))
 #else
 #define ED_CLONES
 #endif

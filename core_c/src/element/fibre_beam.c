@@ -140,6 +140,9 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
   for (int iteration = 0;; iteration++) {
     double F[6] = {0}, missing[3] = {v[0], v[1], v[2]};
     double energy = 0.0, level = 0.0;
+    int elastic = 1;
+    for (int p = 0; p < e->points; p++)
+      elastic &= points[p * ED_POINT_SIZE + ED_POINT_ELASTIC] != 0.0;
     for (int p = 0; p < e->points; p++) {
       double *point = points + p * ED_POINT_SIZE;
       const double x = e->x[p], w = e->weight[p];
@@ -154,7 +157,8 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       missing[0] -= w * (point[0] + de);
       missing[1] -= (x - 1.0) * curvature;
       missing[2] -= x * curvature;
-      add_flexibility(F, f[p], x, w);
+      if (!elastic)
+        add_flexibility(F, f[p], x, w);
       /* measured with the elastic flexibility: the softened one would magnify rounding */
       const double *f0 = e->inverse[p];
       energy += w * (f0[0] * unbalance[p][0] * unbalance[p][0] + 2.0 * f0[1] * unbalance[p][0] * unbalance[p][1] +
@@ -165,7 +169,9 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       return ED_E_NOT_FINITE;
     if (level > block[ED_BLOCK_REFERENCE])
       block[ED_BLOCK_REFERENCE] = level;
-    if (!invert_flexibility(e, F, K))
+    if (elastic)
+      memcpy(K, e->stiffness, sizeof e->stiffness);
+    else if (!invert_flexibility(e, F, K))
       return ED_E_ELEMENT;
     if (iteration > 0 && energy <= control->tolerance * block[ED_BLOCK_REFERENCE])
       break;

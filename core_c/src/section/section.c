@@ -118,49 +118,66 @@ int ed_section_from_fibres(ed_section *section, int n, const double *y, const do
   return 1;
 }
 
-typedef double lanes __attribute__((vector_size(ED_LANES * sizeof(double))));
-typedef long long mask __attribute__((vector_size(ED_LANES * sizeof(long long))));
+/* Half a group of lanes: the widest vector whose comparisons every instruction set with doubles has. */
+enum { HALF = ED_LANES / 2 };
+typedef double lanes __attribute__((vector_size(HALF * sizeof(double))));
+typedef long long mask __attribute__((vector_size(HALF * sizeof(long long))));
 
 #define SELECT(condition, yes, no) ((lanes)(((condition) & (mask)(yes)) | (~(condition) & (mask)(no))))
 
-static inline double sum(const lanes *v)
+typedef struct {
+  lanes N, M, k11, k12, k22;
+  mask yielded;
+} half_sum;
+
+/* HALF doubles from anywhere. */
+typedef double loose __attribute__((vector_size(HALF * sizeof(double)), aligned(sizeof(double)), may_alias));
+#define LOAD(from) (*(const loose *)(const void *)(from))
+
+/* Adds HALF bilinear or elastic layers from index i on. */
+static inline __attribute__((always_inline)) void add_layers(const ed_section *section, const double *plastic, double e0,
+                                                             double kappa, int i, half_sum *add)
 {
-  const double *a = (const double *)v;
-  return ((a[0] + a[4]) + (a[2] + a[6])) + ((a[1] + a[5]) + (a[3] + a[7]));
+  const lanes zero = {0};
+  const lanes strain = e0 - kappa * LOAD(section->y + i);
+  const lanes plastic_strain = LOAD(plastic + i), fy = LOAD(section->fy + i), E = LOAD(section->E + i);
+  const lanes relative = E * strain - LOAD(section->EH + i) * plastic_strain;
+  const mask above = relative > fy, beyond = above | (relative < -fy);
+  const lanes excess = SELECT(beyond, relative - SELECT(above, fy, -fy), zero);
+  const lanes stress = E * (strain - plastic_strain) - LOAD(section->flow + i) * excess;
+  const lanes factor = SELECT(beyond, LOAD(section->hardening + i), zero + 1.0);
+  add->N += LOAD(section->area + i) * stress;
+  add->M -= LOAD(section->Ay + i) * stress;
+  add->k11 += factor * LOAD(section->EA + i);
+  add->k12 -= factor * LOAD(section->EAy + i);
+  add->k22 += factor * LOAD(section->EAyy + i);
+  add->yielded |= beyond;
+}
+
+static inline __attribute__((always_inline)) double total(const lanes *low, const lanes *high)
+{
+  const lanes v = *low + *high;
+  return (v[0] + v[2]) + (v[1] + v[3]);
 }
 
 /* Bilinear and elastic layers; `plastic` n_padded plastic strains. */
 ED_CLONES static void trial_vector(const ed_section *section, const double *plastic, double e0, double kappa,
                                    ed_section_response *response)
 {
-  lanes N = {0}, M = {0}, k11 = {0}, k12 = {0}, k22 = {0};
-  mask yielded = {0};
-  const lanes zero = {0};
-  const lanes one = zero + 1.0;
+  half_sum low = {0}, high = {0};
   for (int i = 0; i < section->n_padded; i += ED_LANES) {
-#define LOAD(array) (*(const lanes *)((array) + i))
-    const lanes strain = e0 - kappa * LOAD(section->y);
-    lanes plastic_strain;
-    memcpy(&plastic_strain, plastic + i, sizeof plastic_strain);
-    const lanes fy = LOAD(section->fy);
-    const lanes relative = LOAD(section->E) * strain - LOAD(section->EH) * plastic_strain;
-    const mask above = relative > fy, below = relative < -fy;
-    const mask beyond = above | below;
-    const lanes excess = SELECT(beyond, relative - SELECT(above, fy, -fy), zero);
-    const lanes stress = LOAD(section->E) * (strain - plastic_strain) - LOAD(section->flow) * excess;
-    const lanes factor = SELECT(beyond, LOAD(section->hardening), one);
-    N += LOAD(section->area) * stress;
-    M -= LOAD(section->Ay) * stress;
-    k11 += factor * LOAD(section->EA);
-    k12 -= factor * LOAD(section->EAy);
-    k22 += factor * LOAD(section->EAyy);
-    yielded |= beyond;
-#undef LOAD
+    add_layers(section, plastic, e0, kappa, i, &low);
+    add_layers(section, plastic, e0, kappa, i + HALF, &high);
   }
-  long long any = 0;
-  for (int l = 0; l < ED_LANES; l++)
-    any |= yielded[l];
-  *response = (ed_section_response){sum(&N), sum(&M), sum(&k11), sum(&k12), sum(&k22), any == 0};
+  const mask any = low.yielded | high.yielded;
+  *response = (ed_section_response){
+      .N = total(&low.N, &high.N),
+      .M = total(&low.M, &high.M),
+      .k11 = total(&low.k11, &high.k11),
+      .k12 = total(&low.k12, &high.k12),
+      .k22 = total(&low.k22, &high.k22),
+      .elastic = (any[0] | any[1] | any[2] | any[3]) == 0,
+  };
 }
 
 static void trial_scalar(const ed_section *section, const double *state, double e0, double kappa,
@@ -193,14 +210,12 @@ void ed_section_trial(const ed_section *section, const double *state, double e0,
 
 static double stored_vector(const ed_section *section, const double *plastic, double e0, double kappa)
 {
-  lanes energy = {0};
-  for (int i = 0; i < section->n_padded; i += ED_LANES) {
-    lanes plastic_strain;
-    memcpy(&plastic_strain, plastic + i, sizeof plastic_strain);
-    const lanes strain = e0 - kappa * *(const lanes *)(section->y + i) - plastic_strain;
-    energy += *(const lanes *)(section->EA + i) * strain * strain;
+  lanes low = {0}, high = {0};
+  for (int i = 0; i < section->n_padded; i += HALF) {
+    const lanes strain = e0 - kappa * LOAD(section->y + i) - LOAD(plastic + i);
+    *(i % ED_LANES ? &high : &low) += LOAD(section->EA + i) * strain * strain;
   }
-  return 0.5 * sum(&energy);
+  return 0.5 * total(&low, &high);
 }
 
 static double *layer_state(const ed_section *section, double *state, int layer)
