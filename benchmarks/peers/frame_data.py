@@ -153,3 +153,48 @@ def thesis_frame(bays: int = 4) -> PeerFrame:
         masses=_masses(bays),
         gravity=THESIS_DEAD + 0.3 * THESIS_LIVE,
     )
+
+
+# Built-up and rolled sections of the tall frame; the rolled ones by EN 10365, mm -> m
+HEM600 = ISection("HEM600", 0.620, 0.305, 0.0210, 0.0400)
+HEM1000 = ISection("HEM1000", 1.008, 0.302, 0.0210, 0.0400)
+HEB400 = ISection("HEB400", 0.400, 0.300, 0.0135, 0.0240)
+HEB500 = ISection("HEB500", 0.500, 0.300, 0.0145, 0.0280)
+HEB600 = ISection("HEB600", 0.600, 0.300, 0.0155, 0.0300)
+COLUMN_1000X500X60 = ISection("C1000x500x30x60", 1.000, 0.500, 0.0300, 0.0600)
+COLUMN_1000X600X80 = ISection("C1000x600x40x80", 1.000, 0.600, 0.0400, 0.0800)
+COLUMN_1200X700X100 = ISection("C1200x700x60x100", 1.200, 0.700, 0.0600, 0.1000)
+COLUMN_1400X800X120 = ISection("C1400x800x70x120", 1.400, 0.800, 0.0700, 0.1200)
+
+# Storeys carried (the own one included) up to which a section is used
+_TALL_COLUMNS = (
+    (10, HEM600),
+    (20, HEM1000),
+    (30, COLUMN_1000X500X60),
+    (40, COLUMN_1000X600X80),
+    (60, COLUMN_1200X700X100),
+    (1000, COLUMN_1400X800X120),
+)
+_TALL_BEAMS = ((10, HEB400), (25, HEB500), (1000, HEB600))
+
+
+def _by_storeys_carried(table: tuple[tuple[int, ISection], ...], carried: int) -> ISection:
+    return next(section for limit, section in table if carried <= limit)
+
+
+def tall_frame(storeys: int = 40, bays: int = 8) -> PeerFrame:
+    """A frame of any height with the thesis frame's bays, storeys, loads and masses; members grow with the storeys carried.
+
+    Sized so that 20 to 80 storeys stay below a third of the columns' squash load under gravity and survive
+    El Centro at 0.414 g; a benchmark, not a design.
+    """
+    carried = range(storeys, 0, -1)
+    return PeerFrame(
+        title=f"tall frame, {storeys} storeys, {bays} bays",
+        bay_widths=(7.2,) * bays,
+        storey_heights=(3.5,) * storeys,
+        columns=tuple(_by_storeys_carried(_TALL_COLUMNS, n) for n in carried),
+        beams=tuple(_by_storeys_carried(_TALL_BEAMS, n) for n in carried),
+        masses=_masses(bays),
+        gravity=THESIS_DEAD + 0.3 * THESIS_LIVE,
+    )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
 import openseespy.opensees as ops
@@ -15,6 +15,7 @@ from benchmarks.peers.frame_data import ISection, PeerFrame
 Array = NDArray[np.float64]
 
 G_STANDARD = 9.80665  # m/s2
+G_KNOWN = 9.81  # m/s2, of the known values
 GRAVITY_PATTERN, PUSH_PATTERN, QUAKE_PATTERN = 1, 2, 3
 GRAVITY_SERIES, PUSH_SERIES, QUAKE_SERIES = 1, 2, 3
 STEEL = 1
@@ -54,14 +55,19 @@ class SolverOptions:
     numberer: str = "RCM"
 
 
+def _nothing() -> Array:
+    return np.zeros(0)
+
+
 @dataclass
 class HistoryResult:
     """Peaks and cost of a time history. All peaks are absolute values; relative to the ground where not said otherwise.
 
-    status: "completed" or "failed"; steps: of the record's step done; roof_displacement, residual: m; interstorey_drift: ratio;
-    base_shear: N, reactions of the members; base_shear_damped: N, with the members' Rayleigh forces;
-    roof_acceleration: total, m/s2; iterations: of all accepted steps (0 if not sampled); fallbacks: steps that left plain
-    Newton; smallest_step: s; cpu_s: s, of the calls that integrate; time, roof: (steps,) if asked for, s and m.
+    status: "completed" or "failed"; steps: of the record's step done; roof_displacement, residual (signed, at the end): m;
+    interstorey_drift: ratio; base_shear: N, from the members' forces; base_shear_damped: N, with their Rayleigh forces;
+    roof_acceleration: total, m/s2. The scalars are those of the middle line; the *_by_line arrays, (n_lines,), have all.
+    storey_drifts: (n_storeys,), middle line. iterations: of all accepted steps (0 if not sampled); fallbacks: steps that
+    left plain Newton; smallest_step: s; cpu_s: s, of the calls that integrate; time, roof: (steps,), s and m, if asked for.
     """
 
     status: str = "completed"
@@ -76,9 +82,13 @@ class HistoryResult:
     fallbacks: int = 0
     smallest_step: float = 0.0
     cpu_s: float = 0.0
-    drifts: Array = field(default_factory=lambda: np.zeros(0))
-    time: Array = field(default_factory=lambda: np.zeros(0))
-    roof: Array = field(default_factory=lambda: np.zeros(0))
+    roof_displacement_by_line: Array = field(default_factory=_nothing)
+    interstorey_drift_by_line: Array = field(default_factory=_nothing)
+    roof_acceleration_by_line: Array = field(default_factory=_nothing)
+    residual_by_line: Array = field(default_factory=_nothing)
+    storey_drifts: Array = field(default_factory=_nothing)
+    time: Array = field(default_factory=_nothing)
+    roof: Array = field(default_factory=_nothing)
 
 
 def node_tag(frame: PeerFrame, line: int, floor: int) -> int:
@@ -211,7 +221,7 @@ def pushover(
             ops.load(node_tag(frame, line, floor), float(loads[floor - 1, line]), 0.0, 0.0)
     _equations(solver)
     ops.algorithm("Newton")
-    roof = node_tag(frame, 0, frame.n_storeys)
+    roof = node_tag(frame, frame.n_lines // 2, frame.n_storeys)
     start = ops.nodeDisp(roof, 1)
     step = roof_drift * frame.height / steps
     ops.integrator("DisplacementControl", roof, 1, step)
@@ -346,28 +356,39 @@ def history(
     prepare_history(frame, ground_acceleration, dt, options, solver, damping, damping_after_gravity)
     total = _n_steps(ground_acceleration, dt, free_vibration, steps)
     stepper = _Stepper(dt)
-    nodes = [node_tag(frame, 0, floor) for floor in range(frame.n_storeys + 1)]
-    heights = np.array(frame.storey_heights)
-    result = HistoryResult(drifts=np.zeros(frame.n_storeys))
-    times, roof = np.zeros(total), np.zeros(total)
+    result = HistoryResult()
+    nodes = [
+        [node_tag(frame, line, floor) for line in range(frame.n_lines)] for floor in range(frame.n_storeys + 1)
+    ]
+    heights = np.array(frame.storey_heights)[:, None]
+    times, roof = np.zeros(total), np.zeros((total, frame.n_lines))
+    drifts, accelerations = np.zeros((frame.n_storeys, frame.n_lines)), np.zeros(frame.n_lines)
     for i in range(total):
         if not stepper.step():
             result.status = "failed"
             break
         result.steps = i + 1
-        u = np.array([ops.nodeDisp(n, 1) for n in nodes])
+        u = np.array([[ops.nodeDisp(n, 1) for n in floor] for floor in nodes])
         times[i], roof[i] = ops.getTime(), u[-1]
-        result.drifts = np.maximum(result.drifts, np.abs(np.diff(u)) / heights)
+        np.maximum(drifts, np.abs(np.diff(u, axis=0)) / heights, out=drifts)
+        ground = ground_acceleration[i + 1] if i + 1 < len(ground_acceleration) else 0.0
+        total_acceleration = np.array([ops.nodeAccel(n, 1) for n in nodes[-1]]) + ground
+        np.maximum(accelerations, np.abs(total_acceleration), out=accelerations)
         result.base_shear = max(result.base_shear, abs(_base_reaction(frame)))
         result.base_shear_damped = max(result.base_shear_damped, abs(_base_reaction(frame, "-dynamic")))
-        ground = ground_acceleration[i + 1] if i + 1 < len(ground_acceleration) else 0.0
-        result.roof_acceleration = max(result.roof_acceleration, abs(ops.nodeAccel(nodes[-1], 1) + ground))
-    roof, times = roof[: result.steps], times[: result.steps]
-    result.roof_displacement = float(np.max(np.abs(roof), initial=0.0))
-    result.interstorey_drift = float(np.max(result.drifts))
-    result.residual = float(roof[-1]) if len(roof) else 0.0
+    middle = frame.n_lines // 2
+    roof = roof[: result.steps]
+    result.roof_displacement_by_line = np.max(np.abs(roof), axis=0, initial=0.0)
+    result.interstorey_drift_by_line = drifts.max(axis=0)
+    result.roof_acceleration_by_line = accelerations
+    result.residual_by_line = roof[-1].copy() if len(roof) else np.zeros(frame.n_lines)
+    result.roof_displacement = float(result.roof_displacement_by_line[middle])
+    result.interstorey_drift = float(result.interstorey_drift_by_line[middle])
+    result.roof_acceleration = float(accelerations[middle])
+    result.residual = float(result.residual_by_line[middle])
+    result.storey_drifts = drifts[:, middle].copy()
     if keep_history:
-        result.time, result.roof = times, roof
+        result.time, result.roof = times[: result.steps], roof[:, middle].copy()
     _account(result, stepper)
     return result
 
@@ -400,7 +421,7 @@ def benchmark_history(
             result.status = "failed"
             break
         result.steps += 1
-    result.residual = ops.nodeDisp(node_tag(frame, 0, frame.n_storeys), 1)
+    result.residual = ops.nodeDisp(node_tag(frame, frame.n_lines // 2, frame.n_storeys), 1)
     _account(result, stepper)
     result.iterations = 0
     return result
@@ -417,9 +438,17 @@ def _account(result: HistoryResult, stepper: _Stepper) -> None:
     ops.wipe()
 
 
-def read_at2(path: str) -> tuple[Array, float]:
-    """Acceleration (n,), m/s2, and step, s, of a PEER AT2 file."""
+def read_at2(path: str, g: float = G_STANDARD) -> tuple[Array, float]:
+    """Acceleration (n,), m/s2, and step, s, of a PEER AT2 file; g: m/s2."""
     with open(path, encoding="latin-1") as file:
         header = [next(file) for _ in range(4)]
         values = np.array(file.read().split(), dtype=float)
-    return values * G_STANDARD, float(header[3].upper().split("DT=")[1].split()[0].rstrip(","))
+    return values * g, float(header[3].upper().split("DT=")[1].split()[0].rstrip(","))
+
+
+def known_ground_motion(path: str, pga_g: float | None = None) -> tuple[Array, float]:
+    """Ground motion (n + 1,), m/s2, and step, s, as used for the known values; path: AT2 file; pga_g: peak to scale to, in g."""
+    acceleration, dt = read_at2(path, G_KNOWN)
+    if pga_g is not None:
+        acceleration *= pga_g * G_KNOWN / float(np.max(np.abs(acceleration)))
+    return np.concatenate(([0.0], acceleration)), dt

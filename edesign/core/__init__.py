@@ -1,5 +1,6 @@
 """The numerical core: plane frames of force-based fibre beam-columns. The only package that knows C."""
 
+from edesign.core._edcore import ffi, lib
 from edesign.core.analysis import Analysis
 from edesign.core.errors import CoreError
 from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
@@ -24,4 +25,10 @@ __all__ = [
     "Response",
     "Steel",
     "natural_modes",
+    "version",
 ]
+
+
+def version() -> str:
+    """Version of the C core."""
+    return str(ffi.string(lib.ed_version()).decode())

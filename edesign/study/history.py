@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 
@@ -134,7 +135,7 @@ def _damp(project: Project, structure: Structure) -> float:
 
 def _kept(quantity: Quantity, history: bool) -> Quantity:
     """The quantity as it is stored: with its history or without."""
-    return quantity if history else Quantity(**{**quantity.__dict__, "history": False})
+    return quantity if history else replace(quantity, history=False)
 
 
 def _provenance(record: Record, ground: Record, spec: HistoryAnalysis) -> dict[str, object]:

@@ -6,16 +6,20 @@ import hashlib
 import platform
 from collections.abc import Mapping
 from datetime import UTC, datetime
+from pathlib import Path
 
 import numpy as np
 
+import edesign
 from edesign._version import __version__
 from edesign.archive.dataset import Group
 from edesign.archive.hdf5 import library_versions
 from edesign.project.project import Project
 
-IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_version")
+IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_version", "code_checksum")
 """Root attributes that decide whether results of an interrupted run may be reused."""
+
+CODE = (".py", ".so", ".pyd", ".csv")  # suffixes of the files that results depend on
 
 
 def core_version() -> str:
@@ -24,6 +28,16 @@ def core_version() -> str:
 
     version = getattr(core, "version", None)
     return str(version() if callable(version) else version or "unknown")
+
+
+def code_checksum() -> str:
+    """Return the SHA-256 of the installed package, so that results of two states of one version are never mixed."""
+    package = Path(edesign.__file__).parent
+    checksum = hashlib.sha256()
+    for path in sorted(path for path in package.rglob("*") if path.suffix in CODE and path.is_file()):
+        content = hashlib.sha256(path.read_bytes()).hexdigest()
+        checksum.update(f"{path.relative_to(package).as_posix()} {content}\n".encode())
+    return checksum.hexdigest()
 
 
 def input_checksum(project: Project, records: Mapping[str, str]) -> str:
@@ -54,6 +68,7 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
             "record_checksums": dict(records),
             "edesign_version": __version__,
             "core_version": core_version(),
+            "code_checksum": code_checksum(),
             "planned": planned,
             "status": "running",
         }

