@@ -87,7 +87,7 @@ def pushover(frame: PeerFrame, roof_drift: float = 0.02, steps: int = 200, **set
     core = build(frame, first_mode_loads(frame))
     analysis = Analysis(core.model, **settings)
     analysis.static(core.gravity, 1.0, 10)
-    roof = core.node[0, frame.n_storeys]
+    roof = core.node[frame.n_lines // 2, frame.n_storeys]
     channels = [
         Channel("roof", ((1.0, "displacement", roof, 0),)),
         Channel("shear", tuple((-1.0, "reaction", core.node[line, 0], 0) for line in range(frame.n_lines))),
@@ -121,7 +121,8 @@ def history(
     analysis.rayleigh(2.0 * damping * w1 * w2 / (w1 + w2), 2.0 * damping / (w1 + w2), "current")
     channels: list[Channel] = []
     if sampled:
-        top = core.node[0, frame.n_storeys]
+        middle = frame.n_lines // 2
+        top = core.node[middle, frame.n_storeys]
         channels = [
             Channel("roof", ((1.0, "displacement", top, 0),)),
             Channel("base_shear", tuple((1.0, "reaction", core.node[k, 0], 0) for k in range(frame.n_lines))),
@@ -129,8 +130,8 @@ def history(
         ]
         for floor, height in enumerate(frame.storey_heights, start=1):
             terms = (
-                (1.0 / height, "displacement", core.node[0, floor], 0),
-                (-1.0 / height, "displacement", core.node[0, floor - 1], 0),
+                (1.0 / height, "displacement", core.node[middle, floor], 0),
+                (-1.0 / height, "displacement", core.node[middle, floor - 1], 0),
             )
             channels.append(Channel(f"drift_{floor}", terms))
     result = analysis.history(ground_acceleration, dt, channels=channels, every=1 if sampled else 0)

@@ -45,7 +45,7 @@ class SolverOptions:
 
     system: BandGeneral | UmfPack | SparseGeneral | ProfileSPD | BandSPD | SparseSYM (the last three need a positive
     definite tangent); test: NormDispIncr | EnergyIncr | NormUnbalance...; tolerance: in the unit of the test
-    (m and rad, J, N and Nm); max_iterations: of one attempt.
+    (m and rad, J, N and Nm); max_iterations: of one attempt; algorithm: name and arguments of the first rung of histories.
     """
 
     system: str = "BandGeneral"
@@ -53,6 +53,7 @@ class SolverOptions:
     tolerance: float = 1e-6
     max_iterations: int = 25
     numberer: str = "RCM"
+    algorithm: tuple[str | float, ...] = ("Newton",)
 
 
 def _nothing() -> Array:
@@ -289,7 +290,7 @@ def prepare_history(
     ops.timeSeries("Path", QUAKE_SERIES, "-dt", dt, "-values", *(float(a) for a in ground_acceleration))
     ops.pattern("UniformExcitation", QUAKE_PATTERN, 1, "-accel", QUAKE_SERIES)
     _equations(solver)
-    ops.algorithm("Newton")
+    ops.algorithm(*solver.algorithm)
     ops.integrator("Newmark", 0.5, 0.25)
     ops.analysis("Transient")
 
@@ -297,8 +298,9 @@ def prepare_history(
 class _Stepper:
     """Advances the domain and keeps count; the fallback ladder is Newton, KrylovNewton, two half steps, down to dt/256."""
 
-    def __init__(self, dt: float, smallest: int = 256) -> None:
-        self.dt, self.smallest = dt, smallest
+    def __init__(self, dt: float, algorithm: tuple[str | float, ...] = ("Newton",), smallest: int = 256) -> None:
+        self.dt, self.algorithm, self.smallest = dt, algorithm, smallest
+        self.ladder: tuple[tuple[str | float, ...], ...] = (("Newton",), ("KrylovNewton",))
         self.iterations = self.fallbacks = 0
         self.smallest_step = dt
         self.cpu_s = 0.0
@@ -309,32 +311,31 @@ class _Stepper:
         self.cpu_s += time.process_time() - start
         return bool(status == 0)
 
-    def rescue(self, dt: float, parts: int = 1) -> bool:
-        """One step of dt that plain Newton has failed to take."""
-        ops.algorithm("KrylovNewton")
-        done = self.run(1, dt)
-        ops.algorithm("Newton")
-        if done:
-            self.smallest_step = min(self.smallest_step, dt)
-            self.iterations += ops.testIter()
-            return True
-        if parts >= self.smallest:
-            return False
-        for _ in range(2):
-            if self.run(1, 0.5 * dt):
-                self.smallest_step = min(self.smallest_step, 0.5 * dt)
+    def one(self, dt: float, parts: int = 1, failed: tuple[str | float, ...] | None = None) -> bool:
+        """One step of dt by the ladder; `failed`: a rung that has already failed at this dt."""
+        for algorithm in self.ladder:
+            if algorithm == failed:
+                continue
+            ops.algorithm(*algorithm)
+            if self.run(1, dt):
+                self.smallest_step = min(self.smallest_step, dt)
                 self.iterations += ops.testIter()
-            elif not self.rescue(0.5 * dt, 2 * parts):
-                return False
-        return True
+                return True
+        return parts < self.smallest and all(self.one(0.5 * dt, 2 * parts) for _ in range(2))
+
+    def rescue(self) -> bool:
+        """One step of the record after the first rung has failed."""
+        self.fallbacks += 1
+        done = self.one(self.dt, failed=self.algorithm)
+        ops.algorithm(*self.algorithm)
+        return done
 
     def step(self) -> bool:
         """One step of the record."""
         if self.run(1, self.dt):
             self.iterations += ops.testIter()
             return True
-        self.fallbacks += 1
-        return self.rescue(self.dt)
+        return self.rescue()
 
 
 def history(
@@ -355,7 +356,7 @@ def history(
     """
     prepare_history(frame, ground_acceleration, dt, options, solver, damping, damping_after_gravity)
     total = _n_steps(ground_acceleration, dt, free_vibration, steps)
-    stepper = _Stepper(dt)
+    stepper = _Stepper(dt, (solver or SolverOptions()).algorithm)
     result = HistoryResult()
     nodes = [
         [node_tag(frame, line, floor) for line in range(frame.n_lines)] for floor in range(frame.n_storeys + 1)
@@ -409,15 +410,14 @@ def benchmark_history(
     """
     prepare_history(frame, ground_acceleration, dt, options, solver, damping)
     total = _n_steps(ground_acceleration, dt, free_vibration, steps)
-    stepper = _Stepper(dt)
+    stepper = _Stepper(dt, (solver or SolverOptions()).algorithm)
     result = HistoryResult()
     while result.steps < total:
         if stepper.run(total - result.steps, dt):
             result.steps = total
             break
         result.steps = round(ops.getTime() / dt)
-        stepper.fallbacks += 1
-        if not stepper.rescue(dt):
+        if not stepper.rescue():
             result.status = "failed"
             break
         result.steps += 1

