@@ -90,7 +90,7 @@ run: setup
 	    print(load_project(sys.argv[1]).archive_path)' $(PROJECT))"
 
 bench: test-setup
-	@$(PY) benchmarks/run.py
+	@$(PY) -m benchmarks.run
 
 test: test-setup lint types layers ctest pytest
 

@@ -262,18 +262,15 @@ class _Parts:
     def _material(self, name: str, elastic: bool = False) -> int:
         key = f"{name} (elastic)" if elastic else name
         if key not in self._materials:
-            law = self._project.materials[name]
-            self._materials[key] = self._model.material(
-                _law(ElasticMaterial(law="elastic", E=law.E) if elastic else law)
-            )
+            self._materials[key] = self._model.material(_law(self._project.materials[name], elastic))
         return self._materials[key]
 
 
-def _law(material: Material) -> Steel:
-    """The core's description of a material."""
+def _law(material: Material, elastic: bool) -> Steel:
+    """The core's description of a material, or of its elastic part."""
     from edesign import core
 
-    if isinstance(material, ElasticMaterial):
+    if elastic or isinstance(material, ElasticMaterial):
         return core.Elastic(E=material.E)
     if isinstance(material, BilinearMaterial):
         return core.Bilinear(E=material.E, fy=material.fy, b=material.hardening)

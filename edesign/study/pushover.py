@@ -85,15 +85,16 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: str) -> dict[str
         project: the validated project.
         frame: its model; no analysis is made of it here.
         pattern: "uniform" (proportional to mass), "triangular" (mass times height above the base), or "first_mode"
-            (mass times horizontal displacement in the first mode under gravity). Without masses all nodes above the
-            base count alike.
+            (mass times horizontal displacement in the first mode under gravity).
 
     Raises:
-        AnalysisError: the first mode does not move horizontally.
+        AnalysisError: no node has a mass, or the first mode does not move horizontally.
 
     Source: EN 1998-1, 4.3.3.4.2.2 (uniform and modal patterns).
     """
-    weights = dict(frame.masses) or {name: 1.0 for name, (_, y) in frame.frame.nodes.items() if y > 0.0}
+    if not frame.masses:
+        raise AnalysisError(f"pattern {pattern}: lateral loads are proportional to masses, and no node has one")
+    weights = dict(frame.masses)
     if pattern == "triangular":
         weights = {name: weight * frame.frame.nodes[name][1] for name, weight in weights.items()}
     elif pattern == "first_mode":

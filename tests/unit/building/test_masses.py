@@ -34,7 +34,12 @@ def test_given_masses() -> None:
 
 def test_the_directions_of_masses() -> None:
     frame, model = built()
-    assert [call[:4] for call in model.get("mass")][0] == (frame.nodes["A1"], frame.masses["A1"], frame.masses["A1"], 0.0)
+    assert [call[:4] for call in model.get("mass")][0] == (
+        frame.nodes["A1"],
+        frame.masses["A1"],
+        frame.masses["A1"],
+        0.0,
+    )
     frame, model = built(("{from_loads: {G: 1.0, Q: 0.2}}", "{from_loads: {G: 1.0}, directions: horizontal}"))
     assert all(call[2] == 0.0 and call[1] > 0.0 for call in model.get("mass"))
 

@@ -13,11 +13,18 @@ from scipy.integrate import quad
 from edesign.building.profiles import profile, profile_names
 from edesign.building.section import CrossSection, Strip, fillets, i_section, rectangle_section, rolled_section
 from edesign.errors import InputError
-from edesign.project.sections import Fibres, Rectangle, RectangleSection
+from edesign.project.sections import Fibres, RectangleSection
 
 DEFAULT = Fibres()
 SIZES = st.tuples(st.floats(0.1, 1.2), st.floats(0.05, 0.5), st.floats(0.02, 0.3), st.floats(0.05, 0.9))
 COUNTS = st.tuples(*[st.integers(1, 9)] * 4)
+
+
+def stack(*rectangles: tuple[str, str, str]) -> CrossSection:
+    """Rectangles of width, depth and centre, as they stand in a project file."""
+    names = ("width", "depth", "centre")
+    read = RectangleSection.model_validate({"rectangles": tuple(dict(zip(names, r, strict=True)) for r in rectangles)})
+    return rectangle_section(read, DEFAULT)
 
 
 def test_three_rectangles_have_the_closed_form() -> None:
@@ -85,7 +92,7 @@ def test_layers_of_the_default_cut() -> None:
 
 def test_plastic_modulus_of_a_rectangle_is_exact() -> None:
     """Sum of A |y| over an even number of layers = b h^2 / 4."""
-    section = rectangle_section(RectangleSection(rectangles=(Rectangle(width=0.1, depth=0.4, centre=3.0),)), DEFAULT)
+    section = stack(("100 mm", "400 mm", "3 m"))
     y, area = section.fibres
     assert (area * abs(y)).sum() == pytest.approx(0.1 * 0.4**2 / 4, rel=1e-14)
     assert section.centroid == pytest.approx(3.0)
@@ -93,8 +100,7 @@ def test_plastic_modulus_of_a_rectangle_is_exact() -> None:
 
 def test_a_tee_of_two_rectangles() -> None:
     """200 x 20 flange on a 10 x 180 web: centroid at (4000*190 + 1800*90)/5800 mm from the bottom; I by Steiner."""
-    stack = (Rectangle(width=0.2, depth=0.02, centre=0.19), Rectangle(width=0.01, depth=0.18, centre=0.09))
-    section = rectangle_section(RectangleSection(rectangles=stack), DEFAULT)
+    section = stack(("200 mm", "20 mm", "190 mm"), ("10 mm", "180 mm", "90 mm"))
     bottom = (4000 * 190 + 1800 * 90) / 5800
     inertia = 200 * 20**3 / 12 + 4000 * (190 - bottom) ** 2 + 10 * 180**3 / 12 + 1800 * (90 - bottom) ** 2
     assert section.centroid == pytest.approx(bottom * 1e-3, rel=1e-13)

@@ -1,0 +1,149 @@
+"""Side by side with OpenSeesPy in one run: CPU time of the same histories, medians, ratio. `make bench`.
+
+Neither side samples anything inside the loop. OpenSees is given its fastest solver, test and tolerance for each frame (they are
+chosen here by trial, unless --quick), its fibres merged into the same 24 layers, and the looser tolerance; edesign runs at its default.
+Only the integration loop is timed, CPU time of the one thread that computes.
+
+Usage: python -m benchmarks.run [--quick] [--repeats N]
+"""
+
+from __future__ import annotations
+
+import argparse
+import math
+import os
+import resource
+import statistics
+import subprocess
+import sys
+from collections.abc import Callable
+from dataclasses import dataclass
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
+
+import numpy as np  # noqa: E402
+
+from benchmarks.peers import edesign_frame  # noqa: E402
+from benchmarks.peers.frame_data import PeerFrame, tall_frame, thesis_frame  # noqa: E402
+from benchmarks.records import el_centro  # noqa: E402
+from edesign.core import Response  # noqa: E402
+
+SOLVERS = ("BandGeneral", "UmfPack", "SparseGeneral")
+TESTS = (("NormDispIncr", 1e-6), ("EnergyIncr", 1e-8))
+PGA = 0.414  # g
+
+
+@dataclass
+class Timing:
+    """Milliseconds of CPU a step, median of the repeats, and how many there were."""
+
+    milliseconds: float
+    spread: float
+    repeats: int
+
+
+def timed(run: Callable[[], float], repeats: int) -> Timing:
+    """Median and relative spread of `repeats` runs, each returning CPU seconds a step."""
+    values = [run() for _ in range(repeats)]
+    middle = statistics.median(values)
+    return Timing(1e3 * middle, (max(values) - min(values)) / middle, repeats)
+
+
+def core_run(frame: PeerFrame, seconds: float | None, keep: list[Response] | None = None) -> float:
+    """CPU seconds a step of edesign."""
+    acceleration, dt = el_centro(PGA)
+    count = acceleration.size if seconds is None else round(seconds / dt) + 1
+    response, _ = edesign_frame.history(frame, acceleration[:count], dt, sampled=False)
+    if response.status != "completed":
+        raise SystemExit(f"{frame.title}: edesign: {response.reason}")
+    if keep is not None:
+        keep.append(response)
+    return response.statistics["cpu_s"] / response.statistics["steps"]
+
+
+def describe(response: Response) -> str:
+    """What the steps of a history cost."""
+    s = response.statistics
+    return (
+        f"{s['iterations'] / s['steps']:.2f} iterations and {s['refactorisations'] / s['steps']:.3f} refactorisations a step, "
+        f"{s['element_iterations'] / s['iterations']:.1f} element iterations an iteration, "
+        f"{100 * s['elastic_updates'] / s['state_updates']:.0f} % of the element states by the elastic shortcut, "
+        f"{s['fallbacks']:.0f} fallbacks"
+    )
+
+
+def side_by_side(frame: PeerFrame, seconds: float | None, repeats: int, quick: bool) -> None:
+    """Print both times and their ratio."""
+    kept: list[Response] = []
+    core_run(frame, seconds)  # warms caches
+    ours = timed(lambda: core_run(frame, seconds, kept), max(5, repeats))
+    print(f"\n{frame.title}, El Centro at {PGA} g, {seconds or 'all'} s, dt 0.01 s")
+    print(f"  edesign      {ours.milliseconds:8.4f} ms a step (median of {ours.repeats}, spread {100 * ours.spread:.0f} %)")
+    print(f"               {describe(kept[-1])}")
+    try:
+        from benchmarks.peers import opensees_frame
+    except ImportError:
+        print("  OpenSeesPy   not installed: no ratio (pip install 'edesign[peers]')")
+        return
+    acceleration, dt = el_centro(PGA)
+    steps = None if seconds is None else round(seconds / dt)
+
+    def theirs(solver: opensees_frame.SolverOptions, count: int | None) -> float:
+        result = opensees_frame.benchmark_history(frame, acceleration, dt, solver=solver, steps=count)
+        return result.cpu_s / result.steps
+
+    options = [opensees_frame.SolverOptions(system=s, test=t, tolerance=tol) for s in SOLVERS for t, tol in TESTS]
+    if quick:
+        best = options[0]
+    else:
+        costs = [theirs(option, 300) for option in options]
+        best = options[costs.index(min(costs))]
+    peer = timed(lambda: theirs(best, steps), repeats)
+    print(
+        f"  OpenSeesPy   {peer.milliseconds:8.4f} ms a step (median of {peer.repeats}, spread {100 * peer.spread:.0f} %; "
+        f"{best.system}, {best.test} {best.tolerance:g})"
+    )
+    print(f"  ratio        {peer.milliseconds / ours.milliseconds:8.1f}")
+
+
+def growth(repeats: int, seconds: float) -> None:
+    """Cost a step against the number of elements, from 10 x 4 to 80 x 16."""
+    print(f"\nGrowth with size, {seconds:g} s of El Centro at {PGA} g")
+    sizes: list[tuple[int, float]] = []
+    for storeys, bays in ((10, 4), (20, 8), (40, 8), (80, 16)):
+        frame = thesis_frame(bays) if storeys == 10 else tall_frame(storeys, bays)
+        kept: list[Response] = []
+        cost = timed(lambda f=frame, k=kept: core_run(f, seconds, k), repeats)  # type: ignore[misc]
+        sizes.append((frame.n_members, cost.milliseconds))
+        share = 1e3 * cost.milliseconds / frame.n_members
+        print(f"  {storeys:3d} x {bays:2d}  {frame.n_members:5d} elements  {cost.milliseconds:8.4f} ms a step  {share:6.3f} us an element")
+        print(f"            {describe(kept[-1])}")
+    (n0, t0), (n1, t1) = sizes[0], sizes[-1]
+    slope = np.polyfit(np.log([n for n, _ in sizes]), np.log([t for _, t in sizes]), 1)[0]
+    print(f"  power: {math.log(t1 / t0) / math.log(n1 / n0):.2f} between the ends, {slope:.2f} fitted")
+
+
+def memory() -> None:
+    """Peak memory of a whole process that analyses the thesis frame."""
+    code = "from benchmarks.run import core_run, thesis_frame; core_run(thesis_frame(4), None)"
+    subprocess.run([sys.executable, "-c", code], check=True)
+    peak = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / (1024 if sys.platform != "darwin" else 1024**2)
+    print(f"\nPeak memory of a process with the thesis frame's history: {peak:.0f} MB")
+
+
+def main() -> None:
+    """Run all of it."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--quick", action="store_true", help="shorter histories, one repeat of the peer")
+    parser.add_argument("--repeats", type=int, default=3, help="of the peer's histories (default 3)")
+    arguments = parser.parse_args()
+    repeats = 1 if arguments.quick else arguments.repeats
+    memory()
+    side_by_side(thesis_frame(4), None if not arguments.quick else 15.0, repeats, arguments.quick)
+    side_by_side(thesis_frame(3), None if not arguments.quick else 15.0, repeats, arguments.quick)
+    side_by_side(tall_frame(40, 8), 15.0 if not arguments.quick else 3.0, repeats, arguments.quick)
+    growth(repeats, 15.0)
+
+
+if __name__ == "__main__":
+    main()
