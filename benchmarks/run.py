@@ -28,7 +28,7 @@ from benchmarks.peers.frame_data import PeerFrame, tall_frame, thesis_frame  # n
 from benchmarks.records import el_centro  # noqa: E402
 from edesign.core import Response  # noqa: E402
 
-SOLVERS = ("BandGeneral", "UmfPack", "SparseGeneral")
+SOLVERS = ("BandGeneral", "SparseSYM", "UmfPack")
 TESTS = (("NormDispIncr", 1e-6), ("EnergyIncr", 1e-8))
 PGA = 0.414  # g
 
@@ -89,9 +89,10 @@ def side_by_side(frame: PeerFrame, seconds: float | None, repeats: int, quick: b
     steps = None if seconds is None else round(seconds / dt)
 
     def theirs(solver: opensees_frame.SolverOptions, count: int | None) -> float:
-        result = opensees_frame.benchmark_history(frame, acceleration, dt, solver=solver, steps=count)
+        result = opensees_frame.benchmark_history(frame, acceleration, dt, steel, solver, steps=count)
         return result.cpu_s / result.steps
 
+    steel = opensees_frame.ModelOptions(steel="ElasticPP")  # the quicker of its two laws; same answers
     options = [opensees_frame.SolverOptions(system=s, test=t, tolerance=tol) for s in SOLVERS for t, tol in TESTS]
     if quick:
         best = options[0]

@@ -1,6 +1,7 @@
 """A regular plane steel moment frame as plain numbers, known neither to edesign nor to any peer program.
 
-Verification and benchmarks describe a frame once here and hand it to both sides. All values are in SI units (m, N, kg, Pa).
+Verification and benchmarks describe a frame once here and hand it to both sides. Values are in SI units
+(m, N, kg, Pa).
 """
 
 from __future__ import annotations
@@ -183,10 +184,10 @@ def _by_storeys_carried(table: tuple[tuple[int, ISection], ...], carried: int) -
 
 
 def tall_frame(storeys: int = 40, bays: int = 8) -> PeerFrame:
-    """A frame of any height with the thesis frame's bays, storeys, loads and masses; members grow with the storeys carried.
+    """A frame of any height with the thesis frame's bays, storeys, loads and masses.
 
-    Sized so that 20 to 80 storeys stay below a third of the columns' squash load under gravity and survive
-    El Centro at 0.414 g; a benchmark, not a design.
+    Members grow with the storeys they carry: columns stay below a third of their squash load under gravity up to
+    80 storeys; under El Centro at 0.414 g the upper storeys yield (40 storeys, 3 bays: 1.4 % drift). Not a design.
     """
     carried = range(storeys, 0, -1)
     return PeerFrame(

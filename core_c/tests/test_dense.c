@@ -53,7 +53,7 @@ static void multiply(const double *a, const double *b, double *product)
 
 static void check_inverse(numbers *source)
 {
-  double a[6], inverse[6], product[9];
+  double a[6], inverse[6] = {0}, product[9];
   for (int i = 0; i < 6; i++)
     a[i] = next_number(source, -1.0, 1.0);
   a[0] += 4.0; /* diagonally dominant: positive definite */

@@ -224,45 +224,53 @@ def _members(project: Project, model: Model, nodes: dict[str, int]) -> dict[str,
 
 
 class _Parts:
-    """Materials and sections of the core's model, each made once."""
+    """Materials and sections of the core's model, each made once; the core wants all materials before any section."""
 
     def __init__(self, project: Project, model: Model) -> None:
         self._project = project
         self._model = model
-        self._materials: dict[str, int] = {}
+        self._shapes: dict[str, CrossSection | ElasticSection] = {}
+        self._materials: dict[tuple[str, bool], int] = {}
         self._sections: dict[tuple[str, str], tuple[int, np.ndarray | None]] = {}
+        for run in project.frame.members.values():
+            if isinstance(run, BraceRun) or not self._stays_elastic(run):
+                self._material(run)
 
     def section(self, run: Run) -> tuple[int, np.ndarray | None]:
         """Id of the section of a column or beam, and the depths of its layers unless it is elastic."""
         key = (run.section, run.material)
         if key not in self._sections:
-            self._sections[key] = self._make(*key)
+            self._sections[key] = self._make(run)
         return self._sections[key]
 
     def brace(self, run: Run) -> tuple[int, float]:
         """Material id and area of a brace; on an elastic section the material is its elastic part."""
-        shape = cross_section(self._project, run.section)
-        if isinstance(shape, ElasticSection):
-            return self._material(run.material, elastic=True), shape.area
-        return self._material(run.material), shape.area
+        return self._material(run), self._shape(run).area
 
-    def _make(self, section: str, material: str) -> tuple[int, np.ndarray | None]:
-        shape = cross_section(self._project, section)
-        law = self._project.materials[material]
-        if isinstance(shape, ElasticSection):
-            if shape.inertia is None:
-                where = self._project.where("sections", section)
-                raise InputError(f"{where}: section {section}: a column or beam needs `inertia`")
-            return self._model.elastic_section(law.E * shape.area, law.E * shape.inertia), None
-        if isinstance(law, ElasticMaterial):  # the integral over the section in closed form
-            return self._model.elastic_section(law.E * shape.area, law.E * shape.inertia), None
-        depths, areas = shape.fibres
-        return self._model.fibre_section(depths, areas, self._material(material)), shape.layers[0]
+    def _make(self, run: Run) -> tuple[int, np.ndarray | None]:
+        shape = self._shape(run)
+        if isinstance(shape, CrossSection) and not self._stays_elastic(run):
+            depths, areas = shape.fibres
+            return self._model.fibre_section(depths, areas, self._material(run)), shape.layers[0]
+        if shape.inertia is None:
+            where = self._project.where("sections", run.section)
+            raise InputError(f"{where}: section {run.section}: a column or beam needs `inertia`")
+        modulus = self._project.materials[run.material].E  # the integral over the section in closed form
+        return self._model.elastic_section(modulus * shape.area, modulus * shape.inertia), None
 
-    def _material(self, name: str, elastic: bool = False) -> int:
-        key = f"{name} (elastic)" if elastic else name
+    def _stays_elastic(self, run: Run) -> bool:
+        law = self._project.materials[run.material]
+        return isinstance(law, ElasticMaterial) or isinstance(self._shape(run), ElasticSection)
+
+    def _shape(self, run: Run) -> CrossSection | ElasticSection:
+        if run.section not in self._shapes:
+            self._shapes[run.section] = cross_section(self._project, run.section)
+        return self._shapes[run.section]
+
+    def _material(self, run: Run) -> int:
+        key = (run.material, self._stays_elastic(run))
         if key not in self._materials:
-            self._materials[key] = self._model.material(_law(self._project.materials[name], elastic))
+            self._materials[key] = self._model.material(_law(self._project.materials[run.material], key[1]))
         return self._materials[key]
 
 

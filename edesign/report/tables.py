@@ -21,8 +21,8 @@ MEASURE_COLUMNS = (  # header, measure, unit of the header in SI
     ("residual [%]", "residual_interstorey_drift", 0.01),
     ("base shear [kN]", "base_shear_N", 1e3),
     ("roof a [m/s2]", "roof_acceleration_m_s2", 1.0),
-    ("beam rot. [%rad]", "beam_plastic_rotation_rad", 0.01),
-    ("col. rot. [%rad]", "column_plastic_rotation_rad", 0.01),
+    ("beam rot. [mrad]", "beam_plastic_rotation_rad", 1e-3),
+    ("col. rot. [mrad]", "column_plastic_rotation_rad", 1e-3),
     ("col. N [kN]", "column_axial_force_N", 1e3),
 )
 

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from edesign.archive.dataset import Group
 from edesign.building.frame import build_frame
 from edesign.errors import AnalysisError
 from edesign.ground_motion.project_records import read_record
 from edesign.project.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.study import analyses
+from edesign.study.requested import requested_quantities
 
 
 def check_inputs(project: Project, records: Iterable[str]) -> dict[str, str]:
-    """Read records and build the frame once, so that what is wrong with them shows before the first analysis.
+    """Read records, build the frame and look for the outputs once, so that what is wrong shows before the first analysis.
 
     Args:
         project: from `load_project`.
@@ -23,10 +25,10 @@ def check_inputs(project: Project, records: Iterable[str]) -> dict[str, str]:
         SHA-256 of the samples of each record, by name.
 
     Raises:
-        InputError: a record cannot be read, or the frame cannot be built.
+        InputError: a record cannot be read, the frame cannot be built, or an output does not exist in it.
     """
     checksums = {name: read_record(project, name).checksum for name in sorted(set(records))}
-    build_frame(project)
+    requested_quantities(project, build_frame(project), Group())
     return checksums
 
 

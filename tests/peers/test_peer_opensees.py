@@ -62,13 +62,13 @@ def test_el_centro(frame: PeerFrame, pga: float | None) -> None:
 def test_known_values_of_four_bays(
     pga: float | None, roof: float, shear: float, drift: float, acceleration: float
 ) -> None:
-    """Values computed with OpenSeesPy 3.7.1 before this project began; they carry four digits, and the acceleration, the most
-    sensitive to how unconverged steps were handled there, agrees to 1 %."""
+    """Values computed with OpenSeesPy 3.7.1 before this project began, read at the middle line; 0.3 %, and
+    for the drift, given to two decimals of a per cent, half its last digit more."""
     frame = thesis_frame(4)
     bare, loaded = edesign_frame.periods(frame, 1)
     assert bare[0] == pytest.approx(2.7486, abs=5e-5) and loaded[0] == pytest.approx(2.8150, abs=5e-5)
     ours, _ = edesign_frame.history(frame, *el_centro(pga))
     assert ours.peak("roof") == pytest.approx(roof, rel=3e-3)
     assert ours.peak("base_shear") == pytest.approx(shear, rel=3e-3)
-    assert max(ours.peak(f"drift_{floor}") for floor in range(1, 11)) == pytest.approx(drift, rel=4e-3)
-    assert ours.peak("roof_acceleration") == pytest.approx(acceleration, rel=1e-2)
+    assert max(ours.peak(f"drift_{floor}") for floor in range(1, 11)) == pytest.approx(drift, rel=3e-3, abs=5e-5 + 3e-3 * drift)
+    assert ours.peak("roof_acceleration") == pytest.approx(acceleration, rel=3e-3)

@@ -3,7 +3,8 @@
 A layered section is fully plastic at exactly sum A |y| fy when no layer lies on the neutral axis, and the first and last
 Gauss-Lobatto points lie in the ends of a member, where hinges form. Yielding spreads along a member, so that the load
 approaches the theoretical one from below: at the end of each push, elastic layers near the axis and hinges still forming
-leave 0.1 %; and the load never exceeds the theoretical one (by the equilibrium tolerance, 1e-6).
+leave 0.1 % (portals: and axial forces another 0.1 %); the load never exceeds the theoretical one (1e-6: the tolerance of the
+equilibrium).
 """
 
 from __future__ import annotations
@@ -34,9 +35,9 @@ def push(s: Structure, node: int, degree: str, target: float, steps: int = 60) -
     return response.values["f"]
 
 
-def check(load: np.ndarray, collapse: float) -> None:
+def check(load: np.ndarray, collapse: float, tolerance: float = 1e-3) -> None:
     assert load.max() <= collapse * (1 + 1e-6)
-    assert load[-1] == pytest.approx(collapse, rel=1e-3)
+    assert load[-1] == pytest.approx(collapse, rel=tolerance)
 
 
 def test_plastic_moment_of_three_plates() -> None:
@@ -71,8 +72,8 @@ def test_beams_with_a_central_force(left: bool, right: bool, factor: int) -> Non
     check(push(s, s.nodes[1], "uy", -0.6), factor * MP / 8.0)
 
 
-def portal(height: float = 5.0, span: float = 8.0) -> Structure:
-    """All members of one section; slender, so that axial forces (N / Ny < 2 %) take less than 0.1 % off Mp."""
+def portal(height: float = 20.0, span: float = 32.0) -> Structure:
+    """All members of one section; very slender, so that axial forces (N / Ny = 1 %) take less than 0.1 % off Mp."""
     m = Model()
     section = m.fibre_section(*LAYERS, m.material(STEEL))
     a0, a1 = m.node("A0", 0, 0), m.node("A1", 0, height)
@@ -88,7 +89,7 @@ def test_portal_sway() -> None:
     """H h = 4 Mp."""
     s = portal()
     s.model.nodal_load(s.pattern, s.nodes[1], fx=1.0)
-    check(push(s, s.nodes[1], "ux", 0.5), 4 * MP / 5.0)
+    check(push(s, s.nodes[1], "ux", 8.0), 4 * MP / 20.0, 2e-3)
 
 
 @pytest.mark.parametrize("ratio", [0.3, 1.0, 4.0])
@@ -97,41 +98,46 @@ def test_portal_combined(ratio: float) -> None:
 
     With theta of the sway and l/2 = b: sway 4 Mp theta, beam V b theta = 4 Mp theta, combined (H h + V b) theta = 6 Mp theta.
     """
-    s, h, b = portal(), 5.0, 4.0
+    s, h, b = portal(), 20.0, 16.0
     s.model.nodal_load(s.pattern, s.nodes[1], fx=1.0)
     s.model.nodal_load(s.pattern, s.nodes[2], fy=-ratio)
     collapse = min(4 * MP / h, 4 * MP / (ratio * b), 6 * MP / (h + ratio * b))
     mechanism = int(np.argmin([4 * MP / h, 4 * MP / (ratio * b), 6 * MP / (h + ratio * b)]))
     assert mechanism == {0.3: 0, 1.0: 2, 4.0: 1}[ratio]
-    node, degree, target = (s.nodes[2], "uy", -0.6) if mechanism == 1 else (s.nodes[1], "ux", 0.6)
-    check(push(s, node, degree, target), collapse)
+    node, degree, target = (s.nodes[2], "uy", -10.0) if mechanism == 1 else (s.nodes[1], "ux", 10.0)
+    check(push(s, node, degree, target), collapse, 2e-3)
 
 
 @pytest.mark.parametrize("geometry", ["p_delta", "corotational"])
 def test_softening_past_the_peak(geometry: str) -> None:
     """A cantilever column under gravity: H L + P delta = Mp(N) after yield, a slope of -P/L.
 
-    Mp with axial force from the layers themselves. Corotational: the height L cos(theta) and the shortening change it by
-    some theta^2 / 2 = 0.3 %.
+    Mp with axial force from the layers themselves. Corotational: the height above the base is L + uy, and N = P cos + H sin
+    of the chord's slope moves Mp by some 0.2 %.
     """
-    L, P, target = 4.0, 600e3, 0.3
+    L, P = 4.0, 600e3
     s = steel_cantilever(L, LAYERS, STEEL, geometry)
     s.model.nodal_load(s.pattern, s.nodes[1], fy=-P)
     g = s.model.pattern("lateral")
     s.model.nodal_load(g, s.nodes[1], fx=1.0)
-    a = s.analysis()
+    a = s.analysis(tolerance=1e-9)
     assert a.static(s.pattern, steps=2).status == "completed"
-    response = a.pushover(g, s.nodes[1], "ux", target, 120, [channel("load_factor", g, 0, "f")])
+    top = s.nodes[1]
+    channels = [channel("load_factor", g, 0, "f"), channel("displacement", top, 0, "u"),
+                channel("displacement", top, 1, "v"), channel("reaction", s.nodes[0], 2, "m")]
+    response = a.pushover(g, top, "ux", 0.8, 120, channels)
     assert response.status == "completed", response.reason
-    load, delta = response.values["f"], response.time
+    load, delta = response.values["f"], response.values["u"]
+    height = L + (response.values["v"] if geometry == "corotational" else 0.0)
+    capacity = load * height + P * delta
+    np.testing.assert_allclose(capacity, response.values["m"], atol=1e-6 * MP)
     mp = plastic_moment(*LAYERS, axial=P)
     assert mp < 0.97 * MP  # the axial force matters
-    tolerance = 1e-3 if geometry == "p_delta" else 5e-3
-    capacity = load * L + P * delta
+    tolerance = 1e-4 if geometry == "p_delta" else 3e-3
     assert capacity[-1] == pytest.approx(mp, rel=tolerance)
-    assert capacity.max() <= mp * (1 + (1e-6 if geometry == "p_delta" else 5e-3))
-    peak = int(np.argmax(load))
-    assert 5 < peak < 60
-    slope = np.polyfit(delta[90:], load[90:], 1)[0]
-    assert slope == pytest.approx(-P / L, rel=0.02 if geometry == "p_delta" else 0.06)
+    assert capacity.max() <= mp * (1 + (1e-7 if geometry == "p_delta" else 3e-3))
+    assert 3 < int(np.argmax(load)) < 60
     assert load[-1] < 0.0  # far past the peak: only displacement control gets here
+    if geometry == "p_delta":
+        slope = np.polyfit(delta[60:], load[60:], 1)[0]
+        assert slope == pytest.approx(-P / L, rel=1e-3)  # the moment still grows by 1e-4 of itself

@@ -119,7 +119,8 @@ def test_two_node_link_balances_its_shear() -> None:
     got = final(b, [channel("end_force", link, k, str(k)) for k in range(6)])
     assert got["1"] == pytest.approx(-got["4"], rel=1e-9)
     assert got["2"] + got["5"] == pytest.approx(-2.0 * got["4"], rel=1e-9)
-    assert abs(got["4"]) == pytest.approx(1e3, rel=1e-5)  # rotations are held; the springs across carry some 1e-6
+    # the soft springs across at i and j are equal and the link, with its turning held, is all but rigid: half crosses it
+    assert abs(got["4"]) == pytest.approx(0.5e3, rel=1e-5)
 
 
 def test_rigid_diaphragm_shares_by_stiffness() -> None:

@@ -108,10 +108,7 @@ static int worth_factoring(const ed_analysis *a, double unbalance, double before
   if (rate >= 0.7)
     return 1;
   const double to_come = log(a->tolerance / unbalance) / log(rate);
-  /* a factorisation costs as much as `price` iterations: its operations against those of a solution and of the
-   * element states (about 150 an element and iteration for each operation of the matrix) */
-  const double price = a->factor_price;
-  return to_come > 1.5 + price;
+  return to_come > 1.5 + a->factor_price;
 }
 
 int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)

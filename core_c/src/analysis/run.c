@@ -15,8 +15,8 @@ void ed_start_run(ed_analysis *a, int kind, int steps)
   a->run.every = 1;
   a->n_events = 0;
   a->committed.head->position = a->trial.head->position = 0.0;
-  /* about 2000 operations an element and iteration beside the solution; a division, two passes over the factors */
-  const double others = 2000.0 * a->model->n_members;
+  /* about 1000 operations an element and iteration beside the solution */
+  const double others = 1000.0 * a->model->n_members;
   a->factor_price = ed_solver_flops(a->solver) / (ed_solver_solve_flops(a->solver) + others);
 }
 

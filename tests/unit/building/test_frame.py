@@ -74,7 +74,7 @@ def test_a_load_on_a_place_without_members_is_an_error_that_names_it() -> None:
 
 
 def test_releases_and_pin_ended_joints() -> None:
-    """Beams hinged at both ends leave the column to hold the joint; where nothing holds a joint its rotation is fixed."""
+    """A column holds the joint of hinged beams; where nothing holds a joint its rotation is fixed."""
     hinges = "releases: [{beams: {bays: 2, floors: 1}, ends: both}, {columns: {lines: C, storeys: 1-2}, ends: both},"
     hinges += " {beams: {bays: 2, floors: 2}, ends: end}, {beams: {bays: 1, floors: 1}, ends: start}]"
     frame, model = built(("  columns: [", f"  {hinges}\n  columns: ["))

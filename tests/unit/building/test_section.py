@@ -37,7 +37,7 @@ def test_three_rectangles_have_the_closed_form() -> None:
 
 @pytest.mark.parametrize("name", [name for name in profile_names() if name.startswith(("IPE", "HE"))])
 def test_rolled_sections_agree_with_the_catalogue_up_to_the_fillets(name: str) -> None:
-    """With fillets: within the 0.05 % by which the catalogue's polygons miss the arcs. Without: exactly their area less."""
+    """With fillets: within the 0.05 % by which the catalogue's polygons miss the arcs. Without: their area less."""
     rolled = profile(name)
     full = rolled_section(rolled, Fibres(fillets=True))
     assert full.area == pytest.approx(rolled.area, rel=5e-4)

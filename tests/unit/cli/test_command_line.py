@@ -93,7 +93,7 @@ def test_show_prints_tables(archive: Path, capsys: pytest.CaptureFixture[str]) -
     assert "lost: step 1500: no convergence" in lines
     assert cells("   1", "modes: periods") == ["1", "0.8000", "1.2500", "85.00", "85.00"]
     measures = "Response measures (largest absolute values)"
-    expected = "el_centro 0.2100 0.02000 3.000 5.700 0.3300 300.0 5.000 1.100 0.2000 900.0"  # m, %, kN, m/s2, %rad
+    expected = "el_centro 0.2100 0.02000 3.000 5.700 0.3300 300.0 5.000 11.00 2.000 900.0"  # m, %, kN, m/s2, mrad
     assert cells("el_centro", measures) == expected.split()
     assert cells("lost *", measures)[3] == "-"  # no residual
     assert cells("el_centro", "Statistics") == ["el_centro", "2000", "4100", "30", "1", "0.310", "2.5e-09"]

@@ -10,7 +10,8 @@ import pytest
 from edesign.errors import InputError
 from edesign.ground_motion.at2 import read_at2
 
-TITLE = "PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere, 1/1/1990, A Station, 180\nACCELERATION TIME SERIES IN UNITS OF G\n"
+TITLE = "PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere, 1/1/1990, A Station, 180\n"
+TITLE += "ACCELERATION TIME SERIES IN UNITS OF G\n"
 NEW = "NPTS=      7, DT=   .0100 SEC,\n"
 OLD = "    7    0.0100    NPTS, DT\n"
 DATA = "   .1000000E+00  -.2000000E+00   .3000000E-01   .0000000E+00   .5000000E-02\n  -.1000000E-03   .2500000E+00\n"

@@ -63,7 +63,10 @@ masses:
   given: [{lines: all, floors: all, mass: 1 t}]
 analyses:
   - {name: push, kind: pushover, pattern: uniform, roof_drift: 10 %, steps: 100}
-outputs: {sections: [{member: C_A_1, points: 1}], fibres: [{member: C_A_1, points: 1, layers: [1, 16]}], members: [C_A_1]}
+outputs:
+  members: [C_A_1]
+  sections: [{member: C_A_1, points: 1}]
+  fibres: [{member: C_A_1, points: 1, layers: [1, 16]}]
 """
 
 THESIS_4_BAYS = """\

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from unit.study.frames import HEIGHT, MASS, PULSE, STIFFNESS, shear_frame
+from unit.study.frames import HEIGHT, MASS, PULSE, STIFFNESS, project, shear_frame
 
 from edesign.archive.dataset import Group
 from edesign.errors import InputError
@@ -44,8 +44,8 @@ def made(folder: Path, *analyses: str, damping: str = STATEMENT, outputs: str = 
     return shear_frame(*(analyses or (HISTORY,)), damping=damping, outputs=outputs, storeys=storeys, path=where)
 
 
-def run(project: Project) -> Group:
-    return run_analysis(project, project.analyses[0])
+def run(one: Project) -> Group:
+    return run_analysis(one, one.analyses[0])
 
 
 def test_response_of_one_degree_of_freedom(tmp_path: Path) -> None:
@@ -132,9 +132,7 @@ def test_every_method_of_integration_finds_the_peak(tmp_path: Path) -> None:
     reference = run(made(tmp_path)).variables["floor_displacement_max"].values[0]
     for method in ("hht, alpha: -0.1", "generalised_alpha, rho_inf: 0.8"):
         text = made(tmp_path).text.replace("method: newmark", f"method: {method}")
-        from edesign.project import parse_project
-
-        other = run(parse_project(text, tmp_path / "project.yaml"))
+        other = run(project(text, tmp_path / "project.yaml"))
         assert other.variables["floor_displacement_max"].values[0] == pytest.approx(reference, rel=1e-2)
         assert other.variables["floor_displacement_max"].values[0] != reference
 
@@ -146,21 +144,64 @@ def test_a_stopped_history_says_so(tmp_path: Path) -> None:
         asked.append(1)
         return True
 
-    project = made(tmp_path)
-    group = run_analysis(project, project.analyses[0], stop=stop)
+    shaken = made(tmp_path)
+    group = run_analysis(shaken, shaken.analyses[0], stop=stop)
     assert asked and group.attributes["status"] == "interrupted"
     assert "residual_roof_displacement" not in group.variables
 
 
 def test_progress_reaches_the_end(tmp_path: Path) -> None:
     seen: list[tuple[int, int]] = []
-    project = made(tmp_path)
-    run_analysis(project, project.analyses[0], progress=lambda done, total: seen.append((done, total)))
+    shaken = made(tmp_path)
+    run_analysis(shaken, shaken.analyses[0], progress=lambda done, total: seen.append((done, total)))
     assert seen[-1] == (162, 162)
 
 
 def test_a_bad_record_is_an_input_error_that_names_both_files(tmp_path: Path) -> None:
-    project = made(tmp_path)
+    shaken = made(tmp_path)
     (tmp_path / "pulse.csv").write_text("1.0\nnan\n")
     with pytest.raises(InputError, match=r"project.yaml:\d+:\d+: records.pulse: .*pulse.csv:2: `nan`"):
-        run(project)
+        run(shaken)
+
+
+COLLAPSE = """\
+edesign: 1
+title: Two storeys that are pushed over
+frame:
+  bays: [6 m]
+  storeys: [4 m, 3 m]
+  columns: [{storeys: all, section: HEB160, material: S235}]
+  beams: [{floors: all, section: IPE300, material: S235}]
+materials:
+  S235: {law: bilinear, E: 210 GPa, fy: 235 MPa}
+loads:
+  beams: [{floors: all, G: 40 kN/m}]
+masses: {from_loads: {}}
+damping: {kind: rayleigh, ratio: 2 %, state: initial}
+integration: {method: newmark, time_step: 0.01 s}
+records:
+  push: {file: push.csv, acceleration_unit: g, time_step: 0.05 s}
+analyses:
+  - {name: h, kind: history, record: push, pga: 3 g}
+"""
+
+
+def test_a_collapse_is_kept_as_far_as_it_was_computed(tmp_path: Path) -> None:
+    """A ground that accelerates one way at 3 g takes the frame beyond any equilibrium."""
+    (tmp_path / "push.csv").write_text("0\n" + "1\n" * 600)
+    group = run(project(COLLAPSE, tmp_path / "project.yaml"))
+    assert group.attributes["status"] == "failed"
+    assert "step" in str(group.attributes["reason"]) and group.attributes["record"] == "push"
+    count = group.coords["time"].values.size
+    assert 10 < count < 3000 and group.variables["storey_drift"].values.shape == (count, 2)
+    assert np.all(np.isfinite(group.variables["storey_drift"].values))
+    assert group.attributes["statistics"]["fallbacks"] > 0
+    assert group.coords["event"].values.size == len(group.attributes["events"]) > 0
+    assert "residual_roof_displacement" not in group.variables
+
+
+def test_no_equilibrium_under_gravity_is_said_as_such(tmp_path: Path) -> None:
+    (tmp_path / "push.csv").write_text("0\n1\n")
+    group = run(project(COLLAPSE.replace("40 kN/m", "4000 kN/m"), tmp_path / "project.yaml"))
+    assert group.attributes["status"] == "failed"
+    assert str(group.attributes["reason"]).startswith("under the gravity loads: ")

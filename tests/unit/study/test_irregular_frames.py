@@ -66,7 +66,7 @@ def test_all_analyses_complete(groups: dict[str, Group]) -> None:
 
 
 def test_lateral_equilibrium_of_every_storey(groups: dict[str, Group]) -> None:
-    """The shear of a storey is the sum of the loads above it, through columns and braces; at the base it is the base shear."""
+    """The shear of a storey, in columns and braces, is the sum of the loads above it; at the base the base shear."""
     group = groups["push"]
     lateral = group.variables["lateral_load"].values
     shear = group.variables["storey_shear"].values
@@ -85,17 +85,17 @@ def test_vertical_equilibrium_under_gravity(groups: dict[str, Group]) -> None:
     total = group.variables["reaction_y_final"].values.sum()
     assert total == pytest.approx(17.7e3 * (18 + 11 + 11), rel=1e-7)
     hinged = list(group.coords["member"].values).index("B_1_1")
-    assert (
-        np.abs(group.variables["member_bending_moment_max"].values[hinged]).max() < 1e-3
-    )  # N m, of 8e4 without hinges
+    assert np.abs(group.variables["member_bending_moment_max"].values[hinged]).max() < 1e-3  # N m, of 5e4 if rigid
     assert group.variables["reaction_x_final"].values[3] == 0.0  # the roller
 
 
 def test_the_roller_moves_and_drifts_are_of_lines_with_columns(groups: dict[str, Group]) -> None:
     group = groups["push"]
     largest, mean = group.variables["storey_drift_max"].values, group.variables["storey_drift"].values[-1]
-    assert np.all(largest >= mean - 1e-12) and largest[2] > 0.005
-    assert group.variables["floor_displacement"].values[-1, -1] == pytest.approx(0.01 * 11.0, rel=0.02)
+    assert np.all(largest >= mean - 1e-12) and largest.max() > 0.01  # the drift of the whole
+    # the first node of the roof goes to the target; without diaphragm the mean of the roof's nodes is a little off
+    assert group.attributes["target_roof_displacement_m"] == pytest.approx(0.01 * 11.0)
+    assert group.variables["roof_displacement"].values[-1] == pytest.approx(0.01 * 11.0, rel=0.05)
 
 
 def test_braces_carry_axial_force_only(groups: dict[str, Group]) -> None:

@@ -56,7 +56,7 @@ def test_too_many_modes_is_a_failed_analysis_with_a_reason() -> None:
 
 
 def test_gravity_of_two_storeys() -> None:
-    """12 kN/m on 8 m: each column carries 48 kN a floor above it; nothing goes sideways; columns shorten by N h / (E A)."""
+    """12 kN/m on 8 m: 48 kN in a column from each floor above it, no sway; columns shorten by N h / (E A)."""
     made = shear_frame("{name: g, kind: gravity}", storeys=2)
     found = run_analysis(made, made.analyses[0])
     values = {name: variable.values for name, variable in found.variables.items()}
