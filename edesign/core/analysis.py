@@ -57,7 +57,7 @@ class Analysis:
         status = ffi.new("int *")
         message = ffi.new("char[]", 1024)
         self.model = model
-        handle = lib.ed_analysis_new(model.handle, status, message, 1024)
+        handle = lib.ed_analysis_new(model.freeze(), status, message, 1024)
         if handle == ffi.NULL:
             raise CoreError(status_name(status[0]), ffi.string(message).decode())
         self._c = ffi.gc(handle, lib.ed_analysis_free)

@@ -28,8 +28,9 @@ class Model:
     """
 
     def __init__(self) -> None:
-        self._c = ffi.gc(lib.ed_model_new(), lib.ed_model_free)
-        if self._c == ffi.NULL:
+        self._frozen = False
+        self._handle = ffi.gc(lib.ed_model_new(), lib.ed_model_free)
+        if self._handle == ffi.NULL:
             raise MemoryError
         self.node_names: list[str] = []
         self.element_names: list[str] = []
@@ -37,14 +38,20 @@ class Model:
         self.node_xy: list[tuple[float, float]] = []
         self.n_patterns = 0
 
+    def freeze(self) -> Any:
+        """The core's handle, for Analysis; nothing can be added afterwards, because analyses refer to what is here."""
+        self._frozen = True
+        return self._handle
+
     @property
-    def handle(self) -> Any:
-        """The core's handle, for Analysis."""
-        return self._c
+    def _c(self) -> Any:
+        if self._frozen:
+            raise RuntimeError("the model cannot change once an analysis has been made of it")
+        return self._handle
 
     def _checked(self, result: int) -> int:
         if result < 0:
-            raise CoreError(status_name(result), ffi.string(lib.ed_model_message(self._c)).decode())
+            raise CoreError(status_name(result), ffi.string(lib.ed_model_message(self._handle)).decode())
         return result
 
     def material(self, law: Steel) -> int:
@@ -81,7 +88,7 @@ class Model:
 
     def layers(self, section: int) -> int:
         """Number of layers of a fibre section after merging."""
-        return self._checked(lib.ed_model_section_layers(self._c, section))
+        return self._checked(lib.ed_model_section_layers(self._handle, section))
 
     def node(self, name: str, x: float, y: float) -> int:
         """Add a node at (x, y) m."""

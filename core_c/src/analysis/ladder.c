@@ -18,57 +18,8 @@ static void record(ed_analysis *a, int rung, int level, int status)
                                         .iterations = ed_last_iterations(a)};
 }
 
-static int climb(ed_analysis *a, ed_attempt attempt, double fraction, int level)
-{
-  int status = ED_E_NOT_CONVERGED;
-  for (int rung = 0; rung <= ED_RUNG_FROZEN_DAMPING; rung++) {
-    if (rung == ED_RUNG_FULL_NEWTON && !a->reuse)
-      continue; /* was the first attempt */
-    if (rung == ED_RUNG_FROZEN_DAMPING &&
-        (a->rayleigh_kind != ED_STIFFNESS_CURRENT || a->rayleigh_stiffness == 0.0 || a->run.kind != ED_RUN_HISTORY))
-      continue; /* nothing to freeze */
-    status = attempt(a, fraction, rung);
-    if (rung > 0)
-      record(a, rung, level, status);
-    if (status == ED_OK) {
-      ed_commit(a);
-      a->statistics.substeps++;
-      return ED_OK;
-    }
-    if (level == a->halvings && rung == ED_RUNG_FROZEN_DAMPING)
-      break;
-    ed_revert(a);
-  }
-  if (level == a->halvings)
-    return status;
-  record(a, ED_RUNG_HALVE, level + 1, ED_OK);
-  for (int half = 0; half < 2; half++)
-    if ((status = climb(a, attempt, 0.5 * fraction, level + 1)) != ED_OK)
-      return status;
-  return ED_OK;
-}
-
-int ed_climb(ed_analysis *a, ed_attempt attempt)
-{
-  /* the first attempt needs no copy of the layers: only a commit changes them */
-  int status = attempt(a, 1.0, 0);
-  if (status == ED_OK) {
-    ed_commit(a);
-    a->statistics.substeps++;
-    return ED_OK;
-  }
-  ed_revert(a);
-  ed_backup(a);
-  status = climb(a, attempt, 1.0, 0);
-  if (status == ED_OK)
-    return ED_OK;
-  status = ed_explain(a, status);
-  ed_restore(a);
-  return status;
-}
-
 /* Says what happened, where and how, from the last attempt. */
-int ed_explain(ed_analysis *a, int status)
+static void explain(ed_analysis *a, int status)
 {
   char degree[ED_NAME + 8], where[2 * ED_NAME] = "", path[200] = "", cause[420] = "";
   const ed_element *e = NULL;
@@ -101,10 +52,64 @@ int ed_explain(ed_analysis *a, int status)
     snprintf(cause, sizeof cause, "; softest at %s: the structure has reached its limit load or lost stability", names);
   }
   const char *abscissa = a->run.kind == ED_RUN_HISTORY ? "time" : a->run.kind == ED_RUN_STATIC ? "load factor" : "displacement";
-  return ed_fail(a, status,
-                 "%s: step %d, %s %.6g, after %d halvings of the step; largest unbalance at %s%s; relative residuals %s%s. "
-                 "Try a smaller step%s",
-                 ed_status_text(status), a->run.done + 1, abscissa, a->committed.head->time, a->halvings,
-                 ed_equation_name(a, a->worst, degree, sizeof degree), where, path, cause,
-                 a->run.kind == ED_RUN_STATIC ? ", or displacement control if the load exceeds the capacity" : "");
+  ed_fail(a, status,
+          "%s: step %d, %s %.6g, after %d halvings of the step; largest unbalance at %s%s; relative residuals %s%s. "
+          "Try a smaller step%s",
+          ed_status_text(status), a->run.done + 1, abscissa, a->committed.head->time, a->halvings,
+          ed_equation_name(a, a->worst, degree, sizeof degree), where, path, cause,
+          a->run.kind == ED_RUN_STATIC ? ", or displacement control if the load exceeds the capacity" : "");
+}
+
+/* Rungs that make no difference are left out. */
+static int useful(const ed_analysis *a, int rung)
+{
+  if (rung == ED_RUNG_FULL_NEWTON)
+    return a->reuse; /* otherwise the first attempt was that */
+  if (rung == ED_RUNG_FROZEN_DAMPING)
+    return a->run.kind == ED_RUN_HISTORY && a->rayleigh_kind == ED_STIFFNESS_CURRENT && a->rayleigh_stiffness != 0.0;
+  return 1;
+}
+
+static int accept(ed_analysis *a)
+{
+  ed_commit(a);
+  a->statistics.substeps++;
+  return ED_OK;
+}
+
+static int climb(ed_analysis *a, ed_attempt attempt, double fraction, int level, int first_rung)
+{
+  int status = ED_E_NOT_CONVERGED;
+  for (int rung = first_rung; rung <= ED_RUNG_FROZEN_DAMPING; rung++) {
+    if (!useful(a, rung))
+      continue;
+    status = attempt(a, fraction, rung);
+    if (rung > 0)
+      record(a, rung, level, status);
+    if (status == ED_OK)
+      return accept(a);
+    if (level == a->halvings && (rung == ED_RUNG_FROZEN_DAMPING || !useful(a, ED_RUNG_FROZEN_DAMPING)))
+      explain(a, status); /* while the failed state is still there */
+    ed_revert(a);
+  }
+  if (level == a->halvings)
+    return status;
+  record(a, ED_RUNG_HALVE, level + 1, ED_OK);
+  for (int half = 0; half < 2; half++)
+    if ((status = climb(a, attempt, 0.5 * fraction, level + 1, 0)) != ED_OK)
+      return status;
+  return ED_OK;
+}
+
+int ed_climb(ed_analysis *a, ed_attempt attempt)
+{
+  int status = attempt(a, 1.0, 0);
+  if (status == ED_OK)
+    return accept(a);
+  ed_revert(a);
+  ed_backup(a); /* only now: an attempt changes no layer, a commit of half a step does */
+  status = climb(a, attempt, 1.0, 0, ED_RUNG_FULL_NEWTON);
+  if (status != ED_OK)
+    ed_restore(a);
+  return status;
 }

@@ -207,15 +207,14 @@ void ed_element_finish_loads(ed_element *e)
 }
 
 int ed_element_update(const ed_element *e, const double *displacement, const double *layers, double *block,
-                      ed_element_control *control, int *tangent_changed)
+                      ed_element_control *control)
 {
-  *tangent_changed = 0;
   if (e->kind == ED_LINK)
     return ED_OK;
   ed_kinematics k;
   ed_kinematics_of(e, displacement, &k);
   if (e->kind == ED_FIBRE_BEAM)
-    return ed_fibre_beam_update(e, k.v, layers, block, control, tangent_changed);
+    return ed_fibre_beam_update(e, k.v, layers, block, control);
   control->updates++;
   memcpy(block + ED_BLOCK_V, k.v, sizeof k.v);
   double *q = block + ED_BLOCK_Q;
@@ -229,9 +228,7 @@ int ed_element_update(const ed_element *e, const double *displacement, const dou
   double stress, tangent;
   ed_steel_trial(e->steel, layers, k.v[0] / e->length, &stress, &tangent);
   q[0] = stress * e->area;
-  const double stiffness = tangent * e->area / e->length;
-  *tangent_changed = stiffness != block[ED_BLOCK_K];
-  block[ED_BLOCK_K] = stiffness;
+  block[ED_BLOCK_K] = tangent * e->area / e->length;
   return ED_OK;
 }
 

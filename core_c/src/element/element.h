@@ -55,9 +55,9 @@ void ed_element_clear_loads(ed_element *element);
 void ed_element_add_load(ed_element *element, const ed_member_load *load, double factor);
 void ed_element_finish_loads(ed_element *element);
 
-/* Finds q and kb for the displacements of the six degrees; *tangent_changed says whether kb is another than before. */
+/* Finds q and kb for the displacements of the six degrees. */
 int ed_element_update(const ed_element *element, const double *displacement, const double *layers, double *block,
-                      ed_element_control *control, int *tangent_changed);
+                      ed_element_control *control);
 /* Resisting forces at the six degrees in global axes. */
 void ed_element_forces(const ed_element *element, const double *displacement, const double *block, double *force);
 /* Tangent 6x6 in global axes. */
@@ -80,6 +80,6 @@ void ed_kinematics_of(const ed_element *element, const double *displacement, ed_
 
 /* Force-based beam (fibre_beam.c). */
 int ed_fibre_beam_update(const ed_element *element, const double *v, const double *layers, double *block,
-                         ed_element_control *control, int *tangent_changed);
+                         ed_element_control *control);
 
 #endif

@@ -123,14 +123,11 @@ static int elastic_shortcut(const ed_element *e, const double *v, double *block)
 }
 
 int ed_fibre_beam_update(const ed_element *e, const double *v, const double *layers, double *block,
-                         ed_element_control *control, int *tangent_changed)
+                         ed_element_control *control)
 {
-  double before[6];
-  memcpy(before, block + ED_BLOCK_K, sizeof before);
   control->updates++;
   if (control->fast_elastic && block[ED_BLOCK_INELASTIC] == 0.0 && elastic_shortcut(e, v, block)) {
     control->elastic++;
-    *tangent_changed = memcmp(before, block + ED_BLOCK_K, sizeof before) != 0;
     return ED_OK;
   }
   double *q = block + ED_BLOCK_Q, *K = block + ED_BLOCK_K, *points = block + ED_BLOCK_POINTS;
@@ -221,6 +218,5 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       taken = next;
     }
   }
-  *tangent_changed = memcmp(before, K, sizeof before) != 0;
   return ED_OK;
 }

@@ -81,7 +81,8 @@ struct ed_analysis {
   double *tangent;               /* nnz + 1: K at the trial state */
   double *initial;               /* nnz + 1: K of the unloaded structure */
   double *reference;             /* nnz + 1: K that Rayleigh damping uses when it is not the current one */
-  double *effective;             /* nnz + 1 */
+  double *effective;             /* nnz + 1: what the factors are of */
+  double *effective_kept;        /* nnz: the same at the last commit, once other factors have replaced it */
   ed_solver *solver;
 
   /* elements and state */
@@ -99,8 +100,10 @@ struct ed_analysis {
   double *external;              /* n: loads at `factors` */
   double *external_committed;    /* n: loads at the last commit */
   ed_loads *loads_committed;     /* per member: element loads at the last commit */
-  long tangent_stamp, assembled_stamp, factored_stamp, reference_stamp, material_stamp, factored_material;
+  long tangent_stamp, assembled_stamp, factored_stamp; /* of the tangent, of `tangent`, of the factors (-1: none) */
   double factored_k, factored_m, factored_c;
+  double kept_k, kept_m, kept_c;
+  int factors_kept;              /* effective_kept is valid */
   double factor_price;           /* of a factorisation, in iterations */
 
   /* damping */
@@ -149,6 +152,7 @@ int ed_build_pattern(ed_analysis *a);
 void ed_set_factors(ed_analysis *a);              /* external and element loads from a->factors */
 void ed_spread(const ed_analysis *a, const double *u, double *displacement);
 int ed_update_elements(ed_analysis *a);           /* trial u -> element states, resisting forces */
+void ed_collect_forces(ed_analysis *a);           /* element states -> resisting forces */
 void ed_assemble_tangent(ed_analysis *a);
 void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, double *y); /* symmetric, y = A x */
 
@@ -156,6 +160,7 @@ void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, do
 void ed_damping_force(ed_analysis *a, const double *v, double *force);
 int ed_factor_effective(ed_analysis *a, double k, double m, double c);
 int ed_solve_effective(ed_analysis *a, double *x);
+void ed_restore_factors(ed_analysis *a);          /* those of the last commit */
 
 /* state.c */
 int ed_state_allocate(ed_analysis *a);
@@ -192,7 +197,6 @@ int ed_last_iterations(const ed_analysis *a);
 /* ladder.c */
 typedef int (*ed_attempt)(ed_analysis *a, double fraction, int rung);
 int ed_climb(ed_analysis *a, ed_attempt attempt);
-int ed_explain(ed_analysis *a, int status);
 
 /* run.c */
 void ed_start_run(ed_analysis *a, int kind, int steps);

@@ -91,7 +91,8 @@ int ed_build_pattern(ed_analysis *a)
   a->initial = malloc(bytes);
   a->reference = malloc(bytes);
   a->effective = malloc(bytes);
-  if (!a->tangent || !a->initial || !a->reference || !a->effective)
+  a->effective_kept = malloc(bytes);
+  if (!a->tangent || !a->initial || !a->reference || !a->effective || !a->effective_kept)
     return ED_E_MEMORY;
   a->solver = ed_solver_new(n, a->column_start, a->row, a->diagonal);
   return a->solver ? ED_OK : ED_E_MEMORY;
@@ -128,36 +129,64 @@ void ed_spread(const ed_analysis *a, const double *u, double *displacement)
     displacement[i] = a->equation[i] >= 0 ? u[a->equation[i]] : 0.0;
 }
 
+/* Forces of one element at its present state, added to those at the degrees. */
+static void add_forces(ed_analysis *a, int m, const double *d)
+{
+  const ed_element *e = &a->elements[m];
+  double *force = a->member_force + 6 * m;
+  ed_element_forces(e, d, a->trial.elements + e->state, force);
+  for (int i = 0; i < 6; i++)
+    a->resisting[e->dof[i]] += force[i];
+}
+
+static void gather(const ed_analysis *a, int member, double *d)
+{
+  for (int i = 0; i < 6; i++)
+    d[i] = a->displacement[a->elements[member].dof[i]];
+}
+
+static void clear_forces(ed_analysis *a)
+{
+  ed_spread(a, a->trial.u, a->displacement);
+  memset(a->resisting, 0, 3 * (size_t)a->model->n_nodes * sizeof *a->resisting);
+}
+
+static void sum_forces(ed_analysis *a)
+{
+  memset(a->trial.resisting, 0, (size_t)a->n * sizeof *a->trial.resisting);
+  for (int i = 0; i < 3 * a->model->n_nodes; i++)
+    if (a->equation[i] >= 0)
+      a->trial.resisting[a->equation[i]] += a->resisting[i];
+  a->tangent_stamp++;
+}
+
 int ed_update_elements(ed_analysis *a)
 {
-  const int members = a->model->n_members, degrees = 3 * a->model->n_nodes;
-  ed_spread(a, a->trial.u, a->displacement);
-  memset(a->resisting, 0, (size_t)degrees * sizeof *a->resisting);
-  int changed_any = 0;
-  for (int m = 0; m < members; m++) {
+  clear_forces(a);
+  for (int m = 0; m < a->model->n_members; m++) {
     const ed_element *e = &a->elements[m];
-    double *block = a->trial.elements + e->state;
-    double d[6], *force = a->member_force + 6 * m;
-    int changed;
-    for (int i = 0; i < 6; i++)
-      d[i] = a->displacement[e->dof[i]];
-    const int status = ed_element_update(e, d, a->layers + e->layers, block, &a->control, &changed);
+    double d[6];
+    gather(a, m, d);
+    const int status = ed_element_update(e, d, a->layers + e->layers, a->trial.elements + e->state, &a->control);
     if (status != ED_OK) {
       a->failed_member = m;
       return status;
     }
-    changed_any |= changed;
-    ed_element_forces(e, d, block, force);
-    for (int i = 0; i < 6; i++)
-      a->resisting[e->dof[i]] += force[i];
+    add_forces(a, m, d);
   }
-  memset(a->trial.resisting, 0, (size_t)a->n * sizeof *a->trial.resisting);
-  for (int i = 0; i < degrees; i++)
-    if (a->equation[i] >= 0)
-      a->trial.resisting[a->equation[i]] += a->resisting[i];
-  a->tangent_stamp++;
-  a->material_stamp += changed_any;
+  sum_forces(a);
   return ED_OK;
+}
+
+void ed_collect_forces(ed_analysis *a)
+{
+  clear_forces(a);
+  for (int m = 0; m < a->model->n_members; m++) {
+    double d[6];
+    gather(a, m, d);
+    add_forces(a, m, d);
+  }
+  sum_forces(a);
 }
 
 void ed_assemble_tangent(ed_analysis *a)
@@ -169,8 +198,7 @@ void ed_assemble_tangent(ed_analysis *a)
     const ed_element *e = &a->elements[m];
     double d[6], t[36];
     const int *place = a->scatter + 36 * m;
-    for (int i = 0; i < 6; i++)
-      d[i] = a->displacement[e->dof[i]];
+    gather(a, m, d);
     ed_element_tangent(e, d, a->trial.elements + e->state, t);
     for (int i = 0; i < 36; i++)
       a->tangent[place[i]] += t[i];

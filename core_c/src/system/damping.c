@@ -83,9 +83,35 @@ void ed_damping_force(ed_analysis *a, const double *v, double *force)
   }
 }
 
+/* Factors `effective`, and what modal damping adds to it. */
+static int factor(ed_analysis *a, double k, double m, double c);
+
+/* The path of later steps depends on which factors are kept, so those of the last commit can be had again. */
+static void keep_factors(ed_analysis *a)
+{
+  if (a->factors_kept || a->factored_stamp < 0)
+    return;
+  memcpy(a->effective_kept, a->effective, (size_t)a->nnz * sizeof(double));
+  a->kept_k = a->factored_k;
+  a->kept_m = a->factored_m;
+  a->kept_c = a->factored_c;
+  a->factors_kept = 1;
+}
+
+void ed_restore_factors(ed_analysis *a)
+{
+  if (!a->factors_kept)
+    return;
+  memcpy(a->effective, a->effective_kept, (size_t)a->nnz * sizeof(double));
+  a->factors_kept = 0;
+  if (factor(a, a->kept_k, a->kept_m, a->kept_c) == ED_OK)
+    a->factored_stamp = 0; /* of an earlier tangent */
+}
+
 /* Factors A = k K + c C + m M. */
 int ed_factor_effective(ed_analysis *a, double k, double m, double c)
 {
+  keep_factors(a);
   ed_assemble_tangent(a);
   const double damping = c * a->rayleigh_stiffness;
   if (damping == 0.0) {
@@ -100,12 +126,16 @@ int ed_factor_effective(ed_analysis *a, double k, double m, double c)
   if (inertia != 0.0)
     for (int i = 0; i < a->n; i++)
       a->effective[a->diagonal[i]] += inertia * a->mass[i];
+  return factor(a, k, m, c);
+}
+
+static int factor(ed_analysis *a, double k, double m, double c)
+{
   int repivoted;
   const int status = ed_solver_factor(a->solver, a->effective, &repivoted);
   a->statistics.factorisations += repivoted;
   a->statistics.refactorisations += !repivoted;
   a->factored_stamp = status == ED_OK ? a->tangent_stamp : -1;
-  a->factored_material = a->material_stamp;
   a->factored_k = k;
   a->factored_m = m;
   a->factored_c = c;

@@ -70,15 +70,14 @@ void ed_commit(ed_analysis *a)
     ed_count_energy(a, dissipated);
   memcpy(a->committed.block, a->trial.block, (size_t)a->state_size * sizeof(double));
   copy_factors(a, a->factors_committed, a->factors);
+  a->factors_kept = 0;
 }
 
 /* Everything that follows from the trial block and the load factors. */
 static void derive(ed_analysis *a)
 {
   ed_set_factors(a);
-  ed_spread(a, a->trial.u, a->displacement);
-  a->tangent_stamp++;
-  a->material_stamp++;
+  ed_collect_forces(a);
 }
 
 void ed_revert(ed_analysis *a)
@@ -86,6 +85,7 @@ void ed_revert(ed_analysis *a)
   memcpy(a->trial.block, a->committed.block, (size_t)a->state_size * sizeof(double));
   copy_factors(a, a->factors, a->factors_committed);
   derive(a);
+  ed_restore_factors(a);
 }
 
 void ed_backup(ed_analysis *a)
