@@ -32,7 +32,8 @@ extern "C" {
   X(ED_E_NOT_CONVERGED, -8, "equilibrium was not found") \
   X(ED_E_ELEMENT, -9, "an element state was not found") \
   X(ED_E_NOT_FINITE, -10, "a result is not a finite number") \
-  X(ED_E_STATE, -11, "this call is not allowed in the present state")
+  X(ED_E_STATE, -11, "this call is not allowed in the present state") \
+  X(ED_E_UNSTABLE, -12, "the structure is unstable under its loads")
 
 #define ED_STATUS_ENUM(name, value, text) name = value,
 typedef enum { ED_STATUS_LIST(ED_STATUS_ENUM) ED_STATUS_END = 99 } ed_status;
@@ -96,10 +97,12 @@ void ed_equations(const ed_analysis *analysis, int *equation); /* 3 n_nodes; -1 
 /* Tangent stiffness at the present state, compressed columns: column_start n+1, row nnz, value nnz. */
 int ed_stiffness(ed_analysis *analysis, int *column_start, int *row, double *value);
 void ed_mass(const ed_analysis *analysis, double *mass); /* n */
+/* Directions in which the present state is unstable: negative pivots of the tangent; -1 where it is singular. */
+int ed_unstable_directions(ed_analysis *analysis);
 
 /* Settings; each has a default. */
 enum {
-  ED_TOLERANCE = 0,          /* unbalanced force / largest force so far; default 1e-6 */
+  ED_TOLERANCE = 0,          /* unbalanced force / largest force on a member's end so far; default 1e-7 */
   ED_MAX_ITERATIONS = 1,     /* a solution attempt; default 25 */
   ED_ELEMENT_TOLERANCE = 2,  /* energy of the section unbalance / largest section energy so far; default 1e-16 */
   ED_HALVINGS = 3,           /* how often a step may be halved; default 8 (1/256) */

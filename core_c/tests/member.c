@@ -66,8 +66,7 @@ void member_load(member *m, double wx, double wy, double px, double py)
 
 int member_update(member *m, const double *displacement)
 {
-  int changed;
-  return ed_element_update(&m->e, displacement, m->layers, m->block, &m->control, &changed);
+  return ed_element_update(&m->e, displacement, m->layers, m->block, &m->control);
 }
 
 void draw_displacement(const member *m, double turn, double size, unsigned long long seed, double *d)
@@ -80,7 +79,7 @@ void draw_displacement(const member *m, double turn, double size, unsigned long 
   d[1] = next_number(&source, -1.0, 1.0);
   d[3] = d[0] + L * (c * cos(turn) - s * sin(turn) - c);
   d[4] = d[1] + L * (s * cos(turn) + c * sin(turn) - s);
-  const double along = next_number(&source, -0.1, 0.1) * size * L, across = next_number(&source, -1.0, 1.0) * size * L;
+  const double along = next_number(&source, -0.03, 0.03) * size * L, across = next_number(&source, -1.0, 1.0) * size * L;
   d[3] += along * c - across * s;
   d[4] += along * s + across * c;
   d[2] = turn + next_number(&source, -1.0, 1.0) * size;

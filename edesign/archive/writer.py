@@ -45,7 +45,8 @@ class ArchiveWriter:
         note: one line on what happened to an earlier partial file, "" if there was none.
 
     Raises:
-        ArchiveError: the folder is missing or unwritable, the disk is full, or another run writes the same archive.
+        ArchiveError: the folder is missing or unwritable, the disk is full, another run writes the same archive, or
+            the path is that of a file of another kind.
     """
 
     def __init__(
@@ -63,6 +64,7 @@ class ArchiveWriter:
         self._file: h5py.File | None = None
         if self.path.is_dir():
             raise ArchiveError(f"{self.path}: cannot write the archive: it is a folder")
+        self._spare_other_files()
         if not self.path.parent.is_dir():
             raise ArchiveError(f"{self.path}: cannot write the archive: the folder {self.path.parent} does not exist")
         existed = self._partial.exists() and self._partial.stat().st_size > 0
@@ -148,6 +150,22 @@ class ArchiveWriter:
             self._file.close()  # writes into memory only
             self._file = None
         self._disk.close()
+
+    def _spare_other_files(self) -> None:
+        """Refuse to replace what is not HDF5: a project file, a table, a device."""
+        if not self.path.exists():
+            return
+        if not self.path.is_file():
+            raise ArchiveError(f"{self.path}: cannot write the archive: it is not a regular file")
+        try:
+            ours = self.path.stat().st_size == 0 or h5py.is_hdf5(self.path)
+        except OSError as error:
+            raise self._failure(error) from error
+        if not ours:
+            raise ArchiveError(
+                f"{self.path}: cannot write the archive: this file is no archive, and it is left as it is; "
+                "choose another name"
+            )
 
     def _open_file(self) -> h5py.File:
         if self._file is None:

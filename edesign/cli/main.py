@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import logging
 import os
 import sys
@@ -16,7 +17,7 @@ from edesign.cli.check import check
 from edesign.cli.new import new
 from edesign.cli.run import run
 from edesign.cli.show import show
-from edesign.errors import EdesignError, Interrupted
+from edesign.errors import ArchiveError, EdesignError, Interrupted
 
 EPILOG = (
     "Exit codes: 0 done; 2 something in the input is wrong; 3 an analysis failed (the others are archived); "
@@ -62,32 +63,57 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit code.
     """
     words = list(sys.argv[1:] if arguments is None else arguments)
+    _open_missing_streams()
     debug = "--debug" in words
     words = [word for word in words if word != "--debug"]
     logging.basicConfig(level=logging.INFO if debug else logging.CRITICAL, format="%(name)s: %(message)s")
     try:
-        app(words, prog_name="edesign")
-    except SystemExit as end:  # the end of every call: help, wrong usage, done
-        return end.code if isinstance(end.code, int) else int(end.code is not None)
+        try:
+            app(words, prog_name="edesign")
+        except SystemExit as end:  # the end of every call: help, wrong usage, done
+            sys.stdout.flush()
+            return end.code if isinstance(end.code, int) else int(end.code is not None)
     except KeyboardInterrupt:
         return _fail("interrupted", Interrupted.exit_code, debug)
     except EdesignError as error:
         return _fail(str(error), error.exit_code, debug)
     except BrokenPipeError:  # the reader of a pipe left, as `head` does
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        _give_up_output()
         return 0
+    except OSError as error:
+        if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EIO):
+            return _fail(_unexpected(error), 1, debug)
+        _give_up_output()
+        return _fail(f"the output cannot be written: {error.strerror}", ArchiveError.exit_code, debug)
     except Exception as error:
-        text = (
-            f"an error in edesign itself ({type(error).__name__}: {error}); please report it with the output of --debug"
-        )
-        return _fail(text, 1, debug)
+        return _fail(_unexpected(error), 1, debug)
     return 0
 
 
+def _unexpected(error: Exception) -> str:
+    return f"an error in edesign itself ({type(error).__name__}: {error}); please report it with the output of --debug"
+
+
+def _open_missing_streams() -> None:
+    """Give a process that was started without standard output or error (`>&-`) a place where they are lost."""
+    if sys.stdout is None:
+        sys.stdout = open(os.devnull, "w", encoding="utf-8")
+    if sys.stderr is None:
+        sys.stderr = open(os.devnull, "w", encoding="utf-8")
+
+
+def _give_up_output() -> None:
+    """Let what is still buffered for standard output vanish, so that the end of the process does not try again."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+
+
 def _fail(message: str, code: int, debug: bool) -> int:
-    if debug:
-        traceback.print_exc()
-    print(f"edesign: {message}", file=sys.stderr)
+    try:
+        if debug:
+            traceback.print_exc()
+        print(f"edesign: {message}", file=sys.stderr, flush=True)
+    except OSError:  # the exit code must do
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
     return code
 
 

@@ -41,7 +41,7 @@ class PlainLines:
             text = f"{place(report)} {report.analysis}: {tenths * LINE_EVERY:.0%}"
         try:
             print(text, file=sys.stderr, flush=True)
-        except BrokenPipeError:  # nobody reads on: no reason to stop a run
+        except OSError:  # nobody reads on, or the disk of a log is full: no reason to stop a run
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
 
 

@@ -46,7 +46,7 @@ class Analysis:
 
     Args:
         model: the structure; it must not change afterwards.
-        settings: tolerance (largest unbalance over largest force so far, default 1e-6), max_iterations, halvings,
+        settings: tolerance (largest unbalance over largest force so far, default 1e-7), max_iterations, halvings,
             element_tolerance, fast_elastic, reuse_factors, energy.
 
     Raises:
@@ -98,7 +98,13 @@ class Analysis:
         return scipy.sparse.diags(self.masses(), format="csc")
 
     def modes(self, count: int) -> Modes:
-        """The lowest natural modes at the present state."""
+        """The lowest natural modes at the present state.
+
+        Raises:
+            CoreError: the structure is unstable in this state.
+        """
+        if lib.ed_unstable_directions(self._c) != 0:
+            raise CoreError("ED_E_UNSTABLE", "the structure is unstable in its present state: it has no natural modes")
         influence = np.zeros(self.n_equations)
         free = self.equations[:, 0] >= 0
         influence[self.equations[free, 0]] = 1.0

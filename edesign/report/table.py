@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+SCIENTIFIC = 1e7  # from here on a number is no measure of a building, only a sign that something went wrong
+
 
 @dataclass
 class Table:
@@ -39,9 +41,16 @@ def number(value: float | None, digits: int = 4, scale: float = 1.0, negligible:
     if abs(value) < negligible:
         return "0"
     shown = value / scale
+    if abs(shown) >= SCIENTIFIC:
+        return f"{shown:.{digits - 1}e}"
     return f"{shown:.0f}" if abs(shown) >= 10**digits else f"{shown:#.{digits}g}".rstrip(".")
 
 
 def whole(value: float | None) -> str:
     """Return a count, "-" for None."""
     return "-" if value is None else f"{value:.0f}"
+
+
+def seconds(value: float | None) -> str:
+    """Return a time in s to the millisecond, so that a column of them can be compared; "-" for None."""
+    return "-" if value is None else f"{value:.3f}"

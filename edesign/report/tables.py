@@ -10,15 +10,15 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
 from edesign.report.summary import entry, find, planned
-from edesign.report.table import Table, number, whole
+from edesign.report.table import Table, number, seconds, whole
 from edesign.study.plan import ANALYSES
 
 MEASURE_COLUMNS = (  # header, measure, unit of the header in SI
     ("roof u [m]", "roof_displacement_m", 1.0),
-    ("residual [m]", "residual_roof_displacement_m", 1.0),
+    ("residual u [m]", "residual_roof_displacement_m", 1.0),
     ("roof drift [%]", "roof_drift", 0.01),
     ("storey drift [%]", "interstorey_drift", 0.01),
-    ("residual [%]", "residual_interstorey_drift", 0.01),
+    ("residual drift [%]", "residual_interstorey_drift", 0.01),
     ("base shear [kN]", "base_shear_N", 1e3),
     ("roof a [m/s2]", "roof_acceleration_m_s2", 1.0),
     ("beam rot. [mrad]", "beam_plastic_rotation_rad", 1e-3),
@@ -29,7 +29,7 @@ MEASURE_COLUMNS = (  # header, measure, unit of the header in SI
 PROFILE_COLUMNS = (
     ("floor u [m]", "floor_displacement", 1.0),
     ("drift [%]", "storey_drift", 0.01),
-    ("residual [%]", "residual_storey_drift", 0.01),
+    ("residual drift [%]", "residual_storey_drift", 0.01),
     ("shear [kN]", "storey_shear", 1e3),
     ("floor a [m/s2]", "floor_acceleration", 1.0),
 )
@@ -107,7 +107,7 @@ def statistics_table(entries: list[dict[str, Any]]) -> Table:
         if all(value is None for value in found.values()):
             continue
         counts = [whole(found[key]) for key in ("steps", "iterations", "refactorisations", "fallbacks")]
-        table.rows.append([item["name"], *counts, number(found["cpu_s"], 3), number(found["energy_error"], 2)])
+        table.rows.append([item["name"], *counts, seconds(found["cpu_s"]), number(found["energy_error"], 2)])
     return table
 
 

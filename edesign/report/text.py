@@ -8,6 +8,8 @@ from typing import TextIO
 
 from edesign.report.table import Table
 
+_GAP = 3  # between columns on a terminal
+
 
 def print_tables(tables: Iterable[Table], stream: TextIO | None = None) -> None:
     """Print tables: with rich where the stream is a terminal, as plain aligned text elsewhere."""
@@ -34,6 +36,31 @@ def plain(table: Table) -> str:
     return "\n".join([*lines, *table.notes])
 
 
+def folded(table: Table, width: int) -> list[Table]:
+    """Cut a table that is wider than `width` characters into tables below each other that repeat its first column.
+
+    Args:
+        table: the table; one without headers is returned as it is.
+        width: characters of a line; of a column that is wider alone the cells are folded later.
+    """
+    if not table.columns or not table.rows:
+        return [table]
+    widths = [max(len(row[i]) for row in (table.columns, *table.rows)) + _GAP for i in range(len(table.columns))]
+    parts: list[list[int]] = [[0]]
+    for i in range(1, len(widths)):
+        if len(parts[-1]) > 1 and sum(widths[j] for j in parts[-1]) + widths[i] > width:
+            parts.append([0])
+        parts[-1].append(i)
+    tables = []
+    for number, part in enumerate(parts, start=1):
+        title = table.title if number == 1 else ""
+        notes = table.notes if number == len(parts) else []
+        rows = [[row[i] for i in part] for row in table.rows]
+        left = sum(i < table.left for i in part)
+        tables.append(Table(title, [table.columns[i] for i in part], rows, notes, left))
+    return tables
+
+
 def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
@@ -41,7 +68,7 @@ def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
     from rich.table import Table as RichTable
 
     console = Console(file=stream, highlight=False)
-    for table in tables:
+    for table in (part for table in tables for part in folded(table, console.width)):
         if table.title:
             console.print(f"[bold]{escape(table.title)}[/bold]")
         if table.rows:

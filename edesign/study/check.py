@@ -6,30 +6,43 @@ from collections.abc import Iterable
 
 from edesign.archive.dataset import Group
 from edesign.building.frame import build_frame
-from edesign.errors import AnalysisError
+from edesign.core import CoreError
+from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.project_records import read_record
-from edesign.project.analyses import ModalAnalysis
+from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
 from edesign.project.project import Project
 from edesign.study import analyses
+from edesign.study.history import check_motion
 from edesign.study.requested import requested_quantities
+from edesign.study.structure import make_structure
 
 
-def check_inputs(project: Project, records: Iterable[str]) -> dict[str, str]:
+def check_inputs(project: Project, records: Iterable[str], specs: Iterable[Analysis] = ()) -> dict[str, str]:
     """Read records, build the frame and look for the outputs once, so that what is wrong shows before the first analysis.
 
     Args:
         project: from `load_project`.
         records: names of the records that are needed.
+        specs: the analyses that will run.
 
     Returns:
         SHA-256 of the samples of each record, by name.
 
     Raises:
-        InputError: a record cannot be read, the frame cannot be built, or an output does not exist in it.
+        InputError: a record cannot be read or applied, the frame cannot be built, is a mechanism or has parts that are
+            not connected, or an output does not exist in it.
     """
-    checksums = {name: read_record(project, name).checksum for name in sorted(set(records))}
-    requested_quantities(project, build_frame(project), Group())
-    return checksums
+    found = {name: read_record(project, name) for name in sorted(set(records))}
+    for spec in specs:
+        if isinstance(spec, HistoryAnalysis):
+            check_motion(project, spec, found[spec.record])
+    frame = build_frame(project)
+    requested_quantities(project, frame, Group())
+    try:
+        make_structure(project, frame)
+    except CoreError as error:
+        raise InputError(f"{project.where('frame')}: frame: {error}") from error
+    return {name: record.checksum for name, record in found.items()}
 
 
 def check_project(project: Project) -> dict[str, str]:
@@ -45,7 +58,7 @@ def check_project(project: Project) -> dict[str, str]:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
         AnalysisError: the first period cannot be found.
     """
-    check_inputs(project, project.records)
+    check_inputs(project, project.records, project.analyses)
     return {
         "title": project.title,
         "frame": _frame(project),

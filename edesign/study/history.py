@@ -23,6 +23,8 @@ from edesign.study.requested import requested_quantities
 from edesign.study.residual import DEFINITION, residual
 from edesign.study.structure import Structure, make_structure
 
+MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; every quantity keeps 8 bytes of each step in memory
+
 
 def run_history(
     project: Project,
@@ -98,6 +100,31 @@ def input_motion(record: Record, spec: HistoryAnalysis, time_step: float | None)
     if time_step is not None:
         record = record.resampled(time_step)
     return record.with_zeros(spec.free_vibration)
+
+
+def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> None:
+    """Check that a record can be applied as a history asks for it, without making the motion.
+
+    Raises:
+        InputError: the time step is longer than the record, there are more steps than can be kept, or the record is
+            zero throughout and is to be scaled to a peak; the message names the place in the project file.
+    """
+    step = project.integration.time_step if project.integration is not None else None
+    where = project.where("integration", "time_step" if step is not None else "method")
+    step = record.time_step if step is None else step
+    if step > record.duration:
+        raise InputError(
+            f"{where}: integration.time_step: {step:g} s is longer than the record {spec.record} ({record.duration:g} s)"
+        )
+    steps = (record.duration + spec.free_vibration) / step
+    if steps > MOST_STEPS:
+        raise InputError(
+            f"{where}: integration.time_step: with {step:g} s the history {spec.name} has {steps:.3g} steps "
+            f"({record.duration:g} s of record, {spec.free_vibration:g} s of free vibration); at most {MOST_STEPS} can run"
+        )
+    if spec.pga is not None and record.pga == 0.0:
+        place = project.where("records", spec.record)
+        raise InputError(f"{place}: records.{spec.record}: the record is zero throughout; it has no peak to scale")
 
 
 def integrator(integration: Integration) -> Integrator:

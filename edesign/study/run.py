@@ -102,7 +102,8 @@ def run_project(
     started = time.monotonic()
     plan = make_plan(project, only)
     path = Path(archive_path) if archive_path is not None else default_archive_path(project, only)
-    checksums = check_inputs(project, [task.record for task in plan if task.record is not None])
+    records = [task.record for task in plan if task.record is not None]
+    checksums = check_inputs(project, records, [task.spec for task in plan])
     run = _Run(project, plan, progress or silent)
     tasks = {task.path: task for task in plan}
 
@@ -205,6 +206,9 @@ def _analyse(run: _Run, task: Task) -> tuple[Group, float]:
         group = analyses.run_analysis(run.project, task.spec, progress=run.advance(task), stop=run.stop.is_set)
     except EdesignError as error:
         group = Group(attributes={"status": FAILED, "reason": str(error)})
+    except MemoryError:
+        reason = "not enough memory: use a longer time step, fewer histories in `outputs`, or fewer workers"
+        group = Group(attributes={"status": FAILED, "reason": reason})
     except Exception as error:  # one analysis must not take the others with it
         log.exception("analysis %s", task.name)
         reason = f"internal error, please report it ({type(error).__name__}: {error})"

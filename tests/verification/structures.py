@@ -119,7 +119,7 @@ def steel_cantilever(
 
 def steel_portal(
     geometry: str = "p_delta",
-    law: Steel = Bilinear(E, FY, 0.01),
+    law: Steel | None = None,
     order: Sequence[int] = (0, 1, 2, 3),
     masses: bool = True,
     points: int = 5,
@@ -129,7 +129,7 @@ def steel_portal(
     Nodes in the result: base left, base right, top left, top right. Elements: left column, right column, beam.
     """
     m = Model()
-    section = m.fibre_section(*i_layers(4, 16), m.material(law))
+    section = m.fibre_section(*i_layers(4, 16), m.material(law or Bilinear(E, FY, 0.01)))
     place = [("A0", 0.0, 0.0), ("B0", 6.0, 0.0), ("A1", 0.0, 3.5), ("B1", 6.0, 3.5)]
     ids = {k: m.node(*place[k]) for k in order}
     nodes = [ids[k] for k in range(4)]

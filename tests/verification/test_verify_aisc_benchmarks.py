@@ -1,11 +1,11 @@
 """AISC 360-16 Commentary, C2.1, benchmark cases 1 and 2 for rigorous second-order analysis.
 
 W14x48, L = 28 ft, E = 29000 ksi; values without shear deformation (the members are Euler-Bernoulli); kip and in. The
-commentary asks for moments within 3 % and deflections within 5 %; the tables have three digits, so they are met here to half
-of the last one, plus 0.1 % for the 32 members (the P-small-delta error of a chord falls as 1/n^2).
+commentary asks for moments within 3 % and deflections within 5 %; the tables have three digits, so they are met
+here to half of the last one, plus 0.1 % for the 32 members (the P-small-delta error of a chord falls as 1/n^2).
 Beside them the exact solutions of the beam-column equation (Timoshenko & Gere 1961, 1.3 and 1.4) to 0.1 %.
-Corotational members are made stiff along their axis: the linear theory leaves the shortening (0.11 % of L) out of the geometry,
-the exact one does not, and L^4 would make 0.4 % of it.
+Corotational members are made stiff along their axis: the linear theory leaves the shortening (0.11 % of L) out of
+the geometry, the exact one does not, and L^4 would make 0.4 % of it.
 """
 
 from __future__ import annotations
@@ -46,8 +46,12 @@ def test_case_1_simply_supported(P: float, moment: float, deflection: float, geo
         m.uniform_load(g, e, transverse=w)
     m.nodal_load(g, nodes[-1], fy=-P)
     middle = N // 2
-    got = final(Structure(m, nodes, elements, g), [channel("displacement", nodes[middle], 0, "u"),
-                channel("end_force", elements[middle], 2, "m")], steps=4, tolerance=1e-10)
+    got = final(
+        Structure(m, nodes, elements, g),
+        [channel("displacement", nodes[middle], 0, "u"), channel("end_force", elements[middle], 2, "m")],
+        steps=4,
+        tolerance=1e-10,
+    )
     assert near_table(abs(got["m"]), moment)
     assert near_table(abs(got["u"]), deflection)
     if P == 0.0:
@@ -67,8 +71,12 @@ def test_case_2_cantilever(P: float, moment: float, deflection: float, geometry:
     m.fix(nodes[0], True, True, True)
     g = m.pattern()
     m.nodal_load(g, nodes[-1], fx=1.0, fy=-P)
-    got = final(Structure(m, nodes, elements, g), [channel("displacement", nodes[-1], 0, "u"),
-                channel("reaction", nodes[0], 2, "m")], steps=4, tolerance=1e-10)
+    got = final(
+        Structure(m, nodes, elements, g),
+        [channel("displacement", nodes[-1], 0, "u"), channel("reaction", nodes[0], 2, "m")],
+        steps=4,
+        tolerance=1e-10,
+    )
     assert near_table(got["m"], moment)
     assert near_table(got["u"], deflection)
     if P == 0.0:

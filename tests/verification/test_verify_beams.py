@@ -7,7 +7,7 @@ polynomials of its bending moments. Tolerance 1e-11: only rounding of a few hund
 from __future__ import annotations
 
 import pytest
-from verification.structures import E, FY, Structure, channel, final, i_layers
+from verification.structures import FY, E, Structure, channel, final, i_layers
 
 from edesign.core import Bilinear, Elastic, Model
 
@@ -17,18 +17,32 @@ P = -80e3  # N
 ROUNDING = 1e-11
 
 
-def beam(kind: str, fix_i: tuple[bool, bool, bool], fix_j: tuple[bool, bool, bool], n: int = 1,
-         release: tuple[bool, bool] = (False, False)) -> tuple[Structure, float]:
+def beam(
+    kind: str,
+    fix_i: tuple[bool, bool, bool],
+    fix_j: tuple[bool, bool, bool],
+    n: int = 1,
+    release: tuple[bool, bool] = (False, False),
+) -> tuple[Structure, float]:
     """A beam of n members with its EI; kind "elastic" or "force"."""
     m = Model()
     y, area = i_layers(4, 16)
     EI = E * float(area @ y**2)
-    section = m.elastic_section(E * float(area.sum()), EI) if kind == "elastic" else m.fibre_section(
-        y, area, m.material(Elastic(E)))
+    section = (
+        m.elastic_section(E * float(area.sum()), EI)
+        if kind == "elastic"
+        else m.fibre_section(y, area, m.material(Elastic(E)))
+    )
     nodes = [m.node(f"N{k}", L * k / n, 0.0) for k in range(n + 1)]
     elements = [
-        m.beam_column(f"B{k}", nodes[k], nodes[k + 1], section, geometry="linear",
-                      release=(release[0] and k == 0, release[1] and k == n - 1))
+        m.beam_column(
+            f"B{k}",
+            nodes[k],
+            nodes[k + 1],
+            section,
+            geometry="linear",
+            release=(release[0] and k == 0, release[1] and k == n - 1),
+        )
         for k in range(n)
     ]
     m.fix(nodes[0], *fix_i)
@@ -45,9 +59,17 @@ def test_simply_supported_uniform(kind: str) -> None:
     b, EI = beam(kind, PIN, ROLLER)
     b.model.uniform_load(b.pattern, b.elements[0], transverse=W)
     i, j = b.nodes
-    got = final(b, [channel("displacement", i, 2, "ri"), channel("displacement", j, 2, "rj"),
-                    channel("reaction", i, 1, "vi"), channel("reaction", j, 1, "vj"),
-                    channel("end_force", b.elements[0], 2, "mi"), channel("end_force", b.elements[0], 5, "mj")])
+    got = final(
+        b,
+        [
+            channel("displacement", i, 2, "ri"),
+            channel("displacement", j, 2, "rj"),
+            channel("reaction", i, 1, "vi"),
+            channel("reaction", j, 1, "vj"),
+            channel("end_force", b.elements[0], 2, "mi"),
+            channel("end_force", b.elements[0], 5, "mj"),
+        ],
+    )
     assert got["ri"] == pytest.approx(W * L**3 / (24 * EI), rel=ROUNDING)
     assert got["rj"] == pytest.approx(-W * L**3 / (24 * EI), rel=ROUNDING)
     assert got["vi"] == pytest.approx(-W * L / 2, rel=ROUNDING)
@@ -70,8 +92,14 @@ def test_fixed_uniform(kind: str) -> None:
     """Clamped at both ends, one member: only the axial degree is free."""
     b, _ = beam(kind, CLAMP, GUIDED)
     b.model.uniform_load(b.pattern, b.elements[0], transverse=W)
-    got = final(b, [channel("reaction", b.nodes[0], 2, "mi"), channel("reaction", b.nodes[1], 2, "mj"),
-                    channel("reaction", b.nodes[0], 1, "vi")])
+    got = final(
+        b,
+        [
+            channel("reaction", b.nodes[0], 2, "mi"),
+            channel("reaction", b.nodes[1], 2, "mj"),
+            channel("reaction", b.nodes[0], 1, "vi"),
+        ],
+    )
     assert got["mi"] == pytest.approx(-W * L**2 / 12, rel=ROUNDING)
     assert got["mj"] == pytest.approx(W * L**2 / 12, rel=ROUNDING)
     assert got["vi"] == pytest.approx(-W * L / 2, rel=ROUNDING)
@@ -81,8 +109,14 @@ def test_fixed_uniform(kind: str) -> None:
 def test_propped_uniform(kind: str) -> None:
     b, EI = beam(kind, CLAMP, ROLLER)
     b.model.uniform_load(b.pattern, b.elements[0], transverse=W)
-    got = final(b, [channel("reaction", b.nodes[0], 2, "mi"), channel("reaction", b.nodes[1], 1, "vj"),
-                    channel("displacement", b.nodes[1], 2, "rj")])
+    got = final(
+        b,
+        [
+            channel("reaction", b.nodes[0], 2, "mi"),
+            channel("reaction", b.nodes[1], 1, "vj"),
+            channel("displacement", b.nodes[1], 2, "rj"),
+        ],
+    )
     assert got["mi"] == pytest.approx(-W * L**2 / 8, rel=ROUNDING)
     assert got["vj"] == pytest.approx(-3 * W * L / 8, rel=ROUNDING)
     assert got["rj"] == pytest.approx(-W * L**3 / (48 * EI), rel=ROUNDING)
@@ -104,8 +138,14 @@ def test_release_makes_a_propped_beam(kind: str, end: int) -> None:
 def test_both_ends_released(kind: str) -> None:
     b, _ = beam(kind, CLAMP, GUIDED, n=1, release=(True, True))
     b.model.uniform_load(b.pattern, b.elements[0], transverse=W)
-    got = final(b, [channel("reaction", b.nodes[0], 2, "mi"), channel("reaction", b.nodes[0], 1, "vi"),
-                    channel("reaction", b.nodes[1], 1, "vj")])
+    got = final(
+        b,
+        [
+            channel("reaction", b.nodes[0], 2, "mi"),
+            channel("reaction", b.nodes[0], 1, "vi"),
+            channel("reaction", b.nodes[1], 1, "vj"),
+        ],
+    )
     assert abs(got["mi"]) < ROUNDING * abs(W) * L**2
     assert got["vi"] == pytest.approx(-W * L / 2, rel=ROUNDING)
     assert got["vj"] == pytest.approx(-W * L / 2, rel=ROUNDING)
@@ -117,8 +157,10 @@ def test_plastic_rotation_of_an_elastic_beam_with_a_hinge_is_zero() -> None:
     y, area = i_layers(4, 16)
     section = m.fibre_section(y, area, m.material(Bilinear(E, FY)))
     nodes = [m.node(f"N{k}", L * k / 2, 0.0) for k in range(3)]
-    elements = [m.beam_column(f"B{k}", nodes[k], nodes[k + 1], section, geometry="linear", release=(False, k == 0))
-                for k in range(2)]
+    elements = [
+        m.beam_column(f"B{k}", nodes[k], nodes[k + 1], section, geometry="linear", release=(False, k == 0))
+        for k in range(2)
+    ]
     m.fix(nodes[0], *CLAMP)
     m.fix(nodes[2], *CLAMP)
     b = Structure(m, nodes, elements, m.pattern())
@@ -132,8 +174,15 @@ def test_fixed_beam_point_load(position: float) -> None:
     """Fixed-end moments P a b^2 / L^2 and P a^2 b / L^2 of the closed-form member at any position."""
     b, _ = beam("elastic", CLAMP, GUIDED)
     b.model.point_load(b.pattern, b.elements[0], position, transverse=P)
-    got = final(b, [channel("reaction", b.nodes[0], 2, "mi"), channel("reaction", b.nodes[1], 2, "mj"),
-                    channel("reaction", b.nodes[0], 1, "vi"), channel("reaction", b.nodes[1], 1, "vj")])
+    got = final(
+        b,
+        [
+            channel("reaction", b.nodes[0], 2, "mi"),
+            channel("reaction", b.nodes[1], 2, "mj"),
+            channel("reaction", b.nodes[0], 1, "vi"),
+            channel("reaction", b.nodes[1], 1, "vj"),
+        ],
+    )
     a, c = position * L, (1 - position) * L
     scale = abs(P) * L * ROUNDING
     assert got["mi"] == pytest.approx(-P * a * c**2 / L**2, abs=scale)
@@ -146,8 +195,15 @@ def test_point_load_on_a_force_based_member_is_in_equilibrium() -> None:
     """Quadrature of a kinked moment is approximate, equilibrium is not: reactions and the moments at the sections."""
     b, _ = beam("force", CLAMP, ROLLER)
     b.model.point_load(b.pattern, b.elements[0], 0.3, transverse=P)
-    got = final(b, [channel("reaction", b.nodes[0], 1, "vi"), channel("reaction", b.nodes[1], 1, "vj"),
-                    channel("reaction", b.nodes[0], 2, "mi"), channel("section_force", b.elements[0], 2 * 2 + 1, "mid")])
+    got = final(
+        b,
+        [
+            channel("reaction", b.nodes[0], 1, "vi"),
+            channel("reaction", b.nodes[1], 1, "vj"),
+            channel("reaction", b.nodes[0], 2, "mi"),
+            channel("section_force", b.elements[0], 2 * 2 + 1, "mid"),
+        ],
+    )
     assert got["vi"] + got["vj"] == pytest.approx(-P, rel=ROUNDING)
     assert got["mi"] + got["vj"] * L == pytest.approx(-P * 0.3 * L, rel=ROUNDING)
     assert got["mid"] == pytest.approx(got["vj"] * L / 2, rel=ROUNDING)  # sagging right of the load

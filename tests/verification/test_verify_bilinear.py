@@ -1,10 +1,11 @@
-"""The bilinear law in a bar of 1 m and 1 m2, driven through cycles in displacement control: force is stress, motion is strain."""
+"""The bilinear law in a bar of 1 m and 1 m2, driven through cycles in displacement control: force is stress,
+motion is strain."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from verification.structures import E, FY, Structure, channel, oscillator
+from verification.structures import FY, E, Structure, channel, oscillator
 
 from edesign.core import Bilinear, Steel
 
@@ -14,7 +15,8 @@ CYCLES = [2.0, 1.2, 3.0, -1.0, -4.0, -3.5, -5.0, 4.0, 3.0, 6.0, -6.0, 0.0]
 
 
 def drive(law: Steel, targets: list[float], steps: int = 20) -> tuple[np.ndarray, np.ndarray, dict[str, np.ndarray]]:
-    """Strain, stress and energies of the bar along the targets (in eps_y); an elastic spring beside it keeps it stable."""
+    """Strain, stress and energies of the bar along the targets (in eps_y); an elastic spring beside it keeps it
+    stable."""
     s: Structure = oscillator(E, 0.0, law, parallel=0.1 * E)
     s.model.nodal_load(s.pattern, s.nodes[1], fx=1.0)
     a = s.analysis(tolerance=1e-12)

@@ -1,10 +1,10 @@
 """Collapse loads by plastic theory (Baker, Horne & Heyman 1956), reached in displacement control.
 
-A layered section is fully plastic at exactly sum A |y| fy when no layer lies on the neutral axis, and the first and last
-Gauss-Lobatto points lie in the ends of a member, where hinges form. Yielding spreads along a member, so that the load
-approaches the theoretical one from below: at the end of each push, elastic layers near the axis and hinges still forming
-leave 0.1 % (portals: and axial forces another 0.1 %); the load never exceeds the theoretical one (1e-6: the tolerance of the
-equilibrium).
+A layered section is fully plastic at exactly sum A |y| fy when no layer lies on the neutral axis, and the first
+and last Gauss-Lobatto points lie in the ends of a member, where hinges form. Yielding spreads along a member, so
+that the load approaches the theoretical one from below: at the end of each push, elastic layers near the axis and
+hinges still forming leave 0.1 % (portals: and axial forces another 0.1 %); the load never exceeds the theoretical
+one (1e-6: the tolerance of the equilibrium).
 """
 
 from __future__ import annotations
@@ -12,8 +12,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from verification.structures import (
-    E,
     FY,
+    E,
     Structure,
     channel,
     i_layers,
@@ -30,7 +30,9 @@ STEEL = Bilinear(E, FY)
 
 
 def push(s: Structure, node: int, degree: str, target: float, steps: int = 60) -> np.ndarray:
-    response = s.analysis().pushover(s.pattern, node, degree, target, steps, [channel("load_factor", s.pattern, 0, "f")])
+    response = s.analysis().pushover(
+        s.pattern, node, degree, target, steps, [channel("load_factor", s.pattern, 0, "f")]
+    )
     assert response.status == "completed", response.reason
     return response.values["f"]
 
@@ -64,8 +66,9 @@ def beam(left: bool, right: bool, span: float = 8.0) -> Structure:
     return Structure(m, nodes, elements, g)
 
 
-@pytest.mark.parametrize("left, right, factor", [(False, False, 4), (True, False, 6), (True, True, 8)],
-                         ids=["simple", "propped", "fixed"])
+@pytest.mark.parametrize(
+    "left, right, factor", [(False, False, 4), (True, False, 6), (True, True, 8)], ids=["simple", "propped", "fixed"]
+)
 def test_beams_with_a_central_force(left: bool, right: bool, factor: int) -> None:
     """4, 6 and 8 Mp / L."""
     s = beam(left, right)
@@ -94,9 +97,11 @@ def test_portal_sway() -> None:
 
 @pytest.mark.parametrize("ratio", [0.3, 1.0, 4.0])
 def test_portal_combined(ratio: float) -> None:
-    """H at the beam's level and V = ratio H in mid-span: the least of sway H h = 4 Mp, beam V l/2 = 4 Mp... and both together.
+    """H at the beam's level and V = ratio H in mid-span: the least of sway H h = 4 Mp, beam V l/2 = 4 Mp... and
+    both together.
 
-    With theta of the sway and l/2 = b: sway 4 Mp theta, beam V b theta = 4 Mp theta, combined (H h + V b) theta = 6 Mp theta.
+    With theta of the sway and l/2 = b: sway 4 Mp theta, beam V b theta = 4 Mp theta, combined (H h + V b) theta =
+    6 Mp theta.
     """
     s, h, b = portal(), 20.0, 16.0
     s.model.nodal_load(s.pattern, s.nodes[1], fx=1.0)
@@ -112,8 +117,8 @@ def test_portal_combined(ratio: float) -> None:
 def test_softening_past_the_peak(geometry: str) -> None:
     """A cantilever column under gravity: H L + P delta = Mp(N) after yield, a slope of -P/L.
 
-    Mp with axial force from the layers themselves. Corotational: the height above the base is L + uy, and N = P cos + H sin
-    of the chord's slope moves Mp by some 0.2 %.
+    Mp with axial force from the layers themselves. Corotational: the height above the base is L + uy, and N = P
+    cos + H sin of the chord's slope moves Mp by some 0.2 %.
     """
     L, P = 4.0, 600e3
     s = steel_cantilever(L, LAYERS, STEEL, geometry)
@@ -123,8 +128,12 @@ def test_softening_past_the_peak(geometry: str) -> None:
     a = s.analysis(tolerance=1e-9)
     assert a.static(s.pattern, steps=2).status == "completed"
     top = s.nodes[1]
-    channels = [channel("load_factor", g, 0, "f"), channel("displacement", top, 0, "u"),
-                channel("displacement", top, 1, "v"), channel("reaction", s.nodes[0], 2, "m")]
+    channels = [
+        channel("load_factor", g, 0, "f"),
+        channel("displacement", top, 0, "u"),
+        channel("displacement", top, 1, "v"),
+        channel("reaction", s.nodes[0], 2, "m"),
+    ]
     response = a.pushover(g, top, "ux", 0.8, 120, channels)
     assert response.status == "completed", response.reason
     load, delta = response.values["f"], response.values["u"]

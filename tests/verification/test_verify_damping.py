@@ -28,7 +28,8 @@ def test_frequency_and_logarithmic_decrement() -> None:
 
 @pytest.mark.parametrize("geometry", ["linear", "p_delta"])
 def test_rayleigh_stiffnesses_agree_while_elastic(geometry: str) -> None:
-    """Initial, committed and current stiffness are one matrix for an elastic structure without gravity: to the tolerance."""
+    """Initial, committed and current stiffness are one matrix for an elastic structure without gravity: to the
+    tolerance."""
     t = np.arange(300) * 0.01
     ground = 0.5 * np.sin(9.0 * t)
     found = []
@@ -81,7 +82,8 @@ def test_modes_without_a_ratio_are_undamped() -> None:
 
 
 def test_rayleigh_ratios_of_a_shear_building() -> None:
-    """zeta = a0 / 2 omega + a1 omega / 2 in every mode (Chopra 2012, Eq. 11.4.8), read off the decay of the amplitude."""
+    """zeta = a0 / 2 omega + a1 omega / 2 in every mode (Chopra 2012, Eq. 11.4.8), read off the decay of the
+    amplitude."""
     s = shear_building()
     modes = s.analysis().modes(3)
     w1, w2 = modes.omega[0], modes.omega[2]

@@ -1,8 +1,8 @@
 """Elastic-plastic oscillator under ground motion against an independent, event-exact integration.
 
-Between yield events the bilinear oscillator is linear under a ground acceleration that is linear in time: solved by the exact
-matrix exponential; events (yield, and velocity zero while yielding) are found by bisection to 1e-13 s. The core's Newmark
-must converge to it with the square of its step.
+Between yield events the bilinear oscillator is linear under a ground acceleration that is linear in time: solved
+by the exact matrix exponential; events (yield, and velocity zero while yielding) are found by bisection to 1e-13
+s. The core's Newmark must converge to it with the square of its step.
 """
 
 from __future__ import annotations
@@ -25,7 +25,9 @@ def ground() -> np.ndarray:
     """A motion of three frequencies with an envelope, m/s2."""
     t = np.arange(int(round(DURATION / SAMPLE)) + 1) * SAMPLE
     envelope = np.sin(np.pi * t / DURATION)
-    return envelope * (2.2 * np.sin(2 * np.pi * t / 0.6) + 1.2 * np.sin(2 * np.pi * t / 0.25) + np.sin(2 * np.pi * t / 1.7))
+    return envelope * (
+        2.2 * np.sin(2 * np.pi * t / 0.6) + 1.2 * np.sin(2 * np.pi * t / 0.25) + np.sin(2 * np.pi * t / 1.7)
+    )
 
 
 def exact(motion: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -54,11 +56,11 @@ def exact(motion: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
             # spring force: elastic K (u - plastic); yielding b K u + sign (1 - b) FY
             k, offset = (K, -K * plastic) if branch == 0 else (RATIO * K, branch * (1 - RATIO) * FY)
 
-            def event(y: np.ndarray) -> float:
+            def event(y: np.ndarray, branch: int = branch, plastic: float = plastic) -> float:
                 """Positive when the branch has been left."""
                 if branch == 0:
-                    return abs(K * (y[0] - plastic) - hardening * plastic) - FY  # noqa: B023
-                return -branch * y[1]  # noqa: B023
+                    return abs(K * (y[0] - plastic) - hardening * plastic) - FY
+                return -branch * y[1]
 
             h = left
             end = propagate(state, k, offset, start, slope, h)
@@ -77,7 +79,7 @@ def exact(motion: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
                     break
             crossed = event(end) > 0.0
             if branch != 0:
-                plastic = ((1 - RATIO) * (end[0] - branch * FY / K))
+                plastic = (1 - RATIO) * (end[0] - branch * FY / K)
             if crossed:
                 branch = 0 if branch != 0 else int(np.sign(K * (end[0] - plastic) - hardening * plastic))
             state, start, left = end, start + slope * h, left - h
@@ -99,14 +101,19 @@ def core(divide: int) -> tuple[np.ndarray, np.ndarray]:
     a.rayleigh(2 * ZETA * OMEGA, 0.0)
     motion = ground()
     fine = np.interp(np.arange((motion.size - 1) * divide + 1) / divide, np.arange(motion.size), motion)
-    r = a.history(fine, SAMPLE / divide, channels=[channel("displacement", s.nodes[1], 0, "u"),
-                                                   channel("axial_force", s.elements[0], 0, "f")], every=divide)
+    r = a.history(
+        fine,
+        SAMPLE / divide,
+        channels=[channel("displacement", s.nodes[1], 0, "u"), channel("axial_force", s.elements[0], 0, "f")],
+        every=divide,
+    )
     assert r.status == "completed", r.reason
     return r.values["u"], r.values["f"]
 
 
 def test_history(reference: tuple[np.ndarray, np.ndarray]) -> None:
-    """At T/700 within 0.1 % of the peak, residual displacement included; the error falls with dt^2, events blurring the rate."""
+    """At T/700 within 0.1 % of the peak, residual displacement included; the error falls with dt^2, events
+    blurring the rate."""
     u, f = reference
     assert np.abs(u).max() > 2 * FY / K  # it yields well
     errors = []

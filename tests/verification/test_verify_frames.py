@@ -37,25 +37,42 @@ def test_portal_under_lateral_force() -> None:
     p.model.nodal_load(p.pattern, p.nodes[1], fx=force / 2)
     p.model.nodal_load(p.pattern, p.nodes[2], fx=force / 2)
     a0, a1, _, b0 = p.nodes
-    got = final(p, [channel("reaction", a0, 2, "base"), channel("end_force", p.elements[1], 2, "top"),
-                    channel("displacement", a1, 0, "drift"), channel("reaction", b0, 1, "pull"),
-                    channel("reaction", a0, 0, "ha"), channel("reaction", b0, 0, "hb")])
+    got = final(
+        p,
+        [
+            channel("reaction", a0, 2, "base"),
+            channel("end_force", p.elements[1], 2, "top"),
+            channel("displacement", a1, 0, "drift"),
+            channel("reaction", b0, 1, "pull"),
+            channel("reaction", a0, 0, "ha"),
+            channel("reaction", b0, 0, "hb"),
+        ],
+    )
     k = RATIO
     base, top = force * H / 2 * (3 * k + 1) / (6 * k + 1), force * H / 2 * 3 * k / (6 * k + 1)
     assert got["base"] == pytest.approx(base, rel=1e-6)
     assert abs(got["top"]) == pytest.approx(top, rel=1e-6)
     assert got["drift"] == pytest.approx(force * H**3 / (12 * EI_COLUMN) * (3 * k + 2) / (6 * k + 1), rel=1e-6)
     assert got["pull"] == pytest.approx(2 * top / SPAN, rel=1e-6)
-    assert got["ha"] + got["hb"] == pytest.approx(-force, rel=1e-8)  # equilibrium: rounding times the ratio of stiffnesses
+    assert got["ha"] + got["hb"] == pytest.approx(
+        -force, rel=1e-8
+    )  # equilibrium: rounding times the ratio of stiffnesses
 
 
 def test_portal_under_beam_load() -> None:
     p, w = portal(), -30e3
     p.model.uniform_load(p.pattern, p.elements[1], transverse=w)
     a0, _, _, b0 = p.nodes
-    got = final(p, [channel("reaction", a0, 2, "base"), channel("end_force", p.elements[1], 2, "top"),
-                    channel("reaction", a0, 0, "thrust"), channel("reaction", b0, 0, "other"),
-                    channel("reaction", a0, 1, "va")])
+    got = final(
+        p,
+        [
+            channel("reaction", a0, 2, "base"),
+            channel("end_force", p.elements[1], 2, "top"),
+            channel("reaction", a0, 0, "thrust"),
+            channel("reaction", b0, 0, "other"),
+            channel("reaction", a0, 1, "va"),
+        ],
+    )
     corner = -w * SPAN**2 / (6 * (RATIO + 2))
     assert got["top"] == pytest.approx(corner, rel=1e-6)
     assert abs(got["base"]) == pytest.approx(corner / 2, rel=1e-6)
@@ -77,8 +94,10 @@ def test_three_bar_truss() -> None:
         bars.append(m.truss(name, bottom, top, steel, area))
     m.fix(bottom, rz=True)
     m.nodal_load(g, bottom, fy=-load)
-    got = final(Structure(m, [bottom], bars, g), [channel("axial_force", b, 0, str(b)) for b in bars]
-                + [channel("displacement", bottom, 1, "u")])
+    got = final(
+        Structure(m, [bottom], bars, g),
+        [channel("axial_force", b, 0, str(b)) for b in bars] + [channel("displacement", bottom, 1, "u")],
+    )
     middle = load / (1 + 2 * np.cos(alpha) ** 3)
     assert got[str(bars[1])] == pytest.approx(middle, rel=1e-12)
     assert got[str(bars[0])] == pytest.approx(middle * np.cos(alpha) ** 2, rel=1e-12)
@@ -108,18 +127,19 @@ def test_two_node_link_balances_its_shear() -> None:
     for node, support in zip((i, j), ground, strict=True):
         m.fix(support, True, True, True)
         m.link("hold", support, node, (1.0, 1.0, 1e12))
+    g = m.pattern()
+    m.nodal_load(g, j, fx=-0.8e3, fy=0.6e3)  # across the link
     a = Analysis(m)
     free = a.equations[[i, j]].ravel()
     own = a.stiffness().toarray()[np.ix_(free, free)] - np.diag(2 * [1.0, 1.0, 1e12])
     rigid = np.array([[1, 0, 0, 1, 0, 0], [0, 1, 0, 0, 1, 0], [0, 0, 1, -1.6, 1.2, 1]], dtype=float)
     assert np.abs(own @ rigid.T).max() < 1e-3  # rounding of 1e12
-    g = m.pattern()
-    m.nodal_load(g, j, fx=-0.8e3, fy=0.6e3)  # across the link
     b = Structure(m, [i, j], [link], g)
     got = final(b, [channel("end_force", link, k, str(k)) for k in range(6)])
     assert got["1"] == pytest.approx(-got["4"], rel=1e-9)
     assert got["2"] + got["5"] == pytest.approx(-2.0 * got["4"], rel=1e-9)
-    # the soft springs across at i and j are equal and the link, with its turning held, is all but rigid: half crosses it
+    # the soft springs across at i and j are equal and the link, with its turning held, is all but rigid: half
+    # crosses it
     assert abs(got["4"]) == pytest.approx(0.5e3, rel=1e-5)
 
 
@@ -138,8 +158,11 @@ def test_rigid_diaphragm_shares_by_stiffness() -> None:
     m.tie(tops[2], tops[1], ux=True)  # a chain of ties
     g = m.pattern()
     m.nodal_load(g, tops[2], fx=100e3)
-    got = final(Structure(m, tops, [], g), [channel("displacement", n, 0, f"u{k}") for k, n in enumerate(tops)]
-                + [channel("reaction", n, 0, f"h{k}") for k, n in enumerate(bases)])
+    got = final(
+        Structure(m, tops, [], g),
+        [channel("displacement", n, 0, f"u{k}") for k, n in enumerate(tops)]
+        + [channel("reaction", n, 0, f"h{k}") for k, n in enumerate(bases)],
+    )
     stiffness = [3 * EI / h**3 for EI, h in zip(EIs, heights, strict=True)]
     u = 100e3 / sum(stiffness)
     for k in range(3):

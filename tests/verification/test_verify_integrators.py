@@ -68,7 +68,8 @@ def test_second_order(method: Integrator, kind: str) -> None:
 
 
 def amplification(method: Integrator, step: float) -> np.ndarray:
-    """3x3 matrix of (u, dt v, dt^2 a) of the undamped oscillator over a step with omega dt = step, built from the definition."""
+    """3x3 matrix of (u, dt v, dt^2 a) of the undamped oscillator over a step with omega dt = step, built from the
+    definition."""
     _, p = method.parameters()
     am, af, g, b = (0.0, 0.0, *p) if len(p) == 2 else p
     s2 = step**2
@@ -101,15 +102,18 @@ def test_high_frequencies_decay_at_the_chosen_rate(rho: float) -> None:
 
     That the core follows this matrix is tested above. Roots of a triple eigenvalue come out to eps^(1/3) = 1e-5.
     """
-    radius = [float(np.max(np.abs(np.linalg.eigvals(amplification(GeneralisedAlpha(rho), s))))) for s in
-              np.logspace(-2, 4, 25)]
+    radius = [
+        float(np.max(np.abs(np.linalg.eigvals(amplification(GeneralisedAlpha(rho), s)))))
+        for s in np.logspace(-2, 4, 25)
+    ]
     assert max(radius) <= 1 + 1e-6
     assert radius[-1] == pytest.approx(rho, abs=0.02)
 
 
 @pytest.mark.parametrize("alpha", [-0.05, -0.2, -1 / 3])
 def test_hht_spectral_radius_at_infinity(alpha: float) -> None:
-    """Hilber, Hughes & Taylor (1977): (1 + alpha) / (1 - alpha) from the double root; the third root is alpha / (1 + alpha)."""
+    """Hilber, Hughes & Taylor (1977): (1 + alpha) / (1 - alpha) from the double root; the third root is alpha / (1
+    + alpha)."""
     eigen = np.sort(np.abs(np.linalg.eigvals(amplification(HHT(alpha), 1e5))))
     assert eigen[0] == pytest.approx(-alpha / (1 + alpha), rel=3e-3)  # at -1/3 the three meet: eps^(1/3)
     assert eigen[2] == pytest.approx((1 + alpha) / (1 - alpha), rel=3e-3)

@@ -1,4 +1,5 @@
-"""The Menegotto-Pinto law in a bar against its own closed form, evaluated here, and its behaviour after small unloadings.
+"""The Menegotto-Pinto law in a bar against its own closed form, evaluated here, and its behaviour after small
+unloadings.
 
 Menegotto & Pinto (1973), Filippou, Popov & Bertero (1983): from a reversal (er, sr) towards the asymptote
 s = b E e +- (1 - b) fy, met by the elastic line at (e0, s0):
@@ -12,7 +13,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from verification.structures import E, FY, channel, oscillator
+from verification.structures import FY, E, channel, oscillator
 
 from edesign.core import MenegottoPinto
 

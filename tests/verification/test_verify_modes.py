@@ -56,7 +56,8 @@ def test_orthogonality() -> None:
 
 
 def test_massless_degrees() -> None:
-    """A tip mass along x on an elastic cantilever: omega^2 = 3 EI / (m L^3); rotation and height follow without mass."""
+    """A tip mass along x on an elastic cantilever: omega^2 = 3 EI / (m L^3); rotation and height follow without
+    mass."""
     s = cantilever(4.0, 1e9, 3e7)
     s.model.mass(s.nodes[1], 2e4)
     modes = s.analysis().modes(1)
@@ -96,7 +97,8 @@ def test_large_models_take_the_sparse_way_to_the_same_modes() -> None:
     modes = shear_building(n).analysis().modes(3)
     j = np.arange(1, 4)
     np.testing.assert_allclose(
-        modes.omega, 2 * np.sqrt(K / MASS) * np.sin((2 * j - 1) * np.pi / (2 * (2 * n + 1))), rtol=1e-8)
+        modes.omega, 2 * np.sqrt(K / MASS) * np.sin((2 * j - 1) * np.pi / (2 * (2 * n + 1))), rtol=1e-8
+    )
 
 
 def test_masses_that_share_a_degree_add_up() -> None:

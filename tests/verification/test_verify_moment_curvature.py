@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from verification.structures import E, FY, I_SHAPE, channel, i_layers, steel_cantilever
+from verification.structures import FY, I_SHAPE, E, channel, i_layers, steel_cantilever
 
 from edesign.core import Bilinear
 
@@ -33,8 +33,11 @@ def curve(layers: tuple[np.ndarray, np.ndarray], target: float, steps: int = 40)
     s = steel_cantilever(L, layers, Bilinear(E, FY))
     s.model.nodal_load(s.pattern, s.nodes[1], mz=1.0)
     element = s.elements[0]
-    channels = [channel("section_deformation", element, 2 * 2 + 1, "k"), channel("section_force", element, 5, "m"),
-                channel("load_factor", s.pattern, 0, "f")]
+    channels = [
+        channel("section_deformation", element, 2 * 2 + 1, "k"),
+        channel("section_force", element, 5, "m"),
+        channel("load_factor", s.pattern, 0, "f"),
+    ]
     response = s.analysis(tolerance=1e-10).pushover(s.pattern, s.nodes[1], "rz", target * L, steps, channels)
     assert response.status == "completed", response.reason
     v = response.values
@@ -44,7 +47,8 @@ def curve(layers: tuple[np.ndarray, np.ndarray], target: float, steps: int = 40)
 
 
 def test_equals_the_layers_sum() -> None:
-    """Pure bending of a doubly symmetric section: N = 0 and e0 = 0, so M = sum A y min(E kappa y, fy). 1e-9: the tolerance."""
+    """Pure bending of a doubly symmetric section: N = 0 and e0 = 0, so M = sum A y min(E kappa y, fy). 1e-9: the
+    tolerance."""
     y, area = i_layers(4, 16)
     kappa, moment = curve((y, area), 20 * YIELD)
     expected = np.array([np.sum(area * np.abs(y) * np.minimum(E * k * np.abs(y), FY)) for k in kappa])
@@ -52,7 +56,8 @@ def test_equals_the_layers_sum() -> None:
 
 
 def test_layers_converge_to_the_exact_curve() -> None:
-    """Midpoint layers: the error over the curve falls as 1/n^2, within a factor for where the yield front lies in a layer."""
+    """Midpoint layers: the error over the curve falls as 1/n^2, within a factor for where the yield front lies in
+    a layer."""
     errors = []
     for n in (1, 2, 4, 8):
         kappa, moment = curve(i_layers(2 * n, 8 * n), 5 * YIELD, 50)

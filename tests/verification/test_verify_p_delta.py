@@ -1,7 +1,7 @@
 """P-Delta over the chord of a member against the closed forms of the linearised theory.
 
-One P-Delta member adds -P/L (P compressive) to its lateral stiffness: with chord rotations only ("P-big-delta") the closed
-form is exact, and only rounding and the tolerance of the equilibrium (set to 1e-12) remain: 1e-9.
+One P-Delta member adds -P/L (P compressive) to its lateral stiffness: with chord rotations only ("P-big-delta")
+the closed form is exact, and only rounding and the tolerance of the equilibrium (set to 1e-12) remain: 1e-9.
 """
 
 from __future__ import annotations
@@ -23,9 +23,16 @@ def test_one_member_cantilever(share: float) -> None:
     P = share * CRITICAL
     s = cantilever(L, EA, EI, geometry="p_delta")
     s.model.nodal_load(s.pattern, s.nodes[1], fx=H, fy=-P)
-    got = final(s, [channel("displacement", s.nodes[1], 0, "u"), channel("reaction", s.nodes[0], 2, "m"),
-                    channel("reaction", s.nodes[0], 0, "h"), channel("global_force", s.elements[0], 3, "f")],
-                tolerance=1e-12)
+    got = final(
+        s,
+        [
+            channel("displacement", s.nodes[1], 0, "u"),
+            channel("reaction", s.nodes[0], 2, "m"),
+            channel("reaction", s.nodes[0], 0, "h"),
+            channel("global_force", s.elements[0], 3, "f"),
+        ],
+        tolerance=1e-12,
+    )
     delta = H / (3 * EI / L**3 - P / L)
     assert got["u"] == pytest.approx(delta, rel=1e-9)
     assert got["m"] == pytest.approx(H * L + P * delta, rel=1e-9)
@@ -56,7 +63,9 @@ def test_portal_with_stiff_beam() -> None:
     m.nodal_load(g, a1, fx=H)
     m.nodal_load(g, leaning[1], fy=-P)
     got = final(Structure(m, [], [], g), [channel("displacement", a1, 0, "u")], tolerance=1e-9)
-    assert got["u"] == pytest.approx(H / (2 * 12 * EI / L**3 - P / L), rel=1e-5)  # the beam's flexibility, magnified by 5
+    assert got["u"] == pytest.approx(
+        H / (2 * 12 * EI / L**3 - P / L), rel=1e-5
+    )  # the beam's flexibility, magnified by 5
 
 
 def exact_cantilever(P: float) -> tuple[float, float]:
@@ -73,8 +82,9 @@ def test_subdivision_converges_to_the_exact_beam_column() -> None:
     for n in (2, 4, 8, 16):
         s = cantilever(L, EA, EI, n, "p_delta")
         s.model.nodal_load(s.pattern, s.nodes[-1], fx=H, fy=-P)
-        got = final(s, [channel("displacement", s.nodes[-1], 0, "u"), channel("reaction", s.nodes[0], 2, "m")],
-                    tolerance=1e-12)
+        got = final(
+            s, [channel("displacement", s.nodes[-1], 0, "u"), channel("reaction", s.nodes[0], 2, "m")], tolerance=1e-12
+        )
         errors.append([got["u"] / deflection - 1, got["m"] / moment - 1])
     order = np.log2(np.abs(np.array(errors[:-1]) / np.array(errors[1:])))
     np.testing.assert_allclose(order, 2.0, atol=0.15)
@@ -82,7 +92,8 @@ def test_subdivision_converges_to_the_exact_beam_column() -> None:
 
 
 def test_initial_and_loaded_stiffness() -> None:
-    """The tangent under gravity is the unloaded one less P/L at the sway degree, and turns singular at the critical load."""
+    """The tangent under gravity is the unloaded one less P/L at the sway degree, and turns singular at the
+    critical load."""
     P = 0.4 * CRITICAL
     s = cantilever(L, EA, EI, geometry="p_delta")
     s.model.nodal_load(s.pattern, s.nodes[1], fy=-P)
@@ -97,8 +108,9 @@ def test_initial_and_loaded_stiffness() -> None:
 
 
 def test_beyond_the_critical_load() -> None:
-    """Above 3EI/L^2 the one-member cantilever is unstable: the tangent is indefinite and modes are refused, also when fewer
-    are asked for than the structure has (the negative one is then not among those with the lowest positive frequency)."""
+    """Above 3EI/L^2 the one-member cantilever is unstable: the tangent is indefinite and modes are refused, also
+    when fewer are asked for than the structure has (the negative one is then not among those with the lowest
+    positive frequency)."""
     s = cantilever(L, EA, EI, geometry="p_delta")
     s.model.nodal_load(s.pattern, s.nodes[1], fy=-1.05 * 3 * EI / L**2)
     s.model.mass(s.nodes[1], 1e3, 1e3)

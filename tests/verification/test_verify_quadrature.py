@@ -1,7 +1,7 @@
 """Gauss-Lobatto integration in the force-based member: n points are exact for polynomials of degree 2n - 3, no higher.
 
-The flexibility 1/EI of the sections follows (x/L)^d at the points; the tip of a cantilever under a tip force then moves by
-P integral (L - x)^2 / EI dx: a polynomial of degree d + 2.
+The flexibility 1/EI of the sections follows (x/L)^d at the points; the tip of a cantilever under a tip force then
+moves by P integral (L - x)^2 / EI dx: a polynomial of degree d + 2.
 """
 
 from __future__ import annotations
@@ -36,7 +36,8 @@ def tip(n: int, degree: int) -> float:
     g = m.pattern()
     m.nodal_load(g, j, fy=P)
     return final(Structure(m, [i, j], [e], g), [channel("displacement", j, 1, "u")], tolerance=1e-12)["u"] / (
-        P * L**3 / EI)
+        P * L**3 / EI
+    )
 
 
 def exact(degree: int) -> float:
@@ -52,7 +53,8 @@ def test_exact_up_to_the_degree(n: int) -> None:
 
 @pytest.mark.parametrize("n", range(3, 11))
 def test_error_beyond_the_degree(n: int) -> None:
-    """The first polynomial that is not exact has the classical error: -n (n-1)^3 [(n-2)!]^4 / ((2n-1) [(2n-2)!]^3) f^(2n-2)
+    """The first polynomial that is not exact has the classical error: -n (n-1)^3 [(n-2)!]^4 / ((2n-1) [(2n-2)!]^3)
+    f^(2n-2)
 
     on an interval of 1 (Abramowitz & Stegun 25.4.32 with 2^(2n-1) taken out); f = x^d (1 - x)^2 with d + 2 = 2n - 2.
     """
@@ -70,7 +72,8 @@ def test_two_points() -> None:
 
 @pytest.mark.parametrize("n", range(2, 11))
 def test_points_and_weights(n: int) -> None:
-    """Where the sections lie, from their moments under a tip force; how they weigh, from a soft section at one of them."""
+    """Where the sections lie, from their moments under a tip force; how they weigh, from a soft section at one of
+    them."""
     x, w = lobatto(n)
     m = Model()
     section = m.elastic_section(EA, EI)
@@ -79,12 +82,16 @@ def test_points_and_weights(n: int) -> None:
         i, j = m.node(f"i{k}", 0, k), m.node(f"j{k}", L, k)
         m.fix(i, True, True, True)
         soft = m.elastic_section(EA, EI / 2.0)
-        elements.append(m.beam_column(f"e{k}", i, j, [soft if p == k else section for p in range(n)], points=n,
-                                      geometry="linear"))
+        elements.append(
+            m.beam_column(f"e{k}", i, j, [soft if p == k else section for p in range(n)], points=n, geometry="linear")
+        )
         m.nodal_load(g, j, mz=P)
         nodes.append(j)
-    got = final(Structure(m, nodes, elements, g), [channel("displacement", j, 2, f"r{k}") for k, j in enumerate(nodes)],
-                tolerance=1e-12)
+    got = final(
+        Structure(m, nodes, elements, g),
+        [channel("displacement", j, 2, f"r{k}") for k, j in enumerate(nodes)],
+        tolerance=1e-12,
+    )
     for k in range(n):  # a constant moment: rotation M L (1 + w_k) / EI
         assert got[f"r{k}"] / (P * L / EI) == pytest.approx(1.0 + w[k], rel=1e-10)
     assert got[f"r{n}"] / (P * L / EI) == pytest.approx(1.0, rel=1e-12)
@@ -128,8 +135,11 @@ def test_one_member_is_exact_when_elastic(points: int) -> None:
     matrices = []
     for kind in range(2):
         m = Model()
-        section = m.fibre_section(y, area, m.material(Elastic(E))) if kind else m.elastic_section(
-            E * float(area.sum()), E * float(area @ y**2))
+        section = (
+            m.fibre_section(y, area, m.material(Elastic(E)))
+            if kind
+            else m.elastic_section(E * float(area.sum()), E * float(area @ y**2))
+        )
         i, j = m.node("i", 0, 0), m.node("j", 3.0, 1.0)
         m.fix(i, True, True, True)
         m.beam_column("e", i, j, section, points=points)

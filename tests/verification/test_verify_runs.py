@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from verification.structures import E, FY, Structure, channel, i_layers, steel_cantilever, steel_portal
+from verification.structures import FY, E, Structure, channel, i_layers, steel_cantilever, steel_portal
 
 from edesign.core import Bilinear
 
@@ -32,9 +32,14 @@ def test_abscissa_of_static_and_pushover() -> None:
 
 
 def samples(s: Structure) -> list:
-    return [channel("reaction", s.nodes[0], 0, "h"), channel("reaction", s.nodes[0], 2, "m"),
-            channel("end_force", s.elements[0], 2, "end"), channel("global_force", s.elements[0], 3, "global"),
-            channel("axial_force", s.elements[0], 0, "n"), channel("displacement", s.nodes[1], 0, "u")]
+    return [
+        channel("reaction", s.nodes[0], 0, "h"),
+        channel("reaction", s.nodes[0], 2, "m"),
+        channel("end_force", s.elements[0], 2, "end"),
+        channel("global_force", s.elements[0], 3, "global"),
+        channel("axial_force", s.elements[0], 0, "n"),
+        channel("displacement", s.nodes[1], 0, "u"),
+    ]
 
 
 def test_first_sample_after_a_failed_run() -> None:
@@ -118,8 +123,12 @@ def test_cutting_a_run_into_several(pieces: int) -> None:
     s, gravity, lateral = column()
     a = s.analysis(tolerance=1e-10)
     for k in range(pieces):
-        r = a.pushover(lateral, s.nodes[1], "ux", 0.21 * (k + 1) / pieces, 21 // pieces,
-                       [channel("load_factor", lateral, 0, "f")])
-    reference = column()[0].analysis(tolerance=1e-10).pushover(
-        lateral, s.nodes[1], "ux", 0.21, 21, [channel("load_factor", lateral, 0, "f")])
+        r = a.pushover(
+            lateral, s.nodes[1], "ux", 0.21 * (k + 1) / pieces, 21 // pieces, [channel("load_factor", lateral, 0, "f")]
+        )
+    reference = (
+        column()[0]
+        .analysis(tolerance=1e-10)
+        .pushover(lateral, s.nodes[1], "ux", 0.21, 21, [channel("load_factor", lateral, 0, "f")])
+    )
     assert r.final["f"] == pytest.approx(reference.final["f"], rel=1e-8)

@@ -1,15 +1,15 @@
 """The tangent stiffness against finite differences of equilibrium states: K du = dF.
 
 A state in equilibrium under loads F is moved by small loads dF; the mean of the tangents before and after predicts the
-motion to third order. Left out of the P-Delta tangent, by its design, is the change of the axial force times the drift that is
-there: it would make the matrix unsymmetric. That term is added here from the recorded axial forces.
+motion to third order. Left out of the P-Delta tangent, by its design, is the change of the axial force times the
+drift that is there: it would make the matrix unsymmetric. That term is added here from the recorded axial forces.
 """
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
-from verification.structures import E, FY, Structure, i_layers
+from verification.structures import FY, E, Structure, i_layers
 
 from edesign.core import Analysis, Bilinear, Channel, MenegottoPinto, Model, Response, Steel
 
@@ -84,7 +84,8 @@ def mismatch(a: Analysis, s: Structure, geometry: str, pattern: int, factor: flo
 @pytest.mark.parametrize("release", [False, True], ids=["rigid", "hinged"])
 @pytest.mark.parametrize("geometry", ["linear", "p_delta", "corotational"])
 def test_elastic(geometry: str, release: bool) -> None:
-    """At every degree: dF is 1e-3 of F, so that the third order is 1e-6; rounding of the equilibrium is 1e-12 F / dF = 1e-9."""
+    """At every degree: dF is 1e-3 of F, so that the third order is 1e-6; rounding of the equilibrium is 1e-12 F /
+    dF = 1e-9."""
     s = frame(geometry, Bilinear(E, 1e3 * FY), release, True)
     degrees = [(n, d) for n in s.nodes[1:3] for d in range(3)]
     patterns = []
@@ -108,8 +109,9 @@ LAWS = {"hardening": Bilinear(E, FY, 0.1), "curved": MenegottoPinto(E, FY, 0.1, 
 @pytest.mark.parametrize("law", LAWS.values(), ids=LAWS)
 @pytest.mark.parametrize("geometry", ["linear", "p_delta", "corotational"])
 def test_yielded(geometry: str, law: Steel, release: bool) -> None:
-    """On along the path of loading (elsewhere fibres unload, and the tangent of loading does not apply): 1e-4 of the loads more,
-    after a first such step. Equilibrium to 1e-12 / 1e-4, curvature of the path 1e-8; 1e-5 leaves room for a fibre that turns."""
+    """On along the path of loading (elsewhere fibres unload, and the tangent of loading does not apply): 1e-4 of
+    the loads more, after a first such step. Equilibrium to 1e-12 / 1e-4, curvature of the path 1e-8; 1e-5 leaves
+    room for a fibre that turns."""
     s = frame(geometry, law, release, False)
     a = s.analysis(tolerance=1e-12, element_tolerance=1e-28, fast_elastic=0)
     assert a.static(s.pattern, 1.0, 5).status == "completed"

@@ -1,6 +1,7 @@
 /* Iteration of one step to equilibrium: Newton with factors kept while they converge well, full Newton, line search. */
 #include "system/analysis.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -23,12 +24,26 @@ double ed_unbalance(ed_analysis *a, const double *r)
   return level > 0.0 ? largest / level : (largest > 0.0 ? HUGE_VAL : 0.0);
 }
 
-void ed_raise_force_level(ed_analysis *a, const double *force)
+static inline double larger(double a, double b)
 {
-  double level = a->trial.head->force_level;
+  return a > b ? a : b;
+}
+
+/* Largest force on a member's end or node, of the accepted steps and of this iterate; iterates that were left do not count. */
+void ed_raise_force_level(ed_analysis *a)
+{
+  double force = 0.0, moment = 0.0;
+  for (int m = 0; m < a->model->n_members; m++) {
+    const double *f = a->member_force + 6 * m;
+    for (int end = 0; end < 6; end += 3) {
+      force = larger(force, fabs(f[end]));
+      force = larger(force, fabs(f[end + 1]));
+      moment = larger(moment, fabs(f[end + 2]));
+    }
+  }
   for (int i = 0; i < a->n; i++)
-    level = fmax(level, fabs(force[i]) / (a->rotational[i] ? a->length : 1.0));
-  a->trial.head->force_level = level;
+    *(a->rotational[i] ? &moment : &force) = larger(a->rotational[i] ? moment : force, fabs(a->external[i]));
+  a->trial.head->force_level = larger(a->committed.head->force_level, larger(force, moment / a->length));
 }
 
 void ed_freeze_damping(ed_analysis *a, int rung)
@@ -111,6 +126,24 @@ static int worth_factoring(const ed_analysis *a, double unbalance, double before
   return to_come > 1.5 + a->factor_price;
 }
 
+/* What rounding of the displacements alone does to the unbalance: no iteration gets below it. */
+static double rounding(ed_analysis *a)
+{
+  double largest = 0.0;
+  ed_assemble_tangent(a);
+  for (int i = 0; i < a->n; i++) {
+    const double force = fabs(a->tangent[a->diagonal[i]] * a->trial.u[i]);
+    largest = larger(largest, a->rotational[i] ? force / a->length : force);
+  }
+  return 4.0 * DBL_EPSILON * largest / a->trial.head->force_level;
+}
+
+static int accept(ed_analysis *a, double unbalance)
+{
+  a->statistics.worst_unbalance = larger(a->statistics.worst_unbalance, unbalance);
+  return ED_OK;
+}
+
 int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
 {
   const int keep_factors = rung == 0 && a->reuse;
@@ -124,15 +157,13 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
       a->residuals[a->n_residuals++] = unbalance;
     if (!isfinite(unbalance) && iteration > 0)
       return ED_E_NOT_FINITE;
-    if (unbalance <= a->tolerance) {
-      a->statistics.worst_unbalance = fmax(a->statistics.worst_unbalance, unbalance);
-      return ED_OK;
-    }
+    if (unbalance <= a->tolerance)
+      return accept(a, unbalance);
     if (iteration == a->max_iterations)
       return ED_E_NOT_CONVERGED;
     /* going round in circles: piecewise linear laws, or a damping stiffness that jumps with them */
     if (iteration >= STALL && unbalance > 0.5 * a->residuals[iteration - STALL])
-      return ED_E_NOT_CONVERGED;
+      return unbalance <= rounding(a) ? accept(a, unbalance) : ED_E_NOT_CONVERGED;
     const int same = a->factored_stamp >= 0 && a->factored_k == step->k && a->factored_m == step->m &&
                      a->factored_c == step->c;
     int factor = !same;

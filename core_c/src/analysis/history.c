@@ -25,7 +25,7 @@ static void residual(ed_analysis *a, const ed_step *step, double *r)
              a->mass[i] * ((1.0 - am) * now->a[i] + am * before->a[i] + a->influence[0][i] * gx +
                            a->influence[1][i] * gy);
   }
-  ed_raise_force_level(a, now->resisting);
+  ed_raise_force_level(a);
 }
 
 int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, const double *ground_y, int method,
@@ -57,7 +57,7 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
         return ed_fail(a, ED_E_NOT_FINITE, "ground acceleration: sample %ld is not a finite number", (long)i + 1);
       }
     }
-  ed_start_run(a, ED_RUN_HISTORY, n);
+  ed_start_run(a, ED_RUN_HISTORY, n, 0.0);
   ed_run *run = &a->run;
   run->dt = dt;
   run->ground[0] = block;
@@ -68,7 +68,6 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
   run->beta = beta;
   for (int axis = 0; axis < 2; axis++)
     run->ground_now[axis] = run->ground_before[axis] = run->ground[axis][0];
-  a->committed.head->time = a->trial.head->time = 0.0;
   /* the first acceleration from equilibrium, where there is mass */
   ed_freeze_damping(a, 0);
   ed_damping_force(a, a->trial.v, a->trial.damping);

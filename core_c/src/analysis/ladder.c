@@ -45,11 +45,11 @@ static void explain(ed_analysis *a, int status)
     else if (i == 4)
       snprintf(path + used, sizeof path - used, " ...");
   }
-  if (status == ED_E_SINGULAR) {
+  if (status == ED_E_SINGULAR || status == ED_E_UNSTABLE) {
     char names[300];
     ed_assemble_tangent(a);
     ed_name_mechanism(a, names, sizeof names);
-    snprintf(cause, sizeof cause, "; softest at %s: the structure has reached its limit load or lost stability", names);
+    snprintf(cause, sizeof cause, "; softest at %s: the limit load or the critical load is reached", names);
   }
   const char *abscissa = a->run.kind == ED_RUN_HISTORY ? "time" : a->run.kind == ED_RUN_STATIC ? "load factor" : "displacement";
   ed_fail(a, status,

@@ -24,7 +24,7 @@ int ed_pushover_begin(ed_analysis *a, int pattern, int node, int degree, double 
     loaded |= model->nodal_loads[i].pattern == pattern;
   if (!loaded)
     return ed_fail(a, ED_E_ARGUMENT, "the pushover pattern has no load");
-  ed_start_run(a, ED_RUN_PUSHOVER, steps);
+  ed_start_run(a, ED_RUN_PUSHOVER, steps, a->committed.u[control]);
   a->run.pattern = pattern;
   a->run.control = control;
   a->run.control_start = a->committed.u[control];
@@ -62,7 +62,7 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
   for (int iteration = 0;; iteration++) {
     for (int i = 0; i < a->n; i++)
       a->r[i] = a->external[i] - a->trial.resisting[i];
-    ed_raise_force_level(a, a->trial.resisting);
+    ed_raise_force_level(a);
     const double unbalance = ed_unbalance(a, a->r);
     if (a->n_residuals < ED_MAX_RESIDUALS)
       a->residuals[a->n_residuals++] = unbalance;
@@ -90,8 +90,7 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
     for (int i = 0; i < a->n; i++)
       a->trial.u[i] += share_taken * (a->du[i] + factor * by_load[i]);
     a->factors[run->pattern] += share_taken * factor;
-    for (int i = 0; i < a->n; i++)
-      a->external[i] += share_taken * factor * load[i];
+    ed_set_factors(a);
     if ((status = ed_update_elements(a)) != ED_OK)
       return status;
   }

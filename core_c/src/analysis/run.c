@@ -7,7 +7,7 @@
 
 static const ed_attempt attempts[] = {NULL, ed_static_attempt, ed_pushover_attempt, ed_history_attempt};
 
-void ed_start_run(ed_analysis *a, int kind, int steps)
+void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa)
 {
   memset(&a->run, 0, sizeof a->run);
   a->run.kind = (ed_run_kind)kind;
@@ -15,6 +15,7 @@ void ed_start_run(ed_analysis *a, int kind, int steps)
   a->run.every = 1;
   a->n_events = 0;
   a->committed.head->position = a->trial.head->position = 0.0;
+  a->committed.head->time = a->trial.head->time = abscissa;
   /* about 1000 operations an element and iteration beside the solution */
   const double others = 1000.0 * a->model->n_members;
   a->factor_price = ed_solver_flops(a->solver) / (ed_solver_solve_flops(a->solver) + others);

@@ -9,8 +9,7 @@ static void residual(ed_analysis *a, const ed_step *step, double *r)
   (void)step;
   for (int i = 0; i < a->n; i++)
     r[i] = a->external[i] - a->trial.resisting[i];
-  ed_raise_force_level(a, a->trial.resisting);
-  ed_raise_force_level(a, a->external);
+  ed_raise_force_level(a);
 }
 
 int ed_static_begin(ed_analysis *a, int pattern, double factor, int steps)
@@ -21,7 +20,7 @@ int ed_static_begin(ed_analysis *a, int pattern, double factor, int steps)
     return ed_fail(a, ED_E_ID, "there is no load pattern %d", pattern);
   if (steps < 1 || !isfinite(factor))
     return ed_fail(a, ED_E_ARGUMENT, "%d load steps to factor %g", steps, factor);
-  ed_start_run(a, ED_RUN_STATIC, steps);
+  ed_start_run(a, ED_RUN_STATIC, steps, a->factors_committed[pattern]);
   a->run.pattern = pattern;
   a->run.factor_start = a->factors_committed[pattern];
   a->run.factor_end = factor;
@@ -40,6 +39,11 @@ int ed_static_attempt(ed_analysis *a, double fraction, int rung)
   head->time = factor;
   ed_set_factors(a);
   /* element loads act inside the elements: their states must follow before the first residual */
-  const int status = ed_update_elements(a);
-  return status == ED_OK ? ed_equilibrate(a, &step, rung) : status;
+  int status = ed_update_elements(a);
+  if (status == ED_OK)
+    status = ed_equilibrate(a, &step, rung);
+  /* equilibrium beyond a critical load is no state that a structure can be in */
+  if (status == ED_OK && a->factored_stamp != a->tangent_stamp)
+    status = ed_factor_effective(a, 1.0, 0.0, 0.0);
+  return status == ED_OK && ed_solver_negative_pivots(a->solver) > 0 ? ED_E_UNSTABLE : status;
 }

@@ -274,8 +274,8 @@ double ed_element_stored(const ed_element *e, const double *block, const double 
 
 double ed_element_plastic_rotation(const ed_element *e, const double *block, int end)
 {
-  if (e->kind != ED_FIBRE_BEAM)
-    return 0.0;
+  if (e->kind != ED_FIBRE_BEAM || e->release[end])
+    return 0.0; /* a hinge turns freely */
   double elastic[3];
   ed_sym3_times(e->flexibility, block + ED_BLOCK_Q, elastic);
   return block[ED_BLOCK_V + 1 + end] - elastic[1 + end] - e->free_deformation[1 + end];

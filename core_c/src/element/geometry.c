@@ -24,10 +24,12 @@ void ed_kinematics_of(const ed_element *e, const double *d, ed_kinematics *k)
   k->s = e->s * cb + e->c * sb;
   /* l - L without cancellation */
   k->v[0] = (2.0 * e->length * (e->c * dx + e->s * dy) + dx * dx + dy * dy) / (k->l + e->length);
-  const double chord = atan2(sb, cb);
+  /* of the angles of the chord, whole turns apart, the one nearest to the mean rotation of the ends */
   const double turn = 6.283185307179586476925286766559;
-  k->v[1] = remainder(d[2] - chord, turn);
-  k->v[2] = remainder(d[5] - chord, turn);
+  const double mean = 0.5 * (d[2] + d[5]);
+  const double chord = mean - remainder(mean - atan2(sb, cb), turn);
+  k->v[1] = d[2] - chord;
+  k->v[2] = d[5] - chord;
 }
 
 void ed_element_forces(const ed_element *e, const double *d, const double *block, double *force)

@@ -1,32 +1,36 @@
 /* Menegotto & Pinto (1973) with the curvature rule of Filippou, Popov & Bertero (1983), no isotropic hardening.
  *
  * A branch runs from a reversal point towards the asymptote of its direction. The classical rule forgets the branch it left,
- * so that a small unloading and reloading rises above the curve that would have been followed without it. Here the branch
- * that was left is remembered: after a re-reversal the response follows the lower of the new branch and the remembered
- * one (the higher when loading downwards) and, where they meet, continues on the remembered one.
+ * so that a small unloading and reloading rises above the curve that would have been followed without it. Here the branches that
+ * were left are remembered as long as a new one begins ahead of them: the response is the lowest of the new branch and those
+ * remembered for its direction (the highest when loading downwards) and, where it meets one, continues on it.
  */
 #include "material/menegotto_pinto.h"
 
 #include <math.h>
 #include <string.h>
 
-enum { BRANCH = 5 };
+enum { BRANCH = 5, DEPTH = 4 }; /* doubles of a branch; reversals inside reversals that are remembered */
 typedef struct {
   double strain_r, stress_r; /* reversal point */
   double strain_0, stress_0; /* meeting point of the elastic line and the asymptote */
-  double R;                  /* 0: no branch */
+  double R;
 } branch;
 
 typedef struct {
-  branch now;      /* being followed */
-  branch outer;    /* same direction, left at an earlier reversal: bounds `now` */
-  branch opposite; /* left at the last reversal: becomes `outer` at the next */
+  double count;
+  branch left[DEPTH]; /* from the widest to the innermost */
+} memory;
+
+typedef struct {
+  branch now;       /* being followed */
+  memory up, down;  /* branches left while loading upwards, downwards */
   double direction; /* +1, -1; 0 while virgin */
   double strain_max, strain_min;
   double strain, stress;
 } mp_state;
 
-_Static_assert(sizeof(mp_state) == (3 * BRANCH + 5) * sizeof(double), "state is plain doubles");
+_Static_assert(sizeof(mp_state) == (BRANCH + 2 * (1 + DEPTH * BRANCH) + 5) * sizeof(double), "state is plain doubles");
 _Static_assert(sizeof(mp_state) == ED_MENEGOTTO_PINTO_STATE * sizeof(double), "state fits");
 
 static void follow(const ed_steel *steel, const branch *path, double strain, double *stress, double *tangent)
@@ -59,7 +63,12 @@ static branch turn(const ed_steel *steel, const mp_state *state, double directio
   return path;
 }
 
-/* State with the branch that leads to `strain`; the state itself is not touched. */
+static memory *of(mp_state *state, double direction)
+{
+  return direction > 0.0 ? &state->up : &state->down;
+}
+
+/* State with the branch that leads to `strain`; works on a copy. */
 static void prepare(const ed_steel *steel, mp_state *state, double strain)
 {
   const double change = strain - state->strain;
@@ -76,36 +85,39 @@ static void prepare(const ed_steel *steel, mp_state *state, double strain)
   }
   if (direction == state->direction)
     return;
-  /* of a reversal inside a reversal the wider curve stays the bound */
-  const branch left = state->outer.R > 0.0 ? state->outer : state->now;
+  memory *leaving = of(state, state->direction), *entering = of(state, direction);
+  if (leaving->count == DEPTH)
+    leaving->count--; /* the wide ones matter: forget the innermost */
+  leaving->left[(int)leaving->count++] = state->now;
+  /* a return behind the beginning of a branch erases it */
+  while (entering->count > 0.0 &&
+         direction * (state->strain - entering->left[(int)entering->count - 1].strain_r) <= 0.0)
+    entering->count--;
   state->now = turn(steel, state, direction);
-  state->outer = state->opposite;
-  state->opposite = left;
   state->direction = direction;
-  /* only a return to a curve that began behind this turning point is a small reversal; a longer way back erases it */
-  if (direction * (state->strain - state->outer.strain_r) <= 0.0)
-    state->outer.R = 0.0;
 }
 
-/* Stress on the path, bounded by the outer branch. The return is 1 when the outer branch governs. */
-static int respond(const ed_steel *steel, const mp_state *state, double strain, double *stress, double *tangent)
+/* Stress on the path, bounded by what is remembered. The return is the index of the governing branch, -1: the one followed. */
+static int respond(const ed_steel *steel, mp_state *state, double strain, double *stress, double *tangent)
 {
   if (state->direction == 0.0) {
     *stress = state->stress;
     *tangent = steel->E;
-    return 0;
+    return -1;
   }
+  int governing = -1;
+  const memory *bounds = of(state, state->direction);
   follow(steel, &state->now, strain, stress, tangent);
-  if (state->outer.R > 0.0) {
+  for (int i = (int)bounds->count - 1; i >= 0; i--) {
     double bound, bound_tangent;
-    follow(steel, &state->outer, strain, &bound, &bound_tangent);
+    follow(steel, &bounds->left[i], strain, &bound, &bound_tangent);
     if (state->direction * (*stress - bound) > 0.0) {
       *stress = bound;
       *tangent = bound_tangent;
-      return 1;
+      governing = i;
     }
   }
-  return 0;
+  return governing;
 }
 
 void ed_menegotto_pinto_trial(const ed_steel *steel, const double *committed, double strain, double *stress,
@@ -123,9 +135,11 @@ double ed_menegotto_pinto_commit(const ed_steel *steel, double *committed, doubl
   double stress, tangent;
   memcpy(&state, committed, sizeof state);
   prepare(steel, &state, strain);
-  if (respond(steel, &state, strain, &stress, &tangent)) {
-    state.now = state.outer; /* back on the curve that was left; nothing remains of the small reversal */
-    state.outer.R = 0.0;
+  const int governing = respond(steel, &state, strain, &stress, &tangent);
+  if (governing >= 0) { /* back on a curve that was left; nothing remains of the reversals inside it */
+    memory *bounds = of(&state, state.direction);
+    state.now = bounds->left[governing];
+    bounds->count = governing;
   }
   const double work = 0.5 * (state.stress + stress) * (strain - state.strain);
   const double stored = ed_steel_stored(steel, stress) - ed_steel_stored(steel, state.stress);

@@ -14,7 +14,7 @@ typedef struct {
 
 enum {
   ED_BILINEAR_STATE = 1,        /* plastic strain */
-  ED_MENEGOTTO_PINTO_STATE = 20
+  ED_MENEGOTTO_PINTO_STATE = 52
 };
 
 /* Doubles of state that the law keeps a fibre. */

@@ -73,7 +73,7 @@ ed_analysis *ed_analysis_new(const ed_model *model, int *status, char *message, 
   *status = ED_E_MEMORY;
   if (a) {
     a->model = model;
-    a->tolerance = 1e-6;
+    a->tolerance = 1e-7;
     a->element_tolerance = 1e-16;
     a->max_iterations = 25;
     a->halvings = 8;
@@ -148,6 +148,11 @@ int ed_stiffness(ed_analysis *a, int *column_start, int *row, double *value)
 void ed_mass(const ed_analysis *a, double *mass)
 {
   memcpy(mass, a->mass, (size_t)a->n * sizeof *mass);
+}
+
+int ed_unstable_directions(ed_analysis *a)
+{
+  return ed_factor_effective(a, 1.0, 0.0, 0.0) == ED_OK ? ed_solver_negative_pivots(a->solver) : -1;
 }
 
 int ed_set(ed_analysis *a, int setting, double value)

@@ -180,6 +180,7 @@ void ed_sample(ed_analysis *a, int keep_row);
 /* energy.c */
 void ed_count_energy(ed_analysis *a, double dissipated);
 void ed_close_energy(ed_analysis *a);
+void ed_remember_loads(ed_analysis *a);           /* those of the committed state, for the work of the next step */
 
 /* equilibrium.c: iterates the trial state of one (sub)step to equilibrium */
 typedef struct ed_step {
@@ -190,7 +191,7 @@ typedef struct ed_step {
 } ed_step;
 int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung);
 double ed_unbalance(ed_analysis *a, const double *r);  /* relative; notes the worst equation */
-void ed_raise_force_level(ed_analysis *a, const double *force);
+void ed_raise_force_level(ed_analysis *a);
 void ed_freeze_damping(ed_analysis *a, int rung);
 int ed_last_iterations(const ed_analysis *a);
 
@@ -199,7 +200,7 @@ typedef int (*ed_attempt)(ed_analysis *a, double fraction, int rung);
 int ed_climb(ed_analysis *a, ed_attempt attempt);
 
 /* run.c */
-void ed_start_run(ed_analysis *a, int kind, int steps);
+void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa);
 
 /* one attempt a kind of run: static.c, pushover.c, history.c */
 int ed_static_attempt(ed_analysis *a, double fraction, int rung);

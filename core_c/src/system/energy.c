@@ -71,18 +71,23 @@ void ed_count_energy(ed_analysis *a, double dissipated)
     }
     head->energy[ED_DAMPING] += mean_work(n, a->committed.damping, a->trial.damping, a->committed.u, a->trial.u);
   } else {
-    memcpy(a->external_committed, a->external, (size_t)n * sizeof(double));
-    for (int m = 0; m < members; m++) {
-      ed_loads *loads = &a->loads_committed[m];
-      memcpy(loads->section_load, a->elements[m].section_load, sizeof loads->section_load);
-      memcpy(loads->end_load, a->elements[m].end_load, sizeof loads->end_load);
-      memcpy(loads->free_deformation, a->elements[m].free_deformation, sizeof loads->free_deformation);
-    }
+    ed_remember_loads(a);
   }
   head->energy[ED_INPUT] += input;
   head->energy[ED_HYSTERETIC] += dissipated;
   head->energy[ED_GEOMETRIC] += second_order;
   head->largest_input = fmax(head->largest_input, fabs(head->energy[ED_INPUT]));
+}
+
+void ed_remember_loads(ed_analysis *a)
+{
+  memcpy(a->external_committed, a->external, (size_t)a->n * sizeof(double));
+  for (int m = 0; m < a->model->n_members; m++) {
+    ed_loads *loads = &a->loads_committed[m];
+    memcpy(loads->section_load, a->elements[m].section_load, sizeof loads->section_load);
+    memcpy(loads->end_load, a->elements[m].end_load, sizeof loads->end_load);
+    memcpy(loads->free_deformation, a->elements[m].free_deformation, sizeof loads->free_deformation);
+  }
 }
 
 /* Completes the balance at the committed state. */

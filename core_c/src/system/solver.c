@@ -8,22 +8,23 @@
 
 struct ed_solver {
   int n;
-  int *column_start, *row;
+  int *column_start, *row, *diagonal;
   klu_common common;
   klu_symbolic *symbolic;
-  klu_numeric *numeric;
-  int *diagonal;
+  klu_numeric *usual;   /* pivots of the first matrix, used for all that they suit */
+  klu_numeric *special; /* pivots chosen for one matrix that they did not suit */
+  klu_numeric *active;  /* one of the two, or NULL */
   double flops;
   double pivot_ratio;
 };
 
 /* Smallest |pivot| / |its diagonal term|: a measure that no choice of units changes. Below SINGULAR nothing but rounding
- * is left of the pivot; below POOR pivots known from before are chosen anew. */
+ * is left of the pivot; below POOR the usual pivots do not suit. */
 static const double SINGULAR = 1e-14, POOR = 1e-9;
 
-static double smallest_pivot(const ed_solver *solver, const double *value)
+static double smallest_pivot(const ed_solver *solver, const klu_numeric *numeric, const double *value)
 {
-  const double *pivot = solver->numeric->Udiag;
+  const double *pivot = numeric->Udiag;
   const int *column = solver->symbolic->Q;
   double smallest = 1.0;
   for (int k = 0; k < solver->n; k++) {
@@ -46,7 +47,8 @@ ed_solver *ed_solver_new(int n, int *column_start, int *row, int *diagonal)
   solver->diagonal = diagonal;
   klu_defaults(&solver->common);
   solver->common.btf = 0;   /* one block: the structure is connected */
-  solver->common.scale = 0; /* stiffness is symmetric, its diagonal a good pivot */
+  solver->common.scale = 0; /* stiffness is symmetric, its diagonal a good pivot, also where units differ a lot */
+  solver->common.tol = 1e-6;
   solver->symbolic = klu_analyze(n, column_start, row, &solver->common);
   if (!solver->symbolic) {
     free(solver);
@@ -59,7 +61,8 @@ void ed_solver_free(ed_solver *solver)
 {
   if (!solver)
     return;
-  klu_free_numeric(&solver->numeric, &solver->common);
+  klu_free_numeric(&solver->usual, &solver->common);
+  klu_free_numeric(&solver->special, &solver->common);
   klu_free_symbolic(&solver->symbolic, &solver->common);
   free(solver);
 }
@@ -68,31 +71,52 @@ int ed_solver_factor(ed_solver *solver, double *value, int *repivoted)
 {
   klu_common *common = &solver->common;
   *repivoted = 0;
-  if (solver->numeric) {
-    const int ok = klu_refactor(solver->column_start, solver->row, value, solver->symbolic, solver->numeric, common);
-    if (ok && common->status == KLU_OK) {
-      solver->pivot_ratio = smallest_pivot(solver, value);
-      if (solver->pivot_ratio > POOR)
+  solver->active = NULL;
+  klu_free_numeric(&solver->special, common);
+  if (solver->usual) {
+    if (klu_refactor(solver->column_start, solver->row, value, solver->symbolic, solver->usual, common) &&
+        common->status == KLU_OK) {
+      solver->pivot_ratio = smallest_pivot(solver, solver->usual, value);
+      if (solver->pivot_ratio > POOR) {
+        solver->active = solver->usual;
         return ED_OK;
+      }
     }
-    /* the old pivots have become poor: choose new ones */
-    klu_free_numeric(&solver->numeric, common);
   }
   *repivoted = 1;
-  solver->numeric = klu_factor(solver->column_start, solver->row, value, solver->symbolic, common);
-  if (!solver->numeric || common->status != KLU_OK)
+  klu_numeric *chosen = klu_factor(solver->column_start, solver->row, value, solver->symbolic, common);
+  if (!chosen)
     return ED_E_SINGULAR;
-  if (solver->flops == 0.0 && klu_flops(solver->symbolic, solver->numeric, common))
+  /* the answer must not depend on which matrices came before: only the first one's pivots are kept for others */
+  if (solver->usual)
+    solver->special = chosen;
+  else
+    solver->usual = chosen;
+  solver->active = chosen;
+  if (solver->flops == 0.0 && klu_flops(solver->symbolic, chosen, common))
     solver->flops = common->flops;
-  solver->pivot_ratio = smallest_pivot(solver, value);
-  return solver->pivot_ratio > SINGULAR ? ED_OK : ED_E_SINGULAR;
+  solver->pivot_ratio = smallest_pivot(solver, chosen, value);
+  return common->status == KLU_OK && solver->pivot_ratio > SINGULAR ? ED_OK : ED_E_SINGULAR;
 }
 
 int ed_solver_solve(ed_solver *solver, double *rhs, int n_rhs)
 {
-  if (!solver->numeric)
+  if (!solver->active)
     return ED_E_STATE;
-  return klu_solve(solver->symbolic, solver->numeric, solver->n, n_rhs, rhs, &solver->common) ? ED_OK : ED_E_SINGULAR;
+  return klu_solve(solver->symbolic, solver->active, solver->n, n_rhs, rhs, &solver->common) ? ED_OK : ED_E_SINGULAR;
+}
+
+int ed_solver_negative_pivots(const ed_solver *solver)
+{
+  int negative = 0;
+  if (!solver->active)
+    return -1;
+  for (int k = 0; k < solver->n; k++) {
+    if (solver->active->Pnum[k] != solver->symbolic->Q[k])
+      return -1;
+    negative += ((const double *)solver->active->Udiag)[k] < 0.0;
+  }
+  return negative;
 }
 
 double ed_solver_flops(const ed_solver *solver)
@@ -102,7 +126,7 @@ double ed_solver_flops(const ed_solver *solver)
 
 double ed_solver_solve_flops(const ed_solver *solver)
 {
-  return solver->numeric ? 2.0 * ((double)solver->numeric->lnz + (double)solver->numeric->unz) : 0.0;
+  return solver->active ? 2.0 * ((double)solver->active->lnz + (double)solver->active->unz) : 0.0;
 }
 
 double ed_solver_pivot_ratio(const ed_solver *solver)

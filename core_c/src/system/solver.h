@@ -14,6 +14,8 @@ int ed_solver_solve(ed_solver *solver, double *rhs, int n_rhs);
 /* Floating-point operations of a refactorisation and of a solution. */
 double ed_solver_flops(const ed_solver *solver);
 double ed_solver_solve_flops(const ed_solver *solver);
+/* Negative pivots of the last factors, -1 where pivots off the diagonal leave the count without meaning. */
+int ed_solver_negative_pivots(const ed_solver *solver);
 /* Of the last factors: smallest |pivot| / |diagonal term|. */
 double ed_solver_pivot_ratio(const ed_solver *solver);
 

@@ -101,6 +101,7 @@ void ed_restore(ed_analysis *a)
   memcpy(a->layers, a->layers_backup, (size_t)a->layer_size * sizeof(double));
   copy_factors(a, a->factors_committed, a->factors_backup);
   ed_revert(a);
+  ed_remember_loads(a);
 }
 
 int ed_state_size(const ed_analysis *a)
@@ -123,5 +124,6 @@ int ed_state_set(ed_analysis *a, const double *state)
   memcpy(a->layers, state + a->state_size, (size_t)a->layer_size * sizeof(double));
   memcpy(a->factors_committed, state + a->state_size + a->layer_size, (size_t)a->model->n_patterns * sizeof(double));
   ed_revert(a);
+  ed_remember_loads(a);
   return ED_OK;
 }
