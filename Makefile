@@ -86,8 +86,6 @@ test-setup: $(STAMPS)/peers
 
 run: setup
 	@$(BIN)/edesign run $(PROJECT)
-	@$(BIN)/edesign show "$$($(PY) -c 'import sys; from edesign.project.loader import load_project; \
-	    print(load_project(sys.argv[1]).archive_path)' $(PROJECT))"
 
 bench: test-setup
 	@$(PY) -m benchmarks.run

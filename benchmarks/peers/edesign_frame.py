@@ -26,7 +26,7 @@ class CoreFrame:
 
 
 def build(frame: PeerFrame, push_loads: Array | None = None) -> CoreFrame:
-    """The frame with P-Delta columns and linear beams; push_loads (n_storeys, n_lines) N, horizontal, for a pushover."""
+    """The frame with P-Delta columns and linear beams; push_loads: (n_storeys, n_lines) N, horizontal."""
     model = Model()
     steel = model.material(Bilinear(frame.E, frame.fy, frame.hardening))
     sections = {}

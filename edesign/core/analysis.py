@@ -32,6 +32,7 @@ SETTINGS = {
     "reuse_factors": lib.ED_REUSE_FACTORS,
     "energy": lib.ED_ENERGY,
 }
+AVERAGE_ACCELERATION = Newmark()
 _PIECE = 0.2  # seconds of computing between looks at the stop flag
 
 
@@ -40,7 +41,7 @@ def _doubles(array: np.ndarray | None) -> Any:
 
 
 class Analysis:
-    """State of one structure and what can be done with it; runs follow each other from the state that the last one left.
+    """State of one structure and what can be done with it; a run starts from the state that the last one left.
 
     Several analyses may share a model and run in parallel threads: the core releases the interpreter lock.
 
@@ -168,7 +169,7 @@ class Analysis:
         self,
         ground_acceleration: ArrayLike,
         dt: float,
-        method: Integrator = Newmark(),
+        method: Integrator = AVERAGE_ACCELERATION,
         channels: Sequence[Channel] = (),
         every: int = 1,
         vertical: ArrayLike | None = None,

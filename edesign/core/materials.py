@@ -25,7 +25,8 @@ class Bilinear:
 class MenegottoPinto:
     """Menegotto & Pinto (1973) with the curvature rule of Filippou et al. (1983); E and fy in Pa.
 
-    R = R0 (1 - cR1 xi / (cR2 + xi)). A small unloading is remembered: reloading never rises above the curve that was left.
+    R = R0 (1 - cR1 xi / (cR2 + xi)). Small unloadings are remembered: reloading never rises above the curve that was
+    left.
     """
 
     E: float

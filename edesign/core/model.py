@@ -23,8 +23,8 @@ def status_name(status: int) -> str:
 class Model:
     """Nodes, elements, masses, supports and load patterns, in SI units.
 
-    Three degrees a node: ux, uy (upwards), rz (anticlockwise). Ids are the integers that the methods return. Materials come
-    before sections. Every method raises CoreError with a message for people when the core refuses its arguments.
+    Three degrees a node: ux, uy (upwards), rz (anticlockwise). Ids are the integers that the methods return. Materials
+    come before sections. Every method raises CoreError with a message for people when the core refuses its arguments.
     """
 
     def __init__(self) -> None:
@@ -70,7 +70,7 @@ class Model:
         return self._checked(lib.ed_model_elastic_section(self._c, EA, EI))
 
     def fibre_section(self, y: ArrayLike, area: ArrayLike, material: int | ArrayLike) -> int:
-        """Add a section of fibres at depths y (n,) m with areas (n,) m2; fibres at one depth are merged exactly."""
+        """Add fibres at depths y (n,) m with areas (n,) m2; those at one depth are merged exactly."""
         depth = np.ascontiguousarray(y, dtype=float).ravel()
         areas = np.ascontiguousarray(area, dtype=float).ravel()
         laws = np.ascontiguousarray(np.broadcast_to(material, depth.shape), dtype=np.int32)
@@ -150,7 +150,8 @@ class Model:
     def link(self, name: str, i: int, j: int, stiffness: tuple[float, float, float], angle: float = 0.0) -> int:
         """Add an elastic link with stiffness along local x, y (N/m) and in rotation (N m/rad).
 
-        Between two places local x runs along the link and shear acts at mid-length; at one place local x is at `angle` rad.
+        Between two places local x runs along the link and shear acts at mid-length; at one place local x is at `angle`
+        rad.
         """
         return self._element(name, lib.ed_model_link(self._c, name.encode(), i, j, *stiffness, angle), -1)
 

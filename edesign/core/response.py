@@ -43,8 +43,8 @@ class Channel:
 
     Attributes:
         name: key of the results.
-        terms: (coefficient, kind, id of the node or element, component); kinds and components are listed in edcore.h and
-            in `KINDS`.
+        terms: (coefficient, kind, id of the node or element, component); edcore.h lists kinds and components, `KINDS`
+            the names.
         history: keep every sample, not only the extremes.
     """
 

@@ -68,7 +68,7 @@ def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
     from rich.table import Table as RichTable
 
     console = Console(file=stream, highlight=False)
-    for table in (part for table in tables for part in folded(table, console.width)):
+    for table in [part for whole in tables for part in folded(whole, console.width)]:
         if table.title:
             console.print(f"[bold]{escape(table.title)}[/bold]")
         if table.rows:

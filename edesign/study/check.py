@@ -18,7 +18,7 @@ from edesign.study.structure import make_structure
 
 
 def check_inputs(project: Project, records: Iterable[str], specs: Iterable[Analysis] = ()) -> dict[str, str]:
-    """Read records, build the frame and look for the outputs once, so that what is wrong shows before the first analysis.
+    """Read records, build the frame and look for the outputs, so that what is wrong shows before the first analysis.
 
     Args:
         project: from `load_project`.

@@ -114,13 +114,15 @@ def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> Non
     step = record.time_step if step is None else step
     if step > record.duration:
         raise InputError(
-            f"{where}: integration.time_step: {step:g} s is longer than the record {spec.record} ({record.duration:g} s)"
+            f"{where}: integration.time_step: {step:g} s is longer than the record {spec.record} "
+            f"({record.duration:g} s)"
         )
     steps = (record.duration + spec.free_vibration) / step
     if steps > MOST_STEPS:
         raise InputError(
             f"{where}: integration.time_step: with {step:g} s the history {spec.name} has {steps:.3g} steps "
-            f"({record.duration:g} s of record, {spec.free_vibration:g} s of free vibration); at most {MOST_STEPS} can run"
+            f"({record.duration:g} s of record, {spec.free_vibration:g} s of free vibration); "
+            f"{MOST_STEPS} are possible"
         )
     if spec.pga is not None and record.pga == 0.0:
         place = project.where("records", spec.record)

@@ -1,8 +1,8 @@
 """The thesis frame side by side with OpenSeesPy, from the same numbers, in the same run.
 
-Both solve the same equations (force-based elements, 24 layers, 5 Gauss-Lobatto points, P-Delta columns, Newmark average acceleration,
-Rayleigh damping on the current stiffness), so what differs is rounding, tolerances and the handling of the few steps in which the
-jumping damping stiffness leaves no exact solution.
+Both solve the same equations (force-based elements, 24 layers, 5 Gauss-Lobatto points, P-Delta columns, Newmark average
+acceleration, Rayleigh damping on the current stiffness), so what differs is rounding, tolerances and the handling of the
+few steps in which the jumping damping stiffness leaves no exact solution.
 """
 
 from __future__ import annotations
@@ -70,5 +70,6 @@ def test_known_values_of_four_bays(
     ours, _ = edesign_frame.history(frame, *el_centro(pga))
     assert ours.peak("roof") == pytest.approx(roof, rel=3e-3)
     assert ours.peak("base_shear") == pytest.approx(shear, rel=3e-3)
-    assert max(ours.peak(f"drift_{floor}") for floor in range(1, 11)) == pytest.approx(drift, rel=3e-3, abs=5e-5 + 3e-3 * drift)
+    ours_drift = max(ours.peak(f"drift_{floor}") for floor in range(1, 11))
+    assert ours_drift == pytest.approx(drift, abs=5e-5 + 3e-3 * drift)
     assert ours.peak("roof_acceleration") == pytest.approx(acceleration, rel=3e-3)

@@ -94,7 +94,7 @@ def shake(
 ) -> tuple[Response, np.ndarray]:
     """Gravity, then the motion; the response and the state at its end."""
     m, n, e, g = portal(units, nodes, members, fibres, curved)
-    a = prepare(m, g, units, **settings)
+    a = prepare(m, g, units, "current", **settings)
     channels = [
         channel("displacement", n[2], 0, "u"),
         channel("displacement", n[3], 2, "r"),

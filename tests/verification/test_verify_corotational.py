@@ -65,9 +65,9 @@ def elastica(load: float) -> tuple[float, float, float]:
             a = np.arcsin(top - s * s)
             return 2 / np.cos(a) * f(a)  # type: ignore[operator]
 
-        return float(quad(g, 0.0, np.sqrt(top), epsabs=1e-13, epsrel=1e-12)[0])
+        return float(quad(g, 0.0, np.sqrt(top), epsabs=1e-11, epsrel=1e-10, limit=200)[0])
 
-    t = brentq(lambda x: integral(x, lambda a: 1.0) - np.sqrt(2 * load), 1e-6, np.pi / 2 - 1e-9, xtol=1e-14)
+    t = brentq(lambda x: integral(x, lambda a: 1.0) - np.sqrt(2 * load), 1e-2, 1.55, xtol=1e-13)
     scale = np.sqrt(2 * load)
     return t, integral(t, np.sin) / scale, 1 - integral(t, np.cos) / scale
 
@@ -80,13 +80,14 @@ def test_elastica_reference() -> None:
 
 @pytest.mark.parametrize("load", [1.0, 10.0])
 def test_cantilever_under_a_tip_force(load: float) -> None:
-    """Error 1/n^2 of the chords, and small with 32 members."""
+    """Error 1/n^2 of the chords, and small with 32 members. Inextensible: EA makes 1e-6 of strain; beside it the
+    equilibrium cannot be found to less than 1e-10 of the force, so that the tolerance is 1e-8."""
     slope, deflection, shortening = elastica(load)
     errors = []
     for n in (8, 16, 32):
-        s = cantilever(L, 1e3 * EA, EI, n, "corotational", vertical=False)
+        s = cantilever(L, 1e2 * EA, EI, n, "corotational", vertical=False)
         s.model.nodal_load(s.pattern, s.nodes[-1], fy=load * EI / L**2)
-        r = s.analysis(tolerance=1e-10).static(
+        r = s.analysis(tolerance=1e-8).static(
             s.pattern, steps=10, channels=[channel("displacement", s.nodes[-1], d, str(d)) for d in range(3)]
         )
         assert r.status == "completed", r.reason

@@ -12,7 +12,7 @@ M, T = 1000.0, 0.8
 OMEGA = 2 * np.pi / T
 K = M * OMEGA**2
 ZETA = 0.05
-METHODS = {
+METHODS: dict[str, Integrator] = {
     "average": Newmark(),
     "linear": Newmark(0.5, 1 / 6),
     "hht": HHT(-0.2),
@@ -79,12 +79,14 @@ def amplification(method: Integrator, step: float) -> np.ndarray:
     return np.linalg.solve(left, right)
 
 
-@pytest.mark.parametrize("method", METHODS.values(), ids=METHODS)
-@pytest.mark.parametrize("step", [0.3, 2.0, 50.0, 1e4])
-def test_free_motion_follows_the_amplification_matrix(method: Integrator, step: float) -> None:
+# linear acceleration is unstable above 2 sqrt(3)
+STEPS = [(name, step) for name in METHODS for step in (0.3, 2.0, 50.0, 1e4) if name != "linear" or step < 3.46]
+
+
+@pytest.mark.parametrize("name, step", STEPS)
+def test_free_motion_follows_the_amplification_matrix(name: str, step: float) -> None:
     """Step by step, to the rounding of 40 steps."""
-    if isinstance(method, Newmark) and method.beta < 0.25 and step > 3.46:
-        pytest.skip("linear acceleration is unstable above 2 sqrt(3)")
+    method = METHODS[name]
     dt = step / OMEGA
     u = run(method, np.zeros(41), dt, 0.3, damping=False)
     state = np.array([0.0, 0.3 * dt, 0.0])

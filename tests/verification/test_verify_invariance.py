@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
+from typing import Any
 
 import numpy as np
 import pytest
@@ -103,7 +104,8 @@ def test_repeated_runs_bitwise() -> None:
 def test_shortcuts(plain: Response, setting: str) -> None:
     """Switched off, a shortcut changes nothing but the time it takes: tolerance of the equilibrium 1e-11, grown to
     1e-7."""
-    off = shake(tolerance=1e-11, **{setting: 0.0})[0]
+    settings: dict[str, Any] = {"tolerance": 1e-11, setting: 0.0}
+    off = shake(**settings)[0]
     assert_close(plain, off, 1e-7)
     if setting == "fast_elastic":
         assert off.statistics["elastic_updates"] == 0 < plain.statistics["elastic_updates"]

@@ -108,18 +108,35 @@ def test_initial_and_loaded_stiffness() -> None:
 
 
 def test_beyond_the_critical_load() -> None:
-    """Above 3EI/L^2 the one-member cantilever is unstable: the tangent is indefinite and modes are refused, also
-    when fewer are asked for than the structure has (the negative one is then not among those with the lowest
-    positive frequency)."""
+    """Above 3EI/L^2 the one-member cantilever is unstable: equilibrium exists on the straight path, but no
+    structure stays in it. The run fails and says why, and the state is that below the critical load."""
     s = cantilever(L, EA, EI, geometry="p_delta")
-    s.model.nodal_load(s.pattern, s.nodes[1], fy=-1.05 * 3 * EI / L**2)
-    s.model.mass(s.nodes[1], 1e3, 1e3)
+    s.model.nodal_load(s.pattern, s.nodes[1], fy=-3 * EI / L**2)
     a = s.analysis()
-    response = a.static(s.pattern)  # equilibrium exists on the straight path
-    assert response.status == "completed"
+    assert a.static(s.pattern, 0.95).status == "completed"
+    before = a.state()
+    r = a.static(s.pattern, 1.05)
+    assert r.status == "failed"
+    assert "critical load" in r.reason or "stability" in r.reason
+    np.testing.assert_array_equal(a.state(), before)
+    assert np.linalg.eigvalsh(a.stiffness().toarray()).min() > 0.0
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_modes_of_an_unstable_structure_are_refused(count: int) -> None:
+    """Shortened beyond the critical load in displacement control. Also when fewer modes are asked for than there
+    are: the negative squared frequency is not among the lowest positive ones."""
+    s = cantilever(L, EA, EI, geometry="p_delta")
+    s.model.mass(s.nodes[1], 1e3, 1e3)
+    s.model.nodal_load(s.pattern, s.nodes[1], fy=-1.0)
+    a = s.analysis()
+    critical = 3 * EI / L**2
+    assert a.pushover(s.pattern, s.nodes[1], "uy", -0.95 * critical * L / EA, 2).status == "completed"
+    assert a.modes(count).omega[0] > 0.0
+    assert a.pushover(s.pattern, s.nodes[1], "uy", -1.05 * critical * L / EA, 1).status == "completed"
     assert np.linalg.eigvalsh(a.stiffness().toarray()).min() < 0.0
-    with pytest.raises((ValueError, CoreError), match="unstable"):
-        a.modes(1)
+    with pytest.raises(CoreError, match="unstable"):
+        a.modes(count)
 
 
 def test_p_delta_of_a_truss() -> None:

@@ -8,7 +8,7 @@ import pytest
 from edesign.core._edcore import ffi, lib
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from verification.shaken_portal import DT, ground, portal, prepare
+from verification.shaken_portal import DT, SI, ground, portal, prepare
 from verification.structures import channel
 
 from edesign.core import Analysis
@@ -21,7 +21,7 @@ def begin(kind: str, curved: bool = False, **settings_: float) -> Analysis:
     m, n, _, g = portal(curved=curved)
     lateral = m.pattern("lateral")
     m.nodal_load(lateral, n[2], fx=1e3)
-    a = prepare(m, g, **settings_)
+    a = prepare(m, g, SI, "current", **settings_)
     if kind == "history":
         motion = ground(STEPS)
         status = lib.ed_history_begin(
