@@ -1,7 +1,7 @@
 """Side by side with OpenSeesPy in one run: CPU time of the same histories, medians, ratio. `make bench`.
 
-Neither side samples anything inside the loop. OpenSees is given its fastest solver and test for each frame (chosen here by
-trial, unless --quick) and its fibres merged into the same 24 layers; edesign runs at its default tolerance. Only the
+Neither side samples anything inside the loop. OpenSees is given its fastest solver and test for each frame (chosen here
+by trial, unless --quick) and its fibres merged into the same 24 layers; edesign runs at its default tolerance. Only the
 integration loop is timed, CPU time of the one thread that computes.
 
 Usage: python -m benchmarks.run [--quick] [--repeats N]

@@ -100,6 +100,8 @@ static void check_failure(run_kind next)
   CHECK_CONTAINS(ed_analysis_message(failed), "failed");
   CHECK_STATUS(ed_static_begin(failed, LATERAL, 1.0, 1), ED_E_STATE); /* not before it is ended */
   ed_run_end(failed);
+  CHECK_STATUS(ed_static_begin(straight, LATERAL, 1.0, 1), ED_OK); /* a beginning sets the abscissa */
+  ed_run_end(straight);
   same_state(straight, failed);
 
   static double rows[2 * (N + 1)], expected[2 * (N + 1)];

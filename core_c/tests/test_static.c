@@ -110,7 +110,8 @@ static void check_gravity(int geometry)
   ed_model_free(model);
 }
 
-/* Side-sway of the portal: four hinges, H h = 4 Mp; axial forces cost some per cent of Mp. */
+/* Side-sway of the portal: four hinges, H h = 4 Mp; axial forces up to 0.12 of the yield force cost
+ * 2 per cent of Mp. */
 static void check_collapse(double *path, int rows)
 {
   const double expected = 4.0 * values_of_section().plastic_moment / 3.5;
@@ -129,7 +130,7 @@ static void check_collapse(double *path, int rows)
     if (i < rows)
       path[i] = values[2 * i];
   }
-  CHECK_NEAR(1e3 * values[200], expected, 0.02 * expected);
+  CHECK_NEAR(1e3 * values[200], expected, 0.03 * expected);
   CHECK(1e3 * values[200] <= expected * (1.0 + 1e-6)); /* the upper bound theorem */
   CHECK_NEAR(last_value(analysis, shear), 0.25, 1e-12);
   const double *end = energy + 100 * ED_N_ENERGY;

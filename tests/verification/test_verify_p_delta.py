@@ -92,8 +92,7 @@ def test_subdivision_converges_to_the_exact_beam_column() -> None:
 
 
 def test_initial_and_loaded_stiffness() -> None:
-    """The tangent under gravity is the unloaded one less P/L at the sway degree, and turns singular at the
-    critical load."""
+    """The tangent under gravity is the unloaded one less P/L at the sway degree, and no other term changes."""
     P = 0.4 * CRITICAL
     s = cantilever(L, EA, EI, geometry="p_delta")
     s.model.nodal_load(s.pattern, s.nodes[1], fy=-P)

@@ -53,10 +53,9 @@ def test_exact_up_to_the_degree(n: int) -> None:
 
 @pytest.mark.parametrize("n", range(3, 11))
 def test_error_beyond_the_degree(n: int) -> None:
-    """The first polynomial that is not exact has the classical error: -n (n-1)^3 [(n-2)!]^4 / ((2n-1) [(2n-2)!]^3)
-    f^(2n-2)
+    """The first polynomial that is not exact has the classical error (Abramowitz & Stegun 25.4.32), on an interval of 1
 
-    on an interval of 1 (Abramowitz & Stegun 25.4.32 with 2^(2n-1) taken out); f = x^d (1 - x)^2 with d + 2 = 2n - 2.
+    -n (n-1)^3 [(n-2)!]^4 / ((2n-1) [(2n-2)!]^3) f^(2n-2), with f = x^d (1 - x)^2 and d + 2 = 2n - 2.
     """
     degree = 2 * n - 4
     leading = factorial(2 * n - 2)  # the derivative of x^(2n-2)

@@ -1,0 +1,138 @@
+/* No allocation inside a step: while a yielding frame is advanced, nothing calls malloc, calloc, realloc or free. This program
+ * takes their place (glibc only); with a sanitizer, which does the same, it says that it did not look. */
+#include "checks.h"
+#include "edcore.h"
+#include "frame.h"
+
+#include <stddef.h>
+#include <stdio.h>
+
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+
+void *__libc_malloc(size_t size);
+void *__libc_calloc(size_t count, size_t size);
+void *__libc_realloc(void *block, size_t size);
+void __libc_free(void *block);
+
+static volatile int counting;
+static volatile long calls;
+
+/* visible, so that the libraries call these too */
+#define VISIBLE __attribute__((visibility("default")))
+
+VISIBLE void *malloc(size_t size)
+{
+  calls += counting;
+  return __libc_malloc(size);
+}
+
+VISIBLE void *calloc(size_t count, size_t size)
+{
+  calls += counting;
+  return __libc_calloc(count, size);
+}
+
+VISIBLE void *realloc(void *block, size_t size)
+{
+  calls += counting;
+  return __libc_realloc(block, size);
+}
+
+VISIBLE void free(void *block)
+{
+  calls += counting;
+  __libc_free(block);
+}
+
+enum { N = 400 };
+static const frame_options FRAME = {.bays = 2, .storeys = 3, .points = 5, .geometry = ED_P_DELTA};
+
+static void check_counter(void)
+{
+  counting = 1;
+  ed_model *model = ed_model_new();
+  ed_model_free(model);
+  counting = 0;
+  CHECK_INT(calls, 2);
+  /* calls of the solver's library are seen as well */
+  model = frame_model(FRAME);
+  calls = 0;
+  counting = 1;
+  ed_analysis *analysis = frame_analysis(model);
+  counting = 0;
+  CHECK(calls > 40);
+  ed_analysis_free(analysis);
+  ed_model_free(model);
+}
+
+static long calls_while(ed_analysis *analysis, int steps)
+{
+  CHECK_STATUS(ed_run_advance(analysis, 1), ED_OK); /* the first step may make itself at home */
+  calls = 0;
+  counting = 1;
+  const int status = ed_run_advance(analysis, steps - 1);
+  counting = 0;
+  CHECK_STATUS(status, ED_OK);
+  return calls;
+}
+
+static void check_runs(int damping)
+{
+  static double ground[N + 1], rows[2 * (N + 1)], energy[(N + 1) * ED_N_ENERGY];
+  ed_statistics statistics;
+  ground_motion(N, 0.01, 9.0, ground);
+  ed_model *model = frame_model(FRAME);
+  ed_analysis *analysis = frame_analysis(model);
+  add_channel(analysis, ED_DISPLACEMENT, frame_node(FRAME, 0, 3), 0);
+  add_channel(analysis, ED_FIBRE_STRESS, 0, 0);
+  CHECK_STATUS(ed_rayleigh(analysis, 0.2, 0.002, damping), ED_OK);
+  CHECK_STATUS(ed_static_begin(analysis, GRAVITY, 1.0, 5), ED_OK);
+  CHECK_INT(calls_while(analysis, 5), 0);
+  ed_run_end(analysis);
+  CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  ed_run_buffers(analysis, 1, NULL, rows, energy);
+  CHECK_INT(calls_while(analysis, N), 0);
+  ed_get_statistics(analysis, &statistics);
+  CHECK(statistics.refactorisations > 10); /* it did yield and the factors did change */
+  CHECK(energy[N * ED_N_ENERGY + ED_HYSTERETIC] > 0.0);
+  ed_run_end(analysis);
+  CHECK_STATUS(ed_pushover_begin(analysis, LATERAL, frame_node(FRAME, 0, 3), 0, 0.5, 50), ED_OK);
+  CHECK_INT(calls_while(analysis, 50), 0);
+  ed_analysis_free(analysis);
+  ed_model_free(model);
+}
+
+/* Steps that need the ladder allocate nothing either. */
+static void check_ladder(void)
+{
+  double ground[41];
+  ground_motion(40, 0.05, 15.0, ground);
+  ed_model *model = frame_model(FRAME);
+  ed_analysis *analysis = frame_analysis(model);
+  ed_rayleigh(analysis, 0.2, 0.002, ED_STIFFNESS_CURRENT);
+  ed_set(analysis, ED_MAX_ITERATIONS, 4);
+  CHECK_STATUS(ed_history_begin(analysis, 40, 0.05, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_INT(calls_while(analysis, 40), 0);
+  CHECK(ed_n_events(analysis) > 0);
+  ed_analysis_free(analysis);
+  ed_model_free(model);
+}
+
+int main(void)
+{
+  check_counter();
+  check_runs(ED_STIFFNESS_INITIAL);
+  check_runs(ED_STIFFNESS_CURRENT);
+  check_ladder();
+  return checks_end("allocation inside a step");
+}
+
+#else
+
+int main(void)
+{
+  printf("allocation inside a step: not counted in this build (a sanitizer or another C library owns malloc)\n");
+  return 0;
+}
+
+#endif
