@@ -53,7 +53,7 @@ static void check_counter(void)
   ed_model *model = ed_model_new();
   ed_model_free(model);
   counting = 0;
-  CHECK_INT(calls, 2);
+  CHECK(calls >= 2);
   /* calls of the solver's library are seen as well */
   model = frame_model(FRAME);
   calls = 0;

@@ -47,7 +47,7 @@ def natural_modes(
         count: how many modes; at most as many as degrees with mass.
 
     Raises:
-        ValueError: there are fewer degrees with mass than modes asked for, or the structure is unstable.
+        ValueError: there are fewer degrees with mass than modes asked for, or a squared frequency is not positive.
     """
     heavy = np.flatnonzero(mass > 0.0)
     if not 0 < count <= heavy.size:

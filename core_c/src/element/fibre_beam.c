@@ -164,14 +164,16 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
     }
     if (!isfinite(energy))
       return ED_E_NOT_FINITE;
-    if (level > block[ED_BLOCK_REFERENCE])
-      block[ED_BLOCK_REFERENCE] = level;
+    if (level < block[ED_BLOCK_REFERENCE])
+      level = block[ED_BLOCK_REFERENCE];
     if (elastic)
       memcpy(K, e->stiffness, sizeof e->stiffness);
     else if (!invert_flexibility(e, F, K))
       return ED_E_ELEMENT;
-    if (iteration > 0 && energy <= control->tolerance * block[ED_BLOCK_REFERENCE])
-      break;
+    if (iteration > 0 && energy <= control->tolerance * level) {
+      block[ED_BLOCK_REFERENCE] = level;
+      return ED_OK;
+    }
     if (iteration == MAX_ITERATIONS)
       return ED_E_ELEMENT;
     control->iterations++;
@@ -218,5 +220,4 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       taken = next;
     }
   }
-  return ED_OK;
 }
