@@ -39,7 +39,8 @@ void check_near(const char *file, int line, double got, double expected, double 
 {
   checks++;
   if (!(fabs(got - expected) <= tolerance) && failed(file, line))
-    printf("%s: expected %.17g, got %.17g (off by %.3g, allowed %.3g)\n", text, expected, got, got - expected, tolerance);
+    printf("%s: expected %.17g, got %.17g (off by %.3g, allowed %.3g)\n", text, expected, got,
+           got - expected, tolerance);
 }
 
 void check_same(const char *file, int line, const double *got, const double *expected, int n, const char *text)

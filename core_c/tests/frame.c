@@ -47,8 +47,8 @@ ed_model *frame_model(frame_options o)
     for (int bay = 1; bay <= o.bays; bay++) {
       char name[24];
       snprintf(name, sizeof name, "B_%d_%d", bay, floor);
-      const int beam = ed_model_beam_column(model, name, frame_node(o, bay - 1, floor), frame_node(o, bay, floor), o.points,
-                                            sections, ED_LINEAR, 0, 0);
+      const int beam = ed_model_beam_column(model, name, frame_node(o, bay - 1, floor), frame_node(o, bay, floor),
+                                            o.points, sections, ED_LINEAR, 0, 0);
       CHECK_STATUS(ed_model_uniform_load(model, GRAVITY, beam, 0.0, -25e3), ED_OK);
     }
     CHECK_STATUS(ed_model_nodal_load(model, LATERAL, frame_node(o, 0, floor), 1e3 * floor, 0.0, 0.0), ED_OK);

@@ -32,7 +32,8 @@ member member_new(member_options o)
   for (int p = 0; p < ED_MAX_POINTS; p++)
     sections[p] = section;
   if (o.kind == ED_FIBRE_BEAM)
-    id = ed_model_beam_column(m.model, "m", i, j, o.points ? o.points : 5, sections, o.geometry, o.release[0], o.release[1]);
+    id = ed_model_beam_column(m.model, "m", i, j, o.points ? o.points : 5, sections, o.geometry,
+                              o.release[0], o.release[1]);
   else if (o.kind == ED_ELASTIC_BEAM)
     id = ed_model_elastic_beam(m.model, "m", i, j, section, o.geometry, o.release[0], o.release[1]);
   else if (o.kind == ED_TRUSS)
@@ -79,7 +80,8 @@ void draw_displacement(const member *m, double turn, double size, unsigned long 
   d[1] = next_number(&source, -1.0, 1.0);
   d[3] = d[0] + L * (c * cos(turn) - s * sin(turn) - c);
   d[4] = d[1] + L * (s * cos(turn) + c * sin(turn) - s);
-  const double along = next_number(&source, -0.03, 0.03) * size * L, across = next_number(&source, -1.0, 1.0) * size * L;
+  const double along = next_number(&source, -0.03, 0.03) * size * L;
+  const double across = next_number(&source, -1.0, 1.0) * size * L;
   d[3] += along * c - across * s;
   d[4] += along * s + across * c;
   d[2] = turn + next_number(&source, -1.0, 1.0) * size;

@@ -4,7 +4,8 @@
 
 #include "element/element.h"
 
-typedef enum { PLASTIC, HARDENING, CURVED, STEEL_KINDS } steel_kind; /* bilinear b 0, bilinear b 0.02, Menegotto-Pinto */
+/* bilinear with b 0, bilinear with b 0.02, Menegotto-Pinto */
+typedef enum { PLASTIC, HARDENING, CURVED, STEEL_KINDS } steel_kind;
 
 typedef struct {
   ed_element_kind kind;

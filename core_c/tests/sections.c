@@ -20,8 +20,8 @@ int i_section_fibres(int n, int n_across, int flange, int web, double *y, double
   return count;
 }
 
-ed_section_response sum_of_fibres(int n, const double *y, const double *area, const int *material, const ed_steel *steels,
-                                  const double plastic[], double e0, double kappa)
+ed_section_response sum_of_fibres(int n, const double *y, const double *area, const int *material,
+                                  const ed_steel *steels, const double plastic[], double e0, double kappa)
 {
   ed_section_response r = {.elastic = 1};
   for (int i = 0; i < n; i++) {

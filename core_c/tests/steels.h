@@ -12,7 +12,8 @@ ed_steel menegotto_pinto_steel(double E, double fy, double b); /* R0 20, cR1 0.9
 
 double steel_stress(const ed_steel *steel, const double *state, double strain);
 double steel_tangent(const ed_steel *steel, const double *state, double strain);
-/* Commits n equal steps from `from` to `to`; adds the work (trapezoids of the stress) and what was dissipated, a unit volume. */
+/* Commits n equal steps from `from` to `to`; adds the work (trapezoids of the stress) and what was dissipated, a unit
+ * volume. */
 void walk(const ed_steel *steel, double *state, double from, double to, int n, double *work, double *dissipated);
 
 #endif

@@ -1,5 +1,6 @@
-/* No allocation inside a step: while a yielding frame is advanced, nothing calls malloc, calloc, realloc or free. This program
- * takes their place (glibc only); with a sanitizer, which does the same, it says that it did not look. */
+/* No allocation inside a step: while a yielding frame is advanced, nothing calls malloc, calloc, realloc or free. This
+ * program takes their place (glibc only); with a sanitizer or valgrind, which do the same, it says that it did not
+ * look. */
 #include "checks.h"
 #include "edcore.h"
 #include "frame.h"
@@ -47,15 +48,19 @@ VISIBLE void free(void *block)
 enum { N = 400 };
 static const frame_options FRAME = {.bays = 2, .storeys = 3, .points = 5, .geometry = ED_P_DELTA};
 
-static void check_counter(void)
+/* 0 when another program owns malloc after all, as valgrind does. */
+static int in_place(void)
 {
   counting = 1;
-  ed_model *model = ed_model_new();
-  ed_model_free(model);
+  ed_model_free(ed_model_new());
   counting = 0;
-  CHECK(calls >= 2);
-  /* calls of the solver's library are seen as well */
-  model = frame_model(FRAME);
+  return calls > 0;
+}
+
+/* Calls of the solver's library are seen as well. */
+static void check_counter(void)
+{
+  ed_model *model = frame_model(FRAME);
   calls = 0;
   counting = 1;
   ed_analysis *analysis = frame_analysis(model);
@@ -120,6 +125,10 @@ static void check_ladder(void)
 
 int main(void)
 {
+  if (!in_place()) {
+    printf("allocation inside a step: not counted in this run (another program owns malloc)\n");
+    return 0;
+  }
   check_counter();
   check_runs(ED_STIFFNESS_INITIAL);
   check_runs(ED_STIFFNESS_CURRENT);

@@ -79,11 +79,16 @@ static void check_runs(ed_analysis *analysis)
   REFUSED(ed_pushover_begin(analysis, LATERAL, roof, 0, 0.1, 0), ED_E_ARGUMENT, "0 steps");
   REFUSED(ed_pushover_begin(analysis, LATERAL, roof, 0, HUGE_VAL, 5), ED_E_ARGUMENT, "inf");
   REFUSED(ed_pushover_begin(analysis, GRAVITY, roof, 0, 0.1, 5), ED_E_ARGUMENT, "nodes only");
-  REFUSED(ed_history_begin(analysis, 0, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_E_ARGUMENT, "0 steps");
-  REFUSED(ed_history_begin(analysis, 2, 0.0, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_E_ARGUMENT, "of 0");
-  REFUSED(ed_history_begin(analysis, 2, NAN, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_E_ARGUMENT, "nan");
-  REFUSED(ed_history_begin(analysis, 2, 0.01, broken, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_E_NOT_FINITE, "sample 2");
-  REFUSED(ed_history_begin(analysis, 2, 0.01, ground, broken, ED_NEWMARK, AVERAGE_ACCELERATION), ED_E_NOT_FINITE, "sample 2");
+  REFUSED(ed_history_begin(analysis, 0, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+          ED_E_ARGUMENT, "0 steps");
+  REFUSED(ed_history_begin(analysis, 2, 0.0, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+          ED_E_ARGUMENT, "of 0");
+  REFUSED(ed_history_begin(analysis, 2, NAN, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+          ED_E_ARGUMENT, "nan");
+  REFUSED(ed_history_begin(analysis, 2, 0.01, broken, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+          ED_E_NOT_FINITE, "sample 2");
+  REFUSED(ed_history_begin(analysis, 2, 0.01, ground, broken, ED_NEWMARK, AVERAGE_ACCELERATION),
+          ED_E_NOT_FINITE, "sample 2");
   REFUSED(ed_history_begin(analysis, 2, 0.01, ground, NULL, ED_NEWMARK, flat), ED_E_ARGUMENT, "parameters");
   REFUSED(ed_history_begin(analysis, 2, 0.01, ground, NULL, ED_GENERALISED_ALPHA, wild), ED_E_ARGUMENT, "parameters");
   CHECK(ed_history_begin(analysis, 2, 0.01, ground, NULL, 7, AVERAGE_ACCELERATION) < 0); /* unknown method */
@@ -104,7 +109,8 @@ static void check_without_mass(void)
   ed_model_elastic_beam(model, "post", 0, 1, 0, ED_LINEAR, 0, 0);
   const int empty = ed_model_pattern(model);
   ed_analysis *analysis = frame_analysis(model);
-  REFUSED(ed_history_begin(analysis, 1, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_E_ARGUMENT, "mass");
+  REFUSED(ed_history_begin(analysis, 1, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION),
+          ED_E_ARGUMENT, "mass");
   REFUSED(ed_pushover_begin(analysis, empty, 1, 0, 0.1, 1), ED_E_ARGUMENT, "no load");
   ed_analysis_free(analysis);
   ed_model_free(model);

@@ -1,5 +1,5 @@
-/* Elastic and bilinear steel. Closed form of linear kinematic hardening along any path: the stress moves with E between the
- * lines b E strain +- (1 - b) fy. */
+/* Elastic and bilinear steel. Closed form of linear kinematic hardening along any path: the stress moves with E
+ * between the lines b E strain +- (1 - b) fy. */
 #include "checks.h"
 #include "edcore.h"
 #include "numbers.h"
@@ -37,7 +37,8 @@ static void check_closed_form(double b)
     if (20.0 * b < 1.0 - b) /* beyond, the back stress exceeds fy and flow can give energy back */
       CHECK(dissipated >= 0.0);
     CHECK(elastic ? dissipated == 0.0 : dissipated != 0.0);
-    CHECK_NEAR(steel_stress(&steel, state, next), expected, ROUNDING * 20.0 * FY); /* a commit does not move the stress */
+    /* a commit does not move the stress */
+    CHECK_NEAR(steel_stress(&steel, state, next), expected, ROUNDING * 20.0 * FY);
     strain = next;
     stress = expected;
   }

@@ -10,7 +10,8 @@ static const ed_element_kind KINDS[] = {ED_FIBRE_BEAM, ED_ELASTIC_BEAM, ED_TRUSS
 /* Sum of forces and of moments about i, the ends where the geometry sees them. */
 static void check_balance(ed_element_kind kind, int geometry, int loaded, double size, unsigned long long seed)
 {
-  member m = member_new((member_options){.kind = kind, .geometry = kind == ED_LINK ? ED_LINEAR : geometry, .steel = HARDENING});
+  const int own = kind == ED_LINK ? ED_LINEAR : geometry;
+  member m = member_new((member_options){.kind = kind, .geometry = own, .steel = HARDENING});
   const double L = m.e.length, c = m.e.c, s = m.e.s;
   double d[6], f[6];
   if (loaded)

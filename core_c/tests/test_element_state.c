@@ -1,5 +1,5 @@
-/* State determination of the force-based beam: equilibrium and compatibility after jumps of any size, the elastic shortcut,
- * independence of what was tried before, plastic limits, energies. */
+/* State determination of the force-based beam: equilibrium and compatibility after jumps of any size, the elastic
+ * shortcut, independence of what was tried before, plastic limits, energies. */
 #include "checks.h"
 #include "member.h"
 #include "numbers.h"
@@ -15,7 +15,8 @@ static int update(member *m, const double *v)
   return ed_fibre_beam_update(&m->e, v, m->layers, m->block, &m->control);
 }
 
-/* Section forces in equilibrium with q, deformations compatible with v (where no end is released), forces those of the law. */
+/* Section forces in equilibrium with q, deformations compatible with v (where no end is released), forces those of the
+ * law. */
 static void check_state(const member *m, const double *v)
 {
   const double *q = m->block + ED_BLOCK_Q, strain = 1e-8 * fmax(fabs(v[0]), fabs(v[1]) + fabs(v[2]));
@@ -65,7 +66,8 @@ static void check_shortcut(steel_kind steel, int release_i, int release_j, int l
 {
   numbers source = {77};
   for (int i = 0; i < 20; i++) {
-    const member_options options = {.kind = ED_FIBRE_BEAM, .steel = steel, .points = 5, .release = {release_i, release_j}};
+    const member_options options = {
+        .kind = ED_FIBRE_BEAM, .steel = steel, .points = 5, .release = {release_i, release_j}};
     member fast = member_new(options), slow = member_new(options);
     slow.control.fast_elastic = 0;
     if (loaded) {
@@ -100,7 +102,8 @@ static void check_no_memory(steel_kind steel)
   member direct = member_new((member_options){.kind = ED_FIBRE_BEAM, .steel = steel, .points = 5});
   member round_about = member_new((member_options){.kind = ED_FIBRE_BEAM, .steel = steel, .points = 5});
   const size_t layers = (size_t)ed_element_layer_size(&direct.e) * sizeof(double);
-  double *before = malloc(layers);
+  const size_t block = (size_t)ed_element_block_size(&direct.e) * sizeof(double);
+  double *before = malloc(layers), *kept = malloc(block);
   for (int i = 0; i < 30; i++) {
     const double v[3] = {next_number(&source, -1e-3, 1e-3), next_number(&source, -0.02, 0.02),
                          next_number(&source, -0.02, 0.02)};
@@ -108,7 +111,11 @@ static void check_no_memory(steel_kind steel)
     for (int k = 0; k < 3; k++) {
       const double other[3] = {next_number(&source, -2e-3, 2e-3), next_number(&source, -0.03, 0.03),
                                next_number(&source, -0.03, 0.03)};
-      CHECK_STATUS(update(&round_about, other), ED_OK);
+      memcpy(kept, round_about.block, block);
+      const int status = update(&round_about, other);
+      CHECK_STATUS(status, ED_OK);
+      if (status != ED_OK)
+        memcpy(round_about.block, kept, block); /* as an analysis does */
     }
     CHECK(memcmp(before, round_about.layers, layers) == 0);
     CHECK_STATUS(update(&round_about, v), ED_OK);
@@ -117,9 +124,12 @@ static void check_no_memory(steel_kind steel)
     for (int k = 0; k < 3; k++)
       CHECK_NEAR(round_about.block[ED_BLOCK_Q + k], direct.block[ED_BLOCK_Q + k], 1e-6 * level);
     ed_element_commit(&direct.e, direct.block, direct.layers);
-    ed_element_commit(&round_about.e, round_about.block, round_about.layers);
+    /* of hinges that are plastic to the last layer the forces are unique, the strains are not: go on from one of the two */
+    memcpy(round_about.block, direct.block, block);
+    memcpy(round_about.layers, direct.layers, layers);
   }
   free(before);
+  free(kept);
   member_free(&direct);
   member_free(&round_about);
 }
@@ -155,7 +165,8 @@ static void check_plastic_limits(void)
 /* Work of q along a dense path of deformations, with a constant element load or none. */
 static void check_energy(steel_kind steel, int geometry)
 {
-  static const double turns[][3] = {{0, 0, 0}, {1e-3, 0.012, 0.016}, {-1e-3, -0.01, 0.002}, {0, -0.02, -0.02}, {1e-3, 0, 0}};
+  static const double turns[][3] = {
+      {0, 0, 0}, {1e-3, 0.012, 0.016}, {-1e-3, -0.01, 0.002}, {0, -0.02, -0.02}, {1e-3, 0, 0}};
   enum { N = 1500 };
   member m = member_new((member_options){.kind = ED_FIBRE_BEAM, .steel = steel, .points = 5, .geometry = geometry});
   double v[3] = {0}, q[3] = {0}, work = 0.0, dissipated = 0.0;

@@ -1,4 +1,5 @@
-/* Tangents of one member against central differences of its forces: every geometry, elastic and yielded, released, loaded. */
+/* Tangents of one member against central differences of its forces: every geometry, elastic and yielded, released,
+ * loaded. */
 #include "checks.h"
 #include "member.h"
 #include "numbers.h"
@@ -11,8 +12,9 @@ typedef struct {
   long tried, smooth;
 } tally;
 
-/* Forces without what the P-Delta tangent leaves out, change of the axial force times drift / L: it would make the matrix
- * unsymmetric. `chord` is drift / L where the tangent is taken. Then the tangent; the block is left as it was. */
+/* Forces without what the P-Delta tangent leaves out, change of the axial force times drift / L: it would make the
+ * matrix unsymmetric. `chord` is drift / L where the tangent is taken. Then the tangent; the
+ * block is left as it was. */
 static int evaluate(member *m, const double *d, double chord, double *force, double *tangent)
 {
   const size_t bytes = (size_t)ed_element_block_size(&m->e) * sizeof(double);
@@ -31,8 +33,8 @@ static int evaluate(member *m, const double *d, double chord, double *force, dou
   return status;
 }
 
-/* A section next to fully plastic: the direction of the iteration keeps 1e-8 of the elastic stiffness there by design, which
- * shows in the tangent when less than 1e-4 is left. */
+/* A section next to fully plastic: the direction of the iteration keeps 1e-8 of the elastic stiffness there by design,
+ * which shows in the tangent when less than 1e-4 is left. */
 static int nearly_plastic(const member *m)
 {
   for (int p = 0; p < m->e.points; p++) {

@@ -1,5 +1,5 @@
-/* Time histories: one degree against the recursion written out, free vibration against its period, a yielding frame and its
- * energies, order of convergence. */
+/* Time histories: one degree against the recursion written out, free vibration against its period, a yielding frame
+ * and its energies, order of convergence. */
 #include "checks.h"
 #include "edcore.h"
 #include "frame.h"
@@ -120,8 +120,8 @@ static void check_frame(int geometry, int stiffness, int method)
   CHECK_STATUS(ed_rayleigh(analysis, 0.2, 0.002, stiffness), ED_OK);
   CHECK_STATUS(ed_static_begin(analysis, GRAVITY, 1.0, 2), ED_OK);
   CHECK_STATUS(run_to_end(analysis, 2), ED_OK);
-  CHECK_STATUS(ed_history_begin(analysis, N, dt, ground, NULL, method, method == ED_NEWMARK ? AVERAGE_ACCELERATION : hht),
-               ED_OK);
+  const double *parameters = method == ED_NEWMARK ? AVERAGE_ACCELERATION : hht;
+  CHECK_STATUS(ed_history_begin(analysis, N, dt, ground, NULL, method, parameters), ED_OK);
   ed_run_buffers(analysis, 1, NULL, NULL, energy);
   CHECK_STATUS(ed_run_advance(analysis, N), ED_OK);
   CHECK_INT(ed_run_steps_done(analysis), N);

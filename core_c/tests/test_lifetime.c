@@ -1,5 +1,5 @@
-/* Models and analyses are made, used and freed many times in every order: what leaks or is used after its end shows under
- * valgrind and the sanitizers. */
+/* Models and analyses are made, used and freed many times in every order: what leaks or is used after its end shows
+ * under valgrind and the sanitizers. */
 #include "checks.h"
 #include "edcore.h"
 #include "frame.h"
@@ -36,7 +36,8 @@ static void use(ed_analysis *analysis, int how)
   }
   CHECK_STATUS(ed_static_begin(analysis, GRAVITY, 1.0, 2), ED_OK);
   CHECK_STATUS(run_to_end(analysis, 2), ED_OK);
-  CHECK_STATUS(ed_history_begin(analysis, N, 0.02, ground, how % 2 ? ground : NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  const double *vertical = how % 2 ? ground : NULL;
+  CHECK_STATUS(ed_history_begin(analysis, N, 0.02, ground, vertical, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   ed_run_buffers(analysis, 1, NULL, rows, energy);
   CHECK_STATUS(ed_run_advance(analysis, how % 5 == 4 ? N / 2 : N), ED_OK);
   if (how % 2 == 0)

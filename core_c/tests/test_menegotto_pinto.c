@@ -1,5 +1,5 @@
-/* Menegotto-Pinto steel: the published curve on the first loading and after a reversal (Menegotto & Pinto 1973; Filippou,
- * Popov & Bertero 1983), and what any path has to keep. */
+/* Menegotto-Pinto steel: the published curve on the first loading and after a reversal (Menegotto & Pinto 1973;
+ * Filippou, Popov & Bertero 1983), and what any path has to keep. */
 #include "checks.h"
 #include "edcore.h"
 #include "numbers.h"
@@ -92,6 +92,11 @@ static void check_random_paths(const ed_steel *steel)
   }
 }
 
+static double difference(const ed_steel *steel, const double *state, const double *other, double strain)
+{
+  return steel_stress(steel, state, strain) - steel_stress(steel, other, strain);
+}
+
 /* Small unloadings from a branch: the response is never beyond what the uninterrupted branch would have given. */
 static void check_no_overshoot(const ed_steel *steel, double direction, double start)
 {
@@ -109,12 +114,12 @@ static void check_no_overshoot(const ed_steel *steel, double direction, double s
     }
     for (int k = 0; k < 6; k++) {
       const double e = at + direction * (-0.5 * back + 0.12 * back * k);
-      const double over = direction * (steel_stress(steel, disturbed, e * YIELD) - steel_stress(steel, plain, e * YIELD));
+      const double over = direction * difference(steel, disturbed, plain, e * YIELD);
       if (e * direction >= (start + 0.5 * direction) * direction)
         furthest = fmax(furthest, over);
     }
     at += 0.4 * direction;
-    furthest = fmax(furthest, direction * (steel_stress(steel, disturbed, at * YIELD) - steel_stress(steel, plain, at * YIELD)));
+    furthest = fmax(furthest, direction * difference(steel, disturbed, plain, at * YIELD));
     ed_steel_commit(steel, disturbed, at * YIELD);
   }
   CHECK_NEAR(furthest, 0.0, ROUNDING * 10.0 * FY);
@@ -126,16 +131,16 @@ static void check_no_overshoot(const ed_steel *steel, double direction, double s
 static void check_energy(const ed_steel *steel)
 {
   static const double turns[] = {0.0, 6.0, -3.0, 2.0, 1.5, 2.5, -8.0, 0.0};
-  double difference[2];
+  double total[2];
   for (int fine = 0; fine < 2; fine++) {
     double state[LARGEST_STEEL_STATE] = {0}, work = 0.0, dissipated = 0.0;
     for (size_t i = 1; i < sizeof turns / sizeof *turns; i++)
       walk(steel, state, turns[i - 1] * YIELD, turns[i] * YIELD, fine ? 4000 : 1000, &work, &dissipated);
     const double stored = ed_steel_stored(steel, steel_stress(steel, state, 0.0));
     CHECK_NEAR(dissipated + stored, work, 1e-10 * work); /* one rule for both: rounding only */
-    difference[fine] = dissipated;
+    total[fine] = dissipated;
   }
-  CHECK_NEAR(difference[0], difference[1], 1e-4 * difference[1]); /* trapezoids: second order in a step of 0.01 */
+  CHECK_NEAR(total[0], total[1], 1e-4 * total[1]); /* trapezoids: second order in a step of 0.01 */
 }
 
 /* The stress depends on the turning points alone, not on the number of steps between them. */

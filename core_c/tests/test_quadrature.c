@@ -1,5 +1,5 @@
-/* Gauss-Lobatto rules on [0, 1]: exact for polynomials of degree 2n-3, not for 2n-2; symmetric; the known points of small n
- * (Abramowitz & Stegun, table 25.6). */
+/* Gauss-Lobatto rules on [0, 1]: exact for polynomials of degree 2n-3, not for 2n-2; symmetric; the known points of
+ * small n (Abramowitz & Stegun, table 25.6). */
 #include "base/quadrature.h"
 #include "checks.h"
 

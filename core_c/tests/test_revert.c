@@ -1,4 +1,5 @@
-/* A step that was tried and given up leaves nothing behind, bit for bit; runs can be stopped, fail and be followed by others. */
+/* A step that was tried and given up leaves nothing behind, bit for bit; runs can be stopped, fail and be followed by
+ * others. */
 #include "checks.h"
 #include "edcore.h"
 #include "frame.h"

@@ -1,5 +1,5 @@
-/* Section forces and tangents: the vector kernel against fibre by fibre sums, elastic answers bit for bit, tangents against
- * differences, closed forms of a rectangle, and energies against the work done. */
+/* Section forces and tangents: the vector kernel against fibre by fibre sums, elastic answers bit for bit, tangents
+ * against differences, closed forms of a rectangle, and energies against the work done. */
 #include "checks.h"
 #include "edcore.h"
 #include "numbers.h"
@@ -21,7 +21,8 @@ static ed_section i_section(const ed_steel *steels, int flange, int web)
   return section;
 }
 
-/* Random states and deformations; the kernel sums in other order than the reference: rounding of the sum of magnitudes. */
+/* Random states and deformations; the kernel sums in other order than the reference: rounding of the sum of
+ * magnitudes. */
 static void check_kernel(const ed_steel *steels)
 {
   numbers source = {17};

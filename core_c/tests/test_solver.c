@@ -1,4 +1,5 @@
-/* Sparse solver: solutions, refactorisation with known pivots, new pivots when the old ones are poor, singular matrices. */
+/* Sparse solver: solutions, refactorisation with known pivots, new pivots when the old ones are poor, singular
+ * matrices. */
 #include "checks.h"
 #include "edcore.h"
 #include "numbers.h"

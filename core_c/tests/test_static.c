@@ -1,5 +1,5 @@
-/* Load control and displacement control of small structures against closed forms: cantilever, reactions, plastic collapse of a
- * portal, paths in both directions; energies add up. */
+/* Load control and displacement control of small structures against closed forms: cantilever, reactions, plastic
+ * collapse of a portal, paths in both directions; energies add up. */
 #include "checks.h"
 #include "edcore.h"
 #include "frame.h"

@@ -1,5 +1,5 @@
-/* Before an analysis: mechanisms and loose nodes are named, ties and supports number the equations, the matrix is that of
- * the structure. */
+/* Before an analysis: mechanisms and loose nodes are named, ties and supports number the equations, the matrix is that
+ * of the structure. */
 #include "checks.h"
 #include "edcore.h"
 #include "frame.h"

@@ -1,5 +1,5 @@
-/* Two analyses of one model in two threads at the same time give, bit for bit, what one after the other gives. Under the thread
- * sanitizer this shows whether anything is shared. */
+/* Two analyses of one model in two threads at the same time give, bit for bit, what one after the other gives. Under
+ * the thread sanitizer this shows whether anything is shared. */
 #include "checks.h"
 #include "edcore.h"
 #include "frame.h"

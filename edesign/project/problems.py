@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import difflib
+import os.path
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -90,8 +91,14 @@ def keys_text(keys: Iterable[str | int]) -> str:
 def did_you_mean(seen: str, allowed: Iterable[str]) -> str:
     """`; did you mean ...?` with the nearest allowed name, or nothing."""
     names = {name.lower(): name for name in allowed}
-    close = difflib.get_close_matches(seen.lower(), names, n=1, cutoff=0.6)
-    return f"; did you mean `{names[close[0]]}`?" if close else ""
+    close = difflib.get_close_matches(seen.lower(), names, n=20, cutoff=0.6)
+    if not close:
+        return ""
+    likeness = [difflib.SequenceMatcher(None, name, seen.lower()).ratio() for name in close]
+    # of equally near names the one that begins alike: HEB205 is HEB200 rather than HEB320
+    nearest = [name for name, value in zip(close, likeness, strict=True) if value == max(likeness)]
+    best = max(nearest, key=lambda name: len(os.path.commonprefix([name, seen.lower()])))
+    return f"; did you mean `{names[best]}`?"
 
 
 def listed(names: Iterable[object], most: int = 12) -> str:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+import numpy as np
+
 from edesign.archive.dataset import Group
 from edesign.building.frame import build_frame
 from edesign.core import CoreError
 from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.project_records import read_record
+from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
 from edesign.project.project import Project
 from edesign.study import analyses
@@ -30,8 +33,9 @@ def check_inputs(project: Project, records: Iterable[str], specs: Iterable[Analy
 
     Raises:
         InputError: a record cannot be read or applied, the frame cannot be built, is a mechanism or has parts that are
-            not connected, or an output does not exist in it.
+            not connected, an output does not exist in it, or it has fewer modes than are asked for.
     """
+    specs = tuple(specs)
     found = {name: read_record(project, name) for name in sorted(set(records))}
     for spec in specs:
         if isinstance(spec, HistoryAnalysis):
@@ -39,10 +43,30 @@ def check_inputs(project: Project, records: Iterable[str], specs: Iterable[Analy
     frame = build_frame(project)
     requested_quantities(project, frame, Group())
     try:
-        make_structure(project, frame)
+        structure = make_structure(project, frame)
     except CoreError as error:
         raise InputError(f"{project.where('frame')}: frame: {error}") from error
+    _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
     return {name: record.checksum for name, record in found.items()}
+
+
+def _check_modes(project: Project, specs: tuple[Analysis, ...], most: int) -> None:
+    """Check that no more modes are asked for than there are degrees of freedom with mass."""
+    wanted = [(("analyses", i, "modes"), spec.modes) for i, spec in enumerate(project.analyses)
+              if spec in specs and isinstance(spec, ModalAnalysis)]
+    damping = project.damping
+    if any(isinstance(spec, HistoryAnalysis) for spec in specs):
+        if isinstance(damping, RayleighDamping):
+            wanted.append((("damping", "modes"), max(damping.modes)))
+        elif isinstance(damping, ModalDamping):
+            wanted.append((("damping", "modes"), damping.modes))
+    for keys, count in wanted:
+        if count > most:
+            path = ".".join(str(key) for key in keys).replace(".0.", "[0].")
+            raise InputError(
+                f"{project.where(*keys)}: {path}: there is no mode {count}; the frame has {most} degrees of freedom "
+                "with mass"
+            )
 
 
 def check_project(project: Project) -> dict[str, str]:

@@ -17,7 +17,7 @@ from typing import Literal
 
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter, partial_path
-from edesign.errors import EdesignError, Interrupted
+from edesign.errors import ArchiveError, EdesignError, Interrupted
 from edesign.project.project import Project
 from edesign.study import analyses
 from edesign.study.check import check_inputs
@@ -127,6 +127,8 @@ def run_project(
                         _archive(writer, run, task, group, seconds)
             except KeyboardInterrupt:
                 run.stop.set()
+            except ArchiveError as error:
+                raise ArchiveError(f"{error}; {_kept(path, len(run.outcomes), len(plan))}") from error
             if run.stop.is_set() and len(run.outcomes) < len(plan):
                 if not run.outcomes:
                     writer.discard()
@@ -277,6 +279,10 @@ def _kept_message(path: Path, project: Project, kept: int, planned: int) -> str:
     if kept == 0:
         return f"interrupted before an analysis was finished; {path} is unchanged"
     return (
-        f"interrupted: {kept} of {planned} analyses are finished and kept in {partial_path(path)}; "
+        f"interrupted: {_kept(path, kept, planned)}; "
         f"the same command with {project.path} goes on from there (--fresh starts anew)"
     )
+
+
+def _kept(path: Path, kept: int, planned: int) -> str:
+    return f"{kept} of {planned} analyses are finished and kept in {partial_path(path)}"

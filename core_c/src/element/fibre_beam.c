@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MAX_ITERATIONS = 60, MAX_SEARCH = 12 };
+enum { MAX_ITERATIONS = 60, MAX_SEARCH = 40 };
 
 /* A fully plastic section has no stiffness; for the direction of the next step (never for forces) it keeps this share of
  * the elastic one. */
@@ -87,6 +87,20 @@ static inline void respond(const ed_element *e, int p, const double *layers, dou
   point[ED_POINT_ELASTIC] = r.elastic;
 }
 
+/* Slope of the potential of the sections along a step that keeps compatibility; q drops out but for rounding. */
+static double slope_at(const ed_element *e, const double *points, const double *q, double (*step)[2])
+{
+  double slope = 0.0;
+  for (int p = 0; p < e->points; p++) {
+    const double *point = points + p * ED_POINT_SIZE;
+    const double x = e->x[p];
+    const double N = q[0] + e->section_load[p][0] - point[ED_POINT_S];
+    const double M = (x - 1.0) * q[1] + x * q[2] + e->section_load[p][1] - point[ED_POINT_S + 1];
+    slope -= e->weight[p] * (N * step[p][0] + M * step[p][1]);
+  }
+  return slope;
+}
+
 /* A member that never yielded and does not yield now is linear: closed form. Returns 0 when it does not apply. */
 static int elastic_shortcut(const ed_element *e, const double *v, double *block)
 {
@@ -135,7 +149,10 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
   memcpy(block + ED_BLOCK_V, v, 3 * sizeof *v);
 
   for (int iteration = 0;; iteration++) {
-    double F[6] = {0}, missing[3] = {v[0], v[1], v[2]};
+    double F[6] = {0};
+    double gap[3] = {v[0], v[1], v[2]};  /* of compatibility at present: rounding, after the first iteration */
+    double missing[3];                   /* after the sections have followed their unbalance */
+    double correction[3] = {0};
     double energy = 0.0, level = 0.0;
     int elastic = 1;
     for (int p = 0; p < e->points; p++)
@@ -150,10 +167,12 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       unbalance[p][1] = M - point[ED_POINT_S + 1];
       const double de = f[p][0] * unbalance[p][0] + f[p][1] * unbalance[p][1];
       const double dk = f[p][1] * unbalance[p][0] + f[p][2] * unbalance[p][1];
-      const double curvature = w * (point[1] + dk);
-      missing[0] -= w * (point[0] + de);
-      missing[1] -= (x - 1.0) * curvature;
-      missing[2] -= x * curvature;
+      gap[0] -= w * point[0];
+      gap[1] -= (x - 1.0) * w * point[1];
+      gap[2] -= x * w * point[1];
+      correction[0] += w * de;
+      correction[1] += (x - 1.0) * w * dk;
+      correction[2] += x * w * dk;
       if (!elastic)
         add_flexibility(F, f[p], x, w);
       /* measured with the elastic flexibility: the softened one would magnify rounding */
@@ -161,6 +180,12 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       energy += w * (f0[0] * unbalance[p][0] * unbalance[p][0] + 2.0 * f0[1] * unbalance[p][0] * unbalance[p][1] +
                      f0[2] * unbalance[p][1] * unbalance[p][1]);
       level += w * (f0[0] * N * N + 2.0 * f0[1] * N * M + f0[2] * M * M);
+    }
+    double gap_force[3];
+    ed_sym3_times(e->stiffness, gap, gap_force);
+    for (int i = 0; i < 3; i++) {
+      missing[i] = gap[i] - correction[i];
+      energy += gap[i] * gap_force[i];
     }
     if (!isfinite(energy))
       return ED_E_NOT_FINITE;
@@ -196,21 +221,21 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
     }
     if (iteration == 0)
       continue;
-    /* slope of the potential along the step: negative at its start, should be small at its end */
-    double taken = 1.0, low = 0.0, high = 1.0;
-    for (int search = 0; search < MAX_SEARCH; search++) {
-      double end = 0.0;
-      for (int p = 0; p < e->points; p++) {
-        const double *point = points + p * ED_POINT_SIZE;
-        const double x = e->x[p];
-        const double N = q[0] + e->section_load[p][0] - point[ED_POINT_S];
-        const double M = (x - 1.0) * q[1] + x * q[2] + e->section_load[p][1] - point[ED_POINT_S + 1];
-        end -= e->weight[p] * (N * step[p][0] + M * step[p][1]);
-      }
-      if (slope >= 0.0 || end <= 0.0 || end <= 0.5 * -slope)
+    /* slope of the potential along the step: negative at its start, rising; near zero where to stop */
+    double taken = 1.0, low = 0.0, at_low = slope, high = 1.0, at_high = 0.0;
+    for (int search = 0; search < MAX_SEARCH && slope < 0.0; search++) {
+      const double end = slope_at(e, points, q, step);
+      if (fabs(end) <= 0.5 * -slope || (taken == 1.0 && end <= 0.0))
         break;
-      high = taken;
-      const double next = fmax(low + 0.1 * (high - low), low + (high - low) * slope / (slope - end));
+      if (end > 0.0) {
+        high = taken;
+        at_high = end;
+      } else {
+        low = taken;
+        at_low = end;
+      }
+      const double width = high - low, secant = low + width * at_low / (at_low - at_high);
+      const double next = fmin(fmax(secant, low + 0.1 * width), high - 0.1 * width);
       for (int p = 0; p < e->points; p++) {
         double *point = points + p * ED_POINT_SIZE;
         point[0] += (next - taken) * step[p][0];

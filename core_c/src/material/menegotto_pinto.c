@@ -68,6 +68,16 @@ static memory *of(mp_state *state, double direction)
   return direction > 0.0 ? &state->up : &state->down;
 }
 
+/* Does the present point lie beyond the beginning of a branch, and on its inner side? */
+static int ahead(const ed_steel *steel, const mp_state *state, double direction, const branch *path)
+{
+  double stress, tangent;
+  if (direction * (state->strain - path->strain_r) <= 0.0)
+    return 0;
+  follow(steel, path, state->strain, &stress, &tangent);
+  return direction * (state->stress - stress) <= 0.0;
+}
+
 /* State with the branch that leads to `strain`; works on a copy. */
 static void prepare(const ed_steel *steel, mp_state *state, double strain)
 {
@@ -89,9 +99,8 @@ static void prepare(const ed_steel *steel, mp_state *state, double strain)
   if (leaving->count == DEPTH)
     leaving->count--; /* the wide ones matter: forget the innermost */
   leaving->left[(int)leaving->count++] = state->now;
-  /* a return behind the beginning of a branch erases it */
-  while (entering->count > 0.0 &&
-         direction * (state->strain - entering->left[(int)entering->count - 1].strain_r) <= 0.0)
+  /* a return behind the beginning of a branch, or across it, erases it */
+  while (entering->count > 0.0 && !ahead(steel, state, direction, &entering->left[(int)entering->count - 1]))
     entering->count--;
   state->now = turn(steel, state, direction);
   state->direction = direction;

@@ -104,6 +104,9 @@ struct ed_analysis {
   double factored_k, factored_m, factored_c;
   double kept_k, kept_m, kept_c;
   int factors_kept;              /* effective_kept is valid */
+  double *effective_backup;      /* nnz: those of ed_backup */
+  double backup_k, backup_m, backup_c;
+  int factors_backed;
   double factor_price;           /* of a factorisation, in iterations */
 
   /* damping */
@@ -160,7 +163,8 @@ void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, do
 void ed_damping_force(ed_analysis *a, const double *v, double *force);
 int ed_factor_effective(ed_analysis *a, double k, double m, double c);
 int ed_solve_effective(ed_analysis *a, double *x);
-void ed_restore_factors(ed_analysis *a);          /* those of the last commit */
+void ed_keep_factors(ed_analysis *a);             /* before others replace those of the last commit */
+void ed_restore_factors(ed_analysis *a);
 
 /* state.c */
 int ed_state_allocate(ed_analysis *a);

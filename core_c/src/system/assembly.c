@@ -92,7 +92,9 @@ int ed_build_pattern(ed_analysis *a)
   a->reference = malloc(bytes);
   a->effective = malloc(bytes);
   a->effective_kept = malloc(bytes);
-  if (!a->tangent || !a->initial || !a->reference || !a->effective || !a->effective_kept)
+  a->effective_backup = malloc(bytes);
+  if (!a->tangent || !a->initial || !a->reference || !a->effective ||
+      !a->effective_kept || !a->effective_backup)
     return ED_E_MEMORY;
   a->solver = ed_solver_new(n, a->column_start, a->row, a->diagonal);
   return a->solver ? ED_OK : ED_E_MEMORY;

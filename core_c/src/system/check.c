@@ -53,6 +53,7 @@ void ed_name_mechanism(ed_analysis *a, char *buffer, int size)
 {
   const int n = a->n;
   buffer[0] = '\0';
+  ed_keep_factors(a);
   a->factored_stamp = -1; /* the factors are of another matrix from here on */
   double largest = 0.0;
   for (int i = 0; i < n; i++)

@@ -87,7 +87,7 @@ void ed_damping_force(ed_analysis *a, const double *v, double *force)
 static int factor(ed_analysis *a, double k, double m, double c);
 
 /* The path of later steps depends on which factors are kept, so those of the last commit can be had again. */
-static void keep_factors(ed_analysis *a)
+void ed_keep_factors(ed_analysis *a)
 {
   if (a->factors_kept || a->factored_stamp < 0)
     return;
@@ -111,7 +111,7 @@ void ed_restore_factors(ed_analysis *a)
 /* Factors A = k K + c C + m M. */
 int ed_factor_effective(ed_analysis *a, double k, double m, double c)
 {
-  keep_factors(a);
+  ed_keep_factors(a);
   ed_assemble_tangent(a);
   const double damping = c * a->rayleigh_stiffness;
   if (damping == 0.0) {

@@ -320,7 +320,10 @@ int ed_model_uniform_load(ed_model *model, int pattern, int element, double axia
 
 int ed_model_point_load(ed_model *model, int pattern, int element, double position, double axial, double transverse)
 {
+  if (element < 0 || element >= model->n_members)
+    return refuse(model, ED_E_ID, "there is no element %d", element);
   if (!(position >= 0.0 && position <= 1.0))
-    return refuse(model, ED_E_ARGUMENT, "a load at %g of the length is not on the element", position);
+    return refuse(model, ED_E_ARGUMENT, "element %s: a load at %g of its length is not on it",
+                  model->members[element].name, position);
   return member_load(model, pattern, element, position, axial, transverse);
 }

@@ -18,22 +18,25 @@ struct ed_solver {
   double pivot_ratio;
 };
 
-/* Smallest |pivot| / |its diagonal term|: a measure that no choice of units changes. Below SINGULAR nothing but rounding
- * is left of the pivot; below POOR the usual pivots do not suit. */
-static const double SINGULAR = 1e-14, POOR = 1e-9;
+/* |pivot| / |its diagonal term| is a measure that no choice of units changes. Below SINGULAR nothing but rounding is left of
+ * the pivot; below POOR, or above GROWN (of what a small pivot before it made), the usual pivots do not suit. */
+static const double SINGULAR = 1e-14, POOR = 1e-9, GROWN = 1e4;
 
-static double smallest_pivot(const ed_solver *solver, const klu_numeric *numeric, const double *value)
+static int pivots_suit(ed_solver *solver, const klu_numeric *numeric, const double *value)
 {
   const double *pivot = numeric->Udiag;
   const int *column = solver->symbolic->Q;
-  double smallest = 1.0;
+  double smallest = 1.0, largest = 0.0;
   for (int k = 0; k < solver->n; k++) {
     const double own = fabs(value[solver->diagonal[column[k]]]);
     const double ratio = own > 0.0 ? fabs(pivot[k]) / own : (pivot[k] != 0.0 ? 1.0 : 0.0);
     if (!(ratio >= smallest))
       smallest = ratio;
+    if (!(ratio <= largest))
+      largest = ratio;
   }
-  return smallest;
+  solver->pivot_ratio = smallest;
+  return smallest > POOR && largest < GROWN;
 }
 
 ed_solver *ed_solver_new(int n, int *column_start, int *row, int *diagonal)
@@ -75,12 +78,9 @@ int ed_solver_factor(ed_solver *solver, double *value, int *repivoted)
   klu_free_numeric(&solver->special, common);
   if (solver->usual) {
     if (klu_refactor(solver->column_start, solver->row, value, solver->symbolic, solver->usual, common) &&
-        common->status == KLU_OK) {
-      solver->pivot_ratio = smallest_pivot(solver, solver->usual, value);
-      if (solver->pivot_ratio > POOR) {
-        solver->active = solver->usual;
-        return ED_OK;
-      }
+        common->status == KLU_OK && pivots_suit(solver, solver->usual, value)) {
+      solver->active = solver->usual;
+      return ED_OK;
     }
   }
   *repivoted = 1;
@@ -95,7 +95,7 @@ int ed_solver_factor(ed_solver *solver, double *value, int *repivoted)
   solver->active = chosen;
   if (solver->flops == 0.0 && klu_flops(solver->symbolic, chosen, common))
     solver->flops = common->flops;
-  solver->pivot_ratio = smallest_pivot(solver, chosen, value);
+  pivots_suit(solver, chosen, value);
   return common->status == KLU_OK && solver->pivot_ratio > SINGULAR ? ED_OK : ED_E_SINGULAR;
 }
 

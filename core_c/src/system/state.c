@@ -93,6 +93,11 @@ void ed_backup(ed_analysis *a)
   memcpy(a->block_backup, a->committed.block, (size_t)a->state_size * sizeof(double));
   memcpy(a->layers_backup, a->layers, (size_t)a->layer_size * sizeof(double));
   copy_factors(a, a->factors_backup, a->factors_committed);
+  a->factors_backed = a->factored_stamp >= 0;
+  memcpy(a->effective_backup, a->effective, (size_t)a->nnz * sizeof(double));
+  a->backup_k = a->factored_k;
+  a->backup_m = a->factored_m;
+  a->backup_c = a->factored_c;
 }
 
 void ed_restore(ed_analysis *a)
@@ -100,6 +105,12 @@ void ed_restore(ed_analysis *a)
   memcpy(a->committed.block, a->block_backup, (size_t)a->state_size * sizeof(double));
   memcpy(a->layers, a->layers_backup, (size_t)a->layer_size * sizeof(double));
   copy_factors(a, a->factors_committed, a->factors_backup);
+  if ((a->factors_kept = a->factors_backed)) {
+    memcpy(a->effective_kept, a->effective_backup, (size_t)a->nnz * sizeof(double));
+    a->kept_k = a->backup_k;
+    a->kept_m = a->backup_m;
+    a->kept_c = a->backup_c;
+  }
   ed_revert(a);
   ed_remember_loads(a);
 }

@@ -1,0 +1,209 @@
+"""What a user gets for bad input: exit code 2, where it stands and what is allowed, no traceback, and no archive.
+
+How each value is checked is tested in tests/unit/project and tests/unit/ground_motion; this is the whole way, from the
+command to what lies in the folder afterwards.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from cases.small_frame import RECORD, edesign, place_of, write
+
+from edesign import load_project, run_project
+from edesign.archive.reader import open_archive
+from edesign.cli.main import main
+
+Capture = pytest.CaptureFixture[str]
+
+
+def refused(capsys: Capture, *words: str | Path, code: int = 2) -> str:
+    """Call a command that must refuse its input; return what it says."""
+    assert main([str(word) for word in words]) == code
+    output, errors = capsys.readouterr()
+    assert output == "" and errors.startswith("edesign: ") and "Traceback" not in errors
+    return errors.removeprefix("edesign: ")
+
+
+def test_the_project_is_right_before_it_is_made_wrong(tmp_path: Path, capsys: Capture) -> None:
+    assert main(["run", str(write(tmp_path))]) == 0
+    assert capsys.readouterr().out.count("completed") >= 3
+
+
+# old text, new text, where the message points to (words in the new file), what it says
+WRONG = {
+    "unknown key": ("masses: {", "colour: red\nmasses: {", "colour", ["colour: unknown key", "`materials`"]),
+    "misspelt key": ("  storeys: [4", "  storays: [4", "storays", ["frame.storays", "did you mean `storeys`?"]),
+    "missing key": (", material: S275}]\n  beams", "}]\n  beams", "{storeys: all", ["frame.columns[0].material", "missing"]),
+    "duplicate key": ("  bays: [6 m]", "  bays: [6 m]\n  bays: [5 m]", "bays: [5", ["frame.bays", "line 4"]),
+    "bare number": ("[4 m, 3 m]", "[4 m, 3]", "3]", ["frame.storeys[1]", "`3` needs a unit", "`3 m`"]),
+    "wrong dimension": ("fy: 275 MPa", "fy: 275 kN", "275 kN", ["materials.S275.fy", "is a force", "stress"]),
+    "negative size": ("[6 m]", "[-6 m]", "-6 m", ["frame.bays[0]", "`-6 m` must be greater than zero"]),
+    "zero size": ("[4 m, 3 m]", "[4 m, 0 m]", "0 m]", ["frame.storeys[1]", "`0 m` must be greater than zero"]),
+    "unknown section": ("HEB200", "HEB205", "HEB205", ["columns[0].section", "HEB205", "did you mean `HEB200`?"]),
+    "zero step": ("time_step: 0.01 s", "time_step: 0 s", "0 s", ["integration.time_step", "greater than zero"]),
+    "output of no member": ("[C_A_1]", "[C_A_3]", "C_A_3", ["outputs.members[0]", "no member `C_A_3`", "did you mean"]),
+    "output of no kind": (
+        "members: [C_A_1]",
+        "histories: [storey]",
+        "storey]",
+        ["outputs.histories[0]", "did you mean `storeys`?"],
+    ),
+    "output of no layer": (
+        "members: [C_A_1]",
+        "fibres: [{member: C_A_1, layers: 40}]",
+        "40}",
+        ["outputs.fibres[0].layers", "1 to 24"],
+    ),
+    "no analyses": ("analyses:\n", "analyses: []\nanalises:\n", "[]\nanalises", ["analyses", "empty"]),
+    "modes for ever": ("modes: 2", "modes: 1e400", "1e400", ["analyses[0].modes", "1e400"]),
+    "step longer than the record": (
+        "time_step: 0.01 s",
+        "time_step: 1 s",
+        "1 s}",
+        ["1 s is longer than the record motion (0.14 s)"],
+    ),
+    "more steps than can be kept": (
+        "time_step: 0.01 s",
+        "time_step: 1e-12 s",
+        "1e-12",
+        ["the history shake has 1.4e+11 steps", "10000000 are possible"],
+    ),
+}
+
+
+@pytest.mark.parametrize("verb", ["check", "run"])
+@pytest.mark.parametrize(("old", "new", "words", "said"), WRONG.values(), ids=WRONG.keys())
+def test_a_wrong_project_is_refused_where_it_is_wrong(
+    tmp_path: Path, capsys: Capture, verb: str, old: str, new: str, words: str, said: list[str]
+) -> None:
+    path = write(tmp_path, (old, new))
+    message = refused(capsys, verb, path)
+    assert place_of(path, words) in message
+    assert [part for part in said if part not in message] == []
+    assert sorted(item.name for item in tmp_path.iterdir()) == ["motion.AT2", "project.yaml"]
+
+
+def test_numbers_without_a_point_are_numbers(tmp_path: Path) -> None:
+    """`1e-2` is text for YAML 1.1; here it is the number, bare and with a unit, and gives the same results."""
+    plain = load_project(write(tmp_path))
+    first = run_project(plain, tmp_path / "plain.h5")
+    changes = (("0.01 s", "1e-2 s"), ("ratio: 2 %", "ratio: 2e-2"), ("hardening: 1 %", "hardening: 1E-2"))
+    second = run_project(load_project(write(tmp_path, *changes)), tmp_path / "powers.h5")
+    with open_archive(first.archive) as a, open_archive(second.archive) as b:
+        for name in ("modes", "push", "shake"):
+            one, other = (archive.group(f"analyses/{name}").variables for archive in (a, b))
+            assert one.keys() == other.keys()
+            assert all((one[key].values == other[key].values).all() for key in one)
+
+
+# ---- frames that cannot stand
+
+UNSTABLE = {
+    "mechanism": (
+        [("  columns: [", "  supports: pinned\n  releases: [{beams: {floors: all}, ends: both}]\n  columns: [")],
+        ["mechanism", "A1.ux"],
+    ),
+    "on rollers": ([("  columns: [", "  supports: roller\n  columns: [")], ["mechanism", "A0.ux", "B0.ux"]),
+    "not connected": (
+        [("  columns: [", "  missing: {columns: [{storeys: 2}]}\n  columns: [")],
+        ["2 nodes are not connected to any support: A2, B2"],
+    ),
+}
+
+
+@pytest.mark.parametrize("verb", ["check", "run"])
+@pytest.mark.parametrize(("changes", "said"), UNSTABLE.values(), ids=UNSTABLE.keys())
+def test_a_frame_that_cannot_stand_is_refused_by_its_degrees_of_freedom(
+    tmp_path: Path, capsys: Capture, verb: str, changes: list[tuple[str, str]], said: list[str]
+) -> None:
+    path = write(tmp_path, *changes)
+    message = refused(capsys, verb, path)
+    assert message.startswith(f"{path}:") and "frame: " in message
+    assert [part for part in said if part not in message] == []
+    assert not (tmp_path / "project.h5").exists()
+
+
+def test_a_frame_that_buckles_under_gravity_says_so_and_where(tmp_path: Path, capsys: Capture) -> None:
+    """Elastic columns under several times their critical load: a failed analysis, since only running it shows it."""
+    path = write(tmp_path, ("law: bilinear, E: 210 GPa, fy: 275 MPa, hardening: 1 %", "law: elastic, E: 210 GPa"), ("G: 20 kN/m", "G: 5 MN/m"))
+    assert main(["run", str(path)]) == 3
+    errors = capsys.readouterr().err
+    assert "3 of 3 analyses failed" in errors and "Traceback" not in errors
+    assert "under the gravity loads" in errors and "unstable" in errors and "A1.ux" in errors
+
+
+# ---- records
+
+RECORDS = {
+    "too few samples": (RECORD.replace("NPTS=  8", "NPTS=  9"), ":6:", "ends after 8 samples, but NPTS = 9"),
+    "too many samples": (RECORD.replace("NPTS=  8", "NPTS=  7"), ":6:", "more samples than NPTS = 7"),
+    "no number": (RECORD.replace("0.20", "nan", 1), ":5:", "`nan` is not a finite number"),
+    "text": (RECORD.replace("-0.20", "gap"), ":6:", "`gap` is not a number"),
+    "zero length": ("", "", "the file is empty"),
+    "no samples": (RECORD.replace("NPTS=  8", "NPTS=  0"), ":4:", "NPTS = 0; a whole number of at least 2"),
+    "step of zero": (RECORD.replace(".0200", ".0000"), ":4:", "the time step must be greater than zero"),
+    "binary": ("\0\1\2", "", "not a text file"),
+    "another file": ("edesign: 1\n", ":1:", "header of an AT2"),
+    "nothing to scale": (
+        RECORD.replace("0.10", "0.00").replace("0.20", "0.00"),
+        "",
+        "the record is zero throughout; it has no peak to scale",
+    ),
+}
+
+
+@pytest.mark.parametrize(("record", "line", "said"), RECORDS.values(), ids=RECORDS.keys())
+def test_a_bad_record_is_refused_before_anything_runs(
+    tmp_path: Path, capsys: Capture, record: str, line: str, said: str
+) -> None:
+    path = write(tmp_path, record=record)
+    message = refused(capsys, "run", path)
+    assert f"{path}:16:" in message and "records.motion" in message  # who asks for it
+    assert f"motion.AT2{line}" in message or not line
+    assert said in message
+    assert not (tmp_path / "project.h5").exists() and not (tmp_path / "project.h5.partial").exists()
+
+
+def test_only_the_records_that_are_needed_are_read(tmp_path: Path, capsys: Capture) -> None:
+    path = write(tmp_path, record="")
+    assert main(["run", str(path), "--only", "push"]) == 0
+    assert "completed" in capsys.readouterr().out
+
+
+# ---- files
+
+def test_what_is_no_project_is_refused(tmp_path: Path, capsys: Capture) -> None:
+    for content, said in ((b"", "empty"), (b"\x93NUMPY\x01", "not UTF-8"), (b"edesign: 1\n\ttitle: x\n", "tab")):
+        path = tmp_path / "x.yaml"
+        path.write_bytes(content)
+        assert said in refused(capsys, "run", path)
+    assert "there is no such project file" in refused(capsys, "run", tmp_path / "y.yaml")
+
+
+def test_a_file_of_another_kind_is_not_replaced_by_an_archive(tmp_path: Path, capsys: Capture) -> None:
+    path = write(tmp_path)
+    before = path.read_bytes()
+    message = refused(capsys, "run", path, "--archive", path, code=4)
+    assert "this file is no archive, and it is left as it is" in message and path.read_bytes() == before
+    assert "not a regular file" in refused(capsys, "run", path, "--archive", "/dev/zero", code=4)
+    assert sorted(item.name for item in tmp_path.iterdir()) == ["motion.AT2", "project.yaml"]
+    assert main(["run", str(path), "--quiet"]) == 0 and main(["run", str(path), "--quiet"]) == 0  # an older archive is
+
+
+def test_an_older_archive_survives_a_project_that_became_wrong(tmp_path: Path, capsys: Capture) -> None:
+    path = write(tmp_path)
+    assert main(["run", str(path), "--quiet"]) == 0
+    before = (tmp_path / "project.h5").read_bytes()
+    refused(capsys, "run", write(tmp_path, ("HEB200", "HEB205")))
+    refused(capsys, "run", write(tmp_path, record=""))
+    assert (tmp_path / "project.h5").read_bytes() == before
+
+
+def test_a_process_of_its_own_says_the_same(tmp_path: Path) -> None:
+    path = write(tmp_path, ("HEB200", "HEB205"))
+    call = edesign("run", path)
+    assert (call.returncode, call.stdout) == (2, "")
+    assert call.stderr.startswith(f"edesign: {place_of(path, 'HEB205')}: frame.columns[0].section: ")
+    assert call.stderr.count("\n") == 1
