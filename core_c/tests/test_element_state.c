@@ -124,7 +124,7 @@ static void check_no_memory(steel_kind steel)
     for (int k = 0; k < 3; k++)
       CHECK_NEAR(round_about.block[ED_BLOCK_Q + k], direct.block[ED_BLOCK_Q + k], 1e-6 * level);
     ed_element_commit(&direct.e, direct.block, direct.layers);
-    /* of hinges that are plastic to the last layer the forces are unique, the strains are not: go on from one of the two */
+    /* of hinges plastic to the last layer the forces are unique, the strains are not: go on from one of the two */
     memcpy(round_about.block, direct.block, block);
     memcpy(round_about.layers, direct.layers, layers);
   }

@@ -121,19 +121,17 @@ static void check_failure(run_kind next)
   ed_model_free(model);
 }
 
-/* Halved steps that fail in their second half are undone whole. */
+/* In the middle of a history, with numbers that overflow. */
 static void check_failure_in_a_history(void)
 {
   double ground[N + 1];
   ground_motion(N, DT, 9.0, ground);
-  ground[60] = 3e5; /* no structure follows this */
+  ground[60] = 1e200;
   ed_model *model = frame_model(FRAME);
   ed_analysis *analysis = frame_analysis(model), *straight = frame_analysis(model);
   under_gravity(analysis, ED_STIFFNESS_INITIAL, 1);
   under_gravity(straight, ED_STIFFNESS_INITIAL, 1);
-  ed_set(analysis, ED_MAX_ITERATIONS, 4);
   ed_set(analysis, ED_HALVINGS, 2);
-  ed_set(straight, ED_MAX_ITERATIONS, 4);
   ed_set(straight, ED_HALVINGS, 2);
   CHECK_STATUS(begin(analysis, HISTORY, ground), ED_OK);
   CHECK_STATUS(begin(straight, HISTORY, ground), ED_OK);

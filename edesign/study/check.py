@@ -11,8 +11,9 @@ from edesign.building.frame import build_frame
 from edesign.core import CoreError
 from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.project_records import read_record
-from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
+from edesign.project.damping import ModalDamping, RayleighDamping
+from edesign.project.problems import keys_text
 from edesign.project.project import Project
 from edesign.study import analyses
 from edesign.study.history import check_motion
@@ -52,8 +53,11 @@ def check_inputs(project: Project, records: Iterable[str], specs: Iterable[Analy
 
 def _check_modes(project: Project, specs: tuple[Analysis, ...], most: int) -> None:
     """Check that no more modes are asked for than there are degrees of freedom with mass."""
-    wanted = [(("analyses", i, "modes"), spec.modes) for i, spec in enumerate(project.analyses)
-              if spec in specs and isinstance(spec, ModalAnalysis)]
+    wanted: list[tuple[tuple[str | int, ...], int]] = [
+        (("analyses", i, "modes"), spec.modes)
+        for i, spec in enumerate(project.analyses)
+        if spec in specs and isinstance(spec, ModalAnalysis)
+    ]
     damping = project.damping
     if any(isinstance(spec, HistoryAnalysis) for spec in specs):
         if isinstance(damping, RayleighDamping):
@@ -62,10 +66,9 @@ def _check_modes(project: Project, specs: tuple[Analysis, ...], most: int) -> No
             wanted.append((("damping", "modes"), damping.modes))
     for keys, count in wanted:
         if count > most:
-            path = ".".join(str(key) for key in keys).replace(".0.", "[0].")
             raise InputError(
-                f"{project.where(*keys)}: {path}: there is no mode {count}; the frame has {most} degrees of freedom "
-                "with mass"
+                f"{project.where(*keys)}: {keys_text(keys)}: there is no mode {count}; "
+                f"the frame has {most} degrees of freedom with mass"
             )
 
 

@@ -35,7 +35,12 @@ def test_the_project_is_right_before_it_is_made_wrong(tmp_path: Path, capsys: Ca
 WRONG = {
     "unknown key": ("masses: {", "colour: red\nmasses: {", "colour", ["colour: unknown key", "`materials`"]),
     "misspelt key": ("  storeys: [4", "  storays: [4", "storays", ["frame.storays", "did you mean `storeys`?"]),
-    "missing key": (", material: S275}]\n  beams", "}]\n  beams", "{storeys: all", ["frame.columns[0].material", "missing"]),
+    "missing key": (
+        ", material: S275}]\n  beams",
+        "}]\n  beams",
+        "{storeys: all",
+        ["frame.columns[0].material", "missing"],
+    ),
     "duplicate key": ("  bays: [6 m]", "  bays: [6 m]\n  bays: [5 m]", "bays: [5", ["frame.bays", "line 4"]),
     "bare number": ("[4 m, 3 m]", "[4 m, 3]", "3]", ["frame.storeys[1]", "`3` needs a unit", "`3 m`"]),
     "wrong dimension": ("fy: 275 MPa", "fy: 275 kN", "275 kN", ["materials.S275.fy", "is a force", "stress"]),
@@ -57,7 +62,18 @@ WRONG = {
         ["outputs.fibres[0].layers", "1 to 24"],
     ),
     "no analyses": ("analyses:\n", "analyses: []\nanalises:\n", "[]\nanalises", ["analyses", "empty"]),
-    "modes for ever": ("modes: 2", "modes: 1e400", "1e400", ["analyses[0].modes", "1e400"]),
+    "more modes than there are": (
+        "modes: 2",
+        "modes: 9",
+        "9}",
+        ["analyses[0].modes: there is no mode 9; the frame has 8 degrees of freedom with mass"],
+    ),
+    "damping of no mode": (
+        "ratio: 2 %",
+        "ratio: 2 %, modes: [1, 12]",
+        "[1, 12]",
+        ["damping.modes: there is no mode 12"],
+    ),
     "step longer than the record": (
         "time_step: 0.01 s",
         "time_step: 1 s",
@@ -127,7 +143,8 @@ def test_a_frame_that_cannot_stand_is_refused_by_its_degrees_of_freedom(
 
 def test_a_frame_that_buckles_under_gravity_says_so_and_where(tmp_path: Path, capsys: Capture) -> None:
     """Elastic columns under several times their critical load: a failed analysis, since only running it shows it."""
-    path = write(tmp_path, ("law: bilinear, E: 210 GPa, fy: 275 MPa, hardening: 1 %", "law: elastic, E: 210 GPa"), ("G: 20 kN/m", "G: 5 MN/m"))
+    elastic = ("law: bilinear, E: 210 GPa, fy: 275 MPa, hardening: 1 %", "law: elastic, E: 210 GPa")
+    path = write(tmp_path, elastic, ("G: 20 kN/m", "G: 5 MN/m"))
     assert main(["run", str(path)]) == 3
     errors = capsys.readouterr().err
     assert "3 of 3 analyses failed" in errors and "Traceback" not in errors
@@ -173,6 +190,7 @@ def test_only_the_records_that_are_needed_are_read(tmp_path: Path, capsys: Captu
 
 
 # ---- files
+
 
 def test_what_is_no_project_is_refused(tmp_path: Path, capsys: Capture) -> None:
     for content, said in ((b"", "empty"), (b"\x93NUMPY\x01", "not UTF-8"), (b"edesign: 1\n\ttitle: x\n", "tab")):

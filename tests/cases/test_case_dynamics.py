@@ -39,7 +39,9 @@ def test_elastic_history_is_the_sum_of_its_modes(results_of: Results) -> None:
     shape = modes.variables["floor_shape"].values  # (mode, floor), of the state under gravity
     ratio = modes.variables["effective_mass_ratio_x"].values
     assert ratio.sum() == pytest.approx(1.0, rel=1e-9)
-    mass = float(modes.attributes["mass_kg"])  # (20 + 0.24 * 15) kN/m on four floors of 18 m, (14 + 0.24 * 5) on the roof
+    mass = float(
+        modes.attributes["mass_kg"]
+    )  # (20 + 0.24 * 15) kN/m on four floors of 18 m, (14 + 0.24 * 5) on the roof
     assert mass == pytest.approx(18.0 * (4 * 23.6e3 + 15.2e3) / G, rel=1e-12)
 
     path = Path(__file__).parent / "records" / "motion.csv"

@@ -19,7 +19,7 @@ def by_name(group: Group, coordinate: str, variable: str) -> dict[str, np.ndarra
     return dict(zip(group.coords[coordinate].values, group.variables[variable].values, strict=True))
 
 
-# ---- irregular_setback: (load N/m or N, x of its resultant m), by hand from the project file; lines at 0, 6, 13.5, 18.5 m
+# ---- irregular_setback: (load N, x of its resultant m), by hand from the project file; lines at 0, 6, 13.5, 18.5 m
 
 FLOOR, ROOF = 25.6e3, 17.2e3  # N/m: 22 + 0.3 * 12 and 16 + 0.3 * 4 kN/m
 SETBACK_LOADS = [
@@ -188,7 +188,9 @@ def test_period_of_the_welded_portal(results_of: Results) -> None:
     flexibility = 5.0**3 / (6 * E * column) + 5.0**2 * 8.0 / (12 * E * beam)
     period = 2 * np.pi * np.sqrt(600e3 / G * flexibility)
     # layers leave out their own inertia, 1/400 of the web's
-    assert results_of("plates_menegotto_pinto", "modes").variables["period"].values[0] == pytest.approx(period, rel=2e-3)
+    assert results_of("plates_menegotto_pinto", "modes").variables["period"].values[0] == pytest.approx(
+        period, rel=2e-3
+    )
 
 
 # ---- corotational_mast

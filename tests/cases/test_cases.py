@@ -1,6 +1,6 @@
 """Every folder here is a case: a project and the results expected of it (measures.csv, storeys.csv, periods.csv).
 
-The expected files were written by this program (EDESIGN_REWRITE_CASES=1 writes them again, see docs/verification.md).
+The expected files were written by this program (EDESIGN_REWRITE_CASES=1 writes them again, see docs/cases.md).
 They tell when results change; that the results are right is shown beside them, in test_case_statics.py and
 test_case_dynamics.py, and in tests/verification.
 """
@@ -141,7 +141,9 @@ def test_a_difference_is_seen_and_named() -> None:
     """A guard of the comparison itself: one value off by twice its tolerance, one that has gone, one row less."""
     row = {"analysis": "shake", "status": "completed", "base_shear_N": "1000000", "roof_drift": "0.01"}
     assert differences([row], [dict(row)]) == []
-    assert differences([row | {"base_shear_N": "1001000"}], [row]) == ["shake completed base_shear_N: 1001000, expected 1000000"]
+    assert differences([row | {"base_shear_N": "1001000"}], [row]) == [
+        "shake completed base_shear_N: 1001000, expected 1000000"
+    ]
     assert differences([row | {"roof_drift": ""}], [row]) == ["shake completed roof_drift: none, expected 0.01"]
     assert differences([row | {"status": "failed"}], [row]) != []
     assert differences([], [row]) == ["other rows or columns"]

@@ -4,7 +4,7 @@
 #define ED_CLONES_H
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && defined(__gnu_linux__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(ED_NO_CLONES)
+    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(ED_NO_CLONES)
 #define ED_CLONES __attribute__((target_clones("avx2", "default")))
 #else
 #define ED_CLONES

@@ -13,7 +13,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MAX_ITERATIONS = 60, MAX_SEARCH = 40 };
+enum { MAX_ITERATIONS = 200, MAX_SEARCH = 40 };
 
 /* A fully plastic section has no stiffness; for the direction of the next step (never for forces) it keeps this share of
  * the elastic one. */

@@ -62,6 +62,7 @@ void ed_element_forces(const ed_element *e, const double *d, const double *block
   force[4] += e->c * e->end_load[2];
 }
 
+/* Without the term of P-Delta that is not symmetric, the change of the axial force times the drift. */
 void ed_element_tangent(const ed_element *e, const double *d, const double *block, double *t)
 {
   if (e->kind == ED_LINK) {

@@ -219,3 +219,18 @@ def test_reader_names_what_is_wrong(tmp_path: Path) -> None:
         pytest.raises(ArchiveError, match="there are: a, b, c"),
     ):
         archive.group("analyses/d")
+
+
+def test_a_file_of_another_kind_is_left_as_it_is(tmp_path: Path) -> None:
+    (tmp_path / "project.yaml").write_text("edesign: 1\n")
+    with pytest.raises(ArchiveError, match="this file is no archive, and it is left as it is"):
+        ArchiveWriter(tmp_path / "project.yaml", root())
+    assert [item.name for item in tmp_path.iterdir()] == ["project.yaml"]
+    (tmp_path / "a.h5").touch()  # what `mktemp` leaves
+    with ArchiveWriter(tmp_path / "a.h5", root()) as writer:
+        writer.finish()
+    with ArchiveWriter(tmp_path / "a.h5", root()) as writer:  # an older archive
+        writer.finish()
+    if Path("/dev/zero").exists():
+        with pytest.raises(ArchiveError, match="not a regular file"):
+            ArchiveWriter("/dev/zero", root())

@@ -1,0 +1,96 @@
+"""Tables as text: numbers that can be compared, and tables that fit a terminal."""
+
+from __future__ import annotations
+
+import io
+import re
+
+import pytest
+
+from edesign.report.table import Table, number, seconds
+from edesign.report.text import folded, print_tables
+
+
+@pytest.mark.parametrize(
+    ("value", "said"),
+    [
+        (None, "-"),
+        (0.0, "0"),
+        (1e-12, "0"),  # below what is negligible
+        (0.012345, "0.01235"),
+        (123.456, "123.5"),
+        (-12345.6, "-12346"),
+        (9.9e6, "9900000"),
+        (5.35835968e17, "5.358e+17"),  # of a run that went astray: no wall of digits
+    ],
+)
+def test_numbers_have_four_significant_digits(value: float | None, said: str) -> None:
+    assert number(value, negligible=1e-9) == said
+
+
+def test_seconds_stand_below_each_other() -> None:
+    assert [seconds(value) for value in (None, 8.9e-05, 0.0569, 12.3456)] == ["-", "0.000", "0.057", "12.346"]
+
+
+WIDE = Table(
+    "Peaks",
+    ("analysis", "roof u [m]", "base shear [kN]", "status"),
+    [["modes", "0.1234", "1234", "completed"], ["el_centro", "0.0001", "-", "failed"]],
+    ["* a note"],
+    left=1,
+)
+
+
+def test_a_wide_table_is_cut_between_columns_and_repeats_the_first() -> None:
+    assert folded(WIDE, 200) == [WIDE] or [part.rows for part in folded(WIDE, 200)] == [WIDE.rows]
+    parts = folded(WIDE, 40)
+    assert [list(part.columns) for part in parts] == [["analysis", "roof u [m]"], ["analysis", "base shear [kN]"]] + [
+        ["analysis", "status"]
+    ]
+    assert parts[1].rows == [["modes", "1234"], ["el_centro", "-"]]
+    assert [part.title for part in parts] == ["Peaks", "", ""] and [part.notes for part in parts] == [
+        [],
+        [],
+        WIDE.notes,
+    ]
+
+
+def test_a_column_that_is_wider_than_the_terminal_stands_alone() -> None:
+    assert [len(part.columns) for part in folded(WIDE, 10)] == [2, 2, 2]
+    heading = Table("t", (), [["archive", "x" * 100]], left=2)
+    assert folded(heading, 10) == [heading]
+
+
+class Terminal(io.StringIO):
+    """A stream that says it is a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize("columns", [34, 40, 80, 200])
+def test_no_number_is_broken_on_a_terminal(columns: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("NO_COLOR", "1")
+    monkeypatch.setenv("COLUMNS", str(columns))
+    stream = Terminal()
+    print_tables([WIDE], stream)
+    text = re.sub(r"\x1b\[[0-9;]*m", "", stream.getvalue())
+    words = text.split()
+    assert {"0.1234", "0.0001", "1234", "completed", "failed", "el_centro"} <= set(words)
+    assert max(len(line) for line in text.splitlines()) <= columns
+
+
+def test_a_file_gets_the_table_in_one_piece() -> None:
+    stream = io.StringIO()
+    print_tables([WIDE], stream)
+    assert stream.getvalue().splitlines()[1].split() == [
+        "analysis",
+        "roof",
+        "u",
+        "[m]",
+        "base",
+        "shear",
+        "[kN]",
+        "status",
+    ]
