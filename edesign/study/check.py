@@ -16,6 +16,7 @@ from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.problems import keys_text
 from edesign.project.project import Project
 from edesign.study import analyses
+from edesign.study.advice import advice
 from edesign.study.history import check_motion
 from edesign.study.requested import requested_quantities
 from edesign.study.structure import make_structure
@@ -79,21 +80,25 @@ def check_project(project: Project) -> dict[str, str]:
         project: from `load_project`.
 
     Returns:
-        Text by label: title, frame, members, period (first period under gravity), records, analyses, archive.
+        Text by label: title, frame, members, period (first period under gravity), records, analyses, archive;
+        and notes, if something is allowed but may not be meant.
 
     Raises:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
         AnalysisError: the first period cannot be found.
     """
     check_inputs(project, project.records, project.analyses)
+    period = _first_period(project)
+    notes = advice(project, period)
     return {
         "title": project.title,
         "frame": _frame(project),
         "members": _members(project),
-        "period": _first_period(project),
+        "period": f"T1 = {period:.4f} s under gravity" if period is not None else "no masses",
         "records": ", ".join(project.records) or "none",
         "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
         "archive": str(project.archive_path),
+        **({"notes": "; ".join(notes)} if notes else {}),
     }
 
 
@@ -114,13 +119,13 @@ def _members(project: Project) -> str:
     return ", ".join(counts)
 
 
-def _first_period(project: Project) -> str:
+def _first_period(project: Project) -> float | None:
     if project.masses is None:
-        return "no masses"
+        return None
     group = analyses.run_analysis(project, ModalAnalysis(name="check", kind="modal", modes=1))
     if group.attributes.get("status") != "completed":
         raise AnalysisError(f"{project.path}: the first period cannot be found: {group.attributes.get('reason')}")
-    return f"T1 = {float(group.variables['period'].values[0]):.4f} s under gravity"
+    return float(group.variables["period"].values[0])
 
 
 def _count(number: int, noun: str) -> str:

@@ -12,9 +12,11 @@ from pathlib import Path
 import pytest
 from cases.small_frame import command, edesign, environment, write
 
-LONG = (  # an analysis that takes long enough to be interrupted
-    ("time_step: 0.01 s", "time_step: 1e-5 s"),
+LONG = (  # an analysis that takes long enough to be interrupted, and little memory
+    ("[4 m, 3 m]", "{count: 12, height: 3 m}"),
+    ("time_step: 0.01 s", "time_step: 1e-4 s"),
     ("pga: 0.3 g", "pga: 0.3 g, free_vibration: 60 s"),
+    ("{members: [C_A_1]}", "{histories: []}"),
 )
 
 

@@ -1,0 +1,52 @@
+"""What `edesign check` notes."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from unit.study.frames import project
+
+from edesign import check_project
+
+TEXT = """\
+edesign: 1
+title: Braced storey
+frame:
+  bays: [6 m]
+  storeys: [4 m]
+  columns: [{storeys: all, section: HEB200, material: S275}]
+  beams: [{floors: all, section: IPE300, material: S275}]
+  braces: [{bays: 1, storeys: 1, kind: cross, section: rod, material: S275}]
+sections:
+  rod: {rectangles: [{width: 20 mm, depth: 80 mm, centre: 0 mm}]}
+materials:
+  S275: {law: bilinear, E: 210 GPa, fy: 275 MPa}
+masses:
+  given: [{floors: all, mass: 20 t}]
+damping: {kind: none}
+integration: {method: newmark, time_step: 0.005 s}
+records:
+  pulse: {file: pulse.csv, acceleration_unit: g, time_step: 0.005 s}
+analyses:
+  - {name: shake, kind: history, record: pulse}
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("", "", None),
+        (
+            "rectangles: [{width: 20 mm, depth: 80 mm, centre: 0 mm}]",
+            "area: 16 cm^2",
+            "`D_1_1_r`, `D_1_1_f` will not yield",
+        ),
+        ("newmark, time_step: 0.005 s", "newmark, time_step: 0.01 s", "0.01 s is longer than that of the record pulse"),
+        ("mass: 20 t", "mass: 0.1 t", "0.005 s is longer than 1/10 of the period T1 = 0.0"),
+    ],
+)
+def test_notes(tmp_path: Path, old: str, new: str, said: str | None) -> None:
+    (tmp_path / "pulse.csv").write_text("0\n0.1\n0.2\n0.1\n0\n")
+    found = check_project(project(TEXT.replace(old, new) if old else TEXT, tmp_path / "project.yaml"))
+    assert said in found["notes"] if said else "notes" not in found
