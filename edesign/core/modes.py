@@ -10,6 +10,9 @@ import scipy.sparse
 import scipy.sparse.linalg
 
 
+UNSTABLE = "the structure is unstable in its present state: a squared frequency is not positive"
+
+
 @dataclass(frozen=True)
 class Modes:
     """Natural modes in rising order of frequency.
@@ -60,6 +63,8 @@ def natural_modes(
         unit[heavy, np.arange(heavy.size)] = root
         flexibility = solver.solve(unit)[heavy] * root[:, None]
         inverse, vectors = scipy.linalg.eigh(0.5 * (flexibility + flexibility.T))
+        if inverse[0] < -1e-9 * inverse[-1]:
+            raise ValueError(UNSTABLE)
         inverse, vectors = inverse[::-1][:count], vectors[:, ::-1][:, :count]
     else:
 
@@ -73,7 +78,7 @@ def natural_modes(
         inverse, vectors = scipy.sparse.linalg.eigsh(operator, k=count, which="LA", v0=start, tol=1e-12)
         inverse, vectors = inverse[::-1], vectors[:, ::-1]
     if np.any(inverse <= 0.0):
-        raise ValueError("the structure is unstable in its present state: a squared frequency is not positive")
+        raise ValueError(UNSTABLE)
     omega = 1.0 / np.sqrt(inverse)
     load = np.zeros((n, count))
     load[heavy] = root[:, None] * vectors

@@ -2,6 +2,7 @@
  * was used is recorded, and when all fail the state is exactly what it was before the step. */
 #include "system/analysis.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -18,10 +19,40 @@ static void record(ed_analysis *a, int rung, int level, int status)
                                         .iterations = ed_last_iterations(a)};
 }
 
+/* What the committed state tells of the cause: how far yielding has spread, or a member that has turned over (returns 1). */
+static int describe_state(const ed_analysis *a, char *buffer, int size)
+{
+  int sections = 0, members = 0, furthest = -1;
+  double turned = 0.2; /* rad: far beyond what a frame survives */
+  for (int m = 0; m < a->model->n_members; m++) {
+    const ed_element *e = &a->elements[m];
+    const double *block = a->committed.elements + e->state;
+    const int before = sections;
+    double d[6];
+    for (int p = 0; p < e->points; p++)
+      sections += block[ED_BLOCK_POINTS + p * ED_POINT_SIZE + ED_POINT_ELASTIC] == 0.0;
+    members += sections > before;
+    for (int i = 0; i < 6; i++)
+      d[i] = a->equation[e->dof[i]] < 0 ? 0.0 : a->committed.u[a->equation[e->dof[i]]];
+    ed_kinematics k;
+    ed_kinematics_of(e, d, &k);
+    if (e->length > 0.0 && e->geometry != ED_COROTATIONAL && fabs(k.drift) / e->length > turned) {
+      turned = fabs(k.drift) / e->length;
+      furthest = m;
+    }
+  }
+  if (furthest >= 0)
+    snprintf(buffer, (size_t)size, "; %s has turned by %.2g rad: the structure has collapsed",
+             a->elements[furthest].member->name, turned);
+  else if (sections)
+    snprintf(buffer, (size_t)size, "; before it %d sections of %d members were yielding", sections, members);
+  return furthest >= 0;
+}
+
 /* Says what happened, where and how, from the last attempt. */
 static void explain(ed_analysis *a, int status)
 {
-  char degree[ED_NAME + 8], where[2 * ED_NAME] = "", path[200] = "", cause[420] = "";
+  char degree[ED_NAME + 8], where[2 * ED_NAME] = "", path[200] = "", cause[420] = "", state[200] = "";
   const ed_element *e = NULL;
   if (status == ED_E_ELEMENT)
     e = &a->elements[a->failed_member];
@@ -38,6 +69,8 @@ static void explain(ed_analysis *a, int status)
         section = p + 1;
     snprintf(where, sizeof where, section ? ", element %s section %d" : ", element %s", e->member->name, section);
   }
+  if (a->n_residuals == 0)
+    snprintf(path, sizeof path, "none: the elements failed first");
   for (int i = 0; i < a->n_residuals; i++) {
     const size_t used = strlen(path);
     if (i < 4 || i >= a->n_residuals - 4)
@@ -51,13 +84,16 @@ static void explain(ed_analysis *a, int status)
     ed_name_mechanism(a, names, sizeof names);
     snprintf(cause, sizeof cause, "; softest at %s: the limit load or the critical load is reached", names);
   }
+  const char *advice = ". Try a smaller step";
+  if (describe_state(a, state, sizeof state))
+    advice = "";
+  else if (a->run.kind == ED_RUN_STATIC)
+    advice = ". Try a smaller step, or a pushover if the load exceeds the capacity";
   const char *abscissa = a->run.kind == ED_RUN_HISTORY ? "time" : a->run.kind == ED_RUN_STATIC ? "load factor" : "displacement";
   ed_fail(a, status,
-          "%s: step %d, %s %.6g, after %d halvings of the step; largest unbalance at %s%s; relative residuals %s%s. "
-          "Try a smaller step%s",
+          "%s: step %d, %s %.6g, after %d halvings of the step; largest unbalance at %s%s; relative residuals %s%s%s%s",
           ed_status_text(status), a->run.done + 1, abscissa, a->committed.head->time, a->halvings,
-          ed_equation_name(a, a->worst, degree, sizeof degree), where, path, cause,
-          a->run.kind == ED_RUN_STATIC ? ", or displacement control if the load exceeds the capacity" : "");
+          ed_equation_name(a, a->worst, degree, sizeof degree), where, path, cause, state, advice);
 }
 
 /* Rungs that make no difference are left out. */

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+enum { NAMED = 8 }; /* degrees in a message */
+
 static int find(int *parent, int i)
 {
   while (parent[i] != i)
@@ -76,15 +78,19 @@ void ed_name_mechanism(ed_analysis *a, char *buffer, int size)
     for (int i = 0; norm > 0.0 && i < n; i++)
       x[i] /= norm;
   }
-  int named = 0;
-  for (int i = 0; i < n && named < 8; i++) {
+  int moving = 0;
+  for (int i = 0; i < n; i++) {
     char name[ED_NAME + 8];
     if (fabs(x[i]) * (a->rotational[i] ? a->length : 1.0) < 0.5)
       continue;
     const size_t used = strlen(buffer);
-    snprintf(buffer + used, (size_t)size - used, "%s%s", named++ ? ", " : "",
-             ed_equation_name(a, i, name, sizeof name));
+    if (moving++ < NAMED)
+      snprintf(buffer + used, (size_t)size - used, "%s%s", moving > 1 ? ", " : "",
+               ed_equation_name(a, i, name, sizeof name));
   }
+  const size_t used = strlen(buffer);
+  if (moving > NAMED)
+    snprintf(buffer + used, (size_t)size - used, " and %d more", moving - NAMED);
 }
 
 int ed_check_structure(ed_analysis *a)
