@@ -181,7 +181,12 @@ typedef struct {
 void ed_get_statistics(const ed_analysis *analysis, ed_statistics *statistics);
 
 /* The failure ladder: every rung that was tried. */
-enum { ED_RUNG_FULL_NEWTON = 1, ED_RUNG_LINE_SEARCH = 2, ED_RUNG_FROZEN_DAMPING = 3, ED_RUNG_HALVE = 4 };
+enum {
+  ED_RUNG_FULL_NEWTON = 1,    /* new factors in each iteration */
+  ED_RUNG_FROZEN_DAMPING = 2, /* the same, with the damping stiffness of the step's start instead of the current one */
+  ED_RUNG_LINE_SEARCH = 3,    /* the same, and steps are shortened */
+  ED_RUNG_HALVE = 4
+};
 typedef struct {
   double time;   /* of the step that was attempted; load factor in static runs */
   int step;      /* number of the whole step, from 1 */

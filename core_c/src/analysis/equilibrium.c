@@ -48,7 +48,7 @@ void ed_raise_force_level(ed_analysis *a)
 
 void ed_freeze_damping(ed_analysis *a, int rung)
 {
-  a->frozen = rung == ED_RUNG_FROZEN_DAMPING;
+  a->frozen = rung >= ED_RUNG_FROZEN_DAMPING;
   if (a->rayleigh_stiffness == 0.0)
     return;
   if (a->rayleigh_kind == ED_STIFFNESS_COMMITTED || (a->rayleigh_kind == ED_STIFFNESS_CURRENT && a->frozen)) {

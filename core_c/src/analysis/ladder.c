@@ -96,14 +96,19 @@ static void explain(ed_analysis *a, int status)
           ed_equation_name(a, a->worst, degree, sizeof degree), where, path, cause, state, advice);
 }
 
-/* Rungs that make no difference are left out. */
+/* Rungs that make a difference. Where damping follows the current stiffness, that is nearly always what kept the step from
+ * converging: it jumps as fibres yield and unload. */
 static int useful(const ed_analysis *a, int rung)
 {
-  if (rung == ED_RUNG_FULL_NEWTON)
-    return a->reuse; /* otherwise the first attempt was that */
-  if (rung == ED_RUNG_FROZEN_DAMPING)
-    return a->run.kind == ED_RUN_HISTORY && a->rayleigh_kind == ED_STIFFNESS_CURRENT && a->rayleigh_stiffness != 0.0;
-  return 1;
+  const int jumping = a->run.kind == ED_RUN_HISTORY && a->rayleigh_kind == ED_STIFFNESS_CURRENT && a->rayleigh_stiffness != 0.0;
+  switch (rung) {
+    case ED_RUNG_FULL_NEWTON:
+      return !jumping && a->reuse;
+    case ED_RUNG_FROZEN_DAMPING:
+      return jumping;
+    default:
+      return 1;
+  }
 }
 
 static int accept(ed_analysis *a)
@@ -116,7 +121,7 @@ static int accept(ed_analysis *a)
 static int climb(ed_analysis *a, ed_attempt attempt, double fraction, int level, int first_rung)
 {
   int status = ED_E_NOT_CONVERGED;
-  for (int rung = first_rung; rung <= ED_RUNG_FROZEN_DAMPING; rung++) {
+  for (int rung = first_rung; rung <= ED_RUNG_LINE_SEARCH; rung++) {
     if (!useful(a, rung))
       continue;
     status = attempt(a, fraction, rung);
@@ -124,7 +129,7 @@ static int climb(ed_analysis *a, ed_attempt attempt, double fraction, int level,
       record(a, rung, level, status);
     if (status == ED_OK)
       return accept(a);
-    if (level == a->halvings && (rung == ED_RUNG_FROZEN_DAMPING || !useful(a, ED_RUNG_FROZEN_DAMPING)))
+    if (level == a->halvings && rung == ED_RUNG_LINE_SEARCH)
       explain(a, status); /* while the failed state is still there */
     ed_revert(a);
   }
