@@ -9,7 +9,6 @@ import scipy.linalg
 import scipy.sparse
 import scipy.sparse.linalg
 
-
 UNSTABLE = "the structure is unstable in its present state: a squared frequency is not positive"
 
 

@@ -1,8 +1,8 @@
 """The thesis frame side by side with OpenSeesPy, from the same numbers, in the same run.
 
 Both solve the same equations: force-based elements, 24 layers, 5 Gauss-Lobatto points, P-Delta columns, average
-acceleration, Rayleigh damping on the current stiffness. What differs is rounding, tolerances and the handling of the few
-steps in which the jumping damping stiffness leaves no exact solution.
+acceleration, Rayleigh damping on the current stiffness. What differs is rounding, tolerances and the handling of the
+few steps in which the jumping damping stiffness leaves no exact solution.
 """
 
 from __future__ import annotations
