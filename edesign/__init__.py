@@ -20,7 +20,7 @@ from edesign._version import __version__
 __all__ = ["__version__", "check_project", "load_project", "new_project", "open_archive", "run_project", "summarise"]
 
 _PLACES = {
-    "load_project": "edesign.project.loader",
+    "load_project": "edesign.building.project_file",
     "new_project": "edesign.project.template",
     "check_project": "edesign.study.check",
     "open_archive": "edesign.archive.reader",

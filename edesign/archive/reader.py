@@ -37,8 +37,7 @@ class Archive:
             hint = f"; an incomplete one is there: {partial}" if partial.exists() else ""
             raise ArchiveError(f"{self.path}: no such archive{hint}")
         try:
-            # No lock: a complete archive never changes, and a partial one changes only by whole transactions.
-            self._file = h5py.File(self.path, "r", locking=False)
+            self._file = _open(self.path)
         except PermissionError as error:
             raise ArchiveError(f"{self.path}: cannot read the archive: no permission") from error
         except (OSError, RuntimeError) as error:
@@ -107,6 +106,16 @@ class Archive:
             have = ", ".join(self.names(parent)) or "none"
             raise ArchiveError(f"{self.path}: there is no {path}; below {parent} there are: {have}")
         return self._file[path]
+
+
+def _open(path: Path) -> h5py.File:
+    """Open without a lock: a complete archive never changes, and a partial one changes only by whole transactions."""
+    try:
+        return h5py.File(path, "r", locking=False)
+    except OSError as error:
+        if "locking flag" not in str(error):
+            raise
+        return h5py.File(path, "r")  # open in this process already, with a lock, as xarray does: HDF5 wants the same
 
 
 def open_archive(path: str | os.PathLike[str]) -> Archive:

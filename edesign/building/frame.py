@@ -82,20 +82,8 @@ class FrameModel:
 
     @cached_property
     def leading_nodes(self) -> list[str]:
-        """For each floor from 1 the first node from the left, which stands for the floor.
-
-        Raises:
-            InputError: a floor has no node.
-        """
-        found = []
-        for floor in range(1, self.frame.n_storeys + 1):
-            there = self.floor_nodes(floor)
-            if not there:
-                raise InputError(
-                    f"floor {floor} of the frame has no node: all columns and beams that end there are missing"
-                )
-            found.append(there[0])
-        return found
+        """For each floor from 1 the first node from the left, which stands for the floor."""
+        return [self.floor_nodes(floor)[0] for floor in range(1, self.frame.n_storeys + 1)]
 
 
 def build_frame(project: Project, model: Model | None = None) -> FrameModel:
@@ -109,7 +97,7 @@ def build_frame(project: Project, model: Model | None = None) -> FrameModel:
         model: an empty model to build in; a new one by default.
 
     Raises:
-        InputError: an unknown or impossible section, loads on nodes that do not exist.
+        InputError: an unknown or impossible section, or loads upwards that would give a negative mass.
     """
     if model is None:
         from edesign.core import Model
@@ -155,10 +143,10 @@ def cross_section(project: Project, name: str) -> CrossSection | ElasticSection:
 
 def _supports(frame: Frame, model: Model, nodes: dict[str, int]) -> dict[str, tuple[bool, bool, bool]]:
     held = _held_rotations(frame)
+    at_base = {names.node_name(line, 0): frame.support(line) for line in frame.lines}
     supports = {}
     for name, node in nodes.items():
-        line, floor = name.rstrip("0123456789"), int(name.lstrip("ABCDEFGHIJKLMNOPQRSTUVWXYZ"))
-        kind = frame.support(line) if floor == 0 else None
+        kind = at_base.get(name)
         ux, uy = kind in ("fixed", "pinned"), kind is not None
         rz = kind == "fixed" or name not in held
         if ux or uy or rz:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from edesign.building.places import chosen_nodes
 from edesign.project import names
 from edesign.project.loads import BeamLoad, Combination, NodeLoad
 from edesign.project.project import Project
@@ -24,13 +23,10 @@ def beam_loads(project: Project, factors: Combination) -> dict[str, float]:
 
 
 def node_loads(project: Project, factors: Combination) -> dict[str, float]:
-    """Return the load on every loaded node in N, positive downwards, by name; loads on one node add up.
-
-    Raises:
-        InputError: a node that is named does not exist, since no member ends there.
-    """
+    """Return the load on every loaded node in N, positive downwards, by name; loads on one node add up."""
     found: dict[str, float] = {}
-    for i, load in enumerate(project.loads.nodes):
-        for name in chosen_nodes(project, load.lines, load.floors, ("loads", "nodes", i)):
+    for load in project.loads.nodes:
+        for place in project.frame.node_places(load.lines, load.floors):
+            name = names.node_name(*place)
             found[name] = found.get(name, 0.0) + combined(load, factors)
     return {name: value for name, value in found.items() if value != 0.0}

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from edesign.building.loads import beam_loads, node_loads
-from edesign.building.places import chosen_nodes
 from edesign.errors import InputError
+from edesign.project import names
 from edesign.project.loads import Combination
 from edesign.project.project import Project
 from edesign.project.units import STANDARD_GRAVITY
@@ -17,18 +17,18 @@ def node_masses(project: Project) -> dict[str, float]:
     ends there, divided by the standard acceleration of gravity.
 
     Raises:
-        InputError: a node that is named does not exist, or loads upwards would give a negative mass.
+        InputError: loads upwards would give a negative mass.
     """
     masses = project.masses
     if masses is None:
         return {}
     if masses.from_loads is not None:
         return _from_loads(project, masses.from_loads)
-    found: dict[str, float] = {}
-    for i, given in enumerate(masses.given or ()):
-        for name in chosen_nodes(project, given.lines, given.floors, ("masses", "given", i)):
-            found[name] = given.mass
-    return found
+    return {
+        names.node_name(*place): given.mass
+        for given in masses.given or ()
+        for place in project.frame.node_places(given.lines, given.floors)
+    }
 
 
 def _from_loads(project: Project, factors: Combination) -> dict[str, float]:
@@ -37,9 +37,9 @@ def _from_loads(project: Project, factors: Combination) -> dict[str, float]:
     on_beams = beam_loads(project, factors)
     for bay, floor in frame.beam_at:
         half_span = 0.5 * frame.bay_widths[bay - 1]
-        load = on_beams.get(f"B_{bay}_{floor}", 0.0)
+        load = on_beams.get(names.beam_name(bay, floor), 0.0)
         for line in frame.bay_lines(bay):
-            node = f"{line}{floor}"
+            node = names.node_name(line, floor)
             weights[node] = weights.get(node, 0.0) + load * half_span
     for node, weight in weights.items():
         if weight < 0.0:

@@ -27,15 +27,14 @@ def run(
 
     A run that was interrupted goes on where it stopped when it is called again.
     """
-    from edesign.building.profiles import profile_names
+    from edesign.building.project_file import load_project
     from edesign.cli.progress import listener
     from edesign.errors import AnalysisError
-    from edesign.project.loader import load_project
     from edesign.report.tables import overview
     from edesign.report.text import print_tables
     from edesign.study.run import run_project
 
-    loaded = load_project(project, profile_names())
+    loaded = load_project(project)
     with listener(quiet) as listen:
         summary = run_project(loaded, archive, listen, workers, only or (), fresh)
     if not quiet:

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+import numpy as np
+
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import number, read_lines
@@ -45,7 +47,7 @@ def read_at2(path: Path | str, name: str = "") -> Record:
         )
     title = " ".join(lines[1].split())
     source = f"{path.name}: {title}" if title else path.name
-    return Record(name or path.stem, [STANDARD_GRAVITY * value for value in samples], step, source)  # type: ignore[arg-type]
+    return Record(name or path.stem, STANDARD_GRAVITY * np.array(samples), step, source)
 
 
 def _header(path: Path, lines: list[str]) -> tuple[int, float, int]:

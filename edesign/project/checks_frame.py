@@ -38,7 +38,8 @@ def check_frame(project: Project, problems: Problems, profiles: Collection[str] 
         check.column_places(("frame", "missing", "columns", i), gap)
     for i, hole in enumerate(frame.missing.beams):
         check.beam_places(("frame", "missing", "beams", i), hole)
-    _covered(frame, problems)
+    if _covered(frame, problems):
+        _floors(frame, problems)
     _releases(frame, problems, check)
     _sections(project, problems, profiles)
     for keys, run in _runs(frame):
@@ -130,8 +131,8 @@ def _supports(frame: Frame, problems: Problems) -> None:
                 problems.at_key(("frame", "supports", line), message)
 
 
-def _covered(frame: Frame, problems: Problems) -> None:
-    """Every place of the grid has a run or is listed as missing."""
+def _covered(frame: Frame, problems: Problems) -> bool:
+    """Every place of the grid has a run or is listed as missing; returns whether it is so."""
     runs = {p for run in frame.columns for p in frame.column_places(run)}
     gaps = {p for gap in frame.missing.columns for p in frame.column_places(gap)}
     grid = [(line, s) for s in range(1, frame.n_storeys + 1) for line in frame.lines]
@@ -144,6 +145,15 @@ def _covered(frame: Frame, problems: Problems) -> None:
     open_bays = [names.beam_name(*p) for p in bays if p not in spans | holes]
     if open_bays:
         _uncovered("beam", open_bays, problems)
+    return not (bare or open_bays)
+
+
+def _floors(frame: Frame, problems: Problems) -> None:
+    """Every floor has a node."""
+    for floor in range(1, frame.n_storeys + 1):
+        if not any(names.node_name(line, floor) in frame.nodes for line in frame.lines):
+            message = f"floor {floor} has no node: all columns and beams that end there are missing"
+            problems.at_key(("frame", "missing"), message)
 
 
 def _uncovered(what: str, members: list[str], problems: Problems) -> None:

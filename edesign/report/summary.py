@@ -36,7 +36,7 @@ def summarise(archive: str | os.PathLike[str], analysis: str | None = None) -> d
     with open_archive(archive) as opened:
         names = planned(opened) if analysis is None else [find(opened, analysis)]
         about = {name: opened.attributes.get(name) for name in ROOT} | {"complete": opened.complete}
-        return {"archive": finite(about), "analyses": [_entry(opened, name) for name in names]}
+        return {"archive": finite(about), "analyses": [entry(name, results(opened, name)) for name in names]}
 
 
 def planned(archive: Archive) -> list[str]:
@@ -57,6 +57,13 @@ def find(archive: Archive, name: str) -> str:
     if name not in names:
         raise InputError(f"{archive.path}: no analysis is named {name!r}; there are: {', '.join(names) or 'none'}")
     return name
+
+
+def results(archive: Archive, name: str) -> Group:
+    """Return the results of an analysis; one that was planned and has none is a group with the status "not run"."""
+    if name in archive.names(ANALYSES):
+        return archive.group(f"{ANALYSES}/{name}")
+    return Group(attributes={"status": "not run"})
 
 
 def entry(name: str, group: Group) -> dict[str, Any]:
@@ -91,9 +98,3 @@ def finite(value: Any) -> Any:
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value
-
-
-def _entry(archive: Archive, name: str) -> dict[str, Any]:
-    if name not in archive.names(ANALYSES):
-        return entry(name, Group(attributes={"status": "not run"}))
-    return entry(name, archive.group(f"{ANALYSES}/{name}"))

@@ -9,9 +9,8 @@ from typing import Any
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
-from edesign.report.summary import entry, find, planned
+from edesign.report.summary import entry, find, planned, results
 from edesign.report.table import Table, number, seconds, whole
-from edesign.study.plan import ANALYSES
 
 MEASURE_COLUMNS = (  # header, measure, unit of the header in SI
     ("roof u [m]", "roof_displacement_m", 1.0),
@@ -34,6 +33,7 @@ PROFILE_COLUMNS = (
     ("floor a [m/s2]", "floor_acceleration", 1.0),
 )
 EVENTS_SHOWN = 20
+ABSCISSAE = {"gravity": "load factor", "pushover": "roof u [m]", "history": "time [s]"}  # what steps are taken in
 ROUNDING = 1e-9  # m, N, rad: far below what any measure means
 
 
@@ -44,7 +44,7 @@ def overview(archive: str | os.PathLike[str]) -> list[Table]:
         ArchiveError: the archive cannot be read.
     """
     with open_archive(archive) as opened:
-        groups = {name: _group(opened, name) for name in planned(opened)}
+        groups = {name: results(opened, name) for name in planned(opened)}
         entries = [entry(name, group) for name, group in groups.items()]
         tables = [_heading(opened), analyses_table(entries)]
         tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
@@ -60,7 +60,7 @@ def details(archive: str | os.PathLike[str], name: str) -> list[Table]:
         InputError: there is no such analysis.
     """
     with open_archive(archive) as opened:
-        group = _group(opened, find(opened, name))
+        group = results(opened, find(opened, name))
         entries = [entry(name, group)]
         tables = [
             analyses_table(entries),
@@ -149,7 +149,8 @@ def profile_table(name: str, group: Group) -> Table:
 
 def fallbacks_table(name: str, group: Group) -> Table:
     """Return what the solver had to do when a step did not converge; long lists are cut."""
-    table = Table(f"{name}: fallbacks", ("step", "time [s]", "rung", "detail"), left=0)
+    abscissa = ABSCISSAE.get(str(group.attributes.get("kind")), "time [s]")
+    table = Table(f"{name}: fallbacks", ("step", abscissa, "rung", "detail"), left=0)
     events = group.attributes.get("events")
     listed = [event for event in events if isinstance(event, Mapping)] if isinstance(events, list) else []
     for event in listed[:EVENTS_SHOWN]:
@@ -174,9 +175,3 @@ def _heading(archive: Archive) -> Table:
         ["status", state],
     ]
     return Table(str(about.get("title", "")), (), rows, left=2)
-
-
-def _group(archive: Archive, name: str) -> Group:
-    if name in archive.names(ANALYSES):
-        return archive.group(f"{ANALYSES}/{name}")
-    return Group(attributes={"status": "not run"})

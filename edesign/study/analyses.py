@@ -11,6 +11,7 @@ from edesign.project.project import Project
 from edesign.study.gravity import run_gravity
 from edesign.study.history import run_history
 from edesign.study.modal import run_modal
+from edesign.study.plan import labels
 from edesign.study.pushover import run_pushover
 
 
@@ -40,14 +41,7 @@ def run_analysis(
         group = _run(project, spec, progress, stop)
     except AnalysisError as error:
         group = Group(attributes={"status": "failed", "reason": str(error)})
-    group.attributes |= {
-        "name": spec.name,
-        "kind": spec.kind,
-        "variant": spec.variant or None,
-        "record": getattr(spec, "record", None),
-        "level": getattr(spec, "level", None) or None,
-        "height": project.frame.height,
-    }
+    group.attributes |= {**labels(spec), "height": project.frame.height}
     return group
 
 

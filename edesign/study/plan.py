@@ -43,14 +43,18 @@ class Task:
     @property
     def labels(self) -> dict[str, str | int | None]:
         """What identifies the analysis: order, name, kind, variant, record, level (None where not applicable)."""
-        return {
-            "order": self.order,
-            "name": self.name,
-            "kind": self.spec.kind,
-            "variant": self.spec.variant or None,
-            "record": self.record,
-            "level": getattr(self.spec, "level", None) or None,
-        }
+        return {"order": self.order, **labels(self.spec)}
+
+
+def labels(spec: Analysis) -> dict[str, str | None]:
+    """Return name, kind, variant, record and level of an analysis; None where there is none."""
+    return {
+        "name": spec.name,
+        "kind": spec.kind,
+        "variant": spec.variant or None,
+        "record": getattr(spec, "record", None),
+        "level": getattr(spec, "level", None) or None,
+    }
 
 
 def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:

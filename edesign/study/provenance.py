@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 import edesign
+from edesign import core
 from edesign._version import __version__
 from edesign.archive.dataset import Group
 from edesign.archive.hdf5 import library_versions
@@ -20,14 +21,6 @@ IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_versi
 """Root attributes that decide whether results of an interrupted run may be reused."""
 
 CODE = (".py", ".so", ".pyd", ".csv")  # suffixes of the files that results depend on
-
-
-def core_version() -> str:
-    """Return the version of the numerical core, "unknown" if it does not tell."""
-    from edesign import core
-
-    version = getattr(core, "version", None)
-    return str(version() if callable(version) else version or "unknown")
 
 
 def code_checksum() -> str:
@@ -67,7 +60,7 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
             "input_checksum": input_checksum(project, records),
             "record_checksums": dict(records),
             "edesign_version": __version__,
-            "core_version": core_version(),
+            "core_version": core.version(),
             "code_checksum": code_checksum(),
             "planned": planned,
             "status": "running",

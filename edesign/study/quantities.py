@@ -29,7 +29,7 @@ def coordinates(group: Group, frame: FrameModel) -> None:
     coordinate(group, "floor", storeys, "1", "floor, the highest is the roof")
     coordinate(group, "storey", storeys, "1", "storey below the floor of the same number")
     for kind in ("column", "beam", "brace"):
-        found = [member.name for member in frame.members.values() if member.kind == kind]
+        found = [member.name for member in frame.of_kind(kind)]
         if found:
             coordinate(group, kind, found, "", f"name of the {kind}")
     coordinate(group, "member", [member.name for member in bending_members(frame)], "", "name of the column or beam")
@@ -130,7 +130,7 @@ def axial_forces(frame: FrameModel) -> list[Quantity]:
     """Axial forces of columns and of braces, positive in tension."""
     found = []
     for kind in ("column", "brace"):
-        members = [member for member in frame.members.values() if member.kind == kind]
+        members = frame.of_kind(kind)
         cells = tuple(((1.0, "axial_force", member.element, 0),) for member in members)
         if members:
             name = f"axial force of the {kind}, positive in tension"
@@ -142,7 +142,7 @@ def plastic_rotations(frame: FrameModel) -> list[Quantity]:
     """Plastic rotations of the ends of columns and beams; members that stay elastic have none."""
     found = []
     for kind in ("column", "beam"):
-        members = [member for member in frame.members.values() if member.kind == kind]
+        members = frame.of_kind(kind)
         cells = tuple(
             ((1.0, "plastic_rotation", member.element, end),) if member.layers is not None else ()
             for member in members
@@ -158,7 +158,6 @@ def plastic_rotations(frame: FrameModel) -> list[Quantity]:
 def _floor_means(frame: FrameModel, kind: str) -> tuple[Terms, ...]:
     """For each floor the mean over its nodes of a horizontal quantity."""
     floors = [frame.floor_nodes(floor) for floor in range(1, frame.frame.n_storeys + 1)]
-    assert all(frame.leading_nodes)  # refuses floors without nodes
     return tuple(tuple((1.0 / len(there), kind, frame.nodes[name], 0) for name in there) for there in floors)
 
 

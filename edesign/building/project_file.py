@@ -1,0 +1,24 @@
+"""Reading a project file with the catalogue of sections at hand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from edesign.building.profiles import profile_names
+from edesign.project import loader
+from edesign.project.project import Project
+
+
+def load_project(path: Path | str) -> Project:
+    """Read and check a project file; sections that it does not define itself must be in the catalogue.
+
+    Args:
+        path: the YAML file, UTF-8.
+
+    Returns:
+        The project, all values in SI.
+
+    Raises:
+        InputError: the file cannot be read, or is wrong; the message lists all problems with file, line and column.
+    """
+    return loader.load_project(path, profile_names())
