@@ -154,11 +154,7 @@ def fallbacks_table(name: str, group: Group) -> Table:
     events = group.attributes.get("events")
     listed = [event for event in events if isinstance(event, Mapping)] if isinstance(events, list) else []
     for event in listed[:EVENTS_SHOWN]:
-        time = event.get("time")
-        shown = number(float(time)) if isinstance(time, (int, float)) else "-"
-        rest = {key: value for key, value in event.items() if key not in ("step", "time", "rung", "detail")}
-        detail = event.get("detail") or ", ".join(f"{key} {value}" for key, value in rest.items())
-        table.rows.append([str(event.get("step", "-")), shown, str(event.get("rung", "")), str(detail)])
+        table.rows.append([str(event["step"]), number(event["time"]), str(event["rung"]), str(event["detail"])])
     if len(listed) > EVENTS_SHOWN:
         table.notes.append(f"and {len(listed) - EVENTS_SHOWN} more, in the archive")
     return table

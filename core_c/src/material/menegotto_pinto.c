@@ -38,8 +38,9 @@ static void follow(const ed_steel *steel, const branch *path, double strain, dou
   const double b = steel->hardening;
   const double x = (strain - path->strain_r) / (path->strain_0 - path->strain_r);
   const double range = path->stress_0 - path->stress_r;
-  const double power = pow(fabs(x), path->R);
-  const double root = pow(1.0 + power, 1.0 / path->R);
+  /* |x|^R and (1 + |x|^R)^(1/R); exponentials and logarithms are twice as quick as powers */
+  const double power = exp(path->R * log(fabs(x)));
+  const double root = exp(log(1.0 + power) / path->R);
   *stress = path->stress_r + range * (b * x + (1.0 - b) * x / root);
   *tangent = range / (path->strain_0 - path->strain_r) * (b + (1.0 - b) / (root * (1.0 + power)));
 }

@@ -62,6 +62,15 @@ def test_xarray_opens_it_with_named_dimensions(tmp_path: Path, engine: str) -> N
         assert root.attrs["complete"] == 1
 
 
+def test_it_opens_while_xarray_has_it_open(tmp_path: Path) -> None:
+    """HDF5 refuses a second opening in one process unless both ask for the same locking."""
+    xarray = pytest.importorskip("xarray")
+    pytest.importorskip("h5netcdf")
+    path = write(tmp_path / "a.h5", {"analyses/el_centro": history_group()})
+    with xarray.open_dataset(path, group="analyses/el_centro", engine="h5netcdf"), open_archive(path) as archive:
+        assert archive.names("analyses") == ["el_centro"]
+
+
 def test_groups_come_in_the_order_of_the_plan(tmp_path: Path) -> None:
     groups = {}
     for order, name in enumerate(["b", "a", "c"]):

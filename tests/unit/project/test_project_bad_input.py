@@ -129,6 +129,12 @@ ONE_PROBLEM = {
         "frame.beams",
         "1 beam is without a section: `B_1_3`",
     ),
+    "floor without a node": (
+        "missing: {columns: [{lines: C, storeys: 3}], beams: [{bays: 2, floors: 3}]}",
+        "«missing: {columns: [{storeys: 3}], beams: [{floors: 3}]}",
+        "frame.missing",
+        "floor 3 has no node",
+    ),
     "load on a missing beam": (
         "- {floors: 1-2, bays: 1-2,",
         "- «{floors: 1-3, bays: 1-2,",

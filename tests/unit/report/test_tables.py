@@ -7,7 +7,9 @@ import re
 
 import pytest
 
+from edesign.archive.dataset import Group
 from edesign.report.table import Table, number, seconds
+from edesign.report.tables import fallbacks_table
 from edesign.report.text import folded, print_tables
 
 
@@ -94,3 +96,13 @@ def test_a_file_gets_the_table_in_one_piece() -> None:
         "[kN]",
         "status",
     ]
+
+
+@pytest.mark.parametrize(
+    ("kind", "header"), [("gravity", "load factor"), ("pushover", "roof u [m]"), ("history", "time [s]")]
+)
+def test_fallbacks_stand_where_the_run_was(kind: str, header: str) -> None:
+    event = {"time": 0.125, "step": 7, "rung": "new factors", "detail": "step / 1, converged after 3 iterations"}
+    table = fallbacks_table("a", Group(attributes={"kind": kind, "events": [event]}))
+    assert table.columns[1] == header
+    assert table.rows == [["7", "0.1250", "new factors", "step / 1, converged after 3 iterations"]]
