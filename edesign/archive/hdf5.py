@@ -13,7 +13,6 @@ from edesign.archive.dataset import Group, Variable
 LIBRARY_VERSIONS = ("v108", "v108")
 TEXT = h5py.string_dtype("utf-8")
 BOOLEAN_MARK = "bool"  # xarray's convention: whole numbers with the attribute dtype = "bool"
-OWN_ATTRIBUTES = ("CLASS", "NAME", "DIMENSION_LIST", "REFERENCE_LIST")
 
 
 def write_group(target: h5py.Group, group: Group) -> None:

@@ -25,20 +25,17 @@ class TransactionFile:
 
     Args:
         path: the file; it is created if missing, and locked against other writers.
-        keep: False empties the file first.
 
     Raises:
         BlockingIOError: another process writes to the file.
         OSError: it cannot be created or opened.
     """
 
-    def __init__(self, path: str | os.PathLike[str], keep: bool) -> None:
+    def __init__(self, path: str | os.PathLike[str]) -> None:
         self._descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
         try:
             if fcntl is not None:
                 fcntl.flock(self._descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            if not keep:
-                os.ftruncate(self._descriptor, 0)
         except OSError:
             os.close(self._descriptor)
             raise

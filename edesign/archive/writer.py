@@ -69,7 +69,7 @@ class ArchiveWriter:
             raise ArchiveError(f"{self.path}: cannot write the archive: the folder {self.path.parent} does not exist")
         existed = self._partial.exists() and self._partial.stat().st_size > 0
         try:
-            self._disk = TransactionFile(self._partial, keep=True)
+            self._disk = TransactionFile(self._partial)
         except BlockingIOError as error:
             raise ArchiveError(
                 f"{self._partial}: another run is writing this archive; wait for it, or stop it"

@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 
 Kind = Literal["column", "beam", "brace"]
 Run = ColumnRun | BeamRun | BraceRun
-Place = tuple[str, int]  # line, floor
 
 
 @dataclass(frozen=True)

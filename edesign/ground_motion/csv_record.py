@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-from difflib import get_close_matches
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +11,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import number, read_lines
 from edesign.ground_motion.units import ACCELERATION_UNITS
+from edesign.project.problems import did_you_mean
 
 _UNEVEN = 0.1  # of a step: times in files are rounded; a missing line moves the others by half a step or more
 _ROUNDING = 1e-6  # relative, between a given step and that of the time column
@@ -107,8 +107,7 @@ def _column(path: Path, wanted: int | str, header: list[str], width: int) -> int
             f"{path}: there is no column `{wanted}`: the file has no headers; give the number of the column"
         )
     if wanted not in header:
-        near = get_close_matches(wanted, header, n=1)
-        hint = f"; did you mean `{near[0]}`?" if near else ""
+        hint = did_you_mean(wanted, header)
         raise InputError(f"{path}: there is no column `{wanted}`{hint} (the columns are: {', '.join(header)})")
     return header.index(wanted)
 

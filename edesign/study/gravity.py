@@ -43,18 +43,18 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
 
 
 def _node_displacements(frame: FrameModel) -> list[Quantity]:
-    parts = (("x", 0, "m", "horizontal displacement"), ("y", 1, "m", "vertical displacement, upwards"))
+    parts = (("x", 0, "horizontal displacement of the node"), ("y", 1, "vertical displacement of the node, upwards"))
     return [
         Quantity(
             f"node_displacement_{axis}",
             ("node",),
             (len(frame.nodes),),
             tuple(((1.0, "displacement", node, at),) for node in frame.nodes.values()),
-            unit,
-            f"{label} of the node",
+            "m",
+            label,
             keep=("final",),
         )
-        for axis, at, unit, label in parts
+        for axis, at, label in parts
     ]
 
 

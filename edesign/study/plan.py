@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 
 from edesign.errors import InputError
 from edesign.project.analyses import Analysis
+from edesign.project.problems import did_you_mean
 from edesign.project.project import Project
 
 ANALYSES = "analyses"  # their group in the archive
@@ -71,7 +71,6 @@ def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
     names = [task.name for task in tasks]
     for name in only:
         if name not in names:
-            near = get_close_matches(name, names, 1)
-            hint = f"; did you mean {near[0]}?" if near else "."
-            raise InputError(f"{project.path}: no analysis is named {name!r}{hint} There are: {', '.join(names)}")
+            hint = did_you_mean(name, names)
+            raise InputError(f"{project.path}: no analysis is named {name!r}{hint} (there are: {', '.join(names)})")
     return tuple(task for task in tasks if not only or task.name in only)

@@ -3,7 +3,7 @@
 Horizontal displacements are relative to the ground and include those under gravity. Displacement and acceleration of a
 floor are means over its nodes (with a diaphragm all are the same); so is the drift of a storey over the column lines
 that have a column there. The extremes of a drift are those of the worst column line. Shears are positive for loads to
-the right.
+the right; they are forces of the members, damping forces are not in them.
 """
 
 from __future__ import annotations

@@ -11,7 +11,6 @@ from edesign.archive.dataset import Group, Variable
 from edesign.core import Channel, Response
 
 Terms = tuple[tuple[float, str, int, int], ...]
-Values = dict[str, np.ndarray]
 
 _SUFFIX = {"max": "largest value", "min": "smallest value", "final": "at the end"}
 
@@ -58,12 +57,19 @@ class Quantity:
         )
 
     def _key(self, i: int) -> str:
-        return f"{self.name}[{i}]"
+        return f"{self.name}({', '.join(self.dims)})[{i}]"  # one name may be recorded over two dimensions
 
 
 def channels(quantities: Iterable[Quantity]) -> list[Channel]:
-    """Channels of all quantities."""
-    return [channel for quantity in quantities for channel in quantity.channels()]
+    """Channels of all quantities.
+
+    Raises:
+        ValueError: two quantities have the same name and dimensions (a mistake of the caller, not of the user).
+    """
+    found = [channel for quantity in quantities for channel in quantity.channels()]
+    if len({channel.name for channel in found}) < len(found):
+        raise ValueError("two recorded quantities have the same name and dimensions")
+    return found
 
 
 def store(group: Group, quantities: Iterable[Quantity], response: Response, along: str, every: int = 1) -> None:

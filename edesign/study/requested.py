@@ -32,11 +32,12 @@ def requested_quantities(project: Project, frame: FrameModel, group: Group) -> l
 
 
 def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
-    places = []
+    places = {}  # by label, so that what is asked for twice is kept once
     for i, asked in enumerate(project.outputs.sections):
         member = _fibre_member(project, frame, asked.member, ("outputs", "sections", i))
-        places += [(member, point) for point in asked.points.numbers(1, project.elements.integration_points)]
-    coordinate(group, "section", [f"{m.name}:{p}" for m, p in places], "", "section as member:point, from its start")
+        for point in asked.points.numbers(1, project.elements.integration_points):
+            places[f"{member.name}:{point}"] = (member, point)
+    coordinate(group, "section", list(places), "", "section as member:point, from its start")
     quantities = (
         ("section_axial_force", "section_force", 0, "N", "axial force of the section, positive in tension"),
         ("section_moment", "section_force", 1, "N*m", "bending moment of the section"),
@@ -48,7 +49,7 @@ def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantit
             name,
             ("section",),
             (len(places),),
-            tuple(((1.0, kind, member.element, 2 * (point - 1) + at),) for member, point in places),
+            tuple(((1.0, kind, member.element, 2 * (point - 1) + at),) for member, point in places.values()),
             unit,
             label,
             history=True,
@@ -59,24 +60,25 @@ def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantit
 
 
 def _fibres(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
-    places = []
+    places = {}  # by label, so that what is asked for twice is kept once
     for i, asked in enumerate(project.outputs.fibres):
         keys = ("outputs", "fibres", i)
         member = _fibre_member(project, frame, asked.member, keys)
         assert member.layers is not None
         layers = _layers(project, asked, member.layers.size, keys)
-        points = asked.points.numbers(1, project.elements.integration_points)
-        places += [(member, point, layer) for point in points for layer in layers]
-    labels = [f"{member.name}:{point}:{layer}" for member, point, layer in places]
-    coordinate(group, "fibre", labels, "", "layer of fibres as member:point:layer, layers from the bottom")
-    depths = [member.layers[layer - 1] for member, _, layer in places if member.layers is not None]
+        for point in asked.points.numbers(1, project.elements.integration_points):
+            for layer in layers:
+                place = (member.element, (point - 1) * member.layers.size + layer - 1)
+                places[f"{member.name}:{point}:{layer}"] = (*place, member.layers[layer - 1])
+    coordinate(group, "fibre", list(places), "", "layer of fibres as member:point:layer, layers from the bottom")
+    depths = [depth for _, _, depth in places.values()]
     group.add("fibre_depth", ("fibre",), depths, "m", "height of the layer above the section's centroid")
     return [
         Quantity(
             name,
             ("fibre",),
             (len(places),),
-            tuple(((1.0, name, m.element, (point - 1) * _count(m) + layer - 1),) for m, point, layer in places),
+            tuple(((1.0, name, element, at),) for element, at, _ in places.values()),
             unit,
             f"{what} of the layer, positive in tension",
             history=True,
@@ -94,10 +96,6 @@ def _layers(project: Project, asked: FibreOutput, last: int, keys: tuple[str | i
         where = project.where(*keys, "layers")
         raise InputError(f"{where}: {asked.member} has {last} layers of fibres, there is no layer {highest}")
     return asked.layers.numbers(1, last)
-
-
-def _count(member: Member) -> int:
-    return 0 if member.layers is None else int(member.layers.size)
 
 
 def _member(project: Project, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:

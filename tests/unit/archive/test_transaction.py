@@ -30,7 +30,7 @@ def test_behaves_like_a_file_in_memory(steps: list[tuple[str, int, bytes]]) -> N
     try:
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "f"
-            file, model, committed = TransactionFile(path, keep=False), io.BytesIO(), b""
+            file, model, committed = TransactionFile(path), io.BytesIO(), b""
             for kind, number, content in steps:
                 if kind == "write":
                     file.seek(number)
@@ -59,7 +59,7 @@ def test_behaves_like_a_file_in_memory(steps: list[tuple[str, int, bytes]]) -> N
 
 def test_a_failed_commit_leaves_the_last_one(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "f"
-    file = TransactionFile(path, keep=False)
+    file = TransactionFile(path)
     file.write(b"a" * 100_000)
     file.commit()
     file.seek(0)
@@ -82,8 +82,8 @@ def test_a_failed_commit_leaves_the_last_one(tmp_path: Path, monkeypatch: pytest
 
 def test_two_writers_exclude_each_other(tmp_path: Path) -> None:
     pytest.importorskip("fcntl")
-    first = TransactionFile(tmp_path / "f", keep=False)
+    first = TransactionFile(tmp_path / "f")
     with pytest.raises(BlockingIOError):
-        TransactionFile(tmp_path / "f", keep=False)
+        TransactionFile(tmp_path / "f")
     first.close()
-    TransactionFile(tmp_path / "f", keep=True).close()
+    TransactionFile(tmp_path / "f").close()

@@ -167,7 +167,7 @@ def test_only_selects_and_spares_the_full_archive(tmp_path: Path, monkeypatch: p
     summary = run_project(project(tmp_path), only=["c"])
     assert core.ran == ["c"] and summary.archive == tmp_path / "small.c.h5"
     assert (tmp_path / "small.h5").read_bytes() == full
-    with pytest.raises(InputError, match="no analysis is named 'x'. There are: a, b, c, d"):
+    with pytest.raises(InputError, match="no analysis is named 'x' .there are: a, b, c, d."):
         run_project(project(tmp_path), only=["x"])
 
 

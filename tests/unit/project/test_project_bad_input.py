@@ -146,6 +146,7 @@ ONE_PROBLEM = {
     # outputs
     "unknown history": ("[floors, energy]", "[floors, «energie]", "outputs.histories[1]", "did you mean `energy`?"),
     "unknown member": ("[C_A_1]", "[C_A_1, «C_D_1]", "outputs.members[1]", "no member `C_D_1`"),
+    "member twice": ("[C_A_1]", "[C_A_1, «C_A_1]", "outputs.members[1]", "`C_A_1` comes twice"),
     "missing member": ("[C_A_1]", "[«C_C_3]", "outputs.members[0]", "no member `C_C_3`"),
     "unknown point": (
         "[C_A_1]",

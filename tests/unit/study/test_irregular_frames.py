@@ -48,7 +48,7 @@ analyses:
 outputs:
   members: [C_A_1, D_2_1_f]
   sections: [{member: B_1_1}]
-  fibres: [{member: C_A_2, points: [1, 5], layers: top}]
+  fibres: [{member: C_A_2, points: [1, 5], layers: top}, {member: C_A_2, points: 5, layers: [1, 24]}]
 """
 
 
@@ -108,6 +108,27 @@ def test_braces_carry_axial_force_only(groups: dict[str, Group]) -> None:
     brace = list(group.coords["brace"].values).index("D_2_1_f")
     peak = group.variables["brace_axial_force_max"].values[brace]
     assert peak == pytest.approx(axial[:, 1].max(), rel=1e-12)  # tension pulls the end along the axis
+
+
+def test_what_is_asked_for_besides_changes_no_envelope(groups: dict[str, Group], tmp_path: Path) -> None:
+    """Member forces are recorded twice: extremes of all members, and histories of the members that are asked for."""
+    (tmp_path / "wave.csv").write_text("\n".join(f"{0.3 * np.sin(2 * np.pi * i / 20):.6f}" for i in range(60)))
+    made = project(SETBACK[: SETBACK.index("outputs:")], tmp_path / "project.yaml")
+    plain = run_analysis(made, made.analyses[3])
+    full = groups["shake"].variables
+    extremes = [name for name in plain.variables if name.endswith(("_max", "_min"))]
+    assert {"member_axial_force_max", "member_bending_moment_min"} <= set(extremes)
+    for name in extremes:
+        np.testing.assert_array_equal(full[name].values, plain.variables[name].values, err_msg=name)
+    moments = full["member_bending_moment"].values[:, 0]  # C_A_1 is the first of both lists
+    np.testing.assert_array_equal(moments.max(axis=0), full["member_bending_moment_max"].values[0])
+
+
+def test_a_fibre_that_is_asked_for_twice_is_kept_once(groups: dict[str, Group]) -> None:
+    labels = ["C_A_2:1:24", "C_A_2:5:24", "C_A_2:5:1"]
+    assert list(groups["shake"].coords["fibre"].values) == labels
+    depths = groups["shake"].variables["fibre_depth"].values
+    assert depths[0] == depths[1] == -depths[2] > 0.0
 
 
 def test_every_group_goes_through_the_archive(groups: dict[str, Group], tmp_path: Path) -> None:
