@@ -18,10 +18,9 @@
 extern "C" {
 #endif
 
-/* One list yields the enum and the texts: name, value, text. Below zero: error; above zero: the caller asked for it. */
+/* One list yields the enum and the texts: name, value, text. Below zero: error. */
 #define ED_STATUS_LIST(X) \
   X(ED_OK, 0, "ok") \
-  X(ED_STOPPED, 1, "stopped on request") \
   X(ED_E_MEMORY, -1, "out of memory") \
   X(ED_E_ARGUMENT, -2, "invalid argument") \
   X(ED_E_ID, -3, "no object with this id") \
@@ -67,7 +66,9 @@ int ed_model_tie(ed_model *model, int node, int master, int ux, int uy, int rz);
 int ed_model_mass(ed_model *model, int node, double mx, double my, double mrz);  /* added to what is there */
 
 enum { ED_LINEAR = 0, ED_P_DELTA = 1, ED_COROTATIONAL = 2 };
-/* Force-based fibre beam-column; sections: one id a Gauss-Lobatto point (2..10). release_*: moment-free end. */
+/* Force-based fibre beam-column; sections: one id a Gauss-Lobatto point (2..10). release_*: moment-free end. Two points integrate
+ * a linear curvature squared wrongly (a third of the stiffness in bending): from three on an elastic prismatic member is exact.
+ * A point load inside leaves a kink in the moment that quadrature meets only approximately; put a node there to be exact. */
 int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int points, const int *sections, int geometry,
                          int release_i, int release_j);
 int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int section, int geometry, int release_i,
@@ -97,7 +98,8 @@ void ed_equations(const ed_analysis *analysis, int *equation); /* 3 n_nodes; -1 
 /* Tangent stiffness at the present state, compressed columns: column_start n+1, row nnz, value nnz. */
 int ed_stiffness(ed_analysis *analysis, int *column_start, int *row, double *value);
 void ed_mass(const ed_analysis *analysis, double *mass); /* n */
-/* Directions in which the present state is unstable: negative pivots of the tangent; -1 where it is singular. */
+/* Directions in which the present state is unstable: negative pivots of the tangent; -1 where it is singular or pivots off the
+ * diagonal leave the count without meaning. */
 int ed_unstable_directions(ed_analysis *analysis);
 
 /* Settings; each has a default. */
@@ -126,14 +128,14 @@ enum {
   ED_REACTION = 4,           /* node (0..2): resisting force of the elements at the degree, without inertia and damping */
   ED_GROUND_ACCELERATION = 5,/* 0 (0 x, 1 y) */
   ED_LOAD_FACTOR = 6,        /* pattern */
-  ED_END_FORCE = 7,          /* element (0..5: N V M at i, N V M at j), on the element, local axes */
-  ED_GLOBAL_FORCE = 8,       /* element (0..5), on the element, global axes, second-order terms included */
+  ED_END_FORCE = 7,          /* element (0..5: N V M at i, N V M at j), on the element, axes of the undeformed member */
+  ED_GLOBAL_FORCE = 8,       /* element (0..5), the same in global axes; both with second-order terms */
   ED_AXIAL_FORCE = 9,        /* element */
   ED_DEFORMATION = 10,       /* element (0 elongation, 1 2 end rotations from the chord) */
   ED_PLASTIC_ROTATION = 11,  /* element (0 i, 1 j): chord rotation less its elastic part */
   ED_SECTION_FORCE = 12,     /* element (2 point + 0 N, + 1 M) */
   ED_SECTION_DEFORMATION = 13,
-  ED_FIBRE_STRESS = 14,      /* element (point * layers + layer) */
+  ED_FIBRE_STRESS = 14,      /* element (point * layers of the first section + layer) */
   ED_FIBRE_STRAIN = 15
 };
 int ed_channel(ed_analysis *analysis, int n_terms, const double *coefficient, const int *kind, const int *object,

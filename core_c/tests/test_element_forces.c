@@ -34,12 +34,12 @@ static void check_balance(ed_element_kind kind, int geometry, int loaded, double
   } else if (geometry == ED_COROTATIONAL && kind != ED_LINK) {
     x += dx;
     y += dy;
-    loaded &= 0; /* of loads the basic system is the undeformed one */
   }
-  if (loaded || X == 0.0) {
-    const double of_loads = loaded ? 0.5 * WY * L * L + SHARE * L * PY : 0.0;
-    CHECK_NEAR(f[2] + f[5] + x * f[4] - y * f[3] + of_loads, 0.0, 1e-12 * level * L);
-  }
+  /* loads keep their direction and act on the chord where it has moved to */
+  const double moved = geometry == ED_LINEAR ? 0.0 : drift;
+  const double along = geometry == ED_COROTATIONAL ? L + c * dx + s * dy : L;
+  const double of_loads = loaded ? along * (0.5 * WY * L + SHARE * PY) - moved * (0.5 * WX * L + SHARE * PX) : 0.0;
+  CHECK_NEAR(f[2] + f[5] + x * f[4] - y * f[3] + of_loads, 0.0, 1e-12 * level * L);
   member_free(&m);
 }
 

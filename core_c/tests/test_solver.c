@@ -65,7 +65,7 @@ static void check_refactor(void)
   double value[MOST], x[N], y[N];
   numbers source = {2};
   const int count = pattern(start, row, diagonal);
-  ed_solver *old = ed_solver_new(N, start, row, diagonal);
+  ed_solver *old = ed_solver_new(N, start, row, diagonal, NULL);
   CHECK_STATUS(ed_solver_solve(old, x, 1), ED_E_STATE); /* nothing factored yet */
   for (int trial = 0; trial < 5; trial++) {
     stiffness(start, row, &source, value);
@@ -73,7 +73,7 @@ static void check_refactor(void)
     CHECK_INT(repivoted, trial == 0);
     CHECK(ed_solver_pivot_ratio(old) > 0.1 && ed_solver_pivot_ratio(old) <= 1.0);
     check_solution(old, start, row, value, &source);
-    ed_solver *fresh = ed_solver_new(N, start, row, diagonal);
+    ed_solver *fresh = ed_solver_new(N, start, row, diagonal, NULL);
     CHECK_STATUS(ed_solver_factor(fresh, value, &repivoted), ED_OK);
     CHECK_INT(repivoted, 1);
     for (int i = 0; i < N; i++)
@@ -93,7 +93,7 @@ static void check_singular(void)
   double value[MOST];
   numbers source = {4};
   pattern(start, row, diagonal);
-  ed_solver *solver = ed_solver_new(N, start, row, diagonal);
+  ed_solver *solver = ed_solver_new(N, start, row, diagonal, NULL);
   for (int kind = 0; kind < 3; kind++)
     for (int before = 0; before < 2; before++) { /* at once, and after good factors */
       stiffness(start, row, &source, value);
@@ -124,7 +124,7 @@ static void check_repivot(void)
   static int start[] = {0, 2, 4}, row[] = {0, 1, 0, 1}, diagonal[] = {0, 3};
   double good[] = {2.0, 1.0, 1.0, 2.0}, weak[] = {1e-12, 1.0, 1.0, 1.0}, b[] = {1.0, 2.0};
   int repivoted;
-  ed_solver *solver = ed_solver_new(2, start, row, diagonal);
+  ed_solver *solver = ed_solver_new(2, start, row, diagonal, NULL);
   CHECK_STATUS(ed_solver_factor(solver, good, &repivoted), ED_OK);
   CHECK_STATUS(ed_solver_factor(solver, good, &repivoted), ED_OK);
   CHECK_INT(repivoted, 0);
@@ -150,7 +150,7 @@ static void check_units(void)
   double value[MOST];
   numbers source = {9};
   pattern(start, row, diagonal);
-  ed_solver *solver = ed_solver_new(N, start, row, diagonal);
+  ed_solver *solver = ed_solver_new(N, start, row, diagonal, NULL);
   stiffness(start, row, &source, value);
   for (int j = 0; j < N; j++)
     for (int k = start[j]; k < start[j + 1]; k++)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time as clock
+from collections import Counter
 from collections.abc import Callable, Sequence
 from typing import Any
 
@@ -60,7 +61,7 @@ class Analysis:
         self.model = model
         handle = lib.ed_analysis_new(model.freeze(), status, message, 1024)
         if handle == ffi.NULL:
-            raise CoreError(status_name(status[0]), ffi.string(message).decode())
+            raise CoreError(status_name(status[0]), ffi.string(message).decode(errors="replace"))
         self._c = ffi.gc(handle, lib.ed_analysis_free)
         for name, value in settings.items():
             self.set(name, value)
@@ -71,7 +72,7 @@ class Analysis:
 
     def _check(self, status: int) -> None:
         if status < 0:
-            raise CoreError(status_name(status), ffi.string(lib.ed_analysis_message(self._c)).decode())
+            raise CoreError(status_name(status), ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace"))
 
     def set(self, name: str, value: float) -> None:
         """Change a setting (see the class)."""
@@ -104,7 +105,7 @@ class Analysis:
         Raises:
             CoreError: the structure is unstable in this state.
         """
-        if lib.ed_unstable_directions(self._c) != 0:
+        if lib.ed_unstable_directions(self._c) > 0:
             raise CoreError("ED_E_UNSTABLE", "the structure is unstable in its present state: it has no natural modes")
         influence = np.zeros(self.n_equations)
         free = self.equations[:, 0] >= 0
@@ -199,6 +200,9 @@ class Analysis:
         return self._run(steps, channels, every, progress, stop)
 
     def _add_channels(self, channels: Sequence[Channel]) -> None:
+        repeated = {name for name, count in Counter(c.name for c in channels).items() if count > 1}
+        if repeated:
+            raise ValueError(f"channels of the same name: {', '.join(sorted(repeated))}")
         for channel in channels:
             kinds = [KINDS[kind] for _, kind, _, _ in channel.terms]
             status = lib.ed_channel(
@@ -211,7 +215,7 @@ class Analysis:
                 channel.history,
             )
             if status < 0:
-                message = ffi.string(lib.ed_analysis_message(self._c)).decode()
+                message = ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace")
                 raise CoreError(status_name(status), f"channel {channel.name}: {message}")
 
     def _run(
@@ -252,7 +256,7 @@ class Analysis:
             wall = clock.perf_counter() - wall
             done = int(lib.ed_run_steps_done(self._c))
             if result < 0:
-                status, reason = "failed", ffi.string(lib.ed_analysis_message(self._c)).decode()
+                status, reason = "failed", ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace")
                 break
             if progress is not None:
                 progress(done, steps)

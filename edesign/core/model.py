@@ -17,7 +17,7 @@ GEOMETRY = {"linear": lib.ED_LINEAR, "p_delta": lib.ED_P_DELTA, "corotational": 
 
 def status_name(status: int) -> str:
     """Name of a status of the core."""
-    return str(ffi.string(lib.ed_status_name(status)).decode())
+    return str(ffi.string(lib.ed_status_name(status)).decode(errors="replace"))
 
 
 class Model:
@@ -51,7 +51,8 @@ class Model:
 
     def _checked(self, result: int) -> int:
         if result < 0:
-            raise CoreError(status_name(result), ffi.string(lib.ed_model_message(self._handle)).decode())
+            message = ffi.string(lib.ed_model_message(self._handle)).decode(errors="replace")
+            raise CoreError(status_name(result), message)
         return result
 
     def material(self, law: Steel) -> int:

@@ -16,7 +16,7 @@ class _Integration(Model):
     """What all methods share: step in s (None: the step of the record) and the dimensionless tolerance."""
 
     time_step: PositiveTime | None = None
-    tolerance: Tolerance = 1e-8
+    tolerance: Tolerance = 1e-7
 
 
 class NewmarkIntegration(_Integration):

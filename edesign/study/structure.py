@@ -9,7 +9,7 @@ from edesign.core import Analysis, Modes, Response
 from edesign.errors import AnalysisError
 from edesign.project.project import Project
 
-DEFAULT_TOLERANCE = 1e-8  # of analyses in projects without `integration`
+DEFAULT_TOLERANCE = 1e-7  # of analyses in projects without `integration`
 GRAVITY_STEPS = 10
 
 

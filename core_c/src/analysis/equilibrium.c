@@ -5,8 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-enum { STALL = 8 }; /* iterations without halving the unbalance */
-
 /* Unbalance relative to the largest force so far; moments are made comparable by the mean element length. */
 double ed_unbalance(ed_analysis *a, const double *r)
 {
@@ -126,16 +124,23 @@ static int worth_factoring(const ed_analysis *a, double unbalance, double before
   return to_come > 1.5 + a->factor_price;
 }
 
-/* What rounding of the displacements alone does to the unbalance: no iteration gets below it. */
-static double rounding(ed_analysis *a)
+/* What rounding alone does to the unbalance: no iteration gets below it. */
+double ed_rounding(ed_analysis *a)
 {
   double largest = 0.0;
   ed_assemble_tangent(a);
   for (int i = 0; i < a->n; i++) {
-    const double force = fabs(a->tangent[a->diagonal[i]] * a->trial.u[i]);
+    const double force = fabs(a->tangent[a->diagonal[i]] * a->trial.u[i]) + a->mass[i] * fabs(a->trial.a[i]);
     largest = larger(largest, a->rotational[i] ? force / a->length : force);
   }
   return 4.0 * DBL_EPSILON * largest / a->trial.head->force_level;
+}
+
+/* The last eight iterations did not halve the unbalance. */
+int ed_stalls(const ed_analysis *a, int iteration)
+{
+  enum { PATIENCE = 8 };
+  return iteration >= PATIENCE && a->residuals[iteration] > 0.5 * a->residuals[iteration - PATIENCE];
 }
 
 static int accept(ed_analysis *a, double unbalance)
@@ -157,13 +162,13 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
       a->residuals[a->n_residuals++] = unbalance;
     if (!isfinite(unbalance) && iteration > 0)
       return ED_E_NOT_FINITE;
-    if (unbalance <= a->tolerance)
+    if (iteration > 0 && unbalance <= a->tolerance) /* small motions are not for the tolerance to swallow */
       return accept(a, unbalance);
     if (iteration == a->max_iterations)
       return ED_E_NOT_CONVERGED;
     /* going round in circles: piecewise linear laws, or a damping stiffness that jumps with them */
-    if (iteration >= STALL && unbalance > 0.5 * a->residuals[iteration - STALL])
-      return unbalance <= rounding(a) ? accept(a, unbalance) : ED_E_NOT_CONVERGED;
+    if (ed_stalls(a, iteration))
+      return unbalance <= ed_rounding(a) ? accept(a, unbalance) : ED_E_NOT_CONVERGED;
     const int same = a->factored_stamp >= 0 && a->factored_k == step->k && a->factored_m == step->m &&
                      a->factored_c == step->c;
     int factor = !same;

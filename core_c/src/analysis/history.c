@@ -44,7 +44,7 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
     return ed_fail(a, ED_E_ARGUMENT, "a time history needs masses");
   const double am = method == ED_GENERALISED_ALPHA ? p[0] : 0.0, af = method == ED_GENERALISED_ALPHA ? p[1] : 0.0;
   const double gamma = method == ED_GENERALISED_ALPHA ? p[2] : p[0], beta = method == ED_GENERALISED_ALPHA ? p[3] : p[1];
-  if (!(beta > 0.0 && gamma > 0.0 && am < 1.0 && af >= 0.0 && af < 1.0))
+  if (!(beta > 0.0 && gamma > 0.0 && am < 1.0 && af >= 0.0 && af < 1.0) || !isfinite(beta + gamma + am))
     return ed_fail(a, ED_E_ARGUMENT, "integration parameters out of range");
   const size_t samples = (size_t)n + 1;
   double *block = calloc(2 * samples, sizeof *block);
@@ -104,7 +104,6 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
       .velocity = g / (b * dt),
       .acceleration = 1.0 / (b * dt * dt),
       .residual = residual,
-      .dt = dt,
   };
   for (int axis = 0; axis < 2; axis++) {
     step.ground_before[axis] = run->ground_before[axis] = ground_at(run, axis, head->position);

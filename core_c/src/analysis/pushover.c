@@ -4,6 +4,32 @@
 #include <math.h>
 #include <string.h>
 
+/* Sum of a pattern's nodal loads over the equations. */
+static void reference_load(const ed_analysis *a, int pattern, double *load)
+{
+  memset(load, 0, (size_t)a->n * sizeof *load);
+  for (int i = 0; i < a->model->n_nodal_loads; i++) {
+    const ed_nodal_load *nodal = &a->model->nodal_loads[i];
+    for (int d = 0; nodal->pattern == pattern && d < 3; d++) {
+      const int equation = a->equation[3 * nodal->node + d];
+      if (equation >= 0)
+        load[equation] += nodal->force[d];
+    }
+  }
+}
+
+/* Do the loads move the degree at all? */
+static int moves(ed_analysis *a, int pattern, int control)
+{
+  double largest = 0.0, *x = a->work;
+  reference_load(a, pattern, x);
+  if (ed_factor_effective(a, 1.0, 0.0, 0.0) != ED_OK || ed_solver_solve(a->solver, x, 1) != ED_OK)
+    return 1; /* a state at its limit: the run will tell */
+  for (int i = 0; i < a->n; i++)
+    largest = fmax(largest, fabs(x[i]) * (a->rotational[i] ? a->length : 1.0));
+  return fabs(x[control]) * (a->rotational[control] ? a->length : 1.0) > 1e-12 * largest;
+}
+
 int ed_pushover_begin(ed_analysis *a, int pattern, int node, int degree, double target, int steps)
 {
   const ed_model *model = a->model;
@@ -24,25 +50,14 @@ int ed_pushover_begin(ed_analysis *a, int pattern, int node, int degree, double 
     loaded |= model->nodal_loads[i].pattern == pattern;
   if (!loaded)
     return ed_fail(a, ED_E_ARGUMENT, "the pushover pattern has no load");
+  if (!moves(a, pattern, control))
+    return ed_fail(a, ED_E_ARGUMENT, "the pushover loads do not move the controlled degree");
   ed_start_run(a, ED_RUN_PUSHOVER, steps, a->committed.u[control]);
   a->run.pattern = pattern;
   a->run.control = control;
   a->run.control_start = a->committed.u[control];
   a->run.control_end = target;
   return ED_OK;
-}
-
-static void reference_load(const ed_analysis *a, double *load)
-{
-  memset(load, 0, (size_t)a->n * sizeof *load);
-  for (int i = 0; i < a->model->n_nodal_loads; i++) {
-    const ed_nodal_load *nodal = &a->model->nodal_loads[i];
-    for (int d = 0; nodal->pattern == a->run.pattern && d < 3; d++) {
-      const int equation = a->equation[3 * nodal->node + d];
-      if (equation >= 0)
-        load[equation] += nodal->force[d];
-    }
-  }
 }
 
 int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
@@ -55,7 +70,7 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
   const double share = (run->done + head->position) / run->steps;
   const double target = run->control_start + share * (run->control_end - run->control_start);
   head->time = target;
-  reference_load(a, load);
+  reference_load(a, run->pattern, load);
   a->n_residuals = 0;
   /* from the safer rungs on, the step in free degrees is shortened when it overshoots */
   const double damp = rung >= ED_RUNG_LINE_SEARCH ? 0.5 : 1.0;
@@ -72,6 +87,8 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
       a->statistics.worst_unbalance = fmax(a->statistics.worst_unbalance, unbalance);
       return ED_OK;
     }
+    if (ed_stalls(a, iteration) && unbalance <= ed_rounding(a))
+      return ED_OK;
     if (iteration == a->max_iterations * (rung >= ED_RUNG_LINE_SEARCH ? 2 : 1))
       return ED_E_NOT_CONVERGED;
     if ((status = ed_factor_effective(a, 1.0, 0.0, 0.0)) != ED_OK)
@@ -83,7 +100,7 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
       return status;
     a->statistics.iterations++;
     if (by_load[run->control] == 0.0)
-      return ed_fail(a, ED_E_ARGUMENT, "the pushover loads do not move the controlled degree");
+      return ED_E_SINGULAR;
     const double missing = target - a->trial.u[run->control];
     const double factor = (missing - a->du[run->control]) / by_load[run->control];
     const double share_taken = iteration > 0 ? damp : 1.0;

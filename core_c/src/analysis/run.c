@@ -14,6 +14,7 @@ void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa)
   a->run.steps = steps;
   a->run.every = 1;
   a->n_events = 0;
+  a->statistics.worst_unbalance = 0.0;
   a->committed.head->position = a->trial.head->position = 0.0;
   a->committed.head->time = a->trial.head->time = abscissa;
   /* about 1000 operations an element and iteration beside the solution */
@@ -76,13 +77,16 @@ int ed_initial_velocity(ed_analysis *a, const double *velocity)
 {
   if (a->run.kind != ED_RUN_NONE)
     return ed_fail(a, ED_E_STATE, "initial velocities come before the run");
+  double kinetic = 0.0; /* put in beyond what moves already */
+  for (int i = 0; i < a->n; i++) {
+    if (!isfinite(velocity[i]))
+      return ed_fail(a, ED_E_NOT_FINITE, "initial velocity %d is not a finite number", i + 1);
+    kinetic += 0.5 * a->mass[i] * (velocity[i] * velocity[i] - a->committed.v[i] * a->committed.v[i]);
+  }
   memcpy(a->committed.v, velocity, (size_t)a->n * sizeof(double));
   memcpy(a->trial.v, velocity, (size_t)a->n * sizeof(double));
-  double kinetic = 0.0;
-  for (int i = 0; i < a->n; i++)
-    kinetic += 0.5 * a->mass[i] * velocity[i] * velocity[i];
   a->trial.head->energy[ED_INPUT] += kinetic;
-  a->trial.head->largest_input = fmax(a->trial.head->largest_input, kinetic);
+  a->trial.head->largest_input = fmax(a->trial.head->largest_input, fabs(a->trial.head->energy[ED_INPUT]));
   *a->committed.head = *a->trial.head;
   return ED_OK;
 }
@@ -91,7 +95,12 @@ int ed_try_and_revert(ed_analysis *a, double fraction)
 {
   if (a->run.kind == ED_RUN_NONE || a->run.done == a->run.steps)
     return ed_fail(a, ED_E_STATE, "there is no next step to try");
+  double ground[2][2];
+  memcpy(ground[0], a->run.ground_now, sizeof ground[0]);
+  memcpy(ground[1], a->run.ground_before, sizeof ground[1]);
   const int status = attempts[a->run.kind](a, fraction, 0);
   ed_revert(a);
+  memcpy(a->run.ground_now, ground[0], sizeof ground[0]);
+  memcpy(a->run.ground_before, ground[1], sizeof ground[1]);
   return status;
 }

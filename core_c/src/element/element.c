@@ -138,6 +138,7 @@ void ed_element_clear_loads(ed_element *e)
   memset(e->section_load, 0, sizeof e->section_load);
   memset(e->end_load, 0, sizeof e->end_load);
   memset(e->free_deformation, 0, sizeof e->free_deformation);
+  e->mean_axial = 0.0;
 }
 
 /* Internal forces at x (0..1) of the simply supported basic system, axially fixed at i. */
@@ -157,6 +158,7 @@ static void load_forces(const ed_element *e, const ed_member_load *load, double 
 void ed_element_add_load(ed_element *e, const ed_member_load *load, double factor)
 {
   const double L = e->length, wx = factor * load->axial, wy = factor * load->transverse;
+  e->mean_axial += load->position < 0.0 ? 0.5 * wx * L : wx * load->position;
   if (load->position < 0.0) {
     e->end_load[0] -= wx * L;
     e->end_load[1] -= 0.5 * wy * L;

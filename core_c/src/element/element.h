@@ -33,6 +33,7 @@ typedef struct {
   double section_load[ED_MAX_POINTS][2]; /* N, M */
   double end_load[3];            /* reactions: axial i, transverse i, transverse j */
   double free_deformation[3];    /* elastic deformation under the loads with q = 0 */
+  double mean_axial;             /* mean of N under the loads with q = 0: acts over the drift, as q[0] does */
 } ed_element;
 
 typedef struct {

@@ -47,7 +47,7 @@ void ed_element_forces(const ed_element *e, const double *d, const double *block
   ed_kinematics_of(e, d, &k);
   const double *q = block + ED_BLOCK_Q;
   const double shear = (q[1] + q[2]) / k.l;
-  const double second = e->geometry == ED_P_DELTA ? q[0] * k.drift / e->length : 0.0;
+  const double second = e->geometry == ED_P_DELTA ? (q[0] + e->mean_axial) * k.drift / e->length : 0.0;
   const double fy_i = shear - second, fy_j = -shear + second;
   force[0] = -k.c * q[0] - k.s * fy_i;
   force[1] = -k.s * q[0] + k.c * fy_i;
@@ -55,11 +55,19 @@ void ed_element_forces(const ed_element *e, const double *d, const double *block
   force[3] = k.c * q[0] - k.s * fy_j;
   force[4] = k.s * q[0] + k.c * fy_j;
   force[5] = q[2];
-  /* element loads keep their direction */
+  /* element loads keep their direction; with the chord turned, lateral forces at the ends balance their moment */
   force[0] += e->c * e->end_load[0] - e->s * e->end_load[1];
   force[1] += e->s * e->end_load[0] + e->c * e->end_load[1];
   force[3] += -e->s * e->end_load[2];
   force[4] += e->c * e->end_load[2];
+  if (e->geometry != ED_COROTATIONAL || e->mean_axial == 0.0)
+    return;
+  const double dx = d[3] - d[0], dy = d[4] - d[1];
+  const double couple = e->mean_axial * k.drift / (e->length + e->c * dx + e->s * dy);
+  force[0] += e->s * couple;
+  force[1] -= e->c * couple;
+  force[3] -= e->s * couple;
+  force[4] += e->c * couple;
 }
 
 /* Without the term of P-Delta that is not symmetric, the change of the axial force times the drift. */
@@ -78,13 +86,22 @@ void ed_element_tangent(const ed_element *e, const double *d, const double *bloc
   const double A = kb[0];
   double B = -(kb[1] + kb[2]) / l;
   double G = (kb[3] + 2.0 * kb[4] + kb[5]) / (l * l);
-  if (e->geometry != ED_LINEAR)
+  if (e->geometry == ED_P_DELTA)
+    G += (q[0] + e->mean_axial) / l;
+  else if (e->geometry == ED_COROTATIONAL)
     G += q[0] / l;
   if (e->geometry == ED_COROTATIONAL)
     B += (q[1] + q[2]) / (l * l);
-  const double xx = A * ax * ax + 2.0 * B * ax * tx + G * tx * tx;
-  const double xy = A * ax * ay + B * (ax * ty + ay * tx) + G * tx * ty;
-  const double yy = A * ay * ay + 2.0 * B * ay * ty + G * ty * ty;
+  double xx = A * ax * ax + 2.0 * B * ax * tx + G * tx * tx;
+  double xy = A * ax * ay + B * (ax * ty + ay * tx) + G * tx * ty;
+  double yy = A * ay * ay + 2.0 * B * ay * ty + G * ty * ty;
+  if (e->geometry == ED_COROTATIONAL && e->mean_axial != 0.0) {
+    /* the couple of axial loads, across the undeformed axis */
+    const double across = e->mean_axial / (e->length + e->c * (d[3] - d[0]) + e->s * (d[4] - d[1]));
+    xx += across * e->s * e->s;
+    xy -= across * e->s * e->c;
+    yy += across * e->c * e->c;
+  }
   const double gi = (kb[3] + kb[4]) / l, gj = (kb[4] + kb[5]) / l;
   const double ix = kb[1] * ax - gi * tx, iy = kb[1] * ay - gi * ty;
   const double jx = kb[2] * ax - gj * tx, jy = kb[2] * ay - gj * ty;
@@ -108,5 +125,5 @@ void ed_element_p_delta(const ed_element *e, const double *d, const double *bloc
   ed_kinematics k;
   ed_kinematics_of(e, d, &k);
   *drift = k.drift;
-  *force = block[ED_BLOCK_Q] * k.drift / e->length;
+  *force = (block[ED_BLOCK_Q] + e->mean_axial) * k.drift / e->length;
 }

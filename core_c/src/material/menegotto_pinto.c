@@ -38,11 +38,15 @@ static void follow(const ed_steel *steel, const branch *path, double strain, dou
   const double b = steel->hardening;
   const double x = (strain - path->strain_r) / (path->strain_0 - path->strain_r);
   const double range = path->stress_0 - path->stress_r;
-  /* |x|^R and (1 + |x|^R)^(1/R); exponentials and logarithms are twice as quick as powers */
-  const double power = exp(path->R * log(fabs(x)));
-  const double root = exp(log(1.0 + power) / path->R);
-  *stress = path->stress_r + range * (b * x + (1.0 - b) * x / root);
-  *tangent = range / (path->strain_0 - path->strain_r) * (b + (1.0 - b) / (root * (1.0 + power)));
+  /* x / (1 + |x|^R)^(1/R) and its slope, by the power of |x| or 1/|x|, whichever is below 1: nothing overflows.
+   * Exponentials and logarithms are quicker than powers. */
+  const double size = fabs(x);
+  const double power = exp(-path->R * fabs(log(size)));
+  const double root = exp(log1p(power) / path->R);
+  const double curve = (size > 1.0 ? copysign(1.0, x) : x) / root;
+  const double slope = (size > 1.0 ? power / size : 1.0) / (root * (1.0 + power));
+  *stress = path->stress_r + range * (b * x + (1.0 - b) * curve);
+  *tangent = range / (path->strain_0 - path->strain_r) * (b + (1.0 - b) * slope);
 }
 
 /* New branch from (strain, stress) in `direction`. */

@@ -19,10 +19,12 @@ static int allocate_work(ed_analysis *a)
 {
   const ed_model *model = a->model;
   const size_t n = (size_t)a->n, degrees = 3 * (size_t)model->n_nodes;
-  double **vectors[] = {&a->r, &a->du, &a->work, &a->work2, &a->predicted, &a->external, &a->external_committed};
+  double **vectors[] = {&a->r, &a->du, &a->work, &a->work2, &a->predicted, &a->external, &a->external_committed, &a->solver_scale};
   for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
     if (!(*vectors[i] = calloc(n, sizeof(double))))
       return ED_E_MEMORY;
+  for (size_t i = 0; i < n; i++)
+    a->solver_scale[i] = a->rotational[i] ? 1.0 / a->length : 1.0;
   a->displacement = calloc(degrees, sizeof(double));
   a->resisting = calloc(degrees, sizeof(double));
   a->member_force = calloc(6 * (size_t)model->n_members + 1, sizeof(double));
@@ -110,7 +112,7 @@ void ed_analysis_free(ed_analysis *a)
                     a->modal_small,     a->modal_pivot,   a->r,             a->du,              a->work,
                     a->work2,           a->predicted,     a->residuals,     a->channels,        a->terms,
                     a->maximum,         a->minimum,       a->time_maximum,  a->time_minimum,    a->last,
-                    a->events};
+                    a->events,          a->solver_scale};
   for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
     free(blocks[i]);
   free(a);
@@ -187,6 +189,8 @@ int ed_set(ed_analysis *a, int setting, double value)
       a->reuse = value != 0.0;
       return ED_OK;
     case ED_ENERGY:
+      if (value != 0.0 && !a->energy)
+        ed_restart_energy(a);
       a->energy = value != 0.0;
       return ED_OK;
     default:
@@ -209,5 +213,6 @@ int ed_n_events(const ed_analysis *a)
 
 void ed_get_event(const ed_analysis *a, int index, ed_event *event)
 {
-  *event = a->events[index];
+  if (index >= 0 && index < a->n_events)
+    *event = a->events[index];
 }

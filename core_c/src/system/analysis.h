@@ -53,7 +53,6 @@ typedef struct {
   double factor_start, factor_end;
   int control;                   /* equation */
   double control_start, control_end;
-  double control_sign;
   /* history */
   double dt;
   double *ground[2];             /* copies, n+1 samples */
@@ -72,6 +71,7 @@ struct ed_analysis {
   double *influence[2];          /* n: 1 where the equation moves with the ground along x, y */
   double length;                 /* mean element length: makes moments comparable with forces */
   int *rotational;               /* n */
+  double *solver_scale;          /* n: 1, or 1 / length where rotational */
   int *name;                     /* n: degree (3 node + d) that names the equation */
 
   /* matrix */
@@ -184,6 +184,7 @@ void ed_sample(ed_analysis *a, int keep_row);
 /* energy.c */
 void ed_count_energy(ed_analysis *a, double dissipated);
 void ed_close_energy(ed_analysis *a);
+void ed_restart_energy(ed_analysis *a);
 void ed_remember_loads(ed_analysis *a);           /* those of the committed state, for the work of the next step */
 
 /* equilibrium.c: iterates the trial state of one (sub)step to equilibrium */
@@ -191,11 +192,13 @@ typedef struct ed_step {
   double k, m, c;                /* effective matrix k K + m M + c C */
   double velocity, acceleration; /* dv / du, da / du */
   void (*residual)(ed_analysis *a, const struct ed_step *step, double *r);
-  double dt, ground[2], ground_before[2];
+  double ground[2], ground_before[2];
 } ed_step;
 int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung);
 double ed_unbalance(ed_analysis *a, const double *r);  /* relative; notes the worst equation */
 void ed_raise_force_level(ed_analysis *a);
+double ed_rounding(ed_analysis *a);                    /* relative unbalance that rounding makes */
+int ed_stalls(const ed_analysis *a, int iteration);
 void ed_freeze_damping(ed_analysis *a, int rung);
 int ed_last_iterations(const ed_analysis *a);
 

@@ -96,7 +96,7 @@ int ed_build_pattern(ed_analysis *a)
   if (!a->tangent || !a->initial || !a->reference || !a->effective ||
       !a->effective_kept || !a->effective_backup)
     return ED_E_MEMORY;
-  a->solver = ed_solver_new(n, a->column_start, a->row, a->diagonal);
+  a->solver = ed_solver_new(n, a->column_start, a->row, a->diagonal, a->solver_scale);
   return a->solver ? ED_OK : ED_E_MEMORY;
 }
 

@@ -1,6 +1,7 @@
 /* Recorded quantities at the committed state. */
 #include "system/analysis.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,8 +31,12 @@ static int valid(const ed_analysis *a, int kind, int object, int component)
     case ED_SECTION_FORCE:
     case ED_SECTION_DEFORMATION:
       return fibres && component < 2 * e->points;
-    default:
-      return fibres && !e->section[0]->elastic && component < e->points * e->section[0]->n;
+    default: {
+      if (!fibres || e->section[0]->elastic)
+        return 0;
+      const int n = e->section[0]->n, p = component / n;
+      return p < e->points && !e->section[p]->elastic && component % n < e->section[p]->n;
+    }
   }
 }
 
@@ -43,7 +48,7 @@ int ed_channel(ed_analysis *a, int n, const double *coefficient, const int *kind
   if (n < 1)
     return ed_fail(a, ED_E_ARGUMENT, "a channel needs a term");
   for (int i = 0; i < n; i++)
-    if (!valid(a, kind[i], object[i], component[i]))
+    if (!valid(a, kind[i], object[i], component[i]) || !isfinite(coefficient[i]))
       return ed_fail(a, ED_E_ID, "channel %d: no quantity of kind %d, object %d, component %d", a->n_channels, kind[i],
                      object[i], component[i]);
   ed_channel_head *channels = realloc(a->channels, ((size_t)a->n_channels + 1) * sizeof *channels);
@@ -56,8 +61,10 @@ int ed_channel(ed_analysis *a, int n, const double *coefficient, const int *kind
   int ok = channels && terms;
   for (int i = 0; i < 5; i++) {
     double *grown = realloc(*extremes[i], ((size_t)a->n_channels + 1) * sizeof *grown);
-    if (grown)
+    if (grown) {
       *extremes[i] = grown;
+      grown[a->n_channels] = 0.0;
+    }
     ok = ok && grown;
   }
   if (!ok)
@@ -174,7 +181,8 @@ void ed_sample(ed_analysis *a, int keep_row)
   if (a->run.abscissa)
     a->run.abscissa[a->run.row] = time;
   if (a->run.energy) {
-    ed_close_energy(a);
+    if (a->energy)
+      ed_close_energy(a);
     memcpy(a->run.energy + (size_t)a->run.row * ED_N_ENERGY, a->committed.head->energy, ED_N_ENERGY * sizeof(double));
   }
   a->run.row++;

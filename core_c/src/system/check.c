@@ -57,12 +57,14 @@ void ed_name_mechanism(ed_analysis *a, char *buffer, int size)
   buffer[0] = '\0';
   ed_keep_factors(a);
   a->factored_stamp = -1; /* the factors are of another matrix from here on */
-  double largest = 0.0;
+  double largest = 0.0; /* gives degrees without any stiffness some */
   for (int i = 0; i < n; i++)
     largest = fmax(largest, fabs(a->tangent[a->diagonal[i]]) / (a->rotational[i] ? a->length * a->length : 1.0));
   memcpy(a->effective, a->tangent, (size_t)a->nnz * sizeof(double));
-  for (int i = 0; i < n; i++)
-    a->effective[a->diagonal[i]] += 1e-9 * largest * (a->rotational[i] ? a->length * a->length : 1.0);
+  for (int i = 0; i < n; i++) {
+    const double scale = a->rotational[i] ? a->length * a->length : 1.0;
+    a->effective[a->diagonal[i]] += 1e-9 * fabs(a->tangent[a->diagonal[i]]) + 1e-18 * largest * scale;
+  }
   int repivoted;
   if (ed_solver_factor(a->solver, a->effective, &repivoted) != ED_OK)
     return;
@@ -100,8 +102,9 @@ int ed_check_structure(ed_analysis *a)
     return status;
   ed_assemble_tangent(a);
   int repivoted;
-  if (ed_solver_factor(a->solver, a->tangent, &repivoted) == ED_OK && ed_solver_pivot_ratio(a->solver) > 1e-12)
-    return ED_OK;
+  const int factored = ed_solver_factor(a->solver, a->tangent, &repivoted);
+  if (factored == ED_E_MEMORY || (factored == ED_OK && ed_solver_pivot_ratio(a->solver) > 1e-12))
+    return factored;
   char names[400];
   ed_name_mechanism(a, names, sizeof names);
   return ed_fail(a, ED_E_MECHANISM, "the structure is a mechanism; it moves freely at %s", names);

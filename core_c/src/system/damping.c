@@ -24,6 +24,9 @@ int ed_modal_damping(ed_analysis *a, int n, const double *shape, const double *o
 {
   if (n < 0 || n > a->n)
     return ed_fail(a, ED_E_ARGUMENT, "modal damping: %d modes of %d equations", n, a->n);
+  for (int k = 0; k < n; k++)
+    if (!(ratio[k] >= 0.0) || !(omega[k] > 0.0) || !isfinite(ratio[k] + omega[k]))
+      return ed_fail(a, ED_E_ARGUMENT, "modal damping: mode %d has no frequency or a negative ratio", k + 1);
   free(a->modal);
   free(a->modal_solved);
   free(a->modal_small);
@@ -41,8 +44,8 @@ int ed_modal_damping(ed_analysis *a, int n, const double *shape, const double *o
     double generalised = 0.0;
     for (int i = 0; i < a->n; i++)
       generalised += a->mass[i] * phi[i] * phi[i];
-    if (!(generalised > 0.0) || !(ratio[k] >= 0.0) || !(omega[k] > 0.0))
-      return ed_fail(a, ED_E_ARGUMENT, "modal damping: mode %d has no mass, no frequency or a negative ratio", k + 1);
+    if (!(generalised > 0.0) || !isfinite(generalised))
+      return ed_fail(a, ED_E_ARGUMENT, "modal damping: mode %d has no mass", k + 1);
     /* Chopra 2012, Eq. 11.4.5: C = M (sum 2 zeta omega / M_n phi phi') M */
     const double scale = sqrt(2.0 * ratio[k] * omega[k] / generalised);
     for (int i = 0; i < a->n; i++)

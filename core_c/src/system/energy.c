@@ -70,8 +70,6 @@ void ed_count_energy(ed_analysis *a, double dissipated)
         input -= a->mass[i] * a->influence[axis][i] * ground * (a->trial.u[i] - a->committed.u[i]);
     }
     head->energy[ED_DAMPING] += mean_work(n, a->committed.damping, a->trial.damping, a->committed.u, a->trial.u);
-  } else {
-    ed_remember_loads(a);
   }
   head->energy[ED_INPUT] += input;
   head->energy[ED_HYSTERETIC] += dissipated;
@@ -88,6 +86,26 @@ void ed_remember_loads(ed_analysis *a)
     memcpy(loads->end_load, a->elements[m].end_load, sizeof loads->end_load);
     memcpy(loads->free_deformation, a->elements[m].free_deformation, sizeof loads->free_deformation);
   }
+}
+
+/* Counts from the committed state on: what is stored and moves is taken as put in. */
+void ed_restart_energy(ed_analysis *a)
+{
+  double *energy = a->committed.head->energy;
+  memset(energy, 0, ED_N_ENERGY * sizeof *energy);
+  ed_close_energy(a);
+  energy[ED_INPUT] = energy[ED_KINETIC] + energy[ED_STORED];
+  a->committed.head->largest_input = fabs(energy[ED_INPUT]);
+  ed_close_energy(a);
+  for (int m = 0; m < a->model->n_members; m++) {
+    double d[6];
+    const ed_element *e = &a->elements[m];
+    for (int i = 0; i < 6; i++)
+      d[i] = a->displacement[e->dof[i]];
+    ed_element_p_delta(e, d, a->committed.elements + e->state, &a->committed.p_delta[2 * m],
+                       &a->committed.p_delta[2 * m + 1]);
+  }
+  ed_revert(a);
 }
 
 /* Completes the balance at the committed state. */

@@ -171,13 +171,19 @@ int ed_model_tie(ed_model *model, int node, int master, int ux, int uy, int rz)
   if (bad_node(model, node) || bad_node(model, master))
     return ED_E_ID;
   const int tied[3] = {ux, uy, rz};
+  if (node == master)
+    return refuse(model, ED_E_ARGUMENT, "node %s is tied to itself", model->nodes[node].name);
   for (int d = 0; d < 3; d++) {
     if (!tied[d])
       continue;
-    for (int above = master; above >= 0; above = model->nodes[above].master[d])
-      if (above == node)
-        return refuse(model, ED_E_ARGUMENT, "node %s is tied to itself", model->nodes[node].name);
-    model->nodes[node].master[d] = master;
+    /* all that either of them is tied to becomes one group */
+    int of_node = node, of_master = master;
+    while (model->nodes[of_node].master[d] >= 0)
+      of_node = model->nodes[of_node].master[d];
+    while (model->nodes[of_master].master[d] >= 0)
+      of_master = model->nodes[of_master].master[d];
+    if (of_node != of_master)
+      model->nodes[of_node].master[d] = of_master;
   }
   return ED_OK;
 }
@@ -194,7 +200,7 @@ int ed_model_mass(ed_model *model, int node, double mx, double my, double mrz)
   return ED_OK;
 }
 
-/* Appends a member between two nodes; at least `shortest` apart. */
+/* Appends a member between two nodes, which may be at one place only if `may_be_short`. */
 static int member(ed_model *model, const char *name, ed_element_kind kind, int i, int j, int geometry, int may_be_short)
 {
   if (bad_node(model, i) || bad_node(model, j))

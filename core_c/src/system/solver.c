@@ -9,6 +9,8 @@
 struct ed_solver {
   int n;
   int *column_start, *row, *diagonal;
+  const double *scale;
+  double *scaled;       /* nnz: the matrix that is factored */
   klu_common common;
   klu_symbolic *symbolic;
   klu_numeric *usual;   /* pivots of the first matrix, used for all that they suit */
@@ -39,7 +41,7 @@ static int pivots_suit(ed_solver *solver, const klu_numeric *numeric, const doub
   return smallest > POOR && largest < GROWN;
 }
 
-ed_solver *ed_solver_new(int n, int *column_start, int *row, int *diagonal)
+ed_solver *ed_solver_new(int n, int *column_start, int *row, int *diagonal, const double *scale)
 {
   ed_solver *solver = calloc(1, sizeof *solver);
   if (!solver)
@@ -48,13 +50,15 @@ ed_solver *ed_solver_new(int n, int *column_start, int *row, int *diagonal)
   solver->column_start = column_start;
   solver->row = row;
   solver->diagonal = diagonal;
+  solver->scale = scale;
+  solver->scaled = malloc(((size_t)column_start[n] + 1) * sizeof *solver->scaled);
   klu_defaults(&solver->common);
   solver->common.btf = 0;   /* one block: the structure is connected */
   solver->common.scale = 0; /* stiffness is symmetric, its diagonal a good pivot, also where units differ a lot */
   solver->common.tol = 1e-6;
   solver->symbolic = klu_analyze(n, column_start, row, &solver->common);
-  if (!solver->symbolic) {
-    free(solver);
+  if (!solver->symbolic || !solver->scaled) {
+    ed_solver_free(solver);
     return NULL;
   }
   return solver;
@@ -67,12 +71,30 @@ void ed_solver_free(ed_solver *solver)
   klu_free_numeric(&solver->usual, &solver->common);
   klu_free_numeric(&solver->special, &solver->common);
   klu_free_symbolic(&solver->symbolic, &solver->common);
+  free(solver->scaled);
   free(solver);
 }
 
-int ed_solver_factor(ed_solver *solver, double *value, int *repivoted)
+static void scale_matrix(ed_solver *solver, const double *value)
+{
+  const double *s = solver->scale;
+  for (int j = 0; j < solver->n; j++)
+    for (int k = solver->column_start[j]; k < solver->column_start[j + 1]; k++)
+      solver->scaled[k] = s ? s[j] * s[solver->row[k]] * value[k] : value[k];
+}
+
+static void scale_vectors(const ed_solver *solver, double *x, int count)
+{
+  for (int c = 0; solver->scale && c < count; c++)
+    for (int i = 0; i < solver->n; i++)
+      x[c * solver->n + i] *= solver->scale[i];
+}
+
+int ed_solver_factor(ed_solver *solver, const double *matrix, int *repivoted)
 {
   klu_common *common = &solver->common;
+  double *value = solver->scaled;
+  scale_matrix(solver, matrix);
   *repivoted = 0;
   solver->active = NULL;
   klu_free_numeric(&solver->special, common);
@@ -86,7 +108,7 @@ int ed_solver_factor(ed_solver *solver, double *value, int *repivoted)
   *repivoted = 1;
   klu_numeric *chosen = klu_factor(solver->column_start, solver->row, value, solver->symbolic, common);
   if (!chosen)
-    return ED_E_SINGULAR;
+    return common->status == KLU_OUT_OF_MEMORY ? ED_E_MEMORY : ED_E_SINGULAR;
   /* the answer must not depend on which matrices came before: only the first one's pivots are kept for others */
   if (solver->usual)
     solver->special = chosen;
@@ -103,7 +125,11 @@ int ed_solver_solve(ed_solver *solver, double *rhs, int n_rhs)
 {
   if (!solver->active)
     return ED_E_STATE;
-  return klu_solve(solver->symbolic, solver->active, solver->n, n_rhs, rhs, &solver->common) ? ED_OK : ED_E_SINGULAR;
+  scale_vectors(solver, rhs, n_rhs);
+  if (!klu_solve(solver->symbolic, solver->active, solver->n, n_rhs, rhs, &solver->common))
+    return ED_E_SINGULAR;
+  scale_vectors(solver, rhs, n_rhs);
+  return ED_OK;
 }
 
 int ed_solver_negative_pivots(const ed_solver *solver)

@@ -4,11 +4,12 @@
 
 typedef struct ed_solver ed_solver;
 
-/* Pattern in compressed columns and where the diagonal terms lie; the arrays must outlive the solver. NULL: out of memory. */
-ed_solver *ed_solver_new(int n, int *column_start, int *row, int *diagonal);
+/* Pattern in compressed columns, where the diagonal terms lie, and what rows and columns are multiplied by before pivots are
+ * compared (makes moments comparable with forces; NULL: 1). The arrays must outlive the solver. NULL: out of memory. */
+ed_solver *ed_solver_new(int n, int *column_start, int *row, int *diagonal, const double *scale);
 void ed_solver_free(ed_solver *solver);
-/* ED_OK or ED_E_SINGULAR. *repivoted: full factorisation was needed. */
-int ed_solver_factor(ed_solver *solver, double *value, int *repivoted);
+/* ED_OK, ED_E_SINGULAR or ED_E_MEMORY. *repivoted: full factorisation was needed. */
+int ed_solver_factor(ed_solver *solver, const double *value, int *repivoted);
 /* Solves for n_rhs right sides in place. */
 int ed_solver_solve(ed_solver *solver, double *rhs, int n_rhs);
 /* Floating-point operations of a refactorisation and of a solution. */

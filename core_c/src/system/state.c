@@ -68,6 +68,8 @@ void ed_commit(ed_analysis *a)
   }
   if (a->energy)
     ed_count_energy(a, dissipated);
+  if (a->run.kind != ED_RUN_HISTORY)
+    ed_remember_loads(a);
   memcpy(a->committed.block, a->trial.block, (size_t)a->state_size * sizeof(double));
   copy_factors(a, a->factors_committed, a->factors);
   a->factors_kept = 0;
@@ -105,7 +107,10 @@ void ed_restore(ed_analysis *a)
   memcpy(a->committed.block, a->block_backup, (size_t)a->state_size * sizeof(double));
   memcpy(a->layers, a->layers_backup, (size_t)a->layer_size * sizeof(double));
   copy_factors(a, a->factors_committed, a->factors_backup);
-  if ((a->factors_kept = a->factors_backed)) {
+  a->factors_kept = a->factors_backed;
+  if (!a->factors_backed)
+    a->factored_stamp = -1;
+  else {
     memcpy(a->effective_kept, a->effective_backup, (size_t)a->nnz * sizeof(double));
     a->kept_k = a->backup_k;
     a->kept_m = a->backup_m;
