@@ -67,7 +67,7 @@ int ed_model_mass(ed_model *model, int node, double mx, double my, double mrz); 
 
 enum { ED_LINEAR = 0, ED_P_DELTA = 1, ED_COROTATIONAL = 2 };
 /* Force-based fibre beam-column; sections: one id a Gauss-Lobatto point (2..10). release_*: moment-free end. Two points integrate
- * a linear curvature squared wrongly (a third of the stiffness in bending): from three on an elastic prismatic member is exact.
+ * the square of a linear moment wrongly (far too flexible); from three on an elastic prismatic member is exact.
  * A point load inside leaves a kink in the moment that quadrature meets only approximately; put a node there to be exact. */
 int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int points, const int *sections, int geometry,
                          int release_i, int release_j);

@@ -1,7 +1,7 @@
-"""Thesis Table 5.3: sway modes in direction X of the prototype building, a three-dimensional model, against the plane frame.
+"""Thesis Table 5.3: sway modes in direction X of the prototype building, a 3-D model, against the plane frame.
 
-The building's frames share the floor masses by their stiffness and the slab stiffens the beams' axes, so its periods are 4 to 6 % shorter (7 % allowed);
-effective masses depend on the shape alone: within 0.006 of the total mass.
+In the building the slabs stiffen the beams, so its periods are 4 to 6 % shorter (7 % allowed); effective masses depend on
+the shape alone: within 0.006 of the total mass.
 """
 
 from __future__ import annotations
