@@ -1,6 +1,6 @@
 """Thesis Table 5.3: sway modes in direction X of the prototype building, a 3-D model, against the plane frame.
 
-In the building the slabs stiffen the beams, so its periods are 4 to 6 % shorter (7 % allowed); effective masses depend on
+In the building the slabs stiffen the beams: its periods are 4 to 6 % shorter (7 % allowed). Effective masses depend on
 the shape alone: within 0.006 of the total mass.
 """
 
