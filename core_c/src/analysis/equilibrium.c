@@ -143,7 +143,7 @@ int ed_stalls(const ed_analysis *a, int iteration)
   return iteration >= PATIENCE && a->residuals[iteration] > 0.5 * a->residuals[iteration - PATIENCE];
 }
 
-static int accept(ed_analysis *a, double unbalance)
+int ed_accept(ed_analysis *a, double unbalance)
 {
   a->statistics.worst_unbalance = larger(a->statistics.worst_unbalance, unbalance);
   return ED_OK;
@@ -163,12 +163,12 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
     if (!isfinite(unbalance) && iteration > 0)
       return ED_E_NOT_FINITE;
     if (iteration > 0 && unbalance <= a->tolerance) /* small motions are not for the tolerance to swallow */
-      return accept(a, unbalance);
+      return ed_accept(a, unbalance);
     if (iteration == a->max_iterations)
       return ED_E_NOT_CONVERGED;
     /* going round in circles: piecewise linear laws, or a damping stiffness that jumps with them */
     if (ed_stalls(a, iteration))
-      return unbalance <= ed_rounding(a) ? accept(a, unbalance) : ED_E_NOT_CONVERGED;
+      return unbalance <= ed_rounding(a) ? ed_accept(a, unbalance) : ED_E_NOT_CONVERGED;
     const int same = a->factored_stamp >= 0 && a->factored_k == step->k && a->factored_m == step->m &&
                      a->factored_c == step->c;
     int factor = !same;

@@ -56,7 +56,7 @@ static void explain(ed_analysis *a, int status)
   const ed_element *e = NULL;
   if (status == ED_E_ELEMENT)
     e = &a->elements[a->failed_member];
-  /* the element with the largest share of inelastic sections at the worst degree's node */
+  /* else one at the worst degree's node that has yielded */
   for (int m = 0; !e && m < a->model->n_members; m++)
     for (int i = 0; i < 6; i++)
       if (a->equation[a->elements[m].dof[i]] == a->worst &&

@@ -83,12 +83,10 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
       a->residuals[a->n_residuals++] = unbalance;
     if (!isfinite(unbalance) && iteration > 0)
       return ED_E_NOT_FINITE;
-    if (iteration > 0 && unbalance <= a->tolerance) {
-      a->statistics.worst_unbalance = fmax(a->statistics.worst_unbalance, unbalance);
-      return ED_OK;
-    }
+    if (iteration > 0 && unbalance <= a->tolerance)
+      return ed_accept(a, unbalance);
     if (ed_stalls(a, iteration) && unbalance <= ed_rounding(a))
-      return ED_OK;
+      return ed_accept(a, unbalance);
     if (iteration == a->max_iterations * (rung >= ED_RUNG_LINE_SEARCH ? 2 : 1))
       return ED_E_NOT_CONVERGED;
     if ((status = ed_factor_effective(a, 1.0, 0.0, 0.0)) != ED_OK)

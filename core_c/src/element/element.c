@@ -44,7 +44,6 @@ void ed_element_setup(ed_element *e, const ed_model *model, int index)
   e->member = m;
   e->kind = m->kind;
   e->geometry = m->geometry;
-  e->yield_strain = HUGE_VAL;
   for (int end = 0; end < 2; end++) {
     e->release[end] = m->release[end];
     for (int d = 0; d < 3; d++)
@@ -90,7 +89,6 @@ void ed_element_setup(ed_element *e, const ed_model *model, int index)
       e->inverse[p][0] = section->k22 / determinant;
       e->inverse[p][1] = -section->k12 / determinant;
       e->inverse[p][2] = section->k11 / determinant;
-      e->yield_strain = fmin(e->yield_strain, section->yield_strain);
       e->layer_offset[p] = offset;
       offset += section->state_size;
       e->flexibility[0] += w * e->inverse[p][0];

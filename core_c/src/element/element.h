@@ -21,7 +21,6 @@ typedef struct {
   double inverse[ED_MAX_POINTS][3]; /* initial section flexibility 11 12 22 */
   double flexibility[6];         /* elastic, of the whole basic system */
   double stiffness[6];           /* elastic basic stiffness with releases */
-  double yield_strain;           /* smallest over the sections */
   const ed_steel *steel;         /* truss */
   double area;
   double link[36];               /* link: stiffness, global */

@@ -76,14 +76,12 @@ ed_analysis *ed_analysis_new(const ed_model *model, int *status, char *message, 
   if (a) {
     a->model = model;
     a->tolerance = 1e-7;
-    a->element_tolerance = 1e-16;
     a->max_iterations = 25;
     a->halvings = 8;
-    a->fast_elastic = 1;
     a->reuse = 1;
     a->energy = 1;
     a->rayleigh_kind = ED_STIFFNESS_INITIAL;
-    a->control.tolerance = a->element_tolerance;
+    a->control.tolerance = 1e-16;
     a->control.fast_elastic = 1;
     *status = prepare(a);
   }
@@ -105,7 +103,7 @@ void ed_analysis_free(ed_analysis *a)
   ed_solver_free(a->solver);
   void *blocks[] = {a->equation,        a->mass,          a->influence[0],  a->influence[1],    a->rotational,
                     a->name,            a->column_start,  a->row,           a->diagonal,        a->scatter,
-                    a->tangent,         a->initial,       a->reference,     a->effective,     a->effective_kept, a->effective_backup,     a->elements,        a->trial.block,
+                    a->tangent,         a->initial,       a->reference,     a->effective,     a->kept.matrix,    a->backed.matrix,     a->elements,        a->trial.block,
                     a->committed.block, a->block_backup,  a->layers,        a->layers_backup,   a->displacement,
                     a->resisting,       a->member_force,  a->factors,       a->factors_committed, a->factors_backup,
                     a->external,        a->external_committed, a->loads_committed, a->modal,     a->modal_solved,
@@ -175,7 +173,7 @@ int ed_set(ed_analysis *a, int setting, double value)
       a->max_iterations = (int)value;
       return ED_OK;
     case ED_ELEMENT_TOLERANCE:
-      a->control.tolerance = a->element_tolerance = value;
+      a->control.tolerance = value;
       return ED_OK;
     case ED_HALVINGS:
       if (value > 20.0)
@@ -183,7 +181,7 @@ int ed_set(ed_analysis *a, int setting, double value)
       a->halvings = (int)value;
       return ED_OK;
     case ED_FAST_ELASTIC:
-      a->control.fast_elastic = a->fast_elastic = value != 0.0;
+      a->control.fast_elastic = value != 0.0;
       return ED_OK;
     case ED_REUSE_FACTORS:
       a->reuse = value != 0.0;

@@ -27,6 +27,13 @@ typedef struct {
   double *elements;
 } ed_state;
 
+/* What it takes to have factors again. */
+typedef struct {
+  int valid;
+  double *matrix;                /* nnz */
+  double k, m, c;
+} ed_factored;
+
 typedef struct {
   double section_load[ED_MAX_POINTS][2], end_load[3], free_deformation[3];
 } ed_loads;
@@ -82,7 +89,6 @@ struct ed_analysis {
   double *initial;               /* nnz + 1: K of the unloaded structure */
   double *reference;             /* nnz + 1: K that Rayleigh damping uses when it is not the current one */
   double *effective;             /* nnz + 1: what the factors are of */
-  double *effective_kept;        /* nnz: the same at the last commit, once other factors have replaced it */
   ed_solver *solver;
 
   /* elements and state */
@@ -101,12 +107,9 @@ struct ed_analysis {
   double *external_committed;    /* n: loads at the last commit */
   ed_loads *loads_committed;     /* per member: element loads at the last commit */
   long tangent_stamp, assembled_stamp, factored_stamp; /* of the tangent, of `tangent`, of the factors (-1: none) */
-  double factored_k, factored_m, factored_c;
-  double kept_k, kept_m, kept_c;
-  int factors_kept;              /* effective_kept is valid */
-  double *effective_backup;      /* nnz: those of ed_backup */
-  double backup_k, backup_m, backup_c;
-  int factors_backed;
+  double factored_k, factored_m, factored_c; /* of the factors */
+  ed_factored kept;              /* of the last commit, once others have replaced them */
+  ed_factored backed;            /* of ed_backup */
   double factor_price;           /* of a factorisation, in iterations */
 
   /* damping */
@@ -127,8 +130,8 @@ struct ed_analysis {
   int failed_member;
 
   /* settings */
-  double tolerance, element_tolerance;
-  int max_iterations, halvings, fast_elastic, reuse, energy;
+  double tolerance;              /* the elements' settings are in `control` */
+  int max_iterations, halvings, reuse, energy;
 
   /* channels */
   ed_channel_head *channels;
@@ -163,6 +166,7 @@ void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, do
 void ed_damping_force(ed_analysis *a, const double *v, double *force);
 int ed_factor_effective(ed_analysis *a, double k, double m, double c);
 int ed_solve_effective(ed_analysis *a, double *x);
+void ed_note_factors(const ed_analysis *a, ed_factored *to);
 void ed_keep_factors(ed_analysis *a);             /* before others replace those of the last commit */
 void ed_restore_factors(ed_analysis *a);
 
@@ -199,6 +203,7 @@ double ed_unbalance(ed_analysis *a, const double *r);  /* relative; notes the wo
 void ed_raise_force_level(ed_analysis *a);
 double ed_rounding(ed_analysis *a);                    /* relative unbalance that rounding makes */
 int ed_stalls(const ed_analysis *a, int iteration);
+int ed_accept(ed_analysis *a, double unbalance);       /* notes it; ED_OK */
 void ed_freeze_damping(ed_analysis *a, int rung);
 int ed_last_iterations(const ed_analysis *a);
 

@@ -91,10 +91,10 @@ int ed_build_pattern(ed_analysis *a)
   a->initial = malloc(bytes);
   a->reference = malloc(bytes);
   a->effective = malloc(bytes);
-  a->effective_kept = malloc(bytes);
-  a->effective_backup = malloc(bytes);
+  a->kept.matrix = malloc(bytes);
+  a->backed.matrix = malloc(bytes);
   if (!a->tangent || !a->initial || !a->reference || !a->effective ||
-      !a->effective_kept || !a->effective_backup)
+      !a->kept.matrix || !a->backed.matrix)
     return ED_E_MEMORY;
   a->solver = ed_solver_new(n, a->column_start, a->row, a->diagonal, a->solver_scale);
   return a->solver ? ED_OK : ED_E_MEMORY;

@@ -87,51 +87,6 @@ void ed_damping_force(ed_analysis *a, const double *v, double *force)
 }
 
 /* Factors `effective`, and what modal damping adds to it. */
-static int factor(ed_analysis *a, double k, double m, double c);
-
-/* The path of later steps depends on which factors are kept, so those of the last commit can be had again. */
-void ed_keep_factors(ed_analysis *a)
-{
-  if (a->factors_kept || a->factored_stamp < 0)
-    return;
-  memcpy(a->effective_kept, a->effective, (size_t)a->nnz * sizeof(double));
-  a->kept_k = a->factored_k;
-  a->kept_m = a->factored_m;
-  a->kept_c = a->factored_c;
-  a->factors_kept = 1;
-}
-
-void ed_restore_factors(ed_analysis *a)
-{
-  if (!a->factors_kept)
-    return;
-  memcpy(a->effective, a->effective_kept, (size_t)a->nnz * sizeof(double));
-  a->factors_kept = 0;
-  if (factor(a, a->kept_k, a->kept_m, a->kept_c) == ED_OK)
-    a->factored_stamp = 0; /* of an earlier tangent */
-}
-
-/* Factors A = k K + c C + m M. */
-int ed_factor_effective(ed_analysis *a, double k, double m, double c)
-{
-  ed_keep_factors(a);
-  ed_assemble_tangent(a);
-  const double damping = c * a->rayleigh_stiffness;
-  if (damping == 0.0) {
-    for (int i = 0; i < a->nnz; i++)
-      a->effective[i] = k * a->tangent[i];
-  } else {
-    const double *D = damping_stiffness(a);
-    for (int i = 0; i < a->nnz; i++)
-      a->effective[i] = k * a->tangent[i] + damping * D[i];
-  }
-  const double inertia = m + c * a->rayleigh_mass;
-  if (inertia != 0.0)
-    for (int i = 0; i < a->n; i++)
-      a->effective[a->diagonal[i]] += inertia * a->mass[i];
-  return factor(a, k, m, c);
-}
-
 static int factor(ed_analysis *a, double k, double m, double c)
 {
   int repivoted;
@@ -157,6 +112,53 @@ static int factor(ed_analysis *a, double k, double m, double c)
       a->modal_small[i * r + j] = sum;
     }
   return ed_dense_factor(r, a->modal_small, a->modal_pivot) ? ED_OK : ED_E_SINGULAR;
+}
+
+void ed_note_factors(const ed_analysis *a, ed_factored *to)
+{
+  to->valid = a->factored_stamp >= 0;
+  memcpy(to->matrix, a->effective, (size_t)a->nnz * sizeof(double));
+  to->k = a->factored_k;
+  to->m = a->factored_m;
+  to->c = a->factored_c;
+}
+
+/* The path of later steps depends on which factors are kept, so those of the last commit can be had again. */
+void ed_keep_factors(ed_analysis *a)
+{
+  if (!a->kept.valid)
+    ed_note_factors(a, &a->kept);
+}
+
+void ed_restore_factors(ed_analysis *a)
+{
+  if (!a->kept.valid)
+    return;
+  memcpy(a->effective, a->kept.matrix, (size_t)a->nnz * sizeof(double));
+  a->kept.valid = 0;
+  if (factor(a, a->kept.k, a->kept.m, a->kept.c) == ED_OK)
+    a->factored_stamp = 0; /* of an earlier tangent */
+}
+
+/* Factors A = k K + c C + m M. */
+int ed_factor_effective(ed_analysis *a, double k, double m, double c)
+{
+  ed_keep_factors(a);
+  ed_assemble_tangent(a);
+  const double damping = c * a->rayleigh_stiffness;
+  if (damping == 0.0) {
+    for (int i = 0; i < a->nnz; i++)
+      a->effective[i] = k * a->tangent[i];
+  } else {
+    const double *D = damping_stiffness(a);
+    for (int i = 0; i < a->nnz; i++)
+      a->effective[i] = k * a->tangent[i] + damping * D[i];
+  }
+  const double inertia = m + c * a->rayleigh_mass;
+  if (inertia != 0.0)
+    for (int i = 0; i < a->n; i++)
+      a->effective[a->diagonal[i]] += inertia * a->mass[i];
+  return factor(a, k, m, c);
 }
 
 int ed_solve_effective(ed_analysis *a, double *x)

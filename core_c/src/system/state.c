@@ -72,21 +72,15 @@ void ed_commit(ed_analysis *a)
     ed_remember_loads(a);
   memcpy(a->committed.block, a->trial.block, (size_t)a->state_size * sizeof(double));
   copy_factors(a, a->factors_committed, a->factors);
-  a->factors_kept = 0;
-}
-
-/* Everything that follows from the trial block and the load factors. */
-static void derive(ed_analysis *a)
-{
-  ed_set_factors(a);
-  ed_collect_forces(a);
+  a->kept.valid = 0;
 }
 
 void ed_revert(ed_analysis *a)
 {
   memcpy(a->trial.block, a->committed.block, (size_t)a->state_size * sizeof(double));
   copy_factors(a, a->factors, a->factors_committed);
-  derive(a);
+  ed_set_factors(a);
+  ed_collect_forces(a);
   ed_restore_factors(a);
 }
 
@@ -95,11 +89,7 @@ void ed_backup(ed_analysis *a)
   memcpy(a->block_backup, a->committed.block, (size_t)a->state_size * sizeof(double));
   memcpy(a->layers_backup, a->layers, (size_t)a->layer_size * sizeof(double));
   copy_factors(a, a->factors_backup, a->factors_committed);
-  a->factors_backed = a->factored_stamp >= 0;
-  memcpy(a->effective_backup, a->effective, (size_t)a->nnz * sizeof(double));
-  a->backup_k = a->factored_k;
-  a->backup_m = a->factored_m;
-  a->backup_c = a->factored_c;
+  ed_note_factors(a, &a->backed);
 }
 
 void ed_restore(ed_analysis *a)
@@ -107,15 +97,10 @@ void ed_restore(ed_analysis *a)
   memcpy(a->committed.block, a->block_backup, (size_t)a->state_size * sizeof(double));
   memcpy(a->layers, a->layers_backup, (size_t)a->layer_size * sizeof(double));
   copy_factors(a, a->factors_committed, a->factors_backup);
-  a->factors_kept = a->factors_backed;
-  if (!a->factors_backed)
-    a->factored_stamp = -1;
-  else {
-    memcpy(a->effective_kept, a->effective_backup, (size_t)a->nnz * sizeof(double));
-    a->kept_k = a->backup_k;
-    a->kept_m = a->backup_m;
-    a->kept_c = a->backup_c;
-  }
+  a->factored_stamp = -1;
+  const ed_factored kept = a->kept; /* the two change places */
+  a->kept = a->backed;
+  a->backed = kept;
   ed_revert(a);
   ed_remember_loads(a);
 }
