@@ -1,0 +1,27 @@
+"""EN 1998-1:2004, Eurocode 8: the seismic action and what accelerograms must satisfy."""
+
+from edesign.codes.ec8.accelerograms import AccelerogramCheck, Criterion, check_accelerograms, check_periods
+from edesign.codes.ec8.design import DesignSpectrum, vertical_design_spectrum
+from edesign.codes.ec8.displacement import LongPeriodSpectrum
+from edesign.codes.ec8.elastic import ElasticSpectrum, damping_correction
+from edesign.codes.ec8.national import NationalParameters, countries, national_parameters
+from edesign.codes.ec8.parameters import HorizontalParameters, VerticalParameters
+from edesign.codes.ec8.vertical import VerticalSpectrum
+
+__all__ = [
+    "AccelerogramCheck",
+    "Criterion",
+    "DesignSpectrum",
+    "ElasticSpectrum",
+    "HorizontalParameters",
+    "LongPeriodSpectrum",
+    "NationalParameters",
+    "VerticalParameters",
+    "VerticalSpectrum",
+    "check_accelerograms",
+    "check_periods",
+    "countries",
+    "damping_correction",
+    "national_parameters",
+    "vertical_design_spectrum",
+]

@@ -1,0 +1,88 @@
+"""Horizontal elastic response spectrum, EN 1998-1:2004, 3.2.2.2."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from edesign.codes.ec8.branches import checked_action, displacement_of, four_branches
+from edesign.codes.ec8.parameters import HorizontalParameters
+from edesign.errors import InputError
+
+LONGEST_PERIOD = 4.0
+"""Period up to which Eqs. 3.2-3.5 are stated, s; see `ElasticSpectrum` for what holds beyond."""
+
+
+def damping_correction(damping: float) -> float:
+    """Return eta = sqrt(10 / (5 + xi)), at least 0.55; xi in per cent, 5 % gives 1.
+
+    Args:
+        damping: ratio of critical damping (0.05, not 5).
+
+    Raises:
+        InputError: the ratio is not between 0 and 1.
+
+    Source: EN 1998-1:2004, 3.2.2.2(3), Eq. 3.6.
+    """
+    if not 0.0 <= damping <= 1.0:
+        raise InputError(f"the damping is a ratio between 0 and 1, such as 0.05 for 5 %, not {damping:g}")
+    return max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
+
+
+@dataclass(frozen=True)
+class ElasticSpectrum:
+    """Elastic response spectrum S_e(T) of the horizontal components.
+
+    EN 1998-1 states it up to 4 s. Here its last branch, 1/T2, that is constant displacement, goes on without an end.
+    Annex A says the same up to T_E (type 1: 4.5 s on ground A, 5 s on B, 6 s on C, D and E) and lower displacements
+    beyond, for which there is `LongPeriodSpectrum`.
+
+    The action enters as a last factor gamma_I, so spectra of two levels differ by it to the last bit.
+
+    Attributes:
+        a_gR: reference peak ground acceleration on ground A, m/s2.
+        parameters: soil factor and corner periods.
+        gamma_I: importance factor; a_g = gamma_I a_gR.
+        damping: ratio of critical.
+        label: for plots and tables.
+
+    Source: EN 1998-1:2004, 3.2.2.2(1)P, Eqs. 3.2-3.5.
+    """
+
+    a_gR: float
+    parameters: HorizontalParameters
+    gamma_I: float = 1.0
+    damping: float = 0.05
+    label: str = "EN 1998-1 elastic"
+
+    def __post_init__(self) -> None:
+        checked_action(self.a_gR, self.gamma_I)
+        damping_correction(self.damping)
+
+    @property
+    def a_g(self) -> float:
+        """Design ground acceleration on ground A, m/s2: gamma_I a_gR (3.2.1(3))."""
+        return self.gamma_I * self.a_gR
+
+    @property
+    def eta(self) -> float:
+        """Damping correction factor."""
+        return damping_correction(self.damping)
+
+    @property
+    def zero_period(self) -> float:
+        """a_g S, m/s2."""
+        return self.gamma_I * (self.a_gR * self.parameters.S)
+
+    def acceleration(self, period: ArrayLike) -> np.ndarray:
+        """Return S_e(T), m/s2, in the shape of `period` (s); Eqs. 3.2-3.5."""
+        p = self.parameters
+        shape = four_branches(period, (p.T_B, p.T_C, p.T_D), start=1.0, plateau=2.5 * self.eta)
+        return self.gamma_I * (self.a_gR * p.S * shape)
+
+    def displacement(self, period: ArrayLike) -> np.ndarray:
+        """Return S_De(T), m, in the shape of `period` (s); Eq. 3.7, which EN 1998-1 applies up to 4 s."""
+        return displacement_of(self.acceleration(period), period)

@@ -1,0 +1,102 @@
+"""Ground types, EN 1998-1:2004, 3.1.2 and Table 3.1."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from edesign.codes.names import unknown
+from edesign.errors import InputError
+
+
+@dataclass(frozen=True)
+class GroundType:
+    """A row of Table 3.1; None where the table gives no value.
+
+    Attributes:
+        name: A to E, S1 or S2.
+        description: of the stratigraphic profile.
+        v_s30: lower and upper mean shear wave velocity of the top 30 m, m/s.
+        n_spt: lower and upper blow count of the standard penetration test, blows/30 cm.
+        c_u: lower and upper undrained shear strength, Pa.
+    """
+
+    name: str
+    description: str
+    v_s30: tuple[float, float] | None = None
+    n_spt: tuple[float, float] | None = None
+    c_u: tuple[float, float] | None = None
+
+    @property
+    def special_study(self) -> bool:
+        """Whether the action needs a study of its own, 3.1.2(4)P: no spectrum of 3.2.2 applies."""
+        return self.name.startswith("S")
+
+
+_TABLE_3_1 = (
+    GroundType("A", "rock, with at most 5 m of weaker material at the surface", (800.0, math.inf)),
+    GroundType(
+        "B",
+        "very dense sand, gravel or very stiff clay, tens of metres thick, stiffer with depth",
+        (360.0, 800.0),
+        (50.0, math.inf),
+        (250e3, math.inf),
+    ),
+    GroundType(
+        "C",
+        "dense or medium dense sand, gravel or stiff clay, tens to hundreds of metres thick",
+        (180.0, 360.0),
+        (15.0, 50.0),
+        (70e3, 250e3),
+    ),
+    GroundType(
+        "D", "loose to medium cohesionless soil, or soft to firm cohesive soil", (0.0, 180.0), (0.0, 15.0), (0.0, 70e3)
+    ),
+    GroundType("E", "5 m to 20 m of surface alluvium with the velocity of C or D over ground stiffer than 800 m/s"),
+    GroundType(
+        "S1",
+        "at least 10 m of soft clay or silt of high plasticity (PI > 40) and high water content (velocity indicative)",
+        (0.0, 100.0),
+        None,
+        (10e3, 20e3),
+    ),
+    GroundType("S2", "liquefiable soil, sensitive clay, or any profile outside A to E and S1"),
+)
+
+
+def ground_types() -> tuple[GroundType, ...]:
+    """Return the rows of Table 3.1 from A to S2."""
+    return _TABLE_3_1
+
+
+def ground_type(name: str) -> GroundType:
+    """Return a ground type by its name.
+
+    Raises:
+        InputError: there is no such ground type.
+    """
+    for ground in _TABLE_3_1:
+        if ground.name == name:
+            return ground
+    raise unknown("ground type", name, [ground.name for ground in _TABLE_3_1])
+
+
+def ground_type_of_velocity(v_s30: float) -> GroundType:
+    """Return the ground type A to D of a mean shear wave velocity.
+
+    E, S1 and S2 also need the profile of the ground and are never returned. A velocity that two rows share belongs
+    to the stiffer one, but A needs more than 800 m/s.
+
+    Args:
+        v_s30: mean shear wave velocity of the top 30 m, m/s (Eq. 3.1).
+
+    Raises:
+        InputError: the velocity is not greater than zero.
+
+    Source: EN 1998-1:2004, 3.1.2(2) and Table 3.1.
+    """
+    if not (v_s30 > 0.0 and math.isfinite(v_s30)):
+        raise InputError(f"v_s,30 must be greater than zero, not {v_s30:g} m/s")
+    if v_s30 > 800.0:
+        return ground_type("A")
+    return ground_type("B" if v_s30 >= 360.0 else "C" if v_s30 >= 180.0 else "D")

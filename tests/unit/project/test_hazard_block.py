@@ -1,0 +1,132 @@
+"""The block `hazard` of a project file: what it means, and that whatever is wrong in it is told with its place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from edesign.project import Problem, parse_project
+from edesign.project.hazard import YEAR, Hazard
+
+Broken = Callable[..., list[Problem]]
+
+HAZARD = """\
+hazard:
+  code: ec8-2004
+  country: greece
+  zone: 3
+  ground: C
+  spectrum: 1
+  parameters: {T_B: 0.2 s, T_D: 2.5 s}
+  behaviour_factor: 4
+  levels:
+    DBE: {probability: 10 %}
+    MCE: {probability: 2 %}
+    rare: {return_period: 2475 years}
+    hospital: {importance_class: IV}
+    own: {gamma_I: 1.3}
+"""
+
+
+def block(text: str) -> Hazard:
+    hazard = parse_project(text).hazard
+    assert hazard is not None
+    return hazard
+
+
+def test_a_complete_block(small: str) -> None:
+    hazard = block(small + HAZARD)
+    assert (hazard.code, hazard.country, hazard.zone, hazard.a_gR) == ("ec8-2004", "greece", "3", None)
+    assert (hazard.ground, hazard.spectrum, hazard.damping, hazard.behaviour_factor) == ("C", 1, 0.05, 4.0)
+    assert (hazard.parameters.T_B, hazard.parameters.T_D, hazard.parameters.S) == (0.2, 2.5, None)
+    assert list(hazard.levels) == ["DBE", "MCE", "rare", "hospital", "own"]
+    assert hazard.levels["MCE"].probability == 0.02
+    assert hazard.levels["rare"].return_period == pytest.approx(2475 * YEAR, rel=1e-12)
+    assert hazard.levels["hospital"].importance_class == "IV" and hazard.levels["own"].gamma_I == 1.3
+
+
+def test_the_least_that_is_needed(small: str) -> None:
+    hazard = block(small + "hazard: {code: ec8-2004, a_gR: 0.36 g, ground: C, spectrum: 2}\n")
+    assert hazard.a_gR == pytest.approx(0.36 * 9.80665, rel=1e-15)
+    assert (hazard.damping, hazard.k, hazard.levels, hazard.behaviour_factor) == (0.05, None, {}, None)
+
+
+def test_a_project_needs_no_hazard(small: str) -> None:
+    assert parse_project(small).hazard is None
+
+
+@pytest.mark.parametrize("zone", ["3", "Z3", '"3"'])
+def test_a_zone_is_a_number_or_a_name(small: str, zone: str) -> None:
+    assert block(small + HAZARD.replace("zone: 3", f"zone: {zone}")).zone in ("3", "Z3")
+
+
+ONE_PROBLEM = {
+    "unknown code": ("code: ec8-2004", "code: «ec8-2005", "hazard.code", "did you mean `ec8-2004`?"),
+    "missing ground": ("hazard:\n", "«hazard:\n", "hazard.ground", "missing; allowed: `A`", ("  ground: C\n", "")),
+    "unknown ground": ("ground: C", "ground: «F", "hazard.ground", "`F` is unknown"),
+    "special ground": ("ground: C", "ground: «S1", "hazard.ground", "`S1` is unknown"),
+    "type that is no number": ("spectrum: 1", "spectrum: «true", "hazard.spectrum", "1 or 2"),
+    "unknown type": ("spectrum: 1", "spectrum: «3", "hazard.spectrum", "1 or 2"),
+    "zone that is no name": ("zone: 3", "zone: «[3]", "hazard.zone", "its number or name"),
+    "zone without a country": (
+        "hazard:\n",
+        "«hazard:\n",
+        "hazard.country",
+        "belongs to a",
+        ("  country: greece\n", ""),
+    ),
+    "zone and acceleration": (
+        "zone: 3",
+        "zone: 3\n  «a_gR: 0.36 g",
+        "hazard.a_gR",
+        "`zone` and `a_gR` exclude each other",
+    ),
+    "neither": ("hazard:\n", "«hazard:\n", "hazard", "`country` and `zone`, or", ("  zone: 3\n", "")),
+    "bare acceleration": ("zone: 3", "a_gR: «0.36", "hazard.a_gR", "needs a unit"),
+    "zero acceleration": ("zone: 3", "a_gR: «0 g", "hazard.a_gR", "greater than zero"),
+    "misspelt key": (
+        "behaviour_factor",
+        "«behavior_factor",
+        "hazard.behavior_factor",
+        "did you mean `behaviour_factor`?",
+    ),
+    "q below one": ("behaviour_factor: 4", "behaviour_factor: «0.5", "hazard.behaviour_factor", "at least 1"),
+    "bare period": ("T_D: 2.5 s", "T_D: «2.5", "hazard.parameters.T_D", "needs a unit"),
+    "unknown parameter": ("T_D: 2.5 s", "«T_E: 6 s", "hazard.parameters.T_E", "did you mean"),
+    "corners in disorder": (
+        "T_D: 2.5 s",
+        "T_D: «0.1 s",
+        "hazard.parameters.T_D",
+        "less than T_B = 0.2 s",
+    ),
+    "damping in per cent without the sign": ("ground: C", "ground: C\n  damping: «5", "hazard.damping", "at most 1"),
+    "zero k": ("ground: C", "ground: C\n  k: «0", "hazard.k", "greater than 0"),
+    "empty level": ("own: {gamma_I: 1.3}", "«own: {}", "hazard.levels.own", "give one of `probability`"),
+    "two ways": (
+        "{gamma_I: 1.3}",
+        "{«gamma_I: 1.3, probability: 5 %}",
+        "hazard.levels.own.gamma_I",
+        "`probability` and `gamma_I` exclude each other",
+    ),
+    "sure event": ("probability: 2 %", "probability: «100 %", "hazard.levels.MCE.probability", "less than 1"),
+    "impossible event": ("probability: 2 %", "probability: «0 %", "hazard.levels.MCE.probability", "greater than 0"),
+    "bare return period": ("2475 years", "«2475", "hazard.levels.rare.return_period", "needs a unit"),
+    "short return period": ("2475 years", "«2475 s", "hazard.levels.rare.return_period", "shorter than a year"),
+    "unknown class": ("IV}", "«V}", "hazard.levels.hospital.importance_class", "`V` is unknown"),
+    "zero factor": ("gamma_I: 1.3", "gamma_I: «0", "hazard.levels.own.gamma_I", "greater than 0"),
+    "bad level name": ("own: {", "«my own: {", "hazard.levels.my own", "letters"),
+    "list for mapping": ("own: {gamma_I: 1.3}", "own: «[1.3]", "hazard.levels.own", "a mapping"),
+}
+
+
+@pytest.mark.parametrize("case", ONE_PROBLEM)
+def test_one_problem(broken: Broken, case: str) -> None:
+    old, new, keys, words, *more = ONE_PROBLEM[case]
+    text = HAZARD
+    for before, after in [(old, new), *more]:
+        assert text.count(before) == 1, before
+        text = text.replace(before, after)
+    (problem,) = broken(("title: Small frame\n", f"title: Small frame\n{text}"))
+    assert problem.keys_text == keys
+    assert words in problem.message
