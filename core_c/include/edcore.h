@@ -207,6 +207,22 @@ int ed_state_set(ed_analysis *analysis, const double *state);
 /* One attempt at a fraction of the next step of the run, and a return to where it began, as after a failure. */
 int ed_try_and_revert(ed_analysis *analysis, double fraction);
 
+/* ---- oscillators under ground acceleration ---------------------------------------------------------------------- */
+
+/* Largest magnitudes of relative displacement, relative velocity and absolute acceleration of oscillators that start at rest,
+ * during the motion and in the free vibration after it. The acceleration (n samples dt apart) is linear between samples and
+ * falls to zero within one step after the last. Between samples the peak is that of a harmonic of the oscillator's frequency
+ * through three of them. period, damping, sd, sv, sa: n_oscillators each; sv and sa may both be NULL. Periods are at least
+ * ED_MIN_PERIOD_STEPS dt; 0 <= damping < 1. The result of an oscillator is the same bit for bit whatever the others are. */
+#define ED_MIN_PERIOD_STEPS 4
+int ed_response_spectrum(int n, double dt, const double *acceleration, int n_oscillators, const double *period,
+                         const double *damping, double *sd, double *sv, double *sa);
+/* Largest displacements under two components at right angles, in the directions k pi / n_angles from the first towards the
+ * second, k = 0 .. n_angles - 1 (at most ED_MAX_ANGLES). sd: n_oscillators x n_angles. Otherwise as above. */
+#define ED_MAX_ANGLES 360
+int ed_rotated_spectrum(int n, double dt, const double *first, const double *second, int n_oscillators,
+                        const double *period, const double *damping, int n_angles, double *sd);
+
 #ifdef __cplusplus
 }
 #endif

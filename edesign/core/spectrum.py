@@ -1,0 +1,97 @@
+"""Peak responses of oscillators under ground acceleration that is linear between samples, computed by the core."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from edesign.core._edcore import ffi, lib
+from edesign.core.errors import CoreError
+from edesign.core.model import status_name
+
+SHORTEST_PERIOD = int(lib.ED_MIN_PERIOD_STEPS)  # in time steps
+
+
+def peak_displacement(
+    acceleration: np.ndarray, time_step: float, period: np.ndarray, damping: np.ndarray
+) -> np.ndarray:
+    """Largest relative displacement of oscillators that start at rest, during the motion and after it.
+
+    Args:
+        acceleration: (n,) m/s2.
+        time_step: s.
+        period: (m,) s, each at least SHORTEST_PERIOD time steps.
+        damping: (m,) ratio of critical, 0 <= damping < 1.
+
+    Returns:
+        (m,) m.
+
+    Raises:
+        CoreError: an argument is out of range or a sample not finite.
+
+    Source: the exact recurrence of Nigam & Jennings (1969).
+    """
+    a, (t, z) = _array(acceleration), _oscillators(period, damping)
+    sd = np.empty(t.size)
+    _check(lib.ed_response_spectrum(a.size, time_step, _c(a), t.size, _c(t), _c(z), _c(sd), ffi.NULL, ffi.NULL))
+    return sd
+
+
+def peak_responses(
+    acceleration: np.ndarray, time_step: float, period: np.ndarray, damping: np.ndarray
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Largest relative displacement (m), relative velocity (m/s) and absolute acceleration (m/s2), (m,) each.
+
+    Arguments and errors are those of `peak_displacement`.
+    """
+    a, (t, z) = _array(acceleration), _oscillators(period, damping)
+    sd, sv, sa = np.empty(t.size), np.empty(t.size), np.empty(t.size)
+    _check(lib.ed_response_spectrum(a.size, time_step, _c(a), t.size, _c(t), _c(z), _c(sd), _c(sv), _c(sa)))
+    return sd, sv, sa
+
+
+def rotated_peak_displacement(
+    first: np.ndarray, second: np.ndarray, time_step: float, period: np.ndarray, damping: np.ndarray, angles: int
+) -> np.ndarray:
+    """Largest relative displacement in directions from the first towards the second of two components.
+
+    Args:
+        first, second: (n,) m/s2 each.
+        time_step: s.
+        period, damping: (m,) as for `peak_displacement`.
+        angles: how many directions in half a turn, evenly spaced from the first component on.
+
+    Returns:
+        (m, angles) m.
+
+    Raises:
+        CoreError: an argument is out of range or a sample not finite.
+        ValueError: the components are not equally long.
+    """
+    a, b, (t, z) = _array(first), _array(second), _oscillators(period, damping)
+    if a.size != b.size:
+        raise ValueError(f"components of {a.size} and {b.size} samples")
+    sd = np.empty((t.size, angles))
+    _check(lib.ed_rotated_spectrum(a.size, time_step, _c(a), _c(b), t.size, _c(t), _c(z), angles, _c(sd)))
+    return sd
+
+
+def _array(values: np.ndarray) -> np.ndarray:
+    return np.ascontiguousarray(values, dtype=float)
+
+
+def _oscillators(period: np.ndarray, damping: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    t, z = _array(period), _array(damping)
+    if t.shape != z.shape:
+        raise ValueError(f"{t.size} periods and {z.size} damping ratios")
+    return t, z
+
+
+def _c(array: np.ndarray) -> Any:
+    return ffi.from_buffer("double[]", array)
+
+
+def _check(status: int) -> None:
+    if status < 0:
+        raise CoreError(status_name(status), ffi.string(lib.ed_status_text(status)).decode())
