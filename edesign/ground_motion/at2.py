@@ -50,6 +50,11 @@ def read_at2(path: Path | str, name: str = "") -> Record:
     return Record(name or path.stem, STANDARD_GRAVITY * np.array(samples), step, source)
 
 
+def has_header(lines: list[str]) -> bool:
+    """Whether lines look like those of a PEER file, of acceleration or of another quantity."""
+    return any(_NEW.match(line) or _OLD.match(line) for line in lines[:_HEADER_LINES])
+
+
 def _header(path: Path, lines: list[str]) -> tuple[int, float, int]:
     """Number of samples, step in s, and the number of the line where they stand."""
     for i, line in enumerate(lines[:_HEADER_LINES], start=1):

@@ -1,8 +1,9 @@
-"""Reader of records in .csv files: one column of accelerations, or time and acceleration."""
+"""Reader of records in tables of text (.csv, .txt, .dat, .acc): accelerations, or times and accelerations."""
 
 from __future__ import annotations
 
 import csv
+import re
 from pathlib import Path
 
 import numpy as np
@@ -15,6 +16,8 @@ from edesign.project.problems import did_you_mean
 
 _UNEVEN = 0.1  # of a step: times in files are rounded; a missing line moves the others by half a step or more
 _ROUNDING = 1e-6  # relative, between a given step and that of the time column
+_COMMENTS = ("#", "%")
+_HEADER_WORD = re.compile(r"\S+(?: [(\[][^)\]]*[)\]])?")  # between blanks; `Time (s)` is one
 
 
 def read_csv(
@@ -25,14 +28,14 @@ def read_csv(
     acceleration_column: int | str | None = None,
     name: str = "",
 ) -> Record:
-    """Read a record from a table separated by commas or semicolons, with or without one line of headers.
+    """Read a record from a table separated by commas, semicolons or blanks, with or without one line of headers.
 
     Without columns named, one column is the acceleration, and of two the first is the time (s). The motion begins at
     the first sample, whatever time it bears.
 
     Args:
         path: the file.
-        acceleration_unit: "g", "m/s^2", "cm/s^2" or "mm/s^2".
+        acceleration_unit: "g", "m/s^2", "cm/s^2" or "mm/s^2"; a table does not say it, so it must be declared.
         time_step: s; needed without a time column, and checked against it otherwise.
         time_column, acceleration_column: header, or number from 1.
         name: of the record; its file name without ending by default.
@@ -42,6 +45,10 @@ def read_csv(
             length, fewer than two samples, no time step, or times that are not evenly spaced.
     """
     path = Path(path)
+    if not acceleration_unit:
+        raise InputError(
+            f"{path}: a table does not say the unit of its accelerations; declare it: {', '.join(ACCELERATION_UNITS)}"
+        )
     if acceleration_unit not in ACCELERATION_UNITS:
         raise InputError(f"{path}: unknown unit `{acceleration_unit}`; allowed: {', '.join(ACCELERATION_UNITS)}")
     header, rows, places = _table(path)
@@ -69,17 +76,22 @@ def read_csv(
 
 
 def _table(path: Path) -> tuple[list[str], list[list[str]], list[int]]:
-    """Header (empty if there is none), rows of text, and the line of each row; blank lines and # are skipped."""
+    """Header (empty if there is none), rows of text, and the line of each row; blank lines and comments are skipped."""
     lines = read_lines(path)
-    kept = [(i, line) for i, line in enumerate(lines, start=1) if line.strip() and not line.lstrip().startswith("#")]
+    kept = table_lines(lines)
     if not kept:
         raise InputError(f"{path}: the file has no samples")
-    delimiter = ";" if ";" in kept[0][1] else ","
     places = [i for i, _ in kept]
-    rows = [[cell.strip() for cell in row] for row in csv.reader((line for _, line in kept), delimiter=delimiter)]
+    delimiter = _delimiter(kept)
+    if delimiter:
+        rows = [[cell.strip() for cell in row] for row in csv.reader((line for _, line in kept), delimiter=delimiter)]
+    else:
+        rows = [line.split() for _, line in kept]
     header: list[str] = []
-    if not any(_is_number(cell) for cell in rows[0]):
+    if not any(is_number(cell) for cell in rows[0]):
         header, rows, places = rows[0], rows[1:], places[1:]
+        if not delimiter:
+            header = _HEADER_WORD.findall(kept[0][1])
     if len(rows) < 2:
         raise InputError(f"{path}:{len(lines)}: a record needs at least two samples, not {len(rows)}")
     width = len(header or rows[0])
@@ -89,7 +101,20 @@ def _table(path: Path) -> tuple[list[str], list[list[str]], list[int]]:
     return header, rows, places
 
 
-def _is_number(cell: str) -> bool:
+def table_lines(lines: list[str]) -> list[tuple[int, str]]:
+    """Number (from 1) and text of the lines that are neither blank nor comments, which begin with # or %."""
+    return [(i, line) for i, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith(_COMMENTS)]
+
+
+def _delimiter(kept: list[tuple[int, str]]) -> str:
+    """Semicolon, comma, or nothing for blanks: what the first two lines are separated by."""
+    second = kept[min(1, len(kept) - 1)][1]  # the first may be the headers, in which blanks mean nothing
+    found = next((char for char in ";," if char in kept[0][1] + second), "")
+    return found or ("" if re.search(r"\S\s+\S", second) else ",")
+
+
+def is_number(cell: str) -> bool:
+    """Whether a cell is a number as Python reads it, infinite and nan too."""
     try:
         float(cell)
     except ValueError:

@@ -1,0 +1,60 @@
+"""Choosing one of the components that a record file holds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from edesign.errors import InputError
+from edesign.ground_motion.record import Record
+from edesign.project.problems import listed
+
+
+@dataclass(frozen=True)
+class Channel:
+    """A component in a file.
+
+    Attributes:
+        label: for people, such as `1: 340 deg`.
+        names: all that it may be called.
+        acceleration: m/s2.
+        time_step: s.
+        about: what its header says of event, station and processing.
+    """
+
+    label: str
+    names: tuple[str, ...]
+    acceleration: Sequence[float]
+    time_step: float
+    about: str
+
+    def record(self, path: Path, name: str) -> Record:
+        """The record of this component; its name is that of the file by default."""
+        factual = ", ".join(part for part in (self.about, self.label and f"component {self.label}") if part)
+        return Record(name or path.stem, self.acceleration, self.time_step, f"{path.name}: {factual}")  # type: ignore[arg-type]
+
+
+def choose(path: Path, channels: Sequence[Channel], component: str | int | None) -> Channel:
+    """The component that is asked for, or the only one.
+
+    Raises:
+        InputError: none is named but the file has several, or the name fits none or several; lists them.
+    """
+    labels = listed(channel.label for channel in channels)
+    if component is None:
+        if len(channels) > 1:
+            raise InputError(f"{path}: the file holds {len(channels)} components; name one: {labels}")
+        return channels[0]
+    wanted = _plain(str(component))
+    found = [channel for channel in channels if wanted in {_plain(name) for name in (channel.label, *channel.names)}]
+    if len(found) == 1:
+        return found[0]
+    if found:
+        raise InputError(f"{path}: `{component}` fits {listed(channel.label for channel in found)}; name one of them")
+    raise InputError(f"{path}: there is no component `{component}`; the file has {labels}")
+
+
+def _plain(name: str) -> str:
+    """A name without what people leave out or write differently: case, spaces, hyphens."""
+    return "".join(char for char in name.casefold() if char not in " -_")

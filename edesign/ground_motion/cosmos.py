@@ -1,0 +1,208 @@
+"""Reader of files of the COSMOS strong-motion data format (.V1, .V2, .V2c): one or more channels of acceleration.
+
+Source: COSMOS Strong Motion Data Format, version 1.20 (2001): text, integer, real and comment headers, then data.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from edesign.errors import InputError
+from edesign.ground_motion.channels import Channel, choose
+from edesign.ground_motion.fixed_width import field_format, is_end_of_data, read_fields
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.text import read_lines
+from edesign.project.units import STANDARD_GRAVITY
+
+TITLE = re.compile(r"\s*(.*?)\s*\(Format\s+v\s*([0-9.]+)\s+with\s+([0-9]+)\s+text\s+lines\s*\)", re.IGNORECASE)
+_SECTION = re.compile(r"\s*([0-9]+)\s+(Integer|Real)-header\s+values\s+follow\s+on\s+([0-9]+)\s+lines", re.IGNORECASE)
+_COMMENTS = re.compile(r"\s*([0-9]+)\s+Comment", re.IGNORECASE)
+_DATA = re.compile(
+    r"\s*([0-9]+)\s+(.*?)\s*pts\s*,\s*approx\s+([0-9.]+)\s*secs?\s*,\s*units\s*=\s*([^(,]*?)[\s.]*(?:\(\s*([0-9]+)\s*\))?[\s,]*Format",
+    re.IGNORECASE,
+)
+_CHANNEL = re.compile(r"\s*Sta\w*\s+Cha\w*\s*:?\s*([0-9?]+)\s*:?\s*(.*?)\s*(?:\(|Location|$)", re.IGNORECASE)
+_MAGNITUDE = re.compile(r"\bM[A-Za-z]{0,2}\s*=\s*[0-9.]+")
+_SCNL = re.compile(r"<SCNL>\s*([^\s.]+)\.([^\s.]+)\.")
+
+# item of the real header, counted from 1: sample interval of the data, ms (item 34 is that of the recorder, s)
+_SAMPLE_INTERVAL = 62
+_UNKNOWN = -999.0  # "value unknown" in all headers
+# COSMOS table 2: code of the unit, factor to m/s2
+_UNIT_CODES = {2: STANDARD_GRAVITY, 4: 0.01, 7: 0.0254, 10: 0.01, 11: STANDARD_GRAVITY / 1000.0}
+_UNIT_NAMES = {"g": STANDARD_GRAVITY, "mg": STANDARD_GRAVITY / 1000.0, "gal": 0.01, "in/sec2": 0.0254}
+_UNIT_NAMES |= dict.fromkeys(("cm/sec2", "cm/sec/sec", "cm/s/s", "cm/s2", "cm/s^2", "cm/sec^2"), 0.01)
+
+
+def read_cosmos(path: Path | str, component: str | int | None = None, name: str = "") -> Record:
+    """Read a channel of acceleration in physical units (volume 1 or 2); velocity and displacement are passed over.
+
+    Args:
+        path: the file.
+        component: number of the channel, its orientation (`340 deg`, `340`, `Up`) or its channel code; needed if the
+            file holds more than one channel of acceleration.
+        name: of the record; its file name without ending by default.
+
+    Raises:
+        InputError: not of this format, truncated, wrong counts, raw counts instead of accelerations, unknown unit or
+            time step, something else than finite numbers, or `component` does not name one channel.
+    """
+    path = Path(path)
+    lines = read_lines(path)
+    channels: list[Channel] = []
+    seen: list[str] = []
+    at = 0
+    while at < len(lines):
+        if not lines[at].strip():
+            at += 1
+            continue
+        block = _block(path, lines, at)
+        seen.append(block.quantity)
+        if "accel" in block.quantity.lower():
+            channels.append(_channel(path, lines, block))
+        at = block.end
+    if not channels:
+        raise InputError(f"{path}: the file holds no acceleration, but: {', '.join(seen)}")
+    return choose(path, channels, component).record(path, name)
+
+
+@dataclass(frozen=True)
+class _Block:
+    """Where the parts of one channel stand; lines are indices from 0."""
+
+    start: int
+    texts: int
+    real: list[float]
+    comments: list[str]
+    data: int  # the line that announces the data
+    count: int
+    quantity: str
+    seconds: float
+    unit: str
+    unit_code: int | None
+    values: list[float]
+    end: int  # the line after the channel
+
+
+def _block(path: Path, lines: list[str], start: int) -> _Block:
+    title = TITLE.match(lines[start])
+    if title is None:
+        raise InputError(
+            f"{path}:{start + 1}: a channel of a COSMOS file begins with a line such as "
+            "`Corrected acceleration (Format v01.20 with 13 text lines)`"
+        )
+    at = start + int(title[3])
+    headers: dict[str, list[float]] = {}
+    comments: list[str] = []
+    while True:
+        if at >= len(lines):
+            raise InputError(
+                f"{path}:{len(lines)}: the file ends within the headers of the channel of line {start + 1}"
+            )
+        if section := _SECTION.match(lines[at]):
+            layout = field_format(lines[at], path, at + 1)
+            count, kind = int(section[1]), section[2].lower()
+            if layout.lines(count) != int(section[3]):
+                raise InputError(
+                    f"{path}:{at + 1}: {count} values in this format take {layout.lines(count)} lines, not {section[3]}"
+                )
+            headers[kind] = read_fields(lines, at + 1, count, layout, path, f"a value of the {kind} header")
+            at += 1 + int(section[3])
+        elif remark := _COMMENTS.match(lines[at]):
+            comments = lines[at + 1 : at + 1 + int(remark[1])]
+            at += 1 + int(remark[1])
+        elif data := _DATA.match(lines[at]):
+            break
+        else:
+            raise InputError(
+                f"{path}:{at + 1}: a header or `12000 acceleration pts, approx 60 secs, units=cm/sec2 (04),"
+                f"Format=(8f10.3)` is expected here, not `{lines[at].strip()[:40]}`"
+            )
+    count = int(data[1])
+    if count < 2:
+        raise InputError(f"{path}:{at + 1}: {count} points; a record needs at least 2")
+    layout = field_format(lines[at], path, at + 1)
+    values = read_fields(lines, at + 1, count, layout, path)
+    end = at + 1 + layout.lines(count)
+    if end < len(lines) and is_end_of_data(lines[end]):
+        end += 1
+    elif end < len(lines) and lines[end].strip() and TITLE.match(lines[end]) is None:
+        raise InputError(f"{path}:{end + 1}: more data than the {count} points announced in line {at + 1}")
+    return _Block(
+        start,
+        int(title[3]),
+        headers.get("real", []),
+        comments,
+        at,
+        count,
+        data[2],
+        float(data[3]),
+        data[4].lower(),
+        int(data[5]) if data[5] else None,
+        values,
+        end,
+    )
+
+
+def _channel(path: Path, lines: list[str], block: _Block) -> Channel:
+    factor = _factor(path, block)
+    step = _time_step(path, block)
+    texts = [line.strip() for line in lines[block.start : block.start + block.texts]]
+    about, label, names = _description(texts, block.comments)
+    return Channel(label, names, [factor * value for value in block.values], step, about)
+
+
+def _factor(path: Path, block: _Block) -> float:
+    """Factor of the data to m/s2."""
+    where = f"{path}:{block.data + 1}"
+    if block.unit.startswith("count") or block.unit_code == 50:
+        raise InputError(f"{where}: the data are raw counts of the recorder, not accelerations; use a V1 or V2 file")
+    by_name = _UNIT_NAMES.get(block.unit)
+    by_code = _UNIT_CODES.get(block.unit_code) if block.unit_code is not None else by_name
+    if by_code is None or (by_name is not None and not math.isclose(by_name, by_code)):
+        code = "" if block.unit_code is None else f" ({block.unit_code:02d})"
+        raise InputError(
+            f"{where}: unknown unit of acceleration `{block.unit}`{code}; read are cm/sec2 (04) and g (02)"
+        )
+    return by_code
+
+
+def _time_step(path: Path, block: _Block) -> float:
+    """The step of the data, s; it must fit the approximate duration that the data header gives."""
+    where = f"{path}:{block.data + 1}"
+    if len(block.real) < _SAMPLE_INTERVAL or block.real[_SAMPLE_INTERVAL - 1] == _UNKNOWN:
+        raise InputError(
+            f"{where}: the real header does not give the sample interval (its value {_SAMPLE_INTERVAL}, ms)"
+        )
+    step = block.real[_SAMPLE_INTERVAL - 1] / 1000.0
+    if step <= 0.0:
+        raise InputError(f"{where}: the sample interval in the real header must be greater than zero, not {step:g} s")
+    if abs(block.count * step - block.seconds) > 1.0 + 0.01 * block.seconds:  # it is written in whole seconds
+        raise InputError(
+            f"{where}: {block.count} points at the {step:g} s of the real header last {block.count * step:g} s, "
+            f"but this line says about {block.seconds:g} s"
+        )
+    return step
+
+
+def _description(texts: list[str], comments: list[str]) -> tuple[str, str, tuple[str, ...]]:
+    """What the headers say: event and station; label of the channel; its other names."""
+    title = TITLE.match(texts[0])
+    parts = [] if title is None else [f"{title[1]} (COSMOS v{title[2]})"]
+    parts += texts[1:2]
+    if len(texts) > 2 and (magnitudes := _MAGNITUDE.findall(texts[2])):
+        parts.append(" ".join(magnitudes))
+    station = next((text for text in texts if text.lower().startswith("statn")), "")
+    parts.append(" ".join(station.partition("Code:")[2].split() or station.split()))
+    number, orientation = "", ""
+    for text in texts:
+        if match := _CHANNEL.match(text):
+            number, orientation = match[1].strip("?"), match[2]
+    codes = [match[2] for line in comments if (match := _SCNL.search(line))]
+    label = ": ".join(part for part in (number or "".join(codes[:1]), orientation) if part) or "1"
+    bearing = re.match(r"([0-9]+)\s*deg", orientation, re.IGNORECASE)
+    names = [number, orientation, bearing[1] if bearing else "", *codes]
+    return ", ".join(" ".join(part.split()) for part in parts if part), label, tuple(n for n in names if n)

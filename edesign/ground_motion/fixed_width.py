@@ -1,0 +1,76 @@
+"""Numbers in fields of fixed width, as Fortran writes them; neighbours may touch."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from edesign.errors import InputError
+from edesign.ground_motion.text import number
+
+_FORMAT = re.compile(r"\(\s*([0-9]*)\s*([FEGI])\s*([0-9]+)(?:\.([0-9]+))?\s*\)", re.IGNORECASE)
+_END = re.compile(r"\s*(/&|-*\s*End[- ]of[- ]data)", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class FieldFormat:
+    """A Fortran format such as (8F10.3): 8 fields a line, each 10 characters wide."""
+
+    fields: int
+    width: int
+    whole: bool
+
+    def lines(self, count: int) -> int:
+        """How many lines hold `count` values."""
+        return -(-count // self.fields)
+
+
+def field_format(text: str, path: Path, line: int) -> FieldFormat:
+    """Find the format in a line that announces values.
+
+    Raises:
+        InputError: there is none that is read here.
+    """
+    match = _FORMAT.search(text)
+    if match is None or int(match[1] or 1) < 1 or int(match[3]) < 1:
+        raise InputError(f"{path}:{line}: no format of the numbers such as (8F10.3) or (10I8) is found in this line")
+    return FieldFormat(int(match[1] or 1), int(match[3]), match[2].upper() == "I")
+
+
+def read_fields(
+    lines: Sequence[str], start: int, count: int, layout: FieldFormat, path: Path, what: str = "an acceleration"
+) -> list[float]:
+    """Read `count` values from the lines that begin at index `start`.
+
+    Raises:
+        InputError: too few or too many values, or something else than finite numbers; names file and line.
+    """
+    values: list[float] = []
+    for i in range(start, start + layout.lines(count)):
+        if i >= len(lines) or is_end_of_data(lines[i]):
+            raise InputError(
+                f"{path}:{min(i + 1, len(lines))}: the data end after {len(values)} of the {count} values announced "
+                f"in line {start}"
+            )
+        text = lines[i].rstrip()
+        expected = min(layout.fields, count - len(values))
+        seen = -(-len(text) // layout.width)
+        if seen != expected:
+            raise InputError(
+                f"{path}:{i + 1}: {seen} fields of {layout.width} characters; {expected} are expected here"
+            )
+        for k in range(expected):
+            word = text[k * layout.width : (k + 1) * layout.width].strip()
+            value = number(word, path, i + 1, what)
+            if not layout.whole and "." not in word:
+                # Fortran would put the point by the format, other readers would not: a factor of 10^d between them
+                raise InputError(f"{path}:{i + 1}: `{word}` has no decimal point; it cannot be read safely")
+            values.append(value)
+    return values
+
+
+def is_end_of_data(line: str) -> bool:
+    """Whether the line closes the data of a channel: `/& ... End of data`, `End-of-data for Chan 1`."""
+    return _END.match(line) is not None

@@ -1,0 +1,99 @@
+"""Reader of K-NET and KiK-net ASCII files: 17 lines of header, then counts of the recorder, usually eight a line.
+
+Source: NIED, K-NET ASCII format: acceleration (gal) = (count - mean of the counts) times the scale factor.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.ground_motion.channels import Channel, choose
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.text import number, read_lines
+
+FIRST, RATE, SCALE = "Origin Time", "Sampling Freq(Hz)", "Scale Factor"
+_HEADER_LINES = 17
+_VALUE_COLUMN = 18  # where values begin in every line of the header
+_RATE = re.compile(r"([0-9.]+)\s*Hz", re.IGNORECASE)
+_SCALE = re.compile(r"([0-9.]+)\s*\(\s*gal\s*\)\s*/\s*([0-9.]+)", re.IGNORECASE)
+# KiK-net numbers its components: 1 to 3 at depth, 4 to 6 at the surface
+_KIK_NET = {"1": "NS1", "2": "EW1", "3": "UD1", "4": "NS2", "5": "EW2", "6": "UD2"}
+
+
+def read_knet(path: Path | str, component: str | None = None, name: str = "") -> Record:
+    """Read a file of one component; the mean of all samples is subtracted, as NIED recommends.
+
+    Args:
+        path: the file.
+        component: if given it must be that of the file (`E-W`, `EW`, ...).
+        name: of the record; its file name (with its ending, which is the component) by default.
+
+    Raises:
+        InputError: the header is incomplete or not of this form, something else than whole numbers, fewer or more
+            samples than duration and frequency say, or another component.
+    """
+    path = Path(path)
+    lines = read_lines(path)
+    if len(lines) <= _HEADER_LINES or not lines[_HEADER_LINES - 1].startswith("Memo"):
+        raise InputError(
+            f"{path}:{min(len(lines), _HEADER_LINES)}: a K-NET file has {_HEADER_LINES} lines of header, the last of "
+            "them `Memo.`, and samples after them"
+        )
+    rate = _match(path, lines, RATE, _RATE, "`100Hz`")
+    scale = _match(path, lines, SCALE, _SCALE, "`3920(gal)/6182761`")
+    frequency = number(rate[1], path, _line(path, lines, RATE))
+    numerator, denominator = (number(scale[k], path, _line(path, lines, SCALE)) for k in (1, 2))
+    if min(frequency, numerator, denominator) <= 0.0:
+        raise InputError(f"{path}: sampling frequency and scale factor must be greater than zero")
+    counts = np.array(_counts(path, lines))
+    duration = number(_value(path, lines, "Duration Time(s)"), path, _line(path, lines, "Duration Time(s)"), "a time")
+    if abs(counts.size - duration * frequency) >= 1.0:
+        raise InputError(
+            f"{path}:{len(lines)}: {counts.size} samples, but {duration:g} s at {frequency:g} Hz are "
+            f"{duration * frequency:g}"
+        )
+    gal = numerator / denominator * (counts - counts.mean())
+    code = _value(path, lines, "Dir.")
+    direction = _KIK_NET.get(code, code)
+    event = f"{_value(path, lines, FIRST)}, M {_value(path, lines, 'Mag.')}"
+    about = f"K-NET, {event}, {_value(path, lines, 'Station Code')}, mean of {counts.mean():.6g} counts subtracted"
+    channel = Channel(direction, (code,), (0.01 * gal).tolist(), 1.0 / frequency, about)
+    return choose(path, [channel], component).record(path, name or path.name)
+
+
+def _counts(path: Path, lines: list[str]) -> list[float]:
+    counts: list[float] = []
+    for i, line in enumerate(lines[_HEADER_LINES:], _HEADER_LINES + 1):
+        for word in line.split():
+            count = number(word, path, i, "a count of the recorder")
+            if count != int(count):
+                raise InputError(
+                    f"{path}:{i}: `{word}` is not a whole number; a count of the recorder is expected here"
+                )
+            counts.append(count)
+    return counts
+
+
+def _line(path: Path, lines: list[str], key: str) -> int:
+    """The line of the header (from 1) that begins with `key`."""
+    for i, line in enumerate(lines[:_HEADER_LINES], start=1):
+        if line.startswith(key):
+            return i
+    raise InputError(f"{path}:{_HEADER_LINES}: the header has no line `{key}`")
+
+
+def _value(path: Path, lines: list[str], key: str) -> str:
+    line = lines[_line(path, lines, key) - 1]
+    return line[max(_VALUE_COLUMN, len(key)) :].strip() or line[len(key) :].strip()
+
+
+def _match(path: Path, lines: list[str], key: str, pattern: re.Pattern[str], example: str) -> re.Match[str]:
+    value = _value(path, lines, key)
+    match = pattern.fullmatch(value)
+    if match is None:
+        raise InputError(f"{path}:{_line(path, lines, key)}: {key}: `{value}`; a value such as {example} is expected")
+    return match

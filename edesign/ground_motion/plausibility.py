@@ -1,0 +1,59 @@
+"""Doubts about a record that reads well but may not mean what it says."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.ground_motion.intensity import velocity
+from edesign.ground_motion.record import Record
+from edesign.project.units import STANDARD_GRAVITY
+
+_LARGEST_PGA = 3.0 * STANDARD_GRAVITY  # m/s2; few recordings of any earthquake exceed 2 g
+_SMALLEST_PGA = 0.001 * STANDARD_GRAVITY
+_LONGEST_STEP, _SHORTEST_STEP = 0.05, 0.0005  # s; instruments sample at 50 to 1000 Hz
+_OFFSET = 0.02  # of the PGA: the median of a recorded motion is far below
+_CLIPPED = 4  # equal samples in a row at the extreme
+_END_VELOCITY = 0.1  # of the PGV; processed records end below 3 %
+
+
+def doubts(record: Record) -> tuple[str, ...]:
+    """Return what looks wrong about a record, one sentence each; nothing if it looks like an earthquake."""
+    pga = record.pga
+    if pga == 0.0:
+        return ("the record is zero throughout",)
+    found = []
+    shown = f"{pga / STANDARD_GRAVITY:.3g} g"
+    if pga > _LARGEST_PGA:
+        found.append(f"the peak is {shown}, more than earthquakes reach: is the unit right (m/s2 or cm/s2 read as g)?")
+    if pga < _SMALLEST_PGA:
+        found.append(f"the peak is only {shown}: is the unit right (g read as m/s2, or m/s2 as cm/s2)?")
+    if record.time_step > _LONGEST_STEP:
+        found.append(f"the time step of {record.time_step:g} s is too coarse for frequencies above 5 Hz: is it right?")
+    if record.time_step < _SHORTEST_STEP:
+        found.append(f"the time step of {record.time_step:g} s is shorter than that of any recorder: is it in seconds?")
+    median = float(np.median(record.acceleration))
+    if abs(median) > _OFFSET * pga:
+        found.append(f"the samples lie around {median:.3g} m/s2, not zero: a constant offset; correct the baseline")
+    run, at = _longest_run_at_extreme(record.acceleration)
+    if run >= _CLIPPED:
+        found.append(f"{run} equal samples in a row at the extreme, from {at * record.time_step:g} s: clipped peaks?")
+    v = velocity(record.acceleration, record.time_step)
+    pgv = float(np.max(np.abs(v)))
+    if abs(v[-1]) > _END_VELOCITY * pgv:
+        found.append(
+            f"the motion ends with {v[-1]:.3g} m/s, {abs(v[-1]) / pgv:.0%} of its peak velocity: it is cut off, "
+            "or needs a baseline correction"
+        )
+    return tuple(found)
+
+
+def _longest_run_at_extreme(acceleration: np.ndarray) -> tuple[int, int]:
+    """Length and start of the longest run of samples equal to the largest or the smallest."""
+    best = (0, 0)
+    for extreme in (acceleration.max(), acceleration.min()):
+        hit = np.concatenate(([0], (acceleration == extreme).astype(int), [0]))
+        edges = np.diff(hit)
+        starts, ends = np.flatnonzero(edges == 1), np.flatnonzero(edges == -1)
+        longest = int(np.argmax(ends - starts))
+        best = max(best, (int((ends - starts)[longest]), int(starts[longest])), key=lambda item: item[0])
+    return best

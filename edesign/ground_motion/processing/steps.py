@@ -1,0 +1,45 @@
+"""The processing that a project file describes, step by step."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from edesign.ground_motion.processing.band_pass import band_pass
+from edesign.ground_motion.processing.baseline import correct_baseline, remove_drift
+from edesign.ground_motion.processing.length import pad, taper, trim, trim_to_significant
+from edesign.ground_motion.processing.resampling import resample_band_limited
+from edesign.ground_motion.record import Record
+from edesign.project.processing import Step
+
+
+def processed(record: Record, steps: Iterable[Step]) -> Record:
+    """Return a record after the steps, in their order; its source says each.
+
+    Raises:
+        InputError: a step does not suit the record.
+    """
+    for step in steps:
+        record = _one(record, step)
+    return record
+
+
+def _one(record: Record, step: Step) -> Record:
+    if step.baseline:
+        return correct_baseline(record, step.baseline.order, step.baseline.fit)
+    if step.remove_drift:
+        return remove_drift(record, step.remove_drift.order)
+    if step.filter:
+        given = step.filter
+        return band_pass(record, given.low, given.high, given.order, given.keep_pads)
+    if step.trim:
+        return trim(record, step.trim.start, step.trim.end, step.trim.taper)
+    if step.significant:
+        part = step.significant
+        return trim_to_significant(record, part.bounds, part.lead, part.tail, part.taper)
+    if step.taper:
+        return taper(record, step.taper.start, step.taper.end)
+    if step.pad:
+        return pad(record, step.pad.before, step.pad.after)
+    if step.resample:
+        return resample_band_limited(record, step.resample.time_step)
+    return record

@@ -1,0 +1,127 @@
+"""Reading a record file of any known format; the format is found from content and suffix."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from pathlib import Path
+from typing import Literal
+
+from edesign.errors import InputError
+from edesign.ground_motion import at2, cosmos, csmip, csv_record, esm, knet
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.text import read_lines
+from edesign.project.problems import did_you_mean
+
+FileFormat = Literal["at2", "cosmos", "csmip", "esm", "knet", "table"]
+FORMATS: dict[FileFormat, str] = {
+    "at2": "PEER .AT2",
+    "cosmos": "COSMOS .V1/.V2/.V2c",
+    "csmip": "older CSMIP .V2",
+    "esm": "ESM/ITACA ASCII",
+    "knet": "K-NET/KiK-net ASCII",
+    "table": "columns of text (.csv, .txt, .dat, .acc)",
+}
+"""Every format that is read, for people."""
+
+_SUFFIXES: dict[str, FileFormat] = {
+    **dict.fromkeys((".at2", ".vt2", ".dt2"), "at2"),
+    **dict.fromkeys((".ns", ".ew", ".ud", *(f".{c}{k}" for c in ("ns", "ew", "ud") for k in (1, 2))), "knet"),
+    **dict.fromkeys((".csv", ".tsv", ".dat", ".acc"), "table"),
+}
+_SEVERAL = ("cosmos", "csmip", "esm", "knet")  # formats whose files name their component
+_HEAD = 100  # lines in which the marks of a format stand
+
+
+def read_record_file(
+    path: Path | str,
+    *,
+    file_format: FileFormat | None = None,
+    acceleration_unit: str | None = None,
+    time_step: float | None = None,
+    time_column: int | str | None = None,
+    acceleration_column: int | str | None = None,
+    component: str | int | None = None,
+    name: str = "",
+) -> Record:
+    """Read a record from a file.
+
+    Args:
+        path: the file.
+        file_format: one of FORMATS; found from the content, and failing that from the suffix, by default.
+        acceleration_unit: of tables, which do not say it: "g", "m/s^2", "cm/s^2" or "mm/s^2".
+        time_step: s; of tables without a column of times.
+        time_column, acceleration_column: of tables; header, or number from 1.
+        component: of formats whose files name their components; needed where a file holds several.
+        name: of the record; its file name by default.
+
+    Raises:
+        InputError: the file cannot be read, no format fits, an argument does not belong to the format, or what the
+            reader of the format finds.
+    """
+    path = Path(path)
+    if file_format is not None and file_format not in FORMATS:
+        hint = did_you_mean(str(file_format), FORMATS)
+        raise InputError(f"{path}: unknown format `{file_format}`{hint} (formats: {', '.join(FORMATS)})")
+    found = file_format or detect(path)
+    _check_arguments(
+        path,
+        found,
+        {
+            "acceleration_unit": acceleration_unit,
+            "time_step": time_step,
+            "time_column": time_column,
+            "acceleration_column": acceleration_column,
+        },
+        component,
+    )
+    if found == "table":
+        return csv_record.read_csv(path, acceleration_unit or "", time_step, time_column, acceleration_column, name)
+    if found == "at2":
+        return at2.read_at2(path, name)
+    readers: dict[str, Callable[..., Record]] = {
+        "cosmos": cosmos.read_cosmos,
+        "csmip": csmip.read_csmip,
+        "esm": esm.read_esm,
+        "knet": knet.read_knet,
+    }
+    return readers[found](path, component, name)
+
+
+def detect(path: Path) -> FileFormat:
+    """Find the format of a file.
+
+    Raises:
+        InputError: the file cannot be read, or no format fits; lists the formats.
+    """
+    lines = read_lines(path)
+    head = lines[:_HEAD]
+    if any(cosmos.TITLE.match(line) for line in head[:2]):
+        return "cosmos"
+    if any(csmip.DATA.match(line) for line in head):
+        return "csmip"
+    if {esm.STEP, esm.COUNT} & {match[1] for line in head if (match := esm.KEY.match(line))}:
+        return "esm"
+    if any(line.startswith(knet.FIRST) for line in head[:1]) and any(line.startswith(knet.RATE) for line in head):
+        return "knet"
+    if at2.has_header(lines):
+        return "at2"
+    if path.suffix.lower() in _SUFFIXES:
+        return _SUFFIXES[path.suffix.lower()]
+    rows = [re.split(r"[;,\s]+", line.strip(" \t,;")) for _, line in csv_record.table_lines(head)[:2]]
+    if rows and all(csv_record.is_number(cell) for cell in rows[-1]):  # the first may be the headers
+        return "table"
+    raise InputError(f"{path}: no known format fits this file; read are {', '.join(FORMATS.values())}")
+
+
+def _check_arguments(
+    path: Path, file_format: FileFormat, of_tables: dict[str, object], component: str | int | None
+) -> None:
+    given = [key for key, value in of_tables.items() if value is not None]
+    if given and file_format != "table":
+        raise InputError(
+            f"{path}: {', '.join(given)}: only for tables; a file of the format {FORMATS[file_format]} says this itself"
+        )
+    if component is not None and file_format not in _SEVERAL:
+        instead = "choose the column of accelerations" if file_format == "table" else "its files hold one component"
+        raise InputError(f"{path}: component `{component}`: not for the format {FORMATS[file_format]}; {instead}")

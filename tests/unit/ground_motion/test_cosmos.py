@@ -1,0 +1,165 @@
+"""COSMOS and CSMIP volume 2 files composed here: counts, steps, units, channels, and every fault with its line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from strong_motion_samples import cosmos_channel, csmip_channel, motion
+
+from edesign.errors import InputError
+from edesign.ground_motion.cosmos import read_cosmos
+from edesign.ground_motion.csmip import read_csmip
+from edesign.ground_motion.record import Record
+
+G = 9.80665  # m/s2
+DATA_LINE = 13 + 11 + 18 + 3 + 1  # of a channel that begins in line 1
+
+
+def write(folder: Path, text: str) -> Path:
+    path = folder / "CE1.V2"
+    path.write_text(text)
+    return path
+
+
+def read(folder: Path, text: str, component: str | int | None = None) -> Record:
+    return read_cosmos(write(folder, text), component)
+
+
+def test_samples_step_and_description(tmp_path: Path) -> None:
+    record = read(tmp_path, cosmos_channel(motion()))
+    np.testing.assert_allclose(record.acceleration, 0.01 * motion(), atol=0.5e-5)  # three decimals of cm/s2
+    assert record.time_step == 0.005  # value 62 in ms, not value 34, which is that of the recorder
+    assert record.name == "CE1"
+    for said in ("CE1.V2: Corrected acceleration", "Nowhere Earthquake", "Mw=7.0 ML=6.8", "Yucaipa", "1: 340 deg"):
+        assert said in record.source
+
+
+def test_fields_that_touch(tmp_path: Path) -> None:
+    values = np.array([-1234.567, 1000.001, -999.999, -100.25, 7654.321, -1.5, 0.0, -4321.125, 2222.5])
+    text = cosmos_channel(values, layout=(8, 9, 3))
+    assert "-1234.567 1000.001 -999.999 -100.250 7654.321" in text
+    packed = cosmos_channel(-np.abs(values), layout=(8, 9, 3))
+    assert "-1234.567-1000.001" in packed
+    np.testing.assert_allclose(read(tmp_path, text).acceleration, 0.01 * values, rtol=1e-12)
+    np.testing.assert_allclose(read(tmp_path, packed).acceleration, -0.01 * np.abs(values), rtol=1e-12)
+
+
+def test_one_value_a_line_in_g(tmp_path: Path) -> None:
+    text = cosmos_channel(motion(12, 0.25), unit="g.     (02)", layout=(1, 15, 6))
+    np.testing.assert_allclose(read(tmp_path, text).acceleration, G * motion(12, 0.25), atol=0.5e-6 * G)
+
+
+@pytest.mark.parametrize(
+    ("component", "factor"),
+    [(1, 1.0), ("2", 2.0), ("90 deg", 2.0), ("90", 2.0), ("up", 3.0), ("HN3", 3.0), ("3:Up", 3.0)],
+)
+def test_a_channel_is_chosen(tmp_path: Path, component: str | int, factor: float) -> None:
+    record = read(tmp_path, three_channels(), component)
+    np.testing.assert_allclose(record.acceleration, factor * 0.01 * motion(), atol=0.5e-5)
+
+
+def three_channels() -> str:
+    other = cosmos_channel(7.0 * motion(), 1, quantity="velocity", unit="cm/sec(05)")
+    channels = [cosmos_channel(k * motion(), k, name) for k, name in ((1, "340 deg"), (2, "90 deg"), (3, "Up"))]
+    return channels[0] + other + channels[1] + "\n" + channels[2]
+
+
+def test_channels_that_do_not_fit_are_listed(tmp_path: Path) -> None:
+    listed = "`1: 340 deg`, `2: 90 deg`, `3: Up`"
+    with pytest.raises(InputError, match=f"holds 3 components; name one: {listed}"):
+        read(tmp_path, three_channels())
+    with pytest.raises(InputError, match=f"no component `east`; the file has {listed}"):
+        read(tmp_path, three_channels(), "east")
+    twice = cosmos_channel(motion(), 1, "Up") + cosmos_channel(motion(), 2, "Up")
+    with pytest.raises(InputError, match="`Up` fits `1: Up`, `2: Up`; name one"):
+        read(tmp_path, twice, "Up")
+
+
+WHOLE = cosmos_channel(motion())
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "said"),
+    [
+        ("Something else\n" + WHOLE, 1, "a channel of a COSMOS file begins with a line such as"),
+        ("".join(WHOLE.splitlines(True)[:30]), 30, "the data end after"),
+        ("".join(WHOLE.splitlines(True)[:13]), 13, "ends within the headers of the channel of line 1"),
+        ("".join(WHOLE.splitlines(True)[: DATA_LINE + 2]), DATA_LINE + 2, "end after 16 of the 20 values announced"),
+        (cosmos_channel(motion(), count=28), DATA_LINE + 3, "4 fields of 10 characters; 8 are expected"),
+        (cosmos_channel(motion(16), count=24), DATA_LINE + 3, "end after 16 of the 24 values"),
+        (cosmos_channel(motion(24), count=16), DATA_LINE + 3, "more data than the 16 points"),
+        (cosmos_channel(motion(), count=1), DATA_LINE, "1 points; a record needs at least 2"),
+        (
+            cosmos_channel(motion(), unit="furlong/sec2(04)").replace("(04)", ""),
+            DATA_LINE,
+            "unknown unit of acceleration",
+        ),
+        (cosmos_channel(motion(), unit="g(04)"), DATA_LINE, "unknown unit of acceleration `g` (04)"),
+        (cosmos_channel(motion(), unit="counts (50)"), DATA_LINE, "raw counts of the recorder"),
+        (cosmos_channel(motion(), unit=" "), DATA_LINE, "unknown unit of acceleration"),
+        (cosmos_channel(motion(), step_ms=-999.0, seconds=0.1), DATA_LINE, "does not give the sample interval"),
+        (cosmos_channel(motion(), step_ms=0.0), DATA_LINE, "must be greater than zero, not 0 s"),
+        (cosmos_channel(motion(), seconds=60.0), DATA_LINE, "last 0.1 s, but this line says about 60 s"),
+        (WHOLE.replace("    85.054", "       NaN"), DATA_LINE + 1, "`NaN` is not a finite number"),
+        (WHOLE.replace("    85.054", "**********"), DATA_LINE + 1, "`**********` is not a number"),
+        (WHOLE.replace("     0.000    85", "              85"), DATA_LINE + 1, "`` is not a number"),
+        (WHOLE.replace("85.054", " 85054"), DATA_LINE + 1, "`85054` has no decimal point"),
+        (WHOLE.replace("Format=(8F10.3)", "Format=(free)"), DATA_LINE, "no format of the numbers such as"),
+        (WHOLE.replace("  10 lines", "  12 lines"), 14, "100 values in this format take 10 lines, not 12"),
+        (WHOLE.replace("Comment line", "Remark line"), 43, "a header or `12000 acceleration pts"),
+    ],
+)
+def test_faults_name_file_and_line(tmp_path: Path, text: str, line: int, said: str) -> None:
+    assert said and text != WHOLE
+    path = write(tmp_path, text)
+    with pytest.raises(InputError) as caught:
+        read_cosmos(path)
+    assert said in str(caught.value)
+    assert str(caught.value).startswith(f"{path}:{line}: ")
+
+
+def test_no_acceleration_and_no_text(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="holds no acceleration, but: velocity"):
+        read(tmp_path, cosmos_channel(motion(), quantity="velocity", unit="cm/sec(05)"))
+    with pytest.raises(InputError, match="the file is empty"):
+        read(tmp_path, " \n")
+
+
+def test_csmip_reads_the_acceleration_of_a_channel(tmp_path: Path) -> None:
+    values = motion(20, 40.0)
+    record = read_csmip(write(tmp_path, csmip_channel(values)))
+    np.testing.assert_allclose(record.acceleration, 0.01 * values, atol=0.5e-8)
+    assert record.time_step == 0.005
+    assert "Nowhere Earthquake" in record.source and "ML: 5.6" in record.source and "1: 360 Deg" in record.source
+    both = write(tmp_path, csmip_channel(values) + csmip_channel(-2.0 * values, 2, "Up"))
+    np.testing.assert_allclose(read_csmip(both, "Up").acceleration, -0.02 * values, atol=0.5e-8)
+    with pytest.raises(InputError, match="2 components; name one: `1: 360 Deg`, `2: Up`"):
+        read_csmip(both)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "line", "said"),
+    [
+        ("    20 points of accel", "    30 points of accel", 14, "4 fields of 10 characters; 8 are expected"),
+        ("    20 points of accel", "    12 points of accel", 13, "8 fields of 10 characters; 4 are expected"),
+        ("    20 points of accel", "    16 points of accel", 14, "more data than the 16 points"),
+        ("    20 points of accel", "     1 points of accel", 11, "at least 2"),
+        ("at  .005 sec, in cm/sec2", "at  .000 sec, in cm/sec2", 11, "must be greater than zero"),
+        ("at  .005 sec, in cm/sec2", "at  fast sec, in cm/sec2", 11, "`fast` is not a number"),
+        ("in cm/sec2", "in ft/sec2", 11, "unknown unit of acceleration `ft/sec2`"),
+    ],
+)
+def test_csmip_faults(tmp_path: Path, old: str, new: str, line: int, said: str) -> None:
+    text = csmip_channel(motion(20, 40.0))
+    assert old in text
+    path = write(tmp_path, text.replace(old, new, 1))
+    with pytest.raises(InputError) as caught:
+        read_csmip(path)
+    assert said in str(caught.value) and str(caught.value).startswith(f"{path}:{line}: ")
+
+
+def test_csmip_without_data(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="no line such as `12000 points of accel data"):
+        read_csmip(write(tmp_path, "Corrected accelerogram\n"))

@@ -1,0 +1,78 @@
+"""ESM and ITACA files composed here: units, header, and every fault with its line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from strong_motion_samples import esm_file, motion
+
+from edesign.errors import InputError
+from edesign.ground_motion.esm import read_esm
+
+G = 9.80665  # m/s2
+
+
+def write(folder: Path, text: str) -> Path:
+    path = folder / "IT.NRC..HGE.D.20161030.064018.C.ACC.ASC"
+    path.write_text(text)
+    return path
+
+
+@pytest.mark.parametrize(("unit", "factor"), [("cm/s^2", 0.01), ("m/s^2", 1.0), ("g", G)])
+def test_samples_in_each_unit(tmp_path: Path, unit: str, factor: float) -> None:
+    record = read_esm(write(tmp_path, esm_file(motion(), UNITS=unit)))
+    np.testing.assert_allclose(record.acceleration, factor * motion(), atol=0.5e-6 * factor)
+    assert record.time_step == 0.005
+    for said in ("NOWHERE", "20161030", "Mw 6.5", "IT NRC NORCIA", "HGE"):
+        assert said in record.source
+
+
+def test_shorter_header_of_older_files(tmp_path: Path) -> None:
+    text = esm_file(motion(), DATA_TYPE=None, USER1=None, USER2=None, MAGNITUDE_W="", MAGNITUDE_L="6.1")
+    record = read_esm(write(tmp_path, text))
+    assert record.acceleration.size == 20 and "ML 6.1" in record.source
+
+
+def test_the_component_must_be_that_of_the_file(tmp_path: Path) -> None:
+    path = write(tmp_path, esm_file(motion()))
+    assert read_esm(path, "HGE").checksum == read_esm(path, "e").checksum == read_esm(path).checksum
+    with pytest.raises(InputError, match="no component `N`; the file has `HGE`"):
+        read_esm(path, "N")
+
+
+WHOLE = esm_file(motion())
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "said"),
+    [
+        (esm_file(motion(), NDATA="21"), 84, "20 samples, but NDATA = 21 in line 30"),
+        (esm_file(motion(), NDATA="19"), 84, "20 samples, but NDATA = 19 in line 30"),
+        ("".join(WHOLE.splitlines(True)[:64]), 64, "0 samples, but NDATA = 20"),
+        (esm_file(motion(), NDATA="1"), 30, "NDATA = 1; a whole number of at least 2"),
+        (esm_file(motion(), NDATA="many"), 30, "`many` is not a number; NDATA"),
+        (esm_file(motion(), NDATA=None), 63, "the header has no line `NDATA:` (it has `EVENT_NAME`"),
+        (esm_file(motion(), UNITS=None), 63, "the header has no line `UNITS:`"),
+        (esm_file(motion(), UNITS=""), 33, "`UNITS:` has no value"),
+        (esm_file(motion(), UNITS="cm/s"), 33, "unknown unit `cm/s`; allowed: g, m/s^2, cm/s^2, mm/s^2"),
+        (esm_file(motion(), DATA_TYPE="VELOCITY"), 50, "the file holds `VELOCITY`; only ACCELERATION is read"),
+        (esm_file(motion(), SAMPLING_INTERVAL_S="0.0"), 29, "must be greater than zero"),
+        (esm_file(motion(), SAMPLING_INTERVAL_S="?"), 29, "`?` is not a number; SAMPLING_INTERVAL_S"),
+        (WHOLE.replace("75.248937", "NaN"), 67, "`NaN` is not a finite number"),
+        (WHOLE.replace("-13.", "x13.", 1), 76, "is not a number"),
+        ("1.0\n2.0\n", 1, "the header has no line `UNITS:`"),
+    ],
+)
+def test_faults_name_file_and_line(tmp_path: Path, text: str, line: int, said: str) -> None:
+    assert text != WHOLE
+    path = write(tmp_path, text)
+    with pytest.raises(InputError) as caught:
+        read_esm(path)
+    assert said in str(caught.value) and str(caught.value).startswith(f"{path}:{line}: ")
+
+
+def test_nothing_to_read(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="the file is empty"):
+        read_esm(write(tmp_path, "\n"))

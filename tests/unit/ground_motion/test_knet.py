@@ -1,0 +1,72 @@
+"""K-NET files composed here: scale, mean, direction, and every fault with its line."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from strong_motion_samples import knet_file, motion
+
+from edesign.errors import InputError
+from edesign.ground_motion.knet import read_knet
+
+COUNTS = np.round(motion(100, 4.0e5)).astype(int) - 9876
+WHOLE = knet_file(COUNTS)
+
+
+def write(folder: Path, text: str) -> Path:
+    path = folder / "MYG0041103111446.EW"
+    path.write_text(text)
+    return path
+
+
+def test_counts_become_accelerations_about_their_mean(tmp_path: Path) -> None:
+    record = read_knet(write(tmp_path, WHOLE))
+    expected = 0.01 * 3920.0 / 6182761.0 * (COUNTS - np.mean(COUNTS))  # NIED: scale factor in gal a count
+    np.testing.assert_allclose(record.acceleration, expected, rtol=1e-12, atol=1e-15)
+    assert record.time_step == 0.01 and record.name == "MYG0041103111446.EW"
+    for said in ("2011/03/11 14:46:00", "M 9.0", "MYG004", "E-W", f"mean of {np.mean(COUNTS):.6g} counts subtracted"):
+        assert said in record.source
+
+
+def test_directions_of_kik_net(tmp_path: Path) -> None:
+    record = read_knet(write(tmp_path, knet_file(COUNTS, Dir="5", Sampling="200Hz", Duration="0.5")))
+    assert record.time_step == 0.005 and "component EW2" in record.source
+
+
+def test_the_component_must_be_that_of_the_file(tmp_path: Path) -> None:
+    path = write(tmp_path, WHOLE)
+    assert read_knet(path, "EW").checksum == read_knet(path, "E-W").checksum == read_knet(path).checksum
+    with pytest.raises(InputError, match="no component `NS`; the file has `E-W`"):
+        read_knet(path, "NS")
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "said"),
+    [
+        ("".join(WHOLE.splitlines(True)[:12]), 12, "has 17 lines of header"),
+        ("".join(WHOLE.splitlines(True)[:17]), 17, "and samples after them"),
+        (knet_file(COUNTS, Mag=None), 17, "has 17 lines of header"),
+        ("".join(WHOLE.splitlines(True)[:-2]), 28, "88 samples, but 1 s at 100 Hz are 100"),
+        (knet_file(COUNTS, Duration="2"), 30, "100 samples, but 2 s at 100 Hz are 200"),
+        (knet_file(COUNTS, Sampling="fast"), 11, "Sampling Freq(Hz): `fast`; a value such as `100Hz`"),
+        (knet_file(COUNTS, Scale="3920/6182761"), 14, "Scale Factor: `3920/6182761`; a value such as"),
+        (WHOLE.replace("Scale Factor", "Scale       "), 17, "the header has no line `Scale Factor`"),
+        (WHOLE.replace(f"{COUNTS[1]:9d}", "      NaN"), 18, "`NaN` is not a finite number; a count"),
+        (WHOLE.replace(f"{COUNTS[1]:9d}", "      1.5"), 18, "`1.5` is not a whole number"),
+        (WHOLE.replace(f"{COUNTS[1]:9d}", "   broken"), 18, "`broken` is not a number"),
+    ],
+)
+def test_faults_name_file_and_line(tmp_path: Path, text: str, line: int, said: str) -> None:
+    assert text != WHOLE
+    path = write(tmp_path, text)
+    with pytest.raises(InputError) as caught:
+        read_knet(path)
+    assert said in str(caught.value) and str(caught.value).startswith(f"{path}:{line}: ")
+
+
+def test_a_frequency_or_scale_of_zero(tmp_path: Path) -> None:
+    for changed in ({"Sampling": "0Hz"}, {"Scale": "3920(gal)/0"}):
+        with pytest.raises(InputError, match="must be greater than zero"):
+            read_knet(write(tmp_path, knet_file(COUNTS, **changed)))
