@@ -1,5 +1,5 @@
 /* edcore: the numerical core of edesign. Plane frames of force-based fibre beam-columns under static loads,
- * prescribed displacements and ground acceleration.
+ * prescribed displacements and ground acceleration; response spectra of ground acceleration.
  *
  * Conventions
  *   Units      any consistent set (edesign uses m, N, kg, s). No tolerance depends on it.

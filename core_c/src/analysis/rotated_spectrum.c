@@ -3,6 +3,7 @@
 #include "edcore.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 typedef struct {
@@ -59,29 +60,40 @@ static void run_piece(pair *p, int lanes, int rows, const double *first, const d
     look_around(p, l);
 }
 
+/* ED_LANES oscillators, or as many as are left. 0 if a sample is not finite. */
+static int run_block(pair *p, int lanes, int n, const double *first, const double *second)
+{
+  static const double silence = 0.0;
+  memset(p->best, 0, sizeof p->best);
+  for (int at = 0; at < n; at += ED_PIECE)
+    run_piece(p, lanes, n - at < ED_PIECE ? n - at : ED_PIECE, first + at, second + at);
+  for (int l = 0; l < lanes; l++)
+    if (!look_after(p, l))
+      return 0;
+  run_piece(p, lanes, 1, &silence, &silence); /* what lies beside the last sample */
+  return 1;
+}
+
 int ed_rotated_spectrum(int n, double dt, const double *first, const double *second, int n_oscillators,
                         const double *period, const double *damping, int n_angles, double *sd)
 {
-  static const double silence = 0.0;
   if (!ed_oscillators_valid(n, dt, n_oscillators, period, damping) || n_angles < 1 || n_angles > ED_MAX_ANGLES || !sd)
     return ED_E_ARGUMENT;
-  pair p;
-  p.n_angles = n_angles;
+  pair *p = aligned_alloc(_Alignof(pair), sizeof *p); /* too large for the stack of a thread on some systems */
+  if (!p)
+    return ED_E_MEMORY;
+  p->n_angles = n_angles;
   for (int k = 0; k < n_angles; k++)
-    p.cosine[k] = cos(M_PI * k / n_angles), p.sine[k] = sin(M_PI * k / n_angles);
-  for (int from = 0; from < n_oscillators; from += ED_LANES) {
-    const int lanes = ed_lanes_begin(&p.first, from, n_oscillators, dt, period, damping, first[0], 1);
-    ed_lanes_begin(&p.second, from, n_oscillators, dt, period, damping, second[0], 1);
-    memset(p.best, 0, sizeof p.best);
-    for (int at = 0; at < n; at += ED_PIECE)
-      run_piece(&p, lanes, n - at < ED_PIECE ? n - at : ED_PIECE, first + at, second + at);
-    for (int l = 0; l < lanes; l++)
-      if (!look_after(&p, l))
-        return ED_E_NOT_FINITE;
-    run_piece(&p, lanes, 1, &silence, &silence); /* what lies beside the last sample */
-    for (int l = 0; l < lanes; l++)
+    p->cosine[k] = cos(M_PI * k / n_angles), p->sine[k] = sin(M_PI * k / n_angles);
+  int finite = 1;
+  for (int from = 0; from < n_oscillators && finite; from += ED_LANES) {
+    const int lanes = ed_lanes_begin(&p->first, from, n_oscillators, dt, period, damping, first[0], 1);
+    ed_lanes_begin(&p->second, from, n_oscillators, dt, period, damping, second[0], 1);
+    finite = run_block(p, lanes, n, first, second);
+    for (int l = 0; l < lanes && finite; l++)
       for (int k = 0; k < n_angles; k++)
-        sd[(long)(from + l) * n_angles + k] = p.best[l][k] * fabs(p.first.oscillator[l].Q[0]) * dt * dt;
+        sd[(long)(from + l) * n_angles + k] = p->best[l][k] * fabs(p->first.oscillator[l].Q[0]) * dt * dt;
   }
-  return ED_OK;
+  free(p);
+  return finite ? ED_OK : ED_E_NOT_FINITE;
 }
