@@ -28,7 +28,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 help:
 	@echo "make run       set up, analyse $(PROJECT), print the summary"
 	@echo "make test      set up, then lint, types, import layers, C tests with sanitizers, Python tests"
-	@echo "make bench     side by side with OpenSeesPy: CPU time and ratio"
+	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio"
 	@echo "make memcheck  C tests under valgrind"
 	@echo "make setup     only the set-up of run;  make test-setup: only that of the tests"
 	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
@@ -71,12 +71,13 @@ $(STAMPS)/test: $(STAMPS)/build tools/requirements.py tools/setup_system.sh
 	@$(PY) tools/requirements.py dev >$(STAMPS)/dev.txt && $(PIP) install -r $(STAMPS)/dev.txt
 	@touch $@
 
-# OpenSeesPy has no build for some systems; comparisons with it are then skipped.
+# Some peers have no build for some systems; comparisons with them are then skipped.
 $(STAMPS)/peers: $(STAMPS)/test
 	@$(PY) tools/requirements.py peers >$(STAMPS)/peers.txt; \
-	if $(PIP) install -r $(STAMPS)/peers.txt >$(STAMPS)/peers.log 2>&1 && \
-	    $(PY) -c "import openseespy.opensees" >>$(STAMPS)/peers.log 2>&1; then :; \
-	else echo "edesign: notice: no OpenSeesPy for this system, comparisons with it are skipped ($(STAMPS)/peers.log)"; fi
+	$(PIP) install -r $(STAMPS)/peers.txt >$(STAMPS)/peers.log 2>&1 || while read -r peer; do \
+	    $(PIP) install "$$peer" >>$(STAMPS)/peers.log 2>&1 || \
+	        echo "edesign: notice: no $$peer for this system, comparisons with it are skipped ($(STAMPS)/peers.log)"; \
+	done <$(STAMPS)/peers.txt
 	@touch $@
 
 setup: $(STAMPS)/build
@@ -89,6 +90,8 @@ run: setup
 
 bench: test-setup
 	@$(PY) -m benchmarks.run
+	@$(PY) -m benchmarks.spectra
+	@$(PY) -m benchmarks.matching
 
 test: test-setup lint types layers ctest pytest
 

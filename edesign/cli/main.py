@@ -1,4 +1,4 @@
-"""The command `edesign`: new, check, run, show. Exit codes are listed in docs/command_line.md."""
+"""The command `edesign`: new, check, run, show, spectrum, match. Exit codes are listed in docs/command_line.md."""
 
 from __future__ import annotations
 
@@ -14,9 +14,11 @@ import typer
 
 from edesign._version import __version__
 from edesign.cli.check import check
+from edesign.cli.match import match
 from edesign.cli.new import new
 from edesign.cli.run import run
 from edesign.cli.show import show
+from edesign.cli.spectrum import spectrum
 from edesign.errors import ArchiveError, EdesignError, Interrupted
 
 EPILOG = (
@@ -33,7 +35,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (new, check, run, show):
+for command in (new, check, run, show, spectrum, match):
     app.command()(command)
 
 

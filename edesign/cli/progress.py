@@ -38,7 +38,7 @@ class PlainLines:
             if tenths <= self._told.get(report.analysis, 0) or report.fraction >= 1:
                 return
             self._told[report.analysis] = tenths
-            text = f"{place(report)} {report.analysis}: {tenths * LINE_EVERY:.0%}"
+            text = f"{place(report)}{report.analysis}: {tenths * LINE_EVERY:.0%}"
         try:
             print(text, file=sys.stderr, flush=True)
         except OSError:  # nobody reads on, or the disk of a log is full: no reason to stop a run
@@ -46,8 +46,8 @@ class PlainLines:
 
 
 def place(report: Progress) -> str:
-    """Return the place in the plan, such as [3/20]."""
-    return f"[{report.index}/{report.count}]"
+    """Return the place in the plan, such as "[3/20] "; "" for what is not in the plan."""
+    return f"[{report.index}/{report.count}] " if report.index else ""
 
 
 def describe(report: Progress) -> str:
@@ -55,10 +55,10 @@ def describe(report: Progress) -> str:
     if report.event == "note":
         return report.message
     if report.event == "start":
-        return f"{place(report)} {report.analysis}"
+        return f"{place(report)}{report.analysis}"
     if report.event == "reuse":
-        return f"{place(report)} {report.analysis}: reused"
-    return f"{place(report)} {report.analysis}: {report.message} ({report.seconds:.2f} s)"
+        return f"{place(report)}{report.analysis}: reused"
+    return f"{place(report)}{report.analysis}: {report.message} ({report.seconds:.2f} s)"
 
 
 @contextmanager

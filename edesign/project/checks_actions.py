@@ -8,9 +8,11 @@ from edesign.project import names
 from edesign.project.analyses import GravityAnalysis, HistoryAnalysis
 from edesign.project.checks_frame import Selections
 from edesign.project.damping import RayleighDamping
+from edesign.project.matching import Matching
 from edesign.project.problems import Keys, Problems, listed, unknown_name
+from edesign.project.processing import Step
 from edesign.project.project import Project
-from edesign.project.records import AccelerationUnit, FemaP695Record, FileRecord, StructdynRecord
+from edesign.project.records import AccelerationUnit, FemaP695Record, FileRecord, StructdynRecord, SuiteRecords
 
 UNITS = get_args(AccelerationUnit)
 
@@ -60,33 +62,66 @@ def _damping(project: Project, problems: Problems) -> None:
 def _records(project: Project, problems: Problems) -> None:
     for name, record in project.records.items():
         keys: Keys = ("records", name)
-        if isinstance(record, FemaP695Record):
+        _matching(project, record.match, (*keys, "match"), problems)
+        if isinstance(record, SuiteRecords):
+            _file(project, record.suite, (*keys, "suite"), problems)
+            for i, folder in enumerate(record.folders):
+                if not (project.folder / folder).is_dir():
+                    message = (
+                        f"there is no folder `{project.folder / folder}` (the path is relative to the project file)"
+                    )
+                    problems.at_value((*keys, "folders", i), message)
             continue
-        _format(record, keys, problems)
-        if isinstance(record, FileRecord):
-            path = project.record_path(name)
-            if not path.exists():
-                message = f"there is no file `{path}` (the path is relative to the project file)"
-                problems.at_value((*keys, "file"), message)
-            elif not path.is_file():
-                problems.at_value((*keys, "file"), f"`{path}` is not a file")
+        _processing(record.processing, (*keys, "processing"), problems)
+        if not isinstance(record, FemaP695Record):
+            _format(record, keys, problems)
+            if isinstance(record, FileRecord):
+                _file(project, record.file, (*keys, "file"), problems)
+
+
+def _file(project: Project, name: str, keys: Keys, problems: Problems) -> None:
+    path = project.folder / name
+    if not path.exists():
+        problems.at_value(keys, f"there is no file `{path}` (the path is relative to the project file)")
+    elif not path.is_file():
+        problems.at_value(keys, f"`{path}` is not a file")
+
+
+def _matching(project: Project, match: Matching | None, keys: Keys, problems: Problems) -> None:
+    if match is None:
+        return
+    if project.hazard is None:
+        problems.at_key(keys, "a record is fitted to the spectrum of the `hazard`, and the file has none")
+    if match.periods[0] >= match.periods[1]:
+        problems.at_value((*keys, "periods"), "the shorter period stands first, and the two must differ")
+    if match.scale_bounds[0] > match.scale_bounds[1]:
+        problems.at_value((*keys, "scale_bounds"), "the smaller factor stands first")
 
 
 def _format(record: FileRecord | StructdynRecord, keys: Keys, problems: Problems) -> None:
-    """AT2 files say unit and time step themselves; CSV files need help."""
+    """Tables of text need help; files of other formats say unit and time step themselves."""
     suffix = record.file.lower().rpartition(".")[2]
-    if suffix == "at2":
-        for key in ("acceleration_unit", "time_step", "columns"):
-            if getattr(record, key) is not None:
-                problems.at_key((*keys, key), "an AT2 file says this itself; leave this key out")
-    elif suffix == "csv":
+    kind = record.format or {"at2": "at2", "csv": "table"}.get(suffix)
+    if kind == "table":
         if record.acceleration_unit is None:
-            message = f"this key is missing; a CSV file does not say its unit (allowed: {listed(UNITS)})"
+            message = f"this key is missing; a table does not say its unit (allowed: {listed(UNITS)})"
             problems.under(keys, "acceleration_unit", message)
         if record.columns is not None and record.columns.time is None and record.time_step is None:
             problems.under(keys, "time_step", "this key is missing; without a time column it is needed")
-    else:
-        problems.at_value((*keys, "file"), f"`{record.file}` is neither an .AT2 nor a .csv file")
+    elif kind is not None:
+        for key in ("acceleration_unit", "time_step", "columns"):
+            if getattr(record, key) is not None:
+                problems.at_key((*keys, key), f"a file of the format `{kind}` says this itself; leave this key out")
+
+
+def _processing(steps: tuple[Step, ...], keys: Keys, problems: Problems) -> None:
+    for i, step in enumerate(steps):
+        if not step.given:
+            problems.at_value((*keys, i), f"a step is one of {listed(Step.model_fields)}")
+        for name in step.given[1:]:
+            problems.at_key((*keys, i, name), f"`{step.given[0]}` is this step; begin a new one with `- {name}:`")
+        if step.filter is not None and step.filter.low is None and step.filter.high is None:
+            problems.at_key((*keys, i, "filter"), "give `low`, `high`, or both")
 
 
 def _analyses(project: Project, problems: Problems) -> None:
@@ -107,6 +142,8 @@ def _analyses(project: Project, problems: Problems) -> None:
 def _history(project: Project, problems: Problems, keys: Keys, analysis: HistoryAnalysis) -> None:
     if analysis.record not in project.records:
         problems.at_value((*keys, "record"), unknown_name("record", analysis.record, project.records))
+    else:
+        _level(project, problems, keys, analysis)
     if analysis.pga is not None and analysis.scale is not None:
         problems.at_key((*keys, "scale"), "`pga` and `scale` exclude each other; keep one of them")
     if project.damping is None:
@@ -117,3 +154,23 @@ def _history(project: Project, problems: Problems, keys: Keys, analysis: History
     if project.integration is None:
         example = "integration: {method: newmark, time_step: 0.01 s}"
         problems.at_value(keys, f"a history needs `integration`, and the file has none; for example `{example}`")
+
+
+def _level(project: Project, problems: Problems, keys: Keys, analysis: HistoryAnalysis) -> None:
+    """A level is one of the hazard's, if that has any; a record fitted to its spectrum is scaled by a level only."""
+    if project.hazard is None:
+        return
+    levels = project.hazard.levels
+    if levels and analysis.level and analysis.level not in levels:
+        problems.at_value((*keys, "level"), unknown_name("level", analysis.level, levels))
+    if project.records[analysis.record].match is None:
+        return
+    fitted = f"`{analysis.record}` is fitted to the spectrum of the hazard"
+    if not levels:
+        problems.under(("hazard",), "levels", f"this key is missing; {fitted} and scaled to a level of it")
+    elif not analysis.level:
+        message = f"this key is missing; {fitted} and scaled to a level of it: {listed(levels)}"
+        problems.under(keys, "level", message)
+    for key in ("pga", "scale"):
+        if getattr(analysis, key) is not None:
+            problems.at_key((*keys, key), f"{fitted}; its `level` says the scale")

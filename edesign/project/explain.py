@@ -48,7 +48,7 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
         problems.at_value(
             keys, f"a list, or a mapping of {listed(other)}, is needed here, not {_seen(detail['input'])}"
         )
-    elif kind == "literal_error" and keys == ("edesign",):
+    elif kind == "literal_error" and keys in (("edesign",), ("edesign_suite",)):
         problems.at_value(keys, f"format {_seen(detail['input'])} is unknown to this version of edesign, which reads 1")
     elif detail["loc"] and detail["loc"][-1] == "[key]":
         problems.at_key(keys, "a name is made of letters, digits and `_`, `-`, `+`, `.`, at most 64 of them")
@@ -89,7 +89,8 @@ def _message(kind: str, detail: ErrorDetails, context: Mapping[str, Any]) -> str
     if kind == "string_too_long":
         return f"the text is longer than {context['max_length']} characters"
     if kind == "string_pattern_mismatch":
-        return f"{seen} is not written as needed (pattern `{context['pattern']}`)"
+        signs = ", ".join(f"`{sign}`" for sign in "_-+." if sign in context["pattern"])  # only names have a pattern
+        return f"{seen} is no name: a letter or digit begins it, letters, digits and {signs} may follow"
     return f"{seen}: {detail['msg']}"
 
 

@@ -1,4 +1,4 @@
-"""Problems of a project file, each with its place, all told at once."""
+"""Problems of a YAML file, each with its place, all told at once."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from edesign.project.yaml_nodes import Mark, Node, find
 Keys = tuple[str | int, ...]
 
 
-class ProjectError(InputError):
-    """A project file is wrong; the message lists all problems found.
+class FileProblems(InputError):
+    """A YAML file is wrong; the message lists all problems found.
 
     Attributes:
         problems: the problems in the order of the file.
@@ -28,6 +28,10 @@ class ProjectError(InputError):
         if len(lines) > 1:
             lines.append(f"{len(lines)} problems in {path}")
         super().__init__("\n".join(lines))
+
+
+class ProjectError(FileProblems):
+    """A project file is wrong."""
 
 
 @dataclass(frozen=True)

@@ -13,12 +13,13 @@ from edesign.project.base import Model
 from edesign.project.damping import Damping
 from edesign.project.elements import Elements
 from edesign.project.frame import Frame
+from edesign.project.hazard import Hazard
 from edesign.project.integration import Integration
 from edesign.project.loads import Loads
 from edesign.project.masses import Masses
 from edesign.project.materials import Material
 from edesign.project.outputs import Outputs
-from edesign.project.records import FileRecord, Record
+from edesign.project.records import FileRecord, Record, SuiteRecords
 from edesign.project.sections import Fibres, Section
 from edesign.project.yaml_nodes import Node, find
 
@@ -39,6 +40,7 @@ class Project(Model):
     elements: Elements = Elements()
     damping: Damping | None = None
     integration: Integration | None = None
+    hazard: Hazard | None = None
     records: dict[Identifier, Record] = {}
     analyses: Annotated[tuple[Analysis, ...], Field(min_length=1)]
     outputs: Outputs = Outputs()
@@ -82,6 +84,17 @@ class Project(Model):
         if not isinstance(record, FileRecord):
             raise KeyError(name)
         return self.folder / record.file
+
+    def suite_path(self, name: str) -> Path:
+        """The suite file of a record that is given by `suite`.
+
+        Raises:
+            KeyError: no record of this name is a suite.
+        """
+        record = self.records[name]
+        if not isinstance(record, SuiteRecords):
+            raise KeyError(name)
+        return self.folder / record.suite
 
     def where(self, *keys: str | int) -> str:
         """`file:line:column` of a key path, e.g. where("analyses", 2, "record"); of the nearest part that exists."""

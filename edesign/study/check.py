@@ -2,46 +2,55 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.frame import build_frame
 from edesign.core import CoreError
-from edesign.errors import AnalysisError, InputError
-from edesign.ground_motion.project_records import read_record
+from edesign.errors import InputError
+from edesign.ground_motion.hazard import checked_hazard
+from edesign.ground_motion.project_records import find_recordings, references
+from edesign.ground_motion.sources import Found
 from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
 from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.problems import keys_text
 from edesign.project.project import Project
-from edesign.study import analyses
+from edesign.project.records import SuiteRecords
 from edesign.study.advice import advice
 from edesign.study.history import check_motion
+from edesign.study.modal import fundamental_period
+from edesign.study.plan import make_plan
 from edesign.study.requested import requested_quantities
 from edesign.study.structure import make_structure
 
+ORIGINS = {"file": "from files", "package": "from packages", "stand-in": "simulated"}
 
-def check_inputs(project: Project, records: Iterable[str], specs: Iterable[Analysis] = ()) -> dict[str, str]:
+
+def check_inputs(project: Project, specs: Iterable[Analysis]) -> dict[str, Found]:
     """Read records, build the frame and look for the outputs, so that what is wrong shows before the first analysis.
 
     Args:
         project: from `load_project`.
-        records: names of the records that are needed.
-        specs: the analyses that will run.
+        specs: the analyses that will run, those of suites in their parts.
 
     Returns:
-        SHA-256 of the samples of each record, by name.
+        The recordings that they need, by reference, those of a suite all together.
 
     Raises:
         InputError: a record cannot be read or applied, the frame cannot be built, is a mechanism or has parts that are
             not connected, an output does not exist in it, or it has fewer modes than are asked for.
     """
     specs = tuple(specs)
-    found = {name: read_record(project, name) for name in sorted(set(records))}
-    for spec in specs:
-        if isinstance(spec, HistoryAnalysis):
-            check_motion(project, spec, found[spec.record])
+    if project.hazard is not None:
+        checked_hazard(project)
+    histories = [spec for spec in specs if isinstance(spec, HistoryAnalysis)]
+    names = sorted({spec.record.partition("/")[0] for spec in histories})
+    found = find_recordings(project, [reference for name in names for reference in references(project, name)])
+    for spec in histories:
+        check_motion(project, spec, found[spec.record].record)
     frame = build_frame(project)
     requested_quantities(project, frame, Group())
     try:
@@ -49,7 +58,7 @@ def check_inputs(project: Project, records: Iterable[str], specs: Iterable[Analy
     except CoreError as error:
         raise InputError(f"{project.where('frame')}: frame: {error}") from error
     _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
-    return {name: record.checksum for name, record in found.items()}
+    return found
 
 
 def _check_modes(project: Project, specs: tuple[Analysis, ...], most: int) -> None:
@@ -87,19 +96,32 @@ def check_project(project: Project) -> dict[str, str]:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
         AnalysisError: the first period cannot be found.
     """
-    check_inputs(project, project.records, project.analyses)
-    period = _first_period(project)
-    notes = advice(project, period)
+    plan = make_plan(project)
+    found = check_inputs(project, [task.spec for task in plan])
+    unused = [name for name in project.records if all(name != key.partition("/")[0] for key in found)]
+    others = find_recordings(project, [key for name in unused for key in references(project, name)])
+    period = fundamental_period(project)
+    notes = advice(project, period, [item.record for item in found.values()])
     return {
         "title": project.title,
         "frame": _frame(project),
         "members": _members(project),
         "period": f"T1 = {period:.4f} s under gravity" if period is not None else "no masses",
-        "records": ", ".join(project.records) or "none",
+        "records": _records(project, {**found, **others}),
         "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
         "archive": str(project.archive_path),
         **({"notes": "; ".join(notes)} if notes else {}),
     }
+
+
+def _records(project: Project, found: Mapping[str, Found]) -> str:
+    """The records, and of suites how many of their recordings are real."""
+    texts = []
+    for name in project.records:
+        origins = Counter(item.origin for key, item in found.items() if key.partition("/")[0] == name)
+        of = ", ".join(f"{count} {ORIGINS[origin]}" for origin, count in origins.items())
+        texts.append(f"{name} ({of})" if isinstance(project.records[name], SuiteRecords) else name)
+    return ", ".join(texts) or "none"
 
 
 def _frame(project: Project) -> str:
@@ -117,15 +139,6 @@ def _members(project: Project) -> str:
     if frame.brace_at:
         counts.append(_count(len(frame.brace_at), "brace"))
     return ", ".join(counts)
-
-
-def _first_period(project: Project) -> float | None:
-    if project.masses is None:
-        return None
-    group = analyses.run_analysis(project, ModalAnalysis(name="check", kind="modal", modes=1))
-    if group.attributes.get("status") != "completed":
-        raise AnalysisError(f"{project.path}: the first period cannot be found: {group.attributes.get('reason')}")
-    return float(group.variables["period"].values[0])
 
 
 def _count(number: int, noun: str) -> str:

@@ -11,13 +11,15 @@ from edesign.archive.dataset import Group
 from edesign.building.damping import rayleigh_coefficients
 from edesign.core import HHT, GeneralisedAlpha, Integrator, Modes, Newmark, Response
 from edesign.errors import InputError
-from edesign.ground_motion.project_records import read_record
+from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record import Record
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.project import Project
 from edesign.study import quantities as q
+from edesign.study.modal import fundamental_period
+from edesign.study.motions import Motion, level_factor, project_motions
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.requested import requested_quantities
 from edesign.study.residual import DEFINITION, residual
@@ -31,8 +33,16 @@ def run_history(
     spec: HistoryAnalysis,
     progress: Callable[[int, int], None] | None = None,
     stop: Callable[[], bool] | None = None,
+    motion: Motion | None = None,
 ) -> Group:
     """Compute the response of a frame under gravity to a record along x.
+
+    Args:
+        project: the validated project.
+        spec: the history.
+        progress: called with (steps done, steps).
+        stop: asked now and then; True ends the history.
+        motion: the record made ready; None reads it here.
 
     Raises:
         InputError: the record cannot be read, or a requested output does not exist.
@@ -41,8 +51,9 @@ def run_history(
     """
     if project.integration is None:
         raise InputError(f"{project.path}: the history {spec.name} needs `integration`")
-    recorded_motion = read_record(project, spec.record)
-    ground = input_motion(recorded_motion, spec, project.integration.time_step)
+    motion = motion or _motion(project, spec.record)
+    factor = scale_factor(project, spec, motion.record)
+    ground = input_motion(motion.record, factor, project.integration.time_step, spec.free_vibration)
     structure = make_structure(project)
     frame = structure.frame
     group = Group()
@@ -62,7 +73,7 @@ def run_history(
         *requested,
     ]
     period = _damp(project, structure)
-    group.attributes |= _provenance(recorded_motion, ground, spec) | {"fundamental_period_s": period}
+    group.attributes |= _provenance(motion, factor, ground, spec) | {"fundamental_period_s": period}
     # Every step is recorded, whatever is kept later: the residual response does not depend on what is kept.
     response = structure.analysis.history(
         ground.acceleration,
@@ -91,15 +102,26 @@ def run_history(
     return group
 
 
-def input_motion(record: Record, spec: HistoryAnalysis, time_step: float | None) -> Record:
-    """Return what is applied: the record scaled to its peak or by its factor, resampled, and followed by zeros."""
+def _motion(project: Project, reference: str) -> Motion:
+    """The record made ready for one history alone; those of a suite depend on each other."""
+    recordings = find_recordings(project, references(project, reference.partition("/")[0]))
+    return project_motions(project, recordings, lambda: fundamental_period(project))[reference]
+
+
+def scale_factor(project: Project, spec: HistoryAnalysis, record: Record) -> float:
+    """Return the factor on a record: to its peak, as given, or the importance factor of its hazard level."""
     if spec.pga is not None:
-        record = record.scaled_to_pga(spec.pga)
-    elif spec.scale is not None:
-        record = record.scaled(spec.scale)
+        return spec.pga / record.pga
+    return level_factor(project, spec) if spec.scale is None else spec.scale
+
+
+def input_motion(record: Record, factor: float, time_step: float | None, free_vibration: float) -> Record:
+    """Return what is applied: the record times a factor, resampled, and followed by zeros."""
+    if factor != 1.0:
+        record = record.scaled(factor)
     if time_step is not None:
         record = record.resampled(time_step)
-    return record.with_zeros(spec.free_vibration)
+    return record.with_zeros(free_vibration)
 
 
 def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> None:
@@ -167,14 +189,17 @@ def _kept(quantity: Quantity, history: bool) -> Quantity:
     return quantity if history else replace(quantity, history=False)
 
 
-def _provenance(record: Record, ground: Record, spec: HistoryAnalysis) -> dict[str, object]:
-    factor = spec.scale if spec.scale is not None else spec.pga / record.pga if spec.pga is not None else 1.0
+def _provenance(motion: Motion, factor: float, ground: Record, spec: HistoryAnalysis) -> dict[str, object]:
+    recorded = motion.found.record
     return {
-        "record_source": record.source,
-        "record_checksum": record.checksum,
-        "record_pga_m_s2": record.pga,
-        "record_time_step_s": record.time_step,
-        "record_samples": int(record.acceleration.size),
+        "record_origin": motion.found.origin,
+        "record_source": recorded.source,
+        "record_checksum": recorded.checksum,
+        "record_pga_m_s2": recorded.pga,
+        "record_time_step_s": recorded.time_step,
+        "record_samples": int(recorded.acceleration.size),
+        "match_method": motion.match.method if motion.match else None,
+        "match_scale": motion.match.scale if motion.match else None,
         "scale_factor": float(factor),
         "input_motion": ground.source,
         "input_pga_m_s2": ground.pga,

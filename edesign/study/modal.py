@@ -6,6 +6,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.core import Modes
+from edesign.errors import AnalysisError
 from edesign.project.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.study.recording import coordinate
@@ -30,6 +31,22 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
     store_modes(group, structure, structure.modes(spec.modes))
     group.attributes |= {"status": "completed", "reason": "", "state": spec.state, "mass_kg": structure.frame.mass}
     return group
+
+
+def fundamental_period(project: Project) -> float | None:
+    """Return the first period of the frame under gravity, s; None if it has no masses.
+
+    Raises:
+        AnalysisError: the frame is unstable, or the period cannot be found.
+    """
+    if project.masses is None:
+        return None
+    try:
+        structure = make_structure(project)
+        structure.apply_gravity()
+        return float(structure.modes(1).period[0])
+    except AnalysisError as error:
+        raise AnalysisError(f"{project.path}: the first period cannot be found: {error}") from error
 
 
 def store_modes(group: Group, structure: Structure, modes: Modes) -> None:

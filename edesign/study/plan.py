@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from edesign.errors import InputError
-from edesign.project.analyses import Analysis
+from edesign.ground_motion.project_records import references
+from edesign.project.analyses import Analysis, HistoryAnalysis
 from edesign.project.problems import did_you_mean
 from edesign.project.project import Project
+from edesign.project.records import SuiteRecords
 
 ANALYSES = "analyses"  # their group in the archive
 
@@ -18,12 +20,14 @@ class Task:
     """One analysis of a plan.
 
     Attributes:
-        order: its place in the project file, from 0.
-        spec: what the project file says about it.
+        order: its place in the plan of the whole project, from 0.
+        spec: what the project file says about it; of a history of a suite the part of one recording.
+        entry: name of the analysis in the project file.
     """
 
     order: int
     spec: Analysis
+    entry: str
 
     @property
     def name(self) -> str:
@@ -37,7 +41,7 @@ class Task:
 
     @property
     def record(self) -> str | None:
-        """Name of the record that it needs."""
+        """Reference of the record that it needs."""
         return getattr(self.spec, "record", None)
 
     @property
@@ -58,19 +62,40 @@ def labels(spec: Analysis) -> dict[str, str | None]:
 
 
 def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
-    """List the analyses of a project in its order.
+    """List the analyses of a project in its order; a history of a suite becomes one of each recording.
 
     Args:
         project: the validated project.
-        only: names to which the plan is restricted; all if empty.
+        only: names to which the plan is restricted, of the project file or of the plan; all if empty.
 
     Raises:
-        InputError: a name in `only` is not an analysis of the project.
+        InputError: a name in `only` is not an analysis of the project, two analyses get the same name, or a suite
+            cannot be read.
     """
-    tasks = tuple(Task(order, spec) for order, spec in enumerate(project.analyses))
-    names = [task.name for task in tasks]
+    named = [(part, spec.name) for spec in project.analyses for part in _parts(project, spec)]
+    tasks = tuple(Task(order, spec, entry) for order, (spec, entry) in enumerate(named))
+    first: dict[str, Task] = {}
+    for task in tasks:
+        other = first.setdefault(task.name, task)
+        if other is not task:
+            raise InputError(
+                f"{project.path}: the analyses `{other.entry}` and `{task.entry}` both lead to one named "
+                f"`{task.name}`; rename one of them"
+            )
+    names = list(dict.fromkeys(name for task in tasks for name in (task.entry, task.name)))
     for name in only:
         if name not in names:
             hint = did_you_mean(name, names)
-            raise InputError(f"{project.path}: no analysis is named {name!r}{hint} (there are: {', '.join(names)})")
-    return tuple(task for task in tasks if not only or task.name in only)
+            known = ", ".join(dict.fromkeys(task.entry for task in tasks))
+            raise InputError(f"{project.path}: no analysis is named {name!r}{hint} (there are: {known})")
+    return tuple(task for task in tasks if not only or task.name in only or task.entry in only)
+
+
+def _parts(project: Project, spec: Analysis) -> list[Analysis]:
+    """The analysis itself, or for a suite one named ANALYSIS.ID for each of its recordings."""
+    if not isinstance(spec, HistoryAnalysis) or not isinstance(project.records.get(spec.record), SuiteRecords):
+        return [spec]
+    return [
+        spec.model_copy(update={"name": f"{spec.name}.{reference.partition('/')[2]}", "record": reference})
+        for reference in references(project, spec.record)
+    ]

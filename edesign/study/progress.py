@@ -14,7 +14,7 @@ class Progress:
     Attributes:
         event: "note" (text for the user), "start", "advance" or "end" of an analysis, "reuse" of an earlier result.
         analysis: name of the analysis, "" for a note.
-        index: its place in the plan, from 1; 0 for a note.
+        index: its place in the plan, from 1; 0 for a note, and for what is not in the plan, such as the fit of records.
         count: number of analyses in the plan.
         fraction: done part of this analysis, 0 to 1.
         message: text of a note; at the end the status, with the reason of a failure.

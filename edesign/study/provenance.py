@@ -59,15 +59,18 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
             "project_checksum": project.checksum,
             "input_checksum": input_checksum(project, records),
             "record_checksums": dict(records),
-            "edesign_version": __version__,
-            "core_version": core.version(),
-            "code_checksum": code_checksum(),
+            **versions(),
             "planned": planned,
             "status": "running",
         }
     )
     group.add("project_text", (), project.text, "", "text of the project file")
     return group
+
+
+def versions() -> dict[str, str]:
+    """Return what identifies the program that computes: versions, and the checksum of the package."""
+    return {"edesign_version": __version__, "core_version": core.version(), "code_checksum": code_checksum()}
 
 
 def circumstances() -> Group:

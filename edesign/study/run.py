@@ -4,27 +4,32 @@ from __future__ import annotations
 
 import logging
 import os
-import signal
 import threading
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
-from types import FrameType
 from typing import Literal
 
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.errors import ArchiveError, EdesignError, Interrupted
+from edesign.ground_motion.sources import Found
 from edesign.project.project import Project
 from edesign.study import analyses
 from edesign.study.check import check_inputs
+from edesign.study.interrupt import stop_on_signals
+from edesign.study.modal import fundamental_period
+from edesign.study.motions import Motion, match_options, project_motions
 from edesign.study.plan import Task, make_plan
 from edesign.study.progress import Listener, Progress, silent
 from edesign.study.provenance import IDENTITY, circumstances, root_group
+from edesign.study.record_results import project_record_groups
 
+MATCHING = "matching"  # what the progress of the fit of the records is called
 COMPLETED, FAILED, INTERRUPTED = "completed", "failed", "interrupted"
 log = logging.getLogger("edesign")
 
@@ -102,8 +107,8 @@ def run_project(
     started = time.monotonic()
     plan = make_plan(project, only)
     path = Path(archive_path) if archive_path is not None else default_archive_path(project, only)
-    records = [task.record for task in plan if task.record is not None]
-    checksums = check_inputs(project, records, [task.spec for task in plan])
+    recordings = check_inputs(project, [task.spec for task in plan])
+    checksums = {name: found.record.checksum for name, found in recordings.items()}
     run = _Run(project, plan, progress or silent)
     tasks = {task.path: task for task in plan}
 
@@ -120,8 +125,9 @@ def run_project(
         for place in writer.kept:
             run.reuse(tasks[place])
         todo = [task for task in plan if task.path not in writer.kept]
-        with _signals_stop(run):
+        with stop_on_signals(run.stop, lambda: run.critical):
             try:
+                run.motions = _prepare_records(writer, run, recordings, workers)
                 for task, group, seconds in _results(run, todo, workers):
                     with run.uninterrupted():
                         _archive(writer, run, task, group, seconds)
@@ -156,6 +162,7 @@ class _Run:
     plan: tuple[Task, ...]
     listener: Listener
     stop: threading.Event = field(default_factory=threading.Event)
+    motions: Mapping[str, Motion] = field(default_factory=dict)
     outcomes: dict[str, Outcome] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     critical: bool = False
@@ -200,12 +207,43 @@ class _Run:
             self.critical = False
 
 
+def _prepare_records(
+    writer: ArchiveWriter, run: _Run, recordings: Mapping[str, Found], workers: int
+) -> dict[str, Motion]:
+    """Fit the records to the spectrum where the project says so, and archive them."""
+    started = time.monotonic()
+    fits = [name for name in recordings if match_options(run.project, name) is not None]
+    done: list[str] = []
+
+    def tell(event: Literal["start", "advance", "end"], message: str = "") -> None:
+        if fits:
+            seconds, fraction = time.monotonic() - started, len(done) / len(recordings)
+            run.tell(Progress(event, MATCHING, 0, len(run.plan), fraction, message, seconds))
+
+    def each(motion: Motion) -> None:
+        done.append(motion.name)
+        tell("advance")
+
+    tell("start")
+    period = partial(fundamental_period, run.project)
+    motions = project_motions(run.project, recordings, period, workers, each, run.stop.is_set)
+    tell("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
+    if not run.stop.is_set():
+        with run.uninterrupted():
+            for place, group in project_record_groups(run.project, motions):
+                writer.write(place, group)
+    return motions
+
+
 def _analyse(run: _Run, task: Task) -> tuple[Group, float]:
     """Run one analysis; whatever goes wrong in it becomes a group with the status "failed"."""
     started = time.monotonic()
     run.start(task)
     try:
-        group = analyses.run_analysis(run.project, task.spec, progress=run.advance(task), stop=run.stop.is_set)
+        motion = run.motions.get(task.record or "")
+        group = analyses.run_analysis(
+            run.project, task.spec, progress=run.advance(task), stop=run.stop.is_set, motion=motion
+        )
     except EdesignError as error:
         group = Group(attributes={"status": FAILED, "reason": str(error)})
     except MemoryError:
@@ -253,26 +291,6 @@ def _archive(writer: ArchiveWriter, run: _Run, task: Task, group: Group, seconds
     attributes = {**group.attributes, **task.labels, "status": status, "reason": reason}
     writer.write(task.path, Group(group.coords, group.variables, attributes))
     run.end(task, Outcome(task.name, status, reason, seconds=seconds))
-
-
-@contextmanager
-def _signals_stop(run: _Run) -> Iterator[None]:
-    """Let the first Ctrl-C (or SIGTERM) ask the analyses to stop, and a second one stop at once."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-
-    def handle(number: int, frame: FrameType | None) -> None:
-        if run.stop.is_set() and not run.critical:
-            raise KeyboardInterrupt
-        run.stop.set()
-
-    previous = {number: signal.signal(number, handle) for number in (signal.SIGINT, signal.SIGTERM)}
-    try:
-        yield
-    finally:
-        for number, handler in previous.items():
-            signal.signal(number, handler)
 
 
 def _kept_message(path: Path, project: Project, kept: int, planned: int) -> str:

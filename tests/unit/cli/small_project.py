@@ -13,6 +13,7 @@ from edesign.errors import AnalysisError
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.outputs import Outputs
 from edesign.project.project import Project
+from edesign.study.motions import Motion
 
 STEPS = 20
 
@@ -48,6 +49,7 @@ class Core:
         spec: Any,
         progress: Callable[[int, int], None] | None = None,
         stop: Callable[[], bool] | None = None,
+        motion: Motion | None = None,
     ) -> Group:
         self.ran.append(spec.name)
         group = Group(coords={"time": Variable(("time",), np.arange(STEPS) * 0.01, "s", "time")})

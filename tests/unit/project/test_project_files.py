@@ -47,7 +47,7 @@ def test_thesis_frame_has_the_numbers_of_section_5_2() -> None:
 
 def test_thesis_frame_runs_the_real_el_centro_record_unscaled() -> None:
     project = load_project(THESIS)
-    assert [analysis.kind for analysis in project.analyses] == ["modal", "gravity", "history"]
+    assert [analysis.kind for analysis in project.analyses] == ["modal", "gravity", "history", "history", "history"]
     history = project.analyses[2]
     assert isinstance(history, HistoryAnalysis)
     assert history.pga is None and history.scale is None and history.free_vibration == 10.0
@@ -92,7 +92,7 @@ def test_every_key_is_documented() -> None:
     waiting, keys = [Model], set()
     while waiting:
         model = waiting.pop()
-        waiting += model.__subclasses__()
+        waiting += [kind for kind in model.__subclasses__() if kind.__module__.startswith("edesign.project.")]
         keys |= set(model.model_fields)
     assert len(keys) > 60
     assert not [key for key in sorted(keys) if f"`{key}`" not in text and f"{key}: " not in text]

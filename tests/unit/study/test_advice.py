@@ -42,11 +42,11 @@ analyses:
             "area: 16 cm^2",
             "`D_1_1_r`, `D_1_1_f` will not yield",
         ),
-        ("newmark, time_step: 0.005 s", "newmark, time_step: 0.01 s", "0.01 s is longer than that of the record pulse"),
+        ("newmark, time_step: 0.005 s", "newmark, time_step: 0.01 s", "0.01 s is longer than that of `pulse`"),
         ("mass: 20 t", "mass: 0.1 t", "0.005 s is longer than 1/10 of the period T1 = 0.0"),
     ],
 )
 def test_notes(tmp_path: Path, old: str, new: str, said: str | None) -> None:
-    (tmp_path / "pulse.csv").write_text("0\n0.1\n0.2\n0.1\n0\n")
+    (tmp_path / "pulse.csv").write_text("0\n0.1\n0.2\n0.1\n0\n-0.1\n-0.2\n-0.1\n0\n")
     found = check_project(project(TEXT.replace(old, new) if old else TEXT, tmp_path / "project.yaml"))
     assert said in found["notes"] if said else "notes" not in found

@@ -1,0 +1,133 @@
+"""The seismic action on a command line: of a project file, or given by options."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from edesign.errors import InputError
+
+if TYPE_CHECKING:
+    from edesign.project.hazard import Hazard
+    from edesign.project.project import Project
+    from edesign.project.units import Kind
+
+ProjectFile = Annotated[
+    Path | None, typer.Option("--project", "-p", help="Take the seismic action (and T1) from this project file.")
+]
+LevelName = Annotated[str | None, typer.Option("--level", help="Hazard level of the project; gamma_I = 1 without.")]
+Code = Annotated[str | None, typer.Option("--code", help="Without a project: the code, `ec8-2004` by default.")]
+Country = Annotated[str | None, typer.Option("--country", help="National parameters, such as `greece`.")]
+Zone = Annotated[str | None, typer.Option("--zone", help="Seismic zone of the country, such as `3`.")]
+GroundAcceleration = Annotated[str | None, typer.Option("--a-gr", help="a_gR instead of a zone: `0.36g`, `3.5m/s^2`.")]
+Ground = Annotated[str | None, typer.Option("--ground", help="Ground type A to E.")]
+SpectrumType = Annotated[str | None, typer.Option("--type", help="Type of the spectrum, 1 or 2.")]
+Damping = Annotated[str | None, typer.Option("--damping", help="Of the elastic spectrum; `5%` by default.")]
+Importance = Annotated[
+    str | None, typer.Option("--gamma", help="Importance: a factor `1.71`, a class `III`, or a probability `2%`.")
+]
+
+CLASSES = ("I", "II", "III", "IV")
+GIVEN = "given"  # name of the level that --gamma makes
+
+
+def load(path: Path | None) -> Project | None:
+    """Return the project of a path, if one is given."""
+    from edesign.building.project_file import load_project
+
+    return None if path is None else load_project(path)
+
+
+def fundamental_period(project: Project | None, text: str | None) -> float | None:
+    """Return T1 (s) as given, else that of the project's frame under gravity, else None."""
+    from edesign.project.units import TIME
+    from edesign.study import modal
+
+    if text is not None:
+        return quantity(text, TIME, "--t1")
+    return None if project is None else modal.fundamental_period(project)
+
+
+def hazard(project: Project | None, options: dict[str, str | None], level: str | None) -> tuple[Hazard, str | None]:
+    """Return the seismic action, and the level asked for (None: gamma_I = 1).
+
+    Args:
+        project: the project, if one is named.
+        options: of the command line: code, country, zone, a_gR, ground, spectrum, damping, gamma.
+        level: of the project.
+
+    Raises:
+        InputError: project and options exclude each other, or a value is wrong; the message names the option.
+    """
+    from edesign.ground_motion.hazard import checked_hazard, importance_factor
+
+    given = {key: value for key, value in options.items() if value is not None}
+    if project is not None:
+        if given:
+            raise InputError(f"{_flag(next(iter(given)))}: the project file says this; leave the option out")
+        found = checked_hazard(project)
+        if level is not None:
+            importance_factor(found, level)
+        return found, level
+    if level is not None:
+        raise InputError("--level: only with --project; without one, --gamma gives the importance")
+    return _from_options(given), GIVEN if "gamma" in given else None
+
+
+def _from_options(given: dict[str, str]) -> Hazard:
+    import yaml
+
+    from edesign.ground_motion.hazard import elastic_spectrum
+    from edesign.project.hazard import Hazard
+    from edesign.project.yaml_file import check_model
+
+    data: dict[str, Any] = {"code": "ec8-2004", "spectrum": "1", **{k: v for k, v in given.items() if k != "gamma"}}
+    for key in ("spectrum",):
+        data[key] = int(data[key]) if str(data[key]).isdigit() else data[key]
+    if "gamma" in given:
+        data["levels"] = {GIVEN: _importance(given["gamma"])}
+    found, problems = check_model(yaml.safe_dump(data, sort_keys=False), Hazard, "seismic action", "code: ec8-2004")
+    if found is None:
+        lines = [f"{_flag(problem.keys_text)}: {problem.message}" for problem in problems.found]
+        raise InputError("\n".join(lines) + "\n(the seismic action comes from --project, or from these options)")
+    if found.zone is None and found.a_gR is None:
+        raise InputError("--a-gr: the reference ground acceleration is missing; give it, or --country and --zone")
+    elastic_spectrum(found, GIVEN if found.levels else None)  # names of the code that do not exist show here
+    return found
+
+
+def _importance(text: str) -> dict[str, str]:
+    if text.upper() in CLASSES:
+        return {"importance_class": text.upper()}
+    return {"probability": text} if text.rstrip().endswith("%") else {"gamma_I": text}
+
+
+_FLAGS = {"a_gR": "--a-gr", "spectrum": "--type", "levels": "--gamma"}
+
+
+def _flag(key: str) -> str:
+    key = key.partition(".")[0]
+    return _FLAGS.get(key, f"--{key.replace('_', '-')}")
+
+
+def quantity(text: str, kind: Kind, option: str) -> float:
+    """Read an option with its unit.
+
+    Args:
+        text: such as `0.05s`.
+        kind: of `edesign.project.units`.
+        option: its name, for messages.
+
+    Raises:
+        InputError: no number, no unit, or the wrong one.
+    """
+    from pydantic_core import PydanticCustomError
+
+    from edesign.project.units import parse_quantity
+
+    try:
+        return parse_quantity(text, kind, "positive")
+    except PydanticCustomError as error:
+        raise InputError(f"{option}: {error.message()}") from None

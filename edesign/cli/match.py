@@ -1,0 +1,110 @@
+"""`edesign match`: recordings fitted to a spectrum, checked against the code."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from edesign.cli import hazard_options as action
+from edesign.cli import recordings as source
+
+
+def match(
+    inputs: source.Inputs,
+    project: action.ProjectFile = None,
+    level: action.LevelName = None,
+    code: action.Code = None,
+    country: action.Country = None,
+    zone: action.Zone = None,
+    a_gr: action.GroundAcceleration = None,
+    ground: action.Ground = None,
+    spectrum_type: action.SpectrumType = None,
+    damping: action.Damping = None,
+    gamma: action.Importance = None,
+    method: Annotated[
+        str, typer.Option("--method", "-m", help="wavelets (time domain), frequency (Fourier), or scale (one factor).")
+    ] = "wavelets",
+    periods: Annotated[tuple[str, str], typer.Option("--periods", metavar="FROM TO", help="Band of the fit.")] = (
+        "0.05s",
+        "6s",
+    ),
+    scale_bounds: Annotated[
+        tuple[float, float], typer.Option("--scale-bounds", metavar="LEAST MOST", help="Bounds of the constant factor.")
+    ] = (0.1, 10.0),
+    t1: Annotated[
+        str | None, typer.Option("--t1", help="Fundamental period for the criterion on 0.2 T1 to 2 T1: `2.65s`.")
+    ] = None,
+    select: Annotated[
+        int | None, typer.Option("--select", "-k", metavar="K", min=1, help="Fit only the best K recordings.")
+    ] = None,
+    max_per_event: Annotated[
+        int | None, typer.Option("--max-per-event", metavar="N", min=1, help="Of --select: so many of one earthquake.")
+    ] = None,
+    folder: source.Folder = None,
+    no_stand_ins: source.NoStandIns = False,
+    unit: source.Unit = None,
+    time_step: source.TimeStep = None,
+    archive: Annotated[
+        Path | None, typer.Option("--archive", "-a", help="Where to write; NAME_matched.h5 here by default.")
+    ] = None,
+    csv: Annotated[
+        Path | None, typer.Option("--csv", metavar="DIR", help="Write each matched record as time_s,acceleration_m_s2.")
+    ] = None,
+    figures: Annotated[Path | None, typer.Option("--figures", metavar="DIR", help="Draw spectra and records.")] = None,
+    figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Recordings at the same time.")] = 1,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
+) -> None:
+    """Fit recordings to the elastic spectrum, check them against the code, archive originals and results.
+
+    The spectrum is that of a project's `hazard`, or given by --ground, --a-gr and the like.
+    """
+    from edesign.cli.progress import listener
+    from edesign.errors import AnalysisError, InputError
+    from edesign.ground_motion.hazard import elastic_spectrum
+    from edesign.ground_motion.matching import MatchOptions
+    from edesign.ground_motion.write import make_folder, write_csv
+    from edesign.project.units import TIME
+    from edesign.report.record_figures import check_format, draw_records
+    from edesign.report.record_tables import choice_table, record_tables
+    from edesign.report.text import print_tables
+    from edesign.study.match import choose_recordings, match_recordings
+
+    check_format(figure_format)
+    loaded = action.load(project)
+    options = {"code": code, "country": country, "zone": zone, "a_gR": a_gr, "ground": ground}
+    options |= {"spectrum": spectrum_type, "damping": damping, "gamma": gamma}
+    hazard, level = action.hazard(loaded, options, level)
+    target = elastic_spectrum(hazard, level)
+    band = (action.quantity(periods[0], TIME, "--periods"), action.quantity(periods[1], TIME, "--periods"))
+    settings = MatchOptions(method=method, periods=band, scale_bounds=scale_bounds, damping=hazard.damping)  # type: ignore[arg-type]
+    step = action.quantity(time_step, TIME, "--time-step") if time_step else None
+    name, found = source.read_inputs(inputs, folder or [], not no_stand_ins, unit, step)
+    period = action.fundamental_period(loaded, t1)
+    tables = []
+    if select is not None:
+        if period is None:
+            raise InputError("--select: the criteria need the fundamental period; give --t1, or --project")
+        choice = choose_recordings(found, target, settings, period, select, max_per_event)
+        found, tables = choice.recordings, [choice_table(choice)]
+    if csv is not None:
+        make_folder(csv)
+    path = archive or Path(f"{name}_matched.h5")
+    with listener(quiet) as listen:
+        summary = match_recordings(
+            found, target, settings, path, period, name, f"{name} fitted to {target.label}", workers, listen
+        )
+    if csv is not None:
+        for motion in summary.motions.values():
+            if not motion.failure:
+                write_csv(motion.record, csv / f"{motion.name}.csv")
+    if figures is not None:
+        draw_records(summary.archive, figures, figure_format)
+    if not quiet:
+        print_tables([*tables, *record_tables(summary.archive)])
+        typer.echo(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
+    if summary.failed:
+        reasons = "".join(f"\n  {motion.failure}" for motion in summary.failed)
+        raise AnalysisError(f"{len(summary.failed)} of {len(summary.motions)} recordings could not be fitted{reasons}")

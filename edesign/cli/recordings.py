@@ -1,0 +1,75 @@
+"""The recordings that a command line names: a suite file, or record files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from edesign.errors import InputError
+
+if TYPE_CHECKING:
+    from edesign.ground_motion.sources import Found
+
+Inputs = Annotated[
+    list[Path],
+    typer.Argument(help="A suite file (.yaml), or record files.", metavar="SUITE_OR_FILES", show_default=False),
+]
+Folder = Annotated[
+    list[Path] | None,
+    typer.Option("--folder", metavar="DIR", help="Your recordings of a suite, PEER file names; may be repeated."),
+]
+Unit = Annotated[str | None, typer.Option("--unit", help="Of tables of text (.csv, .txt): g, m/s^2, cm/s^2, mm/s^2.")]
+TimeStep = Annotated[str | None, typer.Option("--time-step", help="Of tables without a column of times: `0.01s`.")]
+NoStandIns = Annotated[
+    bool, typer.Option("--no-stand-ins", help="Refuse simulated motions in place of missing recordings.")
+]
+
+
+def read_inputs(
+    inputs: Sequence[Path], folders: Sequence[Path], stand_ins: bool, unit: str | None, time_step: float | None
+) -> tuple[str, dict[str, Found]]:
+    """Return the name of the whole, and its recordings by name.
+
+    Raises:
+        InputError: a file cannot be read, two have the same name, a recording is found nowhere, or an option does not
+            belong to what is read.
+    """
+    from edesign.ground_motion.sources import find_suite
+    from edesign.ground_motion.suite import load_suite
+
+    if any(is_suite(path) for path in inputs):
+        if len(inputs) > 1:
+            raise InputError(f"{inputs[0]}: one suite file, or record files; not both, and not two suites")
+        if unit is not None or time_step is not None:
+            raise InputError("--unit, --time-step: only for record files; a suite file says these itself")
+        suite = load_suite(inputs[0])
+        found = find_suite(suite, folders, stand_ins)
+        return inputs[0].stem, {entry.id: item for entry, item in zip(suite.records, found, strict=True)}
+    if folders:
+        raise InputError("--folder: only with a suite file, whose recordings are looked for there")
+    return "records", _files(inputs, unit, time_step)
+
+
+def is_suite(path: Path) -> bool:
+    """Whether a path is meant to be a suite file."""
+    return path.suffix.lower() in (".yaml", ".yml")
+
+
+def _files(inputs: Sequence[Path], unit: str | None, time_step: float | None) -> dict[str, Found]:
+    from edesign.ground_motion.read import detect, read_record_file
+    from edesign.ground_motion.sources import Found
+
+    recordings: dict[str, Found] = {}
+    for path in inputs:
+        name = path.name.removesuffix(path.suffix)
+        if name in recordings:
+            raise InputError(f"{path}: another of the files is called {name} too; rename one of them")
+        if detect(path) == "table":
+            record = read_record_file(path, acceleration_unit=unit, time_step=time_step, name=name)
+        else:
+            record = read_record_file(path, name=name)
+        recordings[name] = Found(record, "file", str(path))
+    return recordings

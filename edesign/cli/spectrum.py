@@ -1,0 +1,77 @@
+"""`edesign spectrum`: the spectra of the code, and of records beside them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from edesign.cli import hazard_options as action
+from edesign.cli import recordings as source
+
+
+def spectrum(
+    inputs: Annotated[
+        list[Path] | None,
+        typer.Argument(help="Records to draw beside it: a suite file or record files.", metavar="[SUITE_OR_FILES]"),
+    ] = None,
+    project: action.ProjectFile = None,
+    level: action.LevelName = None,
+    code: action.Code = None,
+    country: action.Country = None,
+    zone: action.Zone = None,
+    a_gr: action.GroundAcceleration = None,
+    ground: action.Ground = None,
+    spectrum_type: action.SpectrumType = None,
+    damping: action.Damping = None,
+    gamma: action.Importance = None,
+    q: Annotated[float | None, typer.Option("--q", help="Behaviour factor: the design spectrum too.")] = None,
+    vertical: Annotated[bool, typer.Option("--vertical", help="The vertical component.")] = False,
+    periods: Annotated[tuple[str, str], typer.Option("--periods", metavar="FROM TO", help="Range of periods.")] = (
+        "0.02s",
+        "4s",
+    ),
+    points: Annotated[
+        int, typer.Option("--points", min=2, max=100_000, help="Periods of the table, evenly in log T.")
+    ] = 24,
+    folder: source.Folder = None,
+    no_stand_ins: source.NoStandIns = False,
+    unit: source.Unit = None,
+    time_step: source.TimeStep = None,
+    csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write the table.")] = None,
+    figure: Annotated[Path | None, typer.Option("--figure", metavar="FILE", help="Draw: .svg, .png or .pdf.")] = None,
+) -> None:
+    """Print the elastic spectrum (acceleration, velocity, displacement), and those of records beside it.
+
+    The spectrum is that of a project's `hazard`, or given by --ground, --a-gr and the like.
+    """
+    import numpy as np
+
+    from edesign.errors import InputError
+    from edesign.ground_motion.hazard import code_spectra
+    from edesign.project.units import TIME
+    from edesign.report.spectrum_table import draw_spectra, spectrum_columns, spectrum_table, write_columns
+    from edesign.report.text import print_tables
+
+    loaded = action.load(project)
+    options = {"code": code, "country": country, "zone": zone, "a_gR": a_gr, "ground": ground}
+    options |= {"spectrum": spectrum_type, "damping": damping, "gamma": gamma}
+    hazard, level = action.hazard(loaded, options, level)
+    first, last = (action.quantity(text, TIME, "--periods") for text in periods)
+    if first >= last:
+        raise InputError(f"--periods: the shorter period stands first, not {first:g} s before {last:g} s")
+    step = action.quantity(time_step, TIME, "--time-step") if time_step else None
+    records = {}
+    if inputs:
+        _, found = source.read_inputs(inputs, folder or [], not no_stand_ins, unit, step)
+        records = {name: item.record for name, item in found.items()}
+    elastic, design = code_spectra(hazard, level, vertical, q)
+    grid = np.geomspace(first, last, points)
+    columns = spectrum_columns(elastic, records, grid, None if design is None else design.acceleration(grid))
+    if csv is not None:
+        write_columns(columns, csv)
+    if figure is not None:
+        draw_spectra(elastic, records, (first, last), figure)
+    title = elastic.label if design is None else f"{elastic.label}; {design.label}"
+    print_tables([spectrum_table(title, columns)])

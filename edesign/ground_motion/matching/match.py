@@ -1,0 +1,185 @@
+"""Matching of one record, by either method: scale, pad, adjust, judge."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.codes.spectrum import Spectrum
+from edesign.errors import InputError
+from edesign.ground_motion.intensity import husid, measures
+from edesign.ground_motion.matching.options import MatchOptions, Method
+from edesign.ground_motion.matching.result import Adjust, Adjusted, Match, Misfit, misfit
+from edesign.ground_motion.matching.shape import compare
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.response_spectrum import psa
+
+_CHECKED = 300  # periods at which the result is judged, at least; three times the matching periods, at least
+_LEAST_CYCLES = 2.0  # of the longest period that a record must have room for
+_GOOD = 0.05  # misfit (rms) up to which there is nothing to say
+_QUIET = 1e-3  # of the Arias intensity: before and after it, the motion counts as not begun and over
+_LARGEST_END_VELOCITY = 1e-3  # m/s
+
+
+def match_record(record: Record, target: Spectrum, options: MatchOptions | None = None) -> Match:
+    """Scale a record, then change its shape, until its response spectrum is the target.
+
+    Args:
+        record: as recorded.
+        target: the spectrum to match.
+        options: method, band and so on; default `MatchOptions()`.
+
+    Returns:
+        The matched record, compared with the scaled original on a grid of periods finer than the one matched.
+
+    Raises:
+        InputError: the record or the target cannot be matched over the band; the message says why.
+
+    Source: EN 1998-1:2004, 3.2.3.1.2 (what is matched); thesis, section 5.3.3.
+    """
+    options = options or MatchOptions()
+    _check_record(record, options)
+    periods = options.matching_periods
+    wanted, zero_period = _ordinates(target, periods, options)
+    scale, notes = _scale(record, wanted, periods, options)
+    scaled, lead = record.scaled(scale), 0.0
+    matched, adjusted = scaled, Adjusted(scaled.acceleration, 0, ())
+    if options.method != "scale":
+        scaled, lead = _with_room(scaled, options)
+        adjusted = _method(options.method)(
+            scaled.acceleration, scaled.time_step, wanted, periods, options, zero_period=zero_period
+        )
+        band = f"{periods[0]:g} to {periods[-1]:g} s"
+        source = f"{scaled.source}; matched to {target.label} over {band} ({options.method})"
+        matched = replace(scaled, acceleration=adjusted.acceleration, source=source)
+
+    checked = np.geomspace(*options.periods, max(_CHECKED, 3 * options.points))
+    goal, _ = _ordinates(target, checked, options)
+    psa_before = psa(scaled.acceleration, scaled.time_step, checked, options.damping)
+    psa_after = psa(matched.acceleration, matched.time_step, checked, options.damping)
+    after_misfit = misfit(psa_after, goal, checked)
+    after, shape = measures(matched), compare(scaled, matched)
+    return Match(
+        original=record,
+        scale=scale,
+        scaled=scaled,
+        matched=matched,
+        lead=lead,
+        method=options.method,
+        damping=options.damping,
+        periods=checked,
+        target=goal,
+        psa_before=psa_before,
+        psa_after=psa_after,
+        misfit_before=misfit(psa_before, goal, checked),
+        misfit_after=after_misfit,
+        zero_period=zero_period,
+        before=measures(scaled),
+        after=after,
+        shape=shape,
+        iterations=adjusted.iterations,
+        history=adjusted.history,
+        notes=(
+            *notes,
+            *adjusted.notes,
+            *(_misfit_note(after_misfit, options) if options.method != "scale" else ()),
+            *_rest_note(after.end_velocity),
+            *shape.notes(),
+        ),
+    )
+
+
+def _method(method: Method) -> Adjust:
+    if method == "frequency":
+        from edesign.ground_motion.matching.frequency import adjust as by_frequency
+
+        return by_frequency
+    from edesign.ground_motion.matching.wavelets import adjust as by_wavelets
+
+    return by_wavelets
+
+
+def _check_record(record: Record, options: MatchOptions) -> None:
+    shortest, longest = options.periods
+    if record.pga == 0.0:
+        raise InputError(f"{record.name}: the record is zero throughout; it cannot be matched")
+    if shortest < 2.0 * record.time_step:
+        raise InputError(
+            f"{record.name}: the band begins at {shortest:g} s, but a record with a time step of "
+            f"{record.time_step:g} s carries no period below {2.0 * record.time_step:g} s; "
+            "begin the band there or later"
+        )
+    if longest * _LEAST_CYCLES > record.duration:
+        raise InputError(
+            f"{record.name}: the band ends at {longest:g} s, but a record of {record.duration:g} s has no room for two "
+            f"cycles of periods above {record.duration / _LEAST_CYCLES:.4g} s; end the band there or earlier"
+        )
+
+
+def _ordinates(target: Spectrum, periods: np.ndarray, options: MatchOptions) -> tuple[np.ndarray, float]:
+    """The target over the periods and at period zero, checked."""
+    if abs(target.damping - options.damping) > 1e-9:
+        raise InputError(
+            f"the target {target.label} is a spectrum of {100 * target.damping:g} % damping, "
+            f"but {100 * options.damping:g} % are to be matched"
+        )
+    wanted, zero_period = np.asarray(target.acceleration(periods), dtype=float), float(target.zero_period)
+    good = np.isfinite(wanted) & (wanted > 0.0)
+    if not np.all(good):
+        at = int(np.flatnonzero(~good)[0])
+        raise InputError(
+            f"the target {target.label} is {wanted[at]:g} m/s2 at {periods[at]:.4g} s; "
+            "within the band it must be greater than zero and finite"
+        )
+    if not (np.isfinite(zero_period) and zero_period > 0.0):
+        raise InputError(
+            f"the target {target.label} is {zero_period:g} m/s2 at period zero; it must be greater than zero and finite"
+        )
+    return wanted, zero_period
+
+
+def _scale(
+    record: Record, wanted: np.ndarray, periods: np.ndarray, options: MatchOptions
+) -> tuple[float, tuple[str, ...]]:
+    """The factor that is best in least squares of the logarithms, kept within its bounds."""
+    ordinates = psa(record.acceleration, record.time_step, periods, options.damping)
+    best = float(np.exp(np.mean(np.log(wanted / ordinates))))
+    low, high = options.scale_bounds
+    if low <= best <= high:
+        return best, ()
+    scale = min(max(best, low), high)
+    return scale, (f"the best constant factor would be {best:.3g}; its bound {scale:g} was used",)
+
+
+def _with_room(scaled: Record, options: MatchOptions) -> tuple[Record, float]:
+    """The record with zeros where its motion begins or ends too near to the ends; and how many seconds come before.
+
+    Waves of the longest period need half of it before the motion begins and all of it after the motion has ended.
+    """
+    longest, step = options.periods[1], scaled.time_step
+    energy = husid(scaled.acceleration, step)
+    begins = float(np.searchsorted(energy, _QUIET)) * step
+    ends = float(np.searchsorted(energy, 1.0 - _QUIET)) * step
+    before = int(np.ceil(max(0.0, 0.5 * longest - begins) / step))
+    padded = scaled.with_zeros(longest - (scaled.duration - ends))
+    if before == 0:
+        return padded, 0.0
+    samples = np.concatenate((np.zeros(before), padded.acceleration))
+    source = f"{padded.source}; {before * step:.9g} s of zeros before"
+    return replace(padded, acceleration=samples, source=source), before * step
+
+
+def _misfit_note(reached: Misfit, options: MatchOptions) -> tuple[str, ...]:
+    if reached.rms <= max(_GOOD, options.tolerance):
+        return ()
+    return (
+        f"the spectrum is off by {100 * reached.rms:.2g} % (rms), at most {100 * reached.largest:.2g} % "
+        f"at {reached.at_period:.3g} s",
+    )
+
+
+def _rest_note(end_velocity: float) -> tuple[str, ...]:
+    if abs(end_velocity) <= _LARGEST_END_VELOCITY:
+        return ()
+    return (f"the ground still moves at {1e3 * end_velocity:.3g} mm/s at the end of the record",)

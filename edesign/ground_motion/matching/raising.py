@@ -1,0 +1,55 @@
+"""One factor on a whole suite of matched records, so that their mean satisfies the code."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.codes.ec8.accelerograms import LOWEST_RATIO, check_periods
+from edesign.codes.spectrum import Spectrum
+from edesign.ground_motion.intensity import measures
+from edesign.ground_motion.matching.result import Match, misfit
+from edesign.ground_motion.response_spectrum import psa
+
+MOST = 1.5
+"""Largest factor; a suite that needs more does not fit its target, and its criteria say so."""
+DAMPING = 0.05  # of the spectra that the code compares
+_MARGIN = 1.0 + 1e-9  # rounding must not undo a criterion
+
+
+def suite_factor(matches: Sequence[Match], target: Spectrum, fundamental_period: float | None) -> float:
+    """Return the least factor, at least 1 and at most `MOST`, with which the mean satisfies the code.
+
+    Args:
+        matches: the records of the suite.
+        target: elastic spectrum of 5 % damping.
+        fundamental_period: T1 of the structure, s; None: only the zero-period value counts.
+
+    Source: EN 1998-1:2004, 3.2.3.1.2(4)b and c.
+    """
+    needed = [target.zero_period / float(np.mean([match.matched.pga for match in matches]))]
+    if fundamental_period is not None:
+        periods = check_periods(fundamental_period)
+        mean = np.mean([psa(m.matched.acceleration, m.matched.time_step, periods, DAMPING) for m in matches], axis=0)
+        needed.append(float(np.max(LOWEST_RATIO * target.acceleration(periods) / mean)))
+    largest = max(needed)
+    return 1.0 if largest <= 1.0 else min(largest * _MARGIN, MOST)
+
+
+def raised(match: Match, factor: float) -> Match:
+    """Return a match whose result, spectrum, measures and misfit are those of the matched record times a factor."""
+    if factor == 1.0:
+        return match
+    matched = match.matched.scaled(factor)
+    after = factor * match.psa_after
+    return replace(
+        match,
+        matched=matched,
+        psa_after=after,
+        misfit_after=misfit(after, match.target, match.periods),
+        after=measures(matched),
+        shape=replace(match.shape, arias_ratio=factor**2 * match.shape.arias_ratio),
+        suite_factor=factor * match.suite_factor,
+    )

@@ -1,0 +1,101 @@
+"""All figures of the records of an archive, as files."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive, open_archive
+from edesign.errors import InputError
+from edesign.ground_motion.write import make_folder
+from edesign.project.problems import did_you_mean
+from edesign.report.figures import FORMATS, save
+from edesign.report.match_figure import match_figure
+from edesign.report.spectra_figure import spectra_figure
+from edesign.study.record_results import RECORDS
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def check_format(name: str) -> str:
+    """Return the format of figures if it is one.
+
+    Raises:
+        InputError: it is none of `FORMATS`.
+    """
+    if name not in FORMATS:
+        raise InputError(f"--format: `{name}` is unknown{did_you_mean(name, FORMATS)} (allowed: {', '.join(FORMATS)})")
+    return name
+
+
+def draw_records(archive: str | os.PathLike[str], folder: Path, figure_format: str = "svg") -> tuple[Path, ...]:
+    """Draw the records of an archive: of each suite the spectra before and after, of each fitted record its histories.
+
+    Args:
+        archive: complete or partial, of `edesign match` or `edesign run`.
+        folder: where the files go; made if it does not exist.
+        figure_format: svg, png or pdf.
+
+    Returns:
+        The files, SUITE_before, SUITE_after, SUITE_mean and RECORD with their suffix.
+
+    Raises:
+        ArchiveError: the archive cannot be read, or a figure cannot be written.
+        InputError: the format is unknown.
+    """
+    suffix = check_format(figure_format)
+    make_folder(folder)
+    written = []
+    with open_archive(archive) as opened:
+        for name, figure in _figures(opened):
+            written.append(folder / f"{name}.{suffix}")
+            save(figure, written[-1])
+    return tuple(written)
+
+
+def _figures(archive: Archive) -> Iterator[tuple[str, Figure]]:
+    for name in archive.names(RECORDS):
+        place = f"{RECORDS}/{name}"
+        if not archive.group_attributes(place).get("suite"):
+            group = archive.group(place)
+            if _is_fitted(group):
+                yield name, match_figure(group)
+            continue
+        members = {member: archive.group(f"{place}/{member}") for member in archive.names(place)}
+        yield from _suite_figures(name, archive.group(place), members)
+        for member, group in members.items():
+            if _is_fitted(group):
+                yield member, match_figure(group)
+
+
+def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterator[tuple[str, Figure]]:
+    fitted = {member: group for member, group in members.items() if _is_fitted(group)}
+    if not fitted:
+        spectra = {member: group.variables["psa"].values for member, group in members.items()}
+        period = next(iter(members.values())).coords["period"].values
+        yield f"{name}_spectra", spectra_figure(period, spectra, title=f"{name}: as recorded")
+        return
+    period, target = suite.coords["period"].values, suite.variables["target"].values
+    label = str(suite.attributes["target"])
+    recorded = {
+        member: group.variables["psa_before"].values / float(group.attributes["match_scale"])
+        for member, group in fitted.items()
+    }
+    matched = {member: group.variables["psa_after"].values for member, group in fitted.items()}
+    yield f"{name}_before", spectra_figure(period, recorded, target, f"{name}: as recorded", label)
+    yield f"{name}_after", spectra_figure(period, matched, target, f"{name}: matched", label)
+    means = {
+        "mean, as recorded": np.mean(list(recorded.values()), axis=0),
+        "mean, matched": np.mean(list(matched.values()), axis=0),
+    }
+    yield f"{name}_mean", spectra_figure(period, means, target, f"{name}: means of {len(fitted)}", label, mean=False)
+
+
+def _is_fitted(group: Group) -> bool:
+    return "matched_acceleration" in group.variables

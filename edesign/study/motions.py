@@ -1,0 +1,150 @@
+"""Recordings made ready for the histories of a project: found, and where it says so fitted to the spectrum."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+
+from edesign.codes.ec8.elastic import ElasticSpectrum
+from edesign.errors import EdesignError, InputError
+from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
+from edesign.ground_motion.matching import Match, MatchOptions, match_record
+from edesign.ground_motion.matching.raising import raised, suite_factor
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.sources import Found
+from edesign.project.analyses import HistoryAnalysis
+from edesign.project.project import Project
+from edesign.project.records import SuiteRecords
+
+CODE_DAMPING = 0.05  # of the spectra that EN 1998-1, 3.2.3.1.2(4) compares
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A recording, and what was made of it.
+
+    Attributes:
+        name: reference of the recording.
+        found: as recorded, and where it comes from.
+        match: its fit to the spectrum of the hazard at gamma_I = 1; None if it is used as recorded.
+        failure: why it could not be fitted, "" if it could.
+    """
+
+    name: str
+    found: Found
+    match: Match | None = None
+    failure: str = ""
+
+    @property
+    def record(self) -> Record:
+        """What is applied, before the scaling of the analysis.
+
+        Raises:
+            InputError: it could not be fitted.
+        """
+        if self.failure:
+            raise InputError(self.failure)
+        return self.match.matched if self.match else self.found.record
+
+
+def fit(reference: str, found: Found, target: ElasticSpectrum, options: MatchOptions) -> Motion:
+    """Fit a recording to a spectrum; what cannot be fitted is kept with the reason as the motion's `failure`."""
+    try:
+        return Motion(reference, found, match_record(found.record, target, options))
+    except EdesignError as error:
+        return Motion(reference, found, failure=f"{reference} cannot be fitted to the spectrum: {error}")
+
+
+def raise_suite(motions: Sequence[Motion], target: ElasticSpectrum, fundamental_period: float | None) -> list[Motion]:
+    """Multiply the fitted records of a suite by the one factor with which their mean satisfies the code.
+
+    Source: EN 1998-1:2004, 3.2.3.1.2(4).
+    """
+    matches = [motion.match for motion in motions if motion.match is not None]
+    if not matches:
+        return list(motions)
+    factor = suite_factor(matches, replace(target, damping=CODE_DAMPING), fundamental_period)
+    return [replace(motion, match=raised(motion.match, factor)) if motion.match else motion for motion in motions]
+
+
+def prepare_motions(
+    recordings: Mapping[str, Found],
+    prepare: Callable[[str, Found], Motion],
+    workers: int = 1,
+    each: Callable[[Motion], None] = lambda motion: None,
+    stop: Callable[[], bool] = lambda: False,
+) -> dict[str, Motion]:
+    """Make recordings ready, several at a time.
+
+    Args:
+        recordings: what was found, by reference.
+        prepare: makes one ready.
+        workers: threads.
+        each: called with each motion in the order of `recordings`, as soon as it and those before it are ready.
+        stop: asked before each; True leaves the rest out.
+
+    Returns:
+        Motions by reference, in the order of `recordings`.
+    """
+
+    def start(reference: str) -> Motion | None:
+        return None if stop() else prepare(reference, recordings[reference])
+
+    motions: dict[str, Motion] = {}
+    with ThreadPoolExecutor(workers) as pool:
+        for reference, motion in zip(recordings, pool.map(start, recordings), strict=True):
+            if motion is None:
+                break
+            motions[reference] = motion
+            each(motion)
+    return motions
+
+
+def project_motions(
+    project: Project,
+    recordings: Mapping[str, Found],
+    fundamental_period: Callable[[], float | None],
+    workers: int = 1,
+    each: Callable[[Motion], None] = lambda motion: None,
+    stop: Callable[[], bool] = lambda: False,
+) -> dict[str, Motion]:
+    """Make the recordings of a project ready as it says, suites as a whole; otherwise as `prepare_motions`.
+
+    Args:
+        project: the validated project.
+        recordings: what was found, by reference; of a suite all that the project takes from it.
+        fundamental_period: gives T1 of the frame (s) if a suite is fitted.
+    """
+
+    def prepare(reference: str, found: Found) -> Motion:
+        options = match_options(project, reference)
+        if options is None or project.hazard is None:
+            return Motion(reference, found)
+        return fit(reference, found, elastic_spectrum(project.hazard), options)
+
+    motions = prepare_motions(recordings, prepare, workers, each, stop)
+    for name, spec in project.records.items():
+        members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
+        if not isinstance(spec, SuiteRecords) or spec.match is None or project.hazard is None or not members:
+            continue
+        for motion in raise_suite(members, elastic_spectrum(project.hazard), fundamental_period()):
+            motions[motion.name] = motion
+    return motions
+
+
+def match_options(project: Project, reference: str) -> MatchOptions | None:
+    """Return how the project wants a recording to be fitted; None if it is to stay as recorded."""
+    spec = project.records[reference.partition("/")[0]].match
+    if spec is None or project.hazard is None:
+        return None
+    return MatchOptions(
+        method=spec.method, periods=spec.periods, scale_bounds=spec.scale_bounds, damping=project.hazard.damping
+    )
+
+
+def level_factor(project: Project, spec: HistoryAnalysis) -> float:
+    """Return the importance factor of the history's hazard level; 1 for recordings that are not fitted."""
+    if project.hazard is None or match_options(project, spec.record) is None:
+        return 1.0
+    return importance_factor(project.hazard, spec.level)

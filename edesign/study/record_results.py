@@ -1,0 +1,176 @@
+"""Recordings and their fit to the spectrum as groups of the archive."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import asdict, replace
+
+import numpy as np
+
+from edesign.archive.dataset import Group, Variable
+from edesign.codes.ec8.accelerograms import Criterion, check_accelerograms, check_periods
+from edesign.codes.ec8.elastic import ElasticSpectrum
+from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.ground_motion.intensity import measures
+from edesign.ground_motion.matching import Match
+from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.response_spectrum import psa
+from edesign.project.project import Project
+from edesign.project.records import SuiteRecords
+from edesign.study.modal import fundamental_period
+from edesign.study.motions import Motion
+
+RECORDS = "records"  # their group in the archive
+PERIODS = np.geomspace(0.02, 10.0, 300)  # of the spectra of records that are not fitted
+DAMPING = 0.05
+SEISMOLOGY = {"event", "year", "station", "component", "magnitude", "distance", "v_s30", "rsn", "pair", "direction"}
+
+
+def project_record_groups(project: Project, motions: Mapping[str, Motion]) -> Iterator[tuple[str, Group]]:
+    """Yield place and group of all recordings of a run, those of suites under their suite.
+
+    Args:
+        project: the validated project.
+        motions: its recordings, made ready, by reference.
+
+    Raises:
+        AnalysisError: the period of the frame, which a criterion needs, cannot be found.
+    """
+    for order, name in enumerate(dict.fromkeys(reference.partition("/")[0] for reference in motions)):
+        spec = project.records[name]
+        if not isinstance(spec, SuiteRecords):
+            yield f"{RECORDS}/{name}", record_group(motions[name], order)
+            continue
+        members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
+        target = elastic_spectrum(project.hazard) if project.hazard and spec.match else None
+        verdicts = criteria(members, target, fundamental_period(project)) if target else ()
+        yield from suite_groups(name, members, target, verdicts, order)
+
+
+def criteria(
+    motions: Sequence[Motion], target: ElasticSpectrum, fundamental_period: float | None
+) -> tuple[Criterion, ...]:
+    """Check recordings that were fitted against the code's criteria for a set of them.
+
+    Args:
+        motions: those that could not be fitted are left out.
+        target: the elastic spectrum.
+        fundamental_period: T1 of the structure, s; None leaves the criterion on 0.2 T1 to 2 T1 open.
+
+    Source: EN 1998-1:2004, 3.2.3.1.2(4).
+    """
+    records = [motion.record for motion in motions if motion.match is not None]
+    if not records:
+        return ()
+    periods = check_periods(fundamental_period) if fundamental_period is not None else PERIODS
+    spectra = [psa(record.acceleration, record.time_step, periods, DAMPING) for record in records]
+    peaks = [record.pga for record in records]
+    at_5_percent = replace(target, damping=DAMPING)  # which is what the clause compares
+    return check_accelerograms(periods, spectra, peaks, at_5_percent, fundamental_period).criteria
+
+
+def suite_groups(
+    name: str,
+    motions: Sequence[Motion],
+    target: ElasticSpectrum | None = None,
+    verdicts: Sequence[Criterion] = (),
+    order: int = 0,
+) -> Iterator[tuple[str, Group]]:
+    """Yield place and group of a suite, then of its recordings.
+
+    Args:
+        name: of the suite in the archive.
+        motions: its recordings.
+        target: the spectrum they were fitted to; None if they were not.
+        verdicts: from `criteria`.
+        order: place of the suite among all records.
+    """
+    fitted = [motion.match for motion in motions if motion.match is not None]
+    group = Group(attributes={"order": order, "name": name, "suite": True, "records": len(motions)})
+    group.attributes["origins"] = dict(Counter(motion.found.origin for motion in motions))
+    if target is not None and fitted:
+        periods = fitted[0].periods
+        group.coords["period"] = Variable(("period",), periods, "s", "period of the oscillator")
+        for key, values, label in (
+            ("target", target.acceleration(periods), target.label),
+            ("mean_psa_before", np.mean([match.psa_before for match in fitted], axis=0), "mean, before matching"),
+            ("mean_psa_after", np.mean([match.psa_after for match in fitted], axis=0), "mean, after matching"),
+        ):
+            group.add(key, ("period",), values, "m/s^2", label)
+        group.attributes |= {"target": target.label, "fitted": len(fitted), "suite_factor": fitted[0].suite_factor}
+        group.attributes["criteria"] = [asdict(verdict) for verdict in verdicts]
+    yield f"{RECORDS}/{name}", group
+    for place, motion in enumerate(motions):
+        yield f"{RECORDS}/{name}/{motion.name.rpartition('/')[2]}", record_group(motion, place)
+
+
+def record_group(motion: Motion, order: int) -> Group:
+    """Return a recording: samples, spectrum, measures, origin, and if it was fitted all that came of it.
+
+    Args:
+        motion: the recording.
+        order: its place among those of its suite.
+    """
+    found, record = motion.found, motion.found.record
+    group = Group(
+        attributes={
+            "order": order,
+            "name": motion.name,
+            "origin": found.origin,
+            "detail": found.detail,
+            "tried": list(found.tried),
+            "source": record.source,
+            "checksum": record.checksum,
+            "doubts": list(doubts(record)),
+            "status": "failed" if motion.failure else "completed",
+            "reason": motion.failure,
+            "recorded": asdict(measures(record)),
+        }
+    )
+    if found.entry is not None:
+        group.attributes |= {
+            key: value for key, value in found.entry.model_dump(include=SEISMOLOGY).items() if value is not None
+        }
+    _samples(group, "time", "acceleration", record.time, record.acceleration, "as recorded")
+    if motion.match is None:
+        group.coords["period"] = Variable(("period",), PERIODS, "s", "period of the oscillator")
+        ordinates = psa(record.acceleration, record.time_step, PERIODS, DAMPING)
+        group.add("psa", ("period",), ordinates, "m/s^2", "pseudo-acceleration, as recorded")
+        group.attributes["damping"] = DAMPING
+    else:
+        _add_match(group, motion.match)
+    return group
+
+
+def _add_match(group: Group, match: Match) -> None:
+    group.attributes |= {
+        "match_method": match.method,
+        "match_scale": match.scale,
+        "suite_factor": match.suite_factor,
+        "match_iterations": match.iterations,
+        "match_history": list(match.history),
+        "match_notes": list(match.notes),
+        "misfit_before": asdict(match.misfit_before),
+        "misfit_after": asdict(match.misfit_after),
+        "before": asdict(match.before),
+        "after": asdict(match.after),
+        "shape": asdict(match.shape),
+        "zero_period": match.zero_period,
+        "damping": match.damping,
+    }
+    matched = match.matched
+    time = matched.time - match.lead  # that of the original
+    _samples(group, "matched_time", "matched_acceleration", time, matched.acceleration, "matched")
+    group.coords["period"] = Variable(("period",), match.periods, "s", "period of the oscillator")
+    for name, values, label in (
+        ("target", match.target, "target spectrum"),
+        ("psa_before", match.psa_before, "pseudo-acceleration, as recorded times the constant factor"),
+        ("psa_after", match.psa_after, "pseudo-acceleration, matched"),
+    ):
+        group.add(name, ("period",), values, "m/s^2", label)
+
+
+def _samples(group: Group, axis: str, name: str, time: np.ndarray, values: np.ndarray, what: str) -> None:
+    group.coords[axis] = Variable((axis,), time, "s", f"time, {what}")
+    group.add(name, (axis,), values, "m/s^2", f"ground acceleration, {what}")

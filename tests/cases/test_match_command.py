@@ -1,0 +1,181 @@
+"""`edesign match` and `edesign spectrum` as a user calls them: tables, files, figures, mistakes."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cases import suite_project
+
+from edesign.archive.reader import open_archive
+from edesign.cli.main import main
+from edesign.ground_motion.csv_record import read_csv
+from edesign.project.units import STANDARD_GRAVITY
+
+SITE = ["--a-gr", "0.2g", "--ground", "B"]
+FIT = ["--method", "frequency", "--periods", "0.1s", "2s"]
+
+
+def test_match_writes_archive_tables_csv_and_figures(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    suite = suite_project.write_suite(tmp_path)
+    archive, out, figures = tmp_path / "out.h5", tmp_path / "csv", tmp_path / "figures"
+    words = ["match", str(suite), *SITE, *FIT, "--t1", "0.5s", "--archive", str(archive)]
+    assert main([*words, "--csv", str(out), "--figures", str(figures), "--format", "png"]) == 0
+    output, errors = capsys.readouterr()
+    assert "[3/3] third: rms misfit" in errors
+    for text in ("stand-in", "Arias", "3.2.3.1.2(4)c", "met", f"archive: {archive}"):
+        assert text in output
+    assert sorted(path.name for path in figures.iterdir()) == sorted(
+        f"{name}.png" for name in ("set_before", "set_after", "set_mean", "first", "second", "third")
+    )
+    with open_archive(archive) as opened:
+        for name in ("first", "second", "third"):
+            group = opened.group(f"records/set/{name}")
+            record = read_csv(out / f"{name}.csv", "m/s^2")
+            assert np.array_equal(record.acceleration, group.variables["matched_acceleration"].values)
+            assert (out / f"{name}.csv").read_text().startswith("time_s,acceleration_m_s2\n")
+    assert main(["show", str(archive)]) == 0
+    assert "3.2.3.1.2(4)b" in capsys.readouterr().out
+
+
+def test_scale_keeps_the_shape(tmp_path: Path) -> None:
+    suite, archive = suite_project.write_suite(tmp_path), tmp_path / "out.h5"
+    words = ["match", str(suite), *SITE, "--method", "scale", "--periods", "0.1s", "2s", "--t1", "0.5s", "--quiet"]
+    assert main([*words, "--archive", str(archive)]) == 0
+    with open_archive(archive) as opened:
+        factor = opened.group_attributes("records/set")["suite_factor"]
+        assert factor > 1.0
+        for name in ("first", "second", "third"):
+            group = opened.group(f"records/set/{name}")
+            n = group.variables["acceleration"].values.size
+            matched = group.variables["matched_acceleration"].values[:n]
+            expected = factor * group.attributes["match_scale"] * group.variables["acceleration"].values
+            assert matched == pytest.approx(expected, rel=1e-12)
+        verdicts = opened.group_attributes("records/set")["criteria"]
+        assert all(verdict["passed"] is not False for verdict in verdicts)
+
+
+def test_the_best_of_a_library_are_chosen(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    suite, archive = suite_project.write_suite(tmp_path), tmp_path / "out.h5"
+    words = ["match", str(suite), *SITE, *FIT, "--archive", str(archive), "--select", "2"]
+    assert main(words) == 2
+    assert "--select: the criteria need the fundamental period" in capsys.readouterr().err
+    assert main([*words, "--t1", "0.5s"]) == 0
+    assert "The best 2 of 3" in capsys.readouterr().out
+    with open_archive(archive) as opened:
+        assert len(opened.names("records/set")) == 2
+        verdicts = {item["clause"]: item["passed"] for item in opened.group_attributes("records/set")["criteria"]}
+        assert verdicts["3.2.3.1.2(4)a"] is False  # two records are too few
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["nowhere.yaml", *SITE], "there is no such suite file"),
+        (["set.yaml"], "--ground"),
+        (["set.yaml", "--ground", "B"], "--a-gr: the reference ground acceleration is missing"),
+        (["set.yaml", "--ground", "Q", "--a-gr", "0.2g"], "--ground: `Q` is unknown"),
+        (["set.yaml", "--ground", "B", "--a-gr", "0.2"], "--a-gr: the bare number `0.2` needs a unit"),
+        (["set.yaml", *SITE, "--country", "grece", "--zone", "3"], "grece"),
+        (["set.yaml", *SITE, "--method", "wavelet"], "did you mean `wavelets`?"),
+        (["set.yaml", *SITE, "--periods", "2s", "1s"], "periods"),
+        (["set.yaml", *SITE, "--periods", "0.1", "1"], "--periods: the bare number"),
+        (["set.yaml", *SITE, "--periods", "0.01s", "1s"], "carries no period below"),
+        (["set.yaml", *SITE, "--scale-bounds", "2", "1"], "scale_bounds"),
+        (["set.yaml", *SITE, "--no-stand-ins"], "third: this recording was not found"),
+        (["set.yaml", *SITE, "--folder", "nowhere"], "there is no such folder"),
+        (["set.yaml", *SITE, "--unit", "g"], "--unit, --time-step: only for record files"),
+        (["set.yaml", "first.csv", *SITE], "one suite file, or record files"),
+        (["first.csv", *SITE], "declare it"),
+        (["first.csv", "first.csv", *SITE, "--unit", "g"], "another of the files is called first"),
+        (["set.yaml", *SITE, "--format", "gif"], "--format: `gif` is unknown"),
+        (["set.yaml", *SITE, "--level", "DBE"], "--level: only with --project"),
+        (["empty.csv", *SITE, "--unit", "g"], "the file is empty"),
+        (["nan.csv", *SITE, "--unit", "g", "--time-step", "0.01s"], "is not a finite number"),
+        (["short.csv", *SITE, "--unit", "g", "--time-step", "0.01s"], "no room for two cycles"),
+    ],
+)
+def test_mistakes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], words: list[str], said: str
+) -> None:
+    suite_project.write_suite(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    Path("empty.csv").write_text("")
+    Path("nan.csv").write_text("0\nnan\n0\n")
+    Path("short.csv").write_text("0\n0.1\n0\n-0.1\n0\n")
+    before = sorted(tmp_path.iterdir())
+    code = main(["match", *words])
+    errors = capsys.readouterr().err
+    assert code in (2, 3) and said in errors and "Traceback" not in errors and "edesign itself" not in errors
+    assert sorted(tmp_path.iterdir()) == before  # nothing half-written
+
+
+def test_a_recording_that_cannot_be_fitted_does_not_take_the_others_with_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    suite_project.write_suite(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    Path("short.csv").write_text("0\n0.1\n0\n-0.1\n0\n")
+    words = ["match", "first.csv", "short.csv", *SITE, *FIT, "--unit", "m/s^2", "--time-step", "0.01s"]
+    assert main(words) == 3
+    assert "short cannot be fitted to the spectrum" in capsys.readouterr().err
+    with open_archive("records_matched.h5") as opened:
+        assert opened.group_attributes("records/records/short")["status"] == "failed"
+        assert opened.group_attributes("records/records/first")["status"] == "completed"
+
+
+def test_a_unit_that_cannot_be_right_is_doubted(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """The file is in m/s2 and peaks at some; declared as g that is more than 3 g."""
+    suite_project.write_suite(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    record = read_csv("first.csv", "m/s^2")
+    peak, samples = record.pga, record.acceleration
+    scaled = [f"{i * 0.01:.2f},{value * 4.0 / peak!r}" for i, value in enumerate(samples.tolist())]
+    Path("metres.csv").write_text("\n".join(scaled))
+    assert main(["match", "metres.csv", *SITE, *FIT, "--unit", "g"]) == 0
+    assert "is the unit right" in capsys.readouterr().out
+
+
+def test_spectrum_prints_writes_and_draws(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """The plateau of type 1 on ground C is 2.5 x 1.15 x 0.36 g = 1.035 g; the design one with q = 4 a quarter."""
+    table, figure = tmp_path / "s.csv", tmp_path / "s.svg"
+    words = ["spectrum", "--country", "greece", "--zone", "3", "--ground", "C", "--q", "4", "--periods", "0.3s", "0.6s"]
+    assert main([*words, "--points", "3", "--csv", str(table), "--figure", str(figure)]) == 0
+    assert "1.035" in capsys.readouterr().out
+    with table.open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert [float(row["Se [m/s2]"]) for row in rows] == pytest.approx([1.035 * STANDARD_GRAVITY] * 3, rel=1e-12)
+    assert [float(row["Sd [g]"]) for row in rows] == pytest.approx([1.035 / 4] * 3, rel=1e-12)
+    assert figure.read_text(encoding="utf-8").startswith("<?xml")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--ground", "C", "--a-gr", "0.36g", "--figure", "s.gif"], "a figure ends in .svg"),
+        (["--ground", "C", "--a-gr", "0.36g", "--q", "0.5"], "q"),
+        (["--ground", "C", "--a-gr", "0.36g", "--gamma", "2"], None),
+        (["--ground", "C", "--a-gr", "0.36g", "--gamma", "V"], "--gamma"),
+        (["--ground", "C", "--a-gr", "0.36g", "--type", "3"], "--type"),
+        (["--ground", "C", "--a-gr", "0.36g", "--csv", "no/s.csv"], "cannot be written"),
+        (["--ground", "C", "--a-gr", "0.36g", "--periods", "1s", "1s"], "--periods"),
+    ],
+)
+def test_spectrum_mistakes(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+    words: list[str],
+    said: str | None,
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    code = main(["spectrum", *words])
+    errors = capsys.readouterr().err
+    assert (
+        (code == 0 and not errors) if said is None else (code in (2, 4) and said in errors and "itself" not in errors)
+    )
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,144 @@
+"""Projects under suites that are fitted to the spectrum: plan, archive, levels, criteria, mistakes."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cases import suite_project
+
+from edesign.archive.reader import Archive, open_archive
+from edesign.cli.main import main
+from edesign.ground_motion.intensity import displacement, velocity
+from edesign.project.units import STANDARD_GRAVITY
+
+A_G_S = 0.2 * STANDARD_GRAVITY * 1.2  # type 1, ground B, Table 3.2
+GAMMA_MCE = (0.02 / 0.10) ** (-1 / 3)  # thesis Eq. 5.5
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("suite")
+    assert main(["run", str(suite_project.write(folder)), "--quiet"]) == 0
+    return folder / "project.h5"
+
+
+def records(opened: Archive) -> dict[str, np.ndarray]:
+    return {
+        name: opened.group(f"records/set/{name}").variables["matched_acceleration"].values
+        for name in opened.names("records/set")
+    }
+
+
+def test_a_history_of_a_suite_is_one_of_each_recording(archive: Path) -> None:
+    with open_archive(archive) as opened:
+        parts = [f"{level}.{name}" for level in ("dbe", "mce") for name in ("first", "second", "third")]
+        assert opened.names("analyses") == ["modes", "push", *parts]
+        attributes = opened.group_attributes("analyses/mce.second")
+        assert attributes["record"] == "set/second" and attributes["level"] == "MCE"
+        assert attributes["record_origin"] == "file" and attributes["match_method"] == "frequency"
+
+
+def test_levels_scale_the_fitted_record_by_their_importance_factor(archive: Path) -> None:
+    """The spectrum of the MCE is gamma_I times that of the DBE, and so is the record: fitted once."""
+    with open_archive(archive) as opened:
+        for name, fitted in records(opened).items():
+            low, high = (opened.group(f"analyses/{level}.{name}") for level in ("dbe", "mce"))
+            assert low.attributes["scale_factor"] == 1.0
+            assert high.attributes["scale_factor"] == pytest.approx(GAMMA_MCE, rel=1e-12)
+            assert low.attributes["input_pga_m_s2"] <= np.max(np.abs(fitted)) * (1 + 1e-12)
+            ratio = high.variables["ground_acceleration"].values[:400] / GAMMA_MCE
+            assert ratio == pytest.approx(low.variables["ground_acceleration"].values[:400], rel=1e-9, abs=1e-12)
+
+
+def test_original_and_fitted_record_are_archived_with_their_origin(archive: Path) -> None:
+    with open_archive(archive) as opened:
+        origins = {
+            name: opened.group_attributes(f"records/set/{name}")["origin"] for name in opened.names("records/set")
+        }
+        assert origins == {"first": "file", "second": "file", "third": "stand-in"}
+        assert opened.group_attributes("records/set")["origins"] == {"file": 2, "stand-in": 1}
+        group = opened.group("records/set/first")
+        with (archive.parent / "first.csv").open(encoding="ascii") as file:
+            given = np.array([float(row["acceleration_m_s2"]) for row in csv.DictReader(file)])
+        assert np.array_equal(group.variables["acceleration"].values, given)
+        assert group.attributes["event"] == "One" and group.attributes["year"] == 2001
+        assert group.attributes["misfit_after"]["rms"] < 0.1 * group.attributes["misfit_before"]["rms"]
+
+
+def test_fitted_records_end_at_rest(archive: Path) -> None:
+    """1 mm/s and 1 mm: far below what the motion has (about 0.1 m/s); integrated here by the trapezoidal rule."""
+    with open_archive(archive) as opened:
+        for samples in records(opened).values():
+            v = np.concatenate(([0.0], np.cumsum(0.5 * 0.01 * (samples[1:] + samples[:-1]))))
+            assert abs(v[-1]) < 1e-3 and velocity(samples, 0.01) == pytest.approx(v, abs=1e-12)
+            assert abs(displacement(samples, 0.01)[-1]) < 1e-3
+
+
+def test_the_mean_of_the_suite_satisfies_the_code(archive: Path) -> None:
+    with open_archive(archive) as opened:
+        attributes = opened.group_attributes("records/set")
+        mean = np.mean([np.max(np.abs(samples)) for samples in records(opened).values()])
+        assert mean >= A_G_S * (1 - 1e-9)
+        verdicts = {criterion["clause"]: criterion for criterion in attributes["criteria"]}
+        assert verdicts["3.2.3.1.2(4)a"]["passed"] is True and verdicts["3.2.3.1.2(4)a"]["value"] == 3
+        assert verdicts["3.2.3.1.2(4)b"]["passed"] is True
+        assert verdicts["3.2.3.1.2(4)b"]["value"] == pytest.approx(mean, rel=1e-12)
+        assert verdicts["3.2.3.1.2(4)c"]["passed"] is True
+
+
+def test_one_analysis_of_the_suite_gives_the_same_as_all(archive: Path, tmp_path: Path) -> None:
+    """The common factor belongs to the whole suite, even where only one of its histories is asked for."""
+    assert main(["run", str(suite_project.write(tmp_path)), "--quiet", "--only", "dbe.third"]) == 0
+    with open_archive(archive) as full, open_archive(tmp_path / "project.dbe.third.h5") as one:
+        assert one.names("analyses") == ["dbe.third"]
+        first, second = (opened.group("analyses/dbe.third").variables["base_shear_max"] for opened in (full, one))
+        assert first.values == second.values
+
+
+def test_workers_do_not_change_the_results(archive: Path, tmp_path: Path) -> None:
+    assert main(["run", str(suite_project.write(tmp_path)), "--quiet", "--workers", "2", "--only", "mce"]) == 0
+    with open_archive(archive) as full, open_archive(tmp_path / "project.mce.h5") as again:
+        assert len(again.names("analyses")) == 3
+        first, second = records(full), records(again)
+        assert all(np.array_equal(first[name], second[name]) for name in first)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("record: set, level: DBE", "record: set", "analyses[2].level: this key is missing"),
+        ("level: DBE}", "level: DBF}", "there is no level `DBF`; did you mean `DBE`?"),
+        ("level: DBE}", "level: DBE, pga: 0.3 g}", "its `level` says the scale"),
+        ("suite: set.yaml", "suite: sets.yaml", "records.set.suite: there is no file"),
+        ("suite: set.yaml", "suite: set.yaml, folders: [nowhere]", "records.set.folders[0]: there is no folder"),
+        ("suite: set.yaml", "suite: set.yaml, only: [frist]", "there is no recording `frist`; did you mean `first`?"),
+        ("suite: set.yaml", "suite: set.yaml, stand_ins: false", "third: this recording was not found; tried were"),
+        ("[0.1 s, 2 s]", "[2 s, 0.1 s]", "the shorter period stands first"),
+        ("method: frequency", "method: fourier", "`fourier` is unknown"),
+        ("a_gR: 0.2 g", "country: greece, zone: 4", "hazard.zone"),
+        (
+            "kind: history, record: set, level: DBE",
+            "kind: history, record: sett, level: DBE",
+            "there is no record `sett`",
+        ),
+    ],
+)
+def test_a_mistake_is_told_before_anything_runs(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], old: str, new: str, said: str
+) -> None:
+    if old == "a_gR: 0.2 g":
+        new = new.replace(", ", "\n  ")
+    assert main(["run", str(suite_project.write(tmp_path, (old, new)))]) == 2
+    errors = capsys.readouterr().err
+    assert said in errors and "Traceback" not in errors and not list(tmp_path.glob("*.h5*"))
+
+
+def test_a_match_without_hazard_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = suite_project.write(tmp_path)
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text[: text.index("hazard:")] + text[text.index("records:\n") :], encoding="utf-8")
+    assert main(["check", str(path)]) == 2
+    assert "fitted to the spectrum of the `hazard`, and the file has none" in capsys.readouterr().err
