@@ -210,15 +210,18 @@ int ed_try_and_revert(ed_analysis *analysis, double fraction);
 /* ---- oscillators under ground acceleration ---------------------------------------------------------------------- */
 
 /* Largest magnitudes of relative displacement, relative velocity and absolute acceleration of oscillators that start at rest,
- * during the motion and in the free vibration after it. The acceleration (n samples dt apart) is linear between samples and
+ * during the motion and in the free vibration after it. The acceleration (n >= 1 samples dt apart) is linear between samples and
  * falls to zero within one step after the last. Between samples the peak is that of a harmonic of the oscillator's frequency
- * through three of them. period, damping, sd, sv, sa: n_oscillators each; sv and sa may both be NULL. Periods are at least
- * ED_MIN_PERIOD_STEPS dt; 0 <= damping < 1. The result of an oscillator is the same bit for bit whatever the others are. */
+ * through three of them. period (time), damping (ratio of critical), sd, sv, sa: n_oscillators each; sv and sa may both be NULL.
+ * Periods are at least ED_MIN_PERIOD_STEPS dt; 0 <= damping < 1. The result of an oscillator is the same bit for bit whatever the
+ * others are. ED_E_ARGUMENT: one of these is out of range, and nothing is written; ED_E_NOT_FINITE: a sample or a result is not
+ * finite, and what is written is of no use. */
 #define ED_MIN_PERIOD_STEPS 4
 int ed_response_spectrum(int n, double dt, const double *acceleration, int n_oscillators, const double *period,
                          const double *damping, double *sd, double *sv, double *sa);
 /* Largest displacements under two components at right angles, in the directions k pi / n_angles from the first towards the
- * second, k = 0 .. n_angles - 1 (at most ED_MAX_ANGLES). sd: n_oscillators x n_angles. Otherwise as above. */
+ * second, k = 0 .. n_angles - 1 (1 <= n_angles <= ED_MAX_ANGLES). first, second: n samples each. sd: n_oscillators x n_angles,
+ * the angles of an oscillator side by side. Otherwise as above; also ED_E_MEMORY. */
 #define ED_MAX_ANGLES 360
 int ed_rotated_spectrum(int n, double dt, const double *first, const double *second, int n_oscillators,
                         const double *period, const double *damping, int n_angles, double *sd);

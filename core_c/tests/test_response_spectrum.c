@@ -24,7 +24,8 @@ static double squared(double x)
 }
 
 /* Constant acceleration from rest: peak (1 + exp(-pi zeta / sqrt(1 - zeta^2))) / omega^2; undamped also velocity 1 / omega and
- * absolute acceleration 2 (the load ends after whole cycles and leaves nothing). Damped peaks lie between samples: the harmonic through three of them misses by (2 pi / 50)^4 zeta. */
+ * absolute acceleration 2 (the load ends after whole cycles and leaves nothing). Damped peaks lie between samples: the harmonic
+ * through three of them misses by (2 pi / 50)^4 zeta. */
 static void check_step(double *a)
 {
   for (int i = 0; i < N; i++)

@@ -7,7 +7,7 @@ from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
-from edesign.errors import ArchiveError
+from edesign.ground_motion.write import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -69,9 +69,17 @@ def save(figure: Figure, path: Path) -> None:
     """
     import matplotlib
 
-    metadata = {"Date": None} if path.suffix == ".svg" else {"CreationDate": None} if path.suffix == ".pdf" else None
-    try:
-        with matplotlib.rc_context(_STYLE):
-            figure.savefig(path, dpi=160, metadata=metadata)
-    except OSError as error:
-        raise ArchiveError(f"{path}: the figure cannot be written: {error.strerror}") from error
+    suffix = path.suffix.lower()
+    metadata = {"Date": None} if suffix == ".svg" else {"CreationDate": None} if suffix == ".pdf" else None
+    with matplotlib.rc_context(_STYLE):
+        write_whole(path, lambda partial: figure.savefig(partial, dpi=160, metadata=metadata))
+
+
+def logarithmic(axis: Axes) -> None:
+    """Give the abscissa a logarithmic scale with plain numbers: 0.1, 0.2, 0.5, 1."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    axis.set_xscale("log")
+    axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.xaxis.set_minor_formatter(NullFormatter())

@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.ground_motion.intensity import displacement, husid, velocity
 from edesign.project.units import STANDARD_GRAVITY
-from edesign.report.figures import AFTER, BEFORE, TARGET, new_figure, styled
+from edesign.report.figures import AFTER, BEFORE, TARGET, logarithmic, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -80,7 +80,7 @@ def _spectra(axis: Axes, group: Group) -> None:
         ("target", TARGET, "--", "target"),
     ):
         axis.plot(period, group.variables[name].values / STANDARD_GRAVITY, color=color, ls=style, label=label)
-    axis.set_xscale("log")
+    logarithmic(axis)
     axis.set_xlabel("period (s)")
     axis.set_ylabel("spectral acceleration (g)")
     axis.legend(loc="best")

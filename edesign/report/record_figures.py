@@ -79,22 +79,27 @@ def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterat
     if not fitted:
         spectra = {member: group.variables["psa"].values for member, group in members.items()}
         period = next(iter(members.values())).coords["period"].values
-        yield f"{name}_spectra", spectra_figure(period, spectra, title=f"{name}: as recorded")
+        yield f"{name}_spectra", spectra_figure(period, spectra, title=f"{name}: as recorded, {_damping(members)}")
         return
     period, target = suite.coords["period"].values, suite.variables["target"].values
-    label = str(suite.attributes["target"])
+    label, damping = str(suite.attributes["target"]), _damping(fitted)
     recorded = {
         member: group.variables["psa_before"].values / float(group.attributes["match_scale"])
         for member, group in fitted.items()
     }
     matched = {member: group.variables["psa_after"].values for member, group in fitted.items()}
-    yield f"{name}_before", spectra_figure(period, recorded, target, f"{name}: as recorded", label)
-    yield f"{name}_after", spectra_figure(period, matched, target, f"{name}: matched", label)
+    yield f"{name}_before", spectra_figure(period, recorded, target, f"{name}: as recorded, {damping}", label)
+    yield f"{name}_after", spectra_figure(period, matched, target, f"{name}: matched, {damping}", label)
     means = {
         "mean, as recorded": np.mean(list(recorded.values()), axis=0),
         "mean, matched": np.mean(list(matched.values()), axis=0),
     }
-    yield f"{name}_mean", spectra_figure(period, means, target, f"{name}: means of {len(fitted)}", label, mean=False)
+    title = f"{name}: means of {len(fitted)}, {damping}"
+    yield f"{name}_mean", spectra_figure(period, means, target, title, label, mean=False)
+
+
+def _damping(members: dict[str, Group]) -> str:
+    return f"{100 * float(next(iter(members.values())).attributes['damping']):g} % damping"
 
 
 def _is_fitted(group: Group) -> bool:

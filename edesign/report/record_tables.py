@@ -21,7 +21,8 @@ MATCH_COLUMNS = (  # header, which of before and after, measure, unit of the hea
     ("D5-95 [s]", "duration_5_95", 1.0),
 )
 DIGITS = 3
-NEGLIGIBLE = 1e-9  # m, m/s: rounding
+OF_THE_MEAN = ("3.2.3.1.2(4)b", "3.2.3.1.2(4)c")  # criteria that one factor on all records can satisfy
+NEGLIGIBLE = 1e-7  # m, m/s: far below what any recorder resolves
 
 
 def record_tables(archive: str | os.PathLike[str]) -> list[Table]:
@@ -38,11 +39,13 @@ def tables_of(archive: Archive) -> list[Table]:
     """Return the tables of all records of an open archive; [] if it has none."""
     groups: dict[str, Group] = {}
     tables: list[Table] = []
-    for name in archive.names(RECORDS):
+    names = archive.names(RECORDS)
+    for name in names:
         place = f"{RECORDS}/{name}"
         if archive.group_attributes(place).get("suite"):
             suite = archive.group(place)
-            groups |= {f"{name}/{member}": archive.group(f"{place}/{member}") for member in archive.names(place)}
+            prefix = f"{name}/" if len(names) > 1 else ""  # of a single suite it would only widen the tables
+            groups |= {f"{prefix}{member}": archive.group(f"{place}/{member}") for member in archive.names(place)}
             if "criteria" in suite.attributes:
                 tables.append(criteria_table(name, suite.attributes))
         else:
@@ -72,12 +75,12 @@ def choice_table(choice: Choice) -> Table:
 def origins_table(groups: Mapping[str, Group]) -> Table:
     """Return where each record comes from, and its measures as recorded; reasons of failures stand below."""
     headers = [header for header, _, _ in MATCH_COLUMNS]
-    table = Table("Records, as recorded", ("record", "origin", "from", *headers, "end v [mm/s]"), left=3)
+    table = Table("Records, as recorded", ("record", "origin", *headers, "end v [mm/s]", "from"), left=2)
     for name, group in groups.items():
         about = group.attributes
         cells = [number(about["recorded"][key], DIGITS, unit) for _, key, unit in MATCH_COLUMNS]
         end = number(about["recorded"]["end_velocity"], DIGITS, 1e-3, NEGLIGIBLE)
-        table.rows.append([name, str(about["origin"]), str(about["detail"]), *cells, end])
+        table.rows.append([name, str(about["origin"]), *cells, end, str(about["detail"])])
         if about["reason"]:
             table.notes.append(str(about["reason"]))
         table.notes += [f"{name}: {doubt}" for doubt in about["doubts"]]
@@ -110,7 +113,7 @@ def misfit_table(groups: Mapping[str, Group]) -> Table:
         "Husid diff.",
         "corr.",
     )
-    table = Table("Misfit to the target spectrum, and change of the motion", columns, left=2)
+    table = Table(f"Misfit to the target spectrum{_band(groups)}, and change of the motion", columns, left=2)
     for name, group in groups.items():
         about = group.attributes
         before, after, shape = about["misfit_before"], about["misfit_after"], about["shape"]
@@ -132,8 +135,16 @@ def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
         table.rows.append([found["clause"], text, *values, verdict])
     factor = about.get("suite_factor", 1.0)
     if factor != 1.0:
-        table.notes.append(f"all records times {factor:.4f}, so that the mean satisfies the criteria")
+        missed = any(found["passed"] is False for found in about["criteria"] if found["clause"] in OF_THE_MEAN)
+        why = "the most allowed, and a criterion is missed" if missed else "so that the mean satisfies the criteria"
+        table.notes.append(f"all records times {factor:.4f}, {why}")
     return table
+
+
+def _band(groups: Mapping[str, Group]) -> str:
+    """The band of the fit, where it is the same for all."""
+    bands = {(group.coords["period"].values[0], group.coords["period"].values[-1]) for group in groups.values()}
+    return " from {:.4g} s to {:.4g} s".format(*bands.pop()) if len(bands) == 1 else ""
 
 
 def _pair(before: float, after: float, unit: float) -> str:

@@ -165,9 +165,10 @@ def _heading(archive: Archive) -> Table:
     about = archive.attributes
     state = str(about.get("status")) if archive.complete else "not complete: the run goes on or was interrupted"
     made = archive.group_attributes("provenance").get("created", "?") if "provenance" in archive.names() else "?"
+    project = f"{about.get('project_file')}, sha256 {str(about.get('project_checksum'))[:12]}"
     rows = [
         ["archive", str(archive.path)],
-        ["project", f"{about.get('project_file')}, sha256 {str(about.get('project_checksum'))[:12]}"],
+        *([["project", project]] if about.get("project_file") else []),  # `edesign match` needs none
         ["made", f"{made} by edesign {about.get('edesign_version')}, core {about.get('core_version')}"],
         ["status", state],
     ]

@@ -94,8 +94,8 @@ def suite_groups(
         group.coords["period"] = Variable(("period",), periods, "s", "period of the oscillator")
         for key, values, label in (
             ("target", target.acceleration(periods), target.label),
-            ("mean_psa_before", np.mean([match.psa_before for match in fitted], axis=0), "mean, before matching"),
-            ("mean_psa_after", np.mean([match.psa_after for match in fitted], axis=0), "mean, after matching"),
+            ("mean_psa_before", np.mean([match.psa_before for match in fitted], axis=0), "mean over the records as recorded, each times its constant factor"),
+            ("mean_psa_after", np.mean([match.psa_after for match in fitted], axis=0), "mean over the matched records"),
         ):
             group.add(key, ("period",), values, "m/s^2", label)
         group.attributes |= {"target": target.label, "fitted": len(fitted), "suite_factor": fitted[0].suite_factor}

@@ -137,6 +137,29 @@ def test_free_vibration_after_the_end_counts() -> None:
     assert cut.sd[0, -1] > 1.1 * np.max(np.abs(before_the_end))
 
 
+@pytest.mark.parametrize("zeta", [0.0, 0.05, 0.2])
+def test_a_record_that_ends_with_a_jump(zeta: float) -> None:
+    """The largest sample is the last; the fall to zero within the next step has a kink that peaks between samples miss.
+
+    Reference: the polygon at 50 points a step by scipy.signal.lsim, exact for straight lines; at 16 steps a period.
+    """
+    step, fine = 0.01, 50
+    omega = 2.0 * np.pi / (16.0 * step)
+    oscillator = scipy.signal.lti(
+        [[0.0, 1.0], [-(omega**2), -2.0 * zeta * omega]], [[0.0], [-1.0]], np.eye(2), [[0], [0]]
+    )
+    for length in range(30, 94, 9):
+        motion = np.concatenate((np.zeros(5), np.linspace(0.0, 1.0, length) ** 2))
+        corners = np.concatenate((motion, np.zeros(32)))
+        at = np.arange((corners.size - 1) * fine + 1) / fine
+        _, states, _ = scipy.signal.lsim(oscillator, np.interp(at, np.arange(corners.size), corners), at * step)
+        u, v = states.T
+        sd, sv, sa = (float(x[0]) for x in peak_responses(motion, step, np.array([16.0 * step]), np.array([zeta])))
+        assert sd == pytest.approx(np.max(np.abs(u)), rel=0.01)
+        assert sv == pytest.approx(np.max(np.abs(v)), rel=0.01)
+        assert sa == pytest.approx(np.max(np.abs(omega**2 * u + 2.0 * zeta * omega * v)), rel=0.015)
+
+
 def test_spectra_are_linear_in_the_motion() -> None:
     motion = noise_motion(2000, 0.01)
     one = response_spectra(motion, 0.01, PERIODS, (0.05, 0.2))

@@ -152,7 +152,7 @@ def check_accelerograms(
     Raises:
         InputError: the shapes do not fit, the target is not at 5 % damping, or the periods do not cover the band.
 
-    Source: EN 1998-1:2004, 3.2.3.1.2(2)-(4), which 3.2.3.1.3(3)P extends to recorded and simulated accelerograms.
+    Source: EN 1998-1:2004, 3.2.3.1.2(2)-(4), which 3.2.3.1.3(3) extends to recorded and simulated accelerograms.
     """
     T, psa, pga = np.asarray(periods, dtype=float), np.asarray(spectra, dtype=float), np.asarray(pgas, dtype=float)
     if psa.ndim != 2 or psa.shape[0] < 1 or psa.shape[1:] != T.shape or pga.shape != psa.shape[:1]:

@@ -19,7 +19,8 @@ class DriftCorrection:
     terms, the one that leaves the displacement smallest in the mean square while it ends with zero velocity and zero
     displacement. What the original ends with is taken out by the two lowest terms alone, so that it keeps the
     displacement it was recorded with as far as it can. Nothing leaks out of the duration as with a filter, and the
-    shortest wave in the correction is long against the periods to be matched.
+    shortest wave in the correction is long against the periods to be matched, if the motion lasts at least five of the
+    longest; four terms are the fewest, whose waves in a shorter motion are shorter.
 
     Source: least squares with constraints; for polynomial baselines of accelerograms see Chiu (1997), Bulletin of the
     Seismological Society of America 87(4), 932-944.

@@ -39,17 +39,20 @@ def suite_factor(matches: Sequence[Match], target: Spectrum, fundamental_period:
 
 
 def raised(match: Match, factor: float) -> Match:
-    """Return a match whose result, spectrum, measures and misfit are those of the matched record times a factor."""
+    """Return a match whose result, and all that is said about it, is that of the matched record times a factor."""
     if factor == 1.0:
         return match
     matched = match.matched.scaled(factor)
     after = factor * match.psa_after
+    shape = replace(match.shape, arias_ratio=factor**2 * match.shape.arias_ratio)
+    notes = tuple(note for note in match.notes if note not in match.shape.notes())
     return replace(
         match,
         matched=matched,
         psa_after=after,
         misfit_after=misfit(after, match.target, match.periods),
         after=measures(matched),
-        shape=replace(match.shape, arias_ratio=factor**2 * match.shape.arias_ratio),
+        shape=shape,
+        notes=(*notes, *shape.notes()),
         suite_factor=factor * match.suite_factor,
     )

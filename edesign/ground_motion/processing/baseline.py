@@ -67,7 +67,7 @@ def remove_drift(record: Record, order: int = 6) -> Record:
     Raises:
         InputError: the order is out of range, or not below the number of samples.
 
-    Source: Boore, Azari Sisi & Akkar (2012), Bull. Seism. Soc. Am. 102, 741-750, and Ancheta et al. (2013), PEER
+    Source: Boore, Azari Sisi & Akkar (2012), Bull. Seism. Soc. Am. 102, 751-760, and Ancheta et al. (2013), PEER
         2013/03, section 3 (order 6); Chiu (1997), Bull. Seism. Soc. Am. 87, 932-944 (initial velocity).
     """
     _check_order(record, order, 3)

@@ -31,7 +31,7 @@ def spreading(distance: float, crust: Crust) -> float:
 def path(frequency: np.ndarray, distance: float, crust: Crust) -> np.ndarray:
     """Return spreading and anelastic attenuation over a point-source distance in m (shape of `frequency`, in Hz, > 0).
 
-    Source: Boore (2003), Eqs. 9 to 11.
+    Source: Boore (2003), path effects.
     """
     q_one, exponent = crust.quality
     attenuation = np.exp(-math.pi * frequency ** (1.0 - exponent) * distance / (q_one * crust.path_velocity))
@@ -62,7 +62,7 @@ def fourier_amplitude(
     Returns:
         Shape (n,), m/s.
 
-    Source: Boore (2003), Eq. 1.
+    Source: Boore (2003).
     """
     frequency = np.asarray(frequency, dtype=float)
     point = effective_distance(magnitude, distance, crust)

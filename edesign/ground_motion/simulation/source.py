@@ -24,7 +24,7 @@ class Corners:
 def seismic_moment(magnitude: float) -> float:
     """Return M_0 in N m of a moment magnitude.
 
-    Source: Hanks & Kanamori (1979); Boore (2003), Eq. 3.
+    Source: Hanks & Kanamori (1979), as Boore (2003) has it for dyn cm: M = 2/3 log10 M_0 - 10.7.
     """
     return float(10.0 ** (1.5 * (magnitude + 10.7) - 7.0))
 
@@ -32,7 +32,7 @@ def seismic_moment(magnitude: float) -> float:
 def corner_frequency(magnitude: float, crust: Crust) -> float:
     """Return the corner frequency f_c that belongs to the stress drop, in Hz.
 
-    Source: Brune (1970, 1971); Boore (2003), Eq. 4: 4.906e6 beta (stress drop / M_0)^(1/3) in km/s, bar and dyn cm.
+    Source: Brune (1970, 1971), as in Boore (2003): 4.906e6 beta (stress drop / M_0)^(1/3) in km/s, bar and dyn cm.
     """
     return float(0.4906 * crust.shear_velocity * (crust.stress_drop / seismic_moment(magnitude)) ** (1.0 / 3.0))
 
@@ -55,7 +55,7 @@ def corners(magnitude: float, crust: Crust) -> Corners:
 def source(frequency: np.ndarray, magnitude: float, crust: Crust) -> np.ndarray:
     """Return the acceleration spectrum of the source at 1 km, in m/s (shape of `frequency`, which is in Hz).
 
-    Source: omega-square spectrum of Brune (1970); Boore (2003), Eqs. 5 and 6 and Tables 2 and 3.
+    Source: omega-square spectrum of Brune (1970), as in Boore (2003); two corners: Atkinson & Silva (2000).
     """
     scale = crust.radiation * crust.partition * crust.free_surface
     scale /= 4.0 * math.pi * crust.density * crust.shear_velocity**3 * _REFERENCE_DISTANCE
@@ -68,7 +68,7 @@ def source(frequency: np.ndarray, magnitude: float, crust: Crust) -> np.ndarray:
 def source_duration(magnitude: float, crust: Crust) -> float:
     """Return the duration of the source, in s: 1 / f_c of one corner, the mean of both reciprocals of two.
 
-    Source: Hanks & McGuire (1981); Boore (2003), Eq. 20; equal weights: Boore & Thompson (2015).
+    Source: Hanks & McGuire (1981); Boore (2003); equal weights: Boore & Thompson (2015).
     """
     c = corners(magnitude, crust)
     return 0.5 / c.lower + 0.5 / c.upper

@@ -26,7 +26,7 @@ def saragoni_hart(time: np.ndarray, length: float) -> np.ndarray:
     Returns:
         Shape (n,), dimensionless.
 
-    Source: Saragoni & Hart (1974); Boore (2003), Eqs. 18 and 19.
+    Source: Saragoni & Hart (1974), as in Boore (2003).
     """
     power = -_PEAK_AT * math.log(_END_LEVEL) / (1.0 + _PEAK_AT * (math.log(_PEAK_AT) - 1.0))
     decay = power / _PEAK_AT
