@@ -29,6 +29,7 @@ Importance = Annotated[
     str | None, typer.Option("--gamma", help="Importance: a factor `1.71`, a class `III`, or a probability `2%`.")
 ]
 
+POSSIBLE_T1 = (0.01, 60.0)  # s
 CLASSES = ("I", "II", "III", "IV")
 GIVEN = "given"  # name of the level that --gamma makes
 
@@ -46,7 +47,11 @@ def fundamental_period(project: Project | None, text: str | None) -> float | Non
     from edesign.study import modal
 
     if text is not None:
-        return quantity(text, TIME, "--t1")
+        period = quantity(text, TIME, "--t1")
+        low, high = POSSIBLE_T1
+        if not low <= period <= high:
+            raise InputError(f"--t1: {period:g} s is no period of a structure; {low:g} s to {high:g} s are possible")
+        return period
     return None if project is None else modal.fundamental_period(project)
 
 
@@ -92,6 +97,8 @@ def _from_options(given: dict[str, str]) -> Hazard:
     if found is None:
         lines = [f"{_flag(problem.keys_text)}: {problem.message}" for problem in problems.found]
         raise InputError("\n".join(lines) + "\n(the seismic action comes from --project, or from these options)")
+    if found.zone is not None and found.a_gR is not None:
+        raise InputError("--zone: --a-gr gives the reference ground acceleration already; leave one of them out")
     if found.zone is None and found.a_gR is None:
         raise InputError("--a-gr: the reference ground acceleration is missing; give it, or --country and --zone")
     elastic_spectrum(found, GIVEN if found.levels else None)  # names of the code that do not exist show here

@@ -74,6 +74,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
             app(words, prog_name="edesign")
         except SystemExit as end:  # the end of every call: help, wrong usage, done
             sys.stdout.flush()
+            if end.code == Interrupted.exit_code:  # what is made of a Ctrl-C between the steps that ask for it
+                return _fail("interrupted", Interrupted.exit_code, debug)
             return end.code if isinstance(end.code, int) else int(end.code is not None)
     except KeyboardInterrupt:
         return _fail("interrupted", Interrupted.exit_code, debug)

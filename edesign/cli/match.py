@@ -65,7 +65,7 @@ def match(
     from edesign.errors import AnalysisError, InputError
     from edesign.ground_motion.hazard import elastic_spectrum
     from edesign.ground_motion.matching import MatchOptions
-    from edesign.ground_motion.write import make_folder, write_csv
+    from edesign.ground_motion.write import check_folder, make_folder, write_csv
     from edesign.project.units import TIME
     from edesign.report.record_figures import check_format, draw_records
     from edesign.report.record_tables import choice_table, record_tables
@@ -73,6 +73,11 @@ def match(
     from edesign.study.match import choose_recordings, match_recordings
 
     check_format(figure_format)
+    if max_per_event is not None and select is None:
+        raise InputError("--max-per-event: only with --select, which chooses the recordings")
+    for place in (csv, figures):
+        if place is not None:
+            check_folder(place)
     loaded = action.load(project)
     options = {"code": code, "country": country, "zone": zone, "a_gR": a_gr, "ground": ground}
     options |= {"spectrum": spectrum_type, "damping": damping, "gamma": gamma}
@@ -89,22 +94,21 @@ def match(
             raise InputError("--select: the criteria need the fundamental period; give --t1, or --project")
         choice = choose_recordings(found, target, settings, period, select, max_per_event)
         found, tables = choice.recordings, [choice_table(choice)]
-    if csv is not None:
-        make_folder(csv)
     path = archive or Path(f"{name}_matched.h5")
     with listener(quiet) as listen:
         summary = match_recordings(
             found, target, settings, path, period, name, f"{name} fitted to {target.label}", workers, listen
         )
+    if not quiet:
+        print_tables([*tables, *record_tables(summary.archive)])
+        typer.echo(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
     if csv is not None:
+        make_folder(csv)
         for motion in summary.motions.values():
             if not motion.failure:
                 write_csv(motion.record, csv / f"{motion.name}.csv")
     if figures is not None:
         draw_records(summary.archive, figures, figure_format)
-    if not quiet:
-        print_tables([*tables, *record_tables(summary.archive)])
-        typer.echo(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
     if summary.failed:
         reasons = "".join(f"\n  {motion.failure}" for motion in summary.failed)
         raise AnalysisError(f"{len(summary.failed)} of {len(summary.motions)} recordings could not be fitted{reasons}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -12,6 +13,8 @@ from edesign.errors import InputError
 
 if TYPE_CHECKING:
     from edesign.ground_motion.sources import Found
+
+LONGEST_NAME = 64  # as in suites
 
 Inputs = Annotated[
     list[Path],
@@ -45,11 +48,14 @@ def read_inputs(
             raise InputError(f"{inputs[0]}: one suite file, or record files; not both, and not two suites")
         if unit is not None or time_step is not None:
             raise InputError("--unit, --time-step: only for record files; a suite file says these itself")
+        name = _name(inputs[0])
         suite = load_suite(inputs[0])
         found = find_suite(suite, folders, stand_ins)
-        return inputs[0].stem, {entry.id: item for entry, item in zip(suite.records, found, strict=True)}
+        return name, {entry.id: item for entry, item in zip(suite.records, found, strict=True)}
     if folders:
         raise InputError("--folder: only with a suite file, whose recordings are looked for there")
+    if not stand_ins:
+        raise InputError("--no-stand-ins: only with a suite file")
     return "records", _files(inputs, unit, time_step)
 
 
@@ -61,15 +67,47 @@ def is_suite(path: Path) -> bool:
 def _files(inputs: Sequence[Path], unit: str | None, time_step: float | None) -> dict[str, Found]:
     from edesign.ground_motion.read import detect, read_record_file
     from edesign.ground_motion.sources import Found
+    from edesign.ground_motion.units import ACCELERATION_UNITS
 
     recordings: dict[str, Found] = {}
+    tables = 0
     for path in inputs:
-        name = path.name.removesuffix(path.suffix)
-        if name in recordings:
+        name = _name(path)
+        if name.lower() in map(str.lower, recordings):  # names of files, and some systems do not tell a from A
             raise InputError(f"{path}: another of the files is called {name} too; rename one of them")
         if detect(path) == "table":
+            tables += 1
+            if unit is None:
+                raise InputError(
+                    f"{path}: a table does not say the unit of its accelerations; declare it: --unit "
+                    f"{', '.join(ACCELERATION_UNITS)}"
+                )
             record = read_record_file(path, acceleration_unit=unit, time_step=time_step, name=name)
         else:
             record = read_record_file(path, name=name)
+        twin = next((other for other, item in recordings.items() if item.record.checksum == record.checksum), None)
+        if twin is not None:
+            raise InputError(f"{path}: the same recording as {recordings[twin].detail}; leave one of them out")
         recordings[name] = Found(record, "file", str(path))
+    if not tables and (unit is not None or time_step is not None):
+        raise InputError("--unit, --time-step: only for tables of text; these files say unit and time step themselves")
     return recordings
+
+
+def _name(path: Path) -> str:
+    """The name of a file without its suffix, which results and their files bear.
+
+    Raises:
+        InputError: it cannot stand in an archive.
+    """
+    from edesign.ground_motion.suite import TAKEN
+
+    name = path.name.removesuffix(path.suffix)
+    if name in TAKEN:
+        raise InputError(f"{path}: `{name}` has a meaning of its own in archives; rename the file")
+    if len(name) > LONGEST_NAME or not re.search(r"\w", name) or not name.isprintable():
+        raise InputError(
+            f"{path}: results are named as the file, so its name needs a letter or digit, no control characters, and "
+            f"at most {LONGEST_NAME} characters; rename the file"
+        )
+    return name

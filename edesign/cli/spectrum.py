@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from edesign.cli import hazard_options as action
 from edesign.cli import recordings as source
+
+if TYPE_CHECKING:
+    from edesign.ground_motion.sources import Found
 
 
 def spectrum(
@@ -51,9 +54,18 @@ def spectrum(
     from edesign.errors import InputError
     from edesign.ground_motion.hazard import code_spectra
     from edesign.project.units import TIME
-    from edesign.report.spectrum_table import draw_spectra, spectrum_columns, spectrum_table, write_columns
+    from edesign.report.spectrum_table import (
+        check_figure_name,
+        draw_spectra,
+        record_notes,
+        spectrum_columns,
+        spectrum_table,
+        write_columns,
+    )
     from edesign.report.text import print_tables
 
+    if figure is not None:
+        check_figure_name(figure)
     loaded = action.load(project)
     options = {"code": code, "country": country, "zone": zone, "a_gR": a_gr, "ground": ground}
     options |= {"spectrum": spectrum_type, "damping": damping, "gamma": gamma}
@@ -62,16 +74,17 @@ def spectrum(
     if first >= last:
         raise InputError(f"--periods: the shorter period stands first, not {first:g} s before {last:g} s")
     step = action.quantity(time_step, TIME, "--time-step") if time_step else None
-    records = {}
+    found: dict[str, Found] = {}
     if inputs:
         _, found = source.read_inputs(inputs, folder or [], not no_stand_ins, unit, step)
-        records = {name: item.record for name, item in found.items()}
+    records = {name: item.record for name, item in found.items()}
     elastic, design = code_spectra(hazard, level, vertical, q)
     grid = np.geomspace(first, last, points)
     columns = spectrum_columns(elastic, records, grid, None if design is None else design.acceleration(grid))
+    table = spectrum_table(elastic.label, columns)
+    table.notes = ([] if design is None else [f"Sd: {design.label}"]) + record_notes(found)
+    print_tables([table])
     if csv is not None:
         write_columns(columns, csv)
     if figure is not None:
-        draw_spectra(elastic, records, (first, last), figure)
-    title = elastic.label if design is None else f"{elastic.label}; {design.label}"
-    print_tables([spectrum_table(title, columns)])
+        draw_spectra(elastic, records, (first, last), figure, design)

@@ -30,6 +30,7 @@ _SUFFIXES: dict[str, FileFormat] = {
     **dict.fromkeys((".csv", ".tsv", ".dat", ".acc"), "table"),
 }
 _SEVERAL = ("cosmos", "csmip", "esm", "knet")  # formats whose files name their component
+_POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; doubts come far earlier
 _HEAD = 100  # lines in which the marks of a format stand
 
 
@@ -56,10 +57,28 @@ def read_record_file(
         name: of the record; its file name by default.
 
     Raises:
-        InputError: the file cannot be read, no format fits, an argument does not belong to the format, or what the
-            reader of the format finds.
+        InputError: the file cannot be read, no format fits, an argument does not belong to the format, what the
+            reader of the format finds, or peaks that no ground motion has.
     """
     path = Path(path)
+    arguments = (file_format, acceleration_unit, time_step, time_column, acceleration_column, component, name)
+    record = _read(path, *arguments)
+    low, high = _POSSIBLE_PGA
+    if record.pga > high or 0.0 < record.pga < low:
+        raise InputError(f"{path}: the peak of {record.pga:g} m/s2 is that of no ground motion; is the unit right?")
+    return record
+
+
+def _read(
+    path: Path,
+    file_format: FileFormat | None,
+    acceleration_unit: str | None,
+    time_step: float | None,
+    time_column: int | str | None,
+    acceleration_column: int | str | None,
+    component: str | int | None,
+    name: str,
+) -> Record:
     if file_format is not None and file_format not in FORMATS:
         hint = did_you_mean(str(file_format), FORMATS)
         raise InputError(f"{path}: unknown format `{file_format}`{hint} (formats: {', '.join(FORMATS)})")

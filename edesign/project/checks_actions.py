@@ -65,6 +65,9 @@ def _records(project: Project, problems: Problems) -> None:
         _matching(project, record.match, (*keys, "match"), problems)
         if isinstance(record, SuiteRecords):
             _file(project, record.suite, (*keys, "suite"), problems)
+            for i, wanted in enumerate(record.only or ()):
+                if wanted in (record.only or ())[:i]:
+                    problems.at_value((*keys, "only", i), f"`{wanted}` stands here twice; a recording is taken once")
             for i, folder in enumerate(record.folders):
                 if not (project.folder / folder).is_dir():
                     message = (
@@ -92,6 +95,9 @@ def _matching(project: Project, match: Matching | None, keys: Keys, problems: Pr
         return
     if project.hazard is None:
         problems.at_key(keys, "a record is fitted to the spectrum of the `hazard`, and the file has none")
+    elif project.hazard.damping >= 1.0:
+        message = "a record is fitted to this spectrum; its damping must be less than critical, below 100 %"
+        problems.at_value(("hazard", "damping"), message)
     if match.periods[0] >= match.periods[1]:
         problems.at_value((*keys, "periods"), "the shorter period stands first, and the two must differ")
     if match.scale_bounds[0] > match.scale_bounds[1]:

@@ -47,6 +47,9 @@ def parse_project(text: str, path: Path | str = "project.yaml", profiles: Collec
         check_actions(project, problems)
         check_hazard(project, problems)
         check_outputs(project, problems)
+    elif problems.root.child("edesign_suite") and not problems.root.child("edesign"):
+        problems.found = []
+        problems.at_key(("edesign_suite",), f"this is a suite file; a {_WHAT} begins with `edesign: 1`")
     if project is None or problems.found:
         raise ProjectError(path, problems.found)
     return project

@@ -9,7 +9,7 @@ from pydantic import Field
 from edesign.project.base import Model
 from edesign.project.units import Duration, PositiveFrequency, PositiveRatio, PositiveTime, UnitRatio
 
-Order = Annotated[int, Field(ge=0, le=12)]
+Order = Annotated[int, Field(ge=0, le=8)]
 
 
 class Baseline(Model):
@@ -22,7 +22,7 @@ class Baseline(Model):
 class RemoveDrift(Model):
     """A polynomial of the displacement is taken out so that the ground ends at rest in its place."""
 
-    order: Annotated[int, Field(ge=3, le=12)] = 6
+    order: Annotated[int, Field(ge=3, le=8)] = 6
 
 
 class Filter(Model):
@@ -30,7 +30,7 @@ class Filter(Model):
 
     low: PositiveFrequency | None = None
     high: PositiveFrequency | None = None
-    order: Annotated[int, Field(ge=1, le=12)] = 4
+    order: Annotated[int, Field(ge=1, le=10)] = 4
     keep_pads: bool = True
 
 

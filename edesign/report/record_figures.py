@@ -82,20 +82,20 @@ def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterat
         yield f"{name}_spectra", spectra_figure(period, spectra, title=f"{name}: as recorded, {_damping(members)}")
         return
     period, target = suite.coords["period"].values, suite.variables["target"].values
-    label, damping = str(suite.attributes["target"]), _damping(fitted)
+    goal, damping = {str(suite.attributes["target"]): target}, _damping(fitted)
     recorded = {
         member: group.variables["psa_before"].values / float(group.attributes["match_scale"])
         for member, group in fitted.items()
     }
     matched = {member: group.variables["psa_after"].values for member, group in fitted.items()}
-    yield f"{name}_before", spectra_figure(period, recorded, target, f"{name}: as recorded, {damping}", label)
-    yield f"{name}_after", spectra_figure(period, matched, target, f"{name}: matched, {damping}", label)
+    yield f"{name}_before", spectra_figure(period, recorded, goal, f"{name}: as recorded, {damping}")
+    yield f"{name}_after", spectra_figure(period, matched, goal, f"{name}: matched, {damping}")
     means = {
         "mean, as recorded": np.mean(list(recorded.values()), axis=0),
         "mean, matched": np.mean(list(matched.values()), axis=0),
     }
     title = f"{name}: means of {len(fitted)}, {damping}"
-    yield f"{name}_mean", spectra_figure(period, means, target, title, label, mean=False)
+    yield f"{name}_mean", spectra_figure(period, means, goal, title, mean=False)
 
 
 def _damping(members: dict[str, Group]) -> str:

@@ -14,15 +14,15 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FEW = 4  # so many lines have names of their own
+DASHES = ("--", ":")  # of the first target, and of further ones
 
 
 @styled
 def spectra_figure(
     period: np.ndarray,
     spectra: Mapping[str, np.ndarray],
-    target: np.ndarray | None = None,
+    targets: Mapping[str, np.ndarray] | None = None,
     title: str = "",
-    target_label: str = "target",
     mean: bool = True,
 ) -> Figure:
     """Draw spectra as in Figs. 5.7 to 5.9 and 5.12 of the thesis.
@@ -30,9 +30,8 @@ def spectra_figure(
     Args:
         period: shape (n,), s.
         spectra: pseudo-acceleration of each record by name, shape (n,), m/s2.
-        target: shape (n,), m/s2.
+        targets: spectra of the code by label, shape (n,), m/s2.
         title: above the axes.
-        target_label: of the target.
         mean: whether the mean of the spectra is drawn.
     """
     figure, ((axes,),) = new_figure(1, 1, 6.3, 4.0)
@@ -45,13 +44,13 @@ def spectra_figure(
     if mean and len(spectra) > 1:
         average = np.mean(list(spectra.values()), axis=0)
         axes.plot(period, average / STANDARD_GRAVITY, color=MEAN, lw=1.6, label="mean")
-    if target is not None:
-        axes.plot(period, target / STANDARD_GRAVITY, color=TARGET, lw=1.4, ls="--", label=target_label)
+    for i, (label, target) in enumerate((targets or {}).items()):
+        axes.plot(period, target / STANDARD_GRAVITY, color=TARGET, lw=1.4, ls=DASHES[min(i, 1)], label=label)
     axes.set_xlim(0.0, float(period[-1]))
     axes.set_ylim(bottom=0.0)
     axes.set_xlabel("period (s)")
     axes.set_ylabel("spectral acceleration (g)")
     axes.set_title(title, loc="left")
     if axes.get_legend_handles_labels()[0]:
-        figure.legend(loc="outside lower center", ncols=2)
+        figure.legend(loc="outside lower center", ncols=2 if len(targets or ()) < 2 else 1)  # labels of codes are long
     return figure

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import csv
+import io
 from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
+from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
+from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
+from edesign.ground_motion.sources import Found
 from edesign.ground_motion.write import write_text
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.figures import FORMATS, save
@@ -55,27 +60,59 @@ def spectrum_table(title: str, columns: list[Column]) -> Table:
     return Table(title, [header for header, _ in columns], rows, left=0)
 
 
+def record_notes(recordings: Mapping[str, Found]) -> list[str]:
+    """Return a line on each recording that is simulated, or about which there are doubts."""
+    notes = [f"{name}: simulated, {found.detail}" for name, found in recordings.items() if found.origin == "stand-in"]
+    return notes + [f"{name}: {doubt}" for name, found in recordings.items() for doubt in doubts(found.record)]
+
+
 def write_columns(columns: list[Column], path: Path) -> None:
     """Write the columns as CSV, all digits.
 
     Raises:
         ArchiveError: it cannot be written.
     """
-    lines = [",".join(header for header, _ in columns)]
-    lines += [",".join(repr(float(value)) for value in row) for row in zip(*(v for _, v in columns), strict=True)]
-    write_text("\n".join(lines) + "\n", path)
+    text = io.StringIO()
+    writer = csv.writer(text, lineterminator="\n")  # puts quotes around a name with a comma
+    writer.writerow(header for header, _ in columns)
+    writer.writerows([repr(float(value)) for value in row] for row in zip(*(v for _, v in columns), strict=True))
+    write_text(text.getvalue(), path)
 
 
-def draw_spectra(elastic: Spectrum, records: Mapping[str, Record], band: tuple[float, float], path: Path) -> None:
-    """Draw the spectrum of the code and those of records; the suffix of the path says the format.
+def draw_spectra(
+    elastic: Spectrum,
+    records: Mapping[str, Record],
+    band: tuple[float, float],
+    path: Path,
+    design: DesignSpectrum | None = None,
+) -> None:
+    """Draw the spectra of the code and those of records.
+
+    Args:
+        elastic: of the code.
+        records: by name.
+        band: shortest and longest period, s.
+        path: the figure; its suffix says the format.
+        design: the design spectrum, drawn too if it is given.
 
     Raises:
         InputError: the suffix is none of a figure.
         ArchiveError: it cannot be written.
     """
-    if path.suffix.lower().lstrip(".") not in FORMATS:
-        raise InputError(f"{path}: a figure ends in {', '.join(f'.{name}' for name in FORMATS)}")
+    check_figure_name(path)
     periods = np.geomspace(*band, DRAWN)
     spectra = {name: psa(r.acceleration, r.time_step, periods, elastic.damping) for name, r in records.items()}
-    target = elastic.acceleration(periods)
-    save(spectra_figure(periods, spectra, target, f"{100 * elastic.damping:g} % damping", elastic.label), path)
+    goals = {elastic.label: elastic.acceleration(periods)}
+    if design is not None:
+        goals[design.label] = design.acceleration(periods)
+    save(spectra_figure(periods, spectra, goals, f"{100 * elastic.damping:g} % damping"), path)
+
+
+def check_figure_name(path: Path) -> None:
+    """Check the suffix of a figure.
+
+    Raises:
+        InputError: it is of no format that is drawn.
+    """
+    if path.suffix.lower().lstrip(".") not in FORMATS:
+        raise InputError(f"{path}: a figure ends in {', '.join(f'.{name}' for name in FORMATS)}")

@@ -12,6 +12,7 @@ from edesign.building.frame import build_frame
 from edesign.core import CoreError
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard
+from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found
 from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
@@ -22,6 +23,7 @@ from edesign.project.records import SuiteRecords
 from edesign.study.advice import advice
 from edesign.study.history import check_motion
 from edesign.study.modal import fundamental_period
+from edesign.study.motions import check_fits
 from edesign.study.plan import make_plan
 from edesign.study.requested import requested_quantities
 from edesign.study.structure import make_structure
@@ -40,17 +42,20 @@ def check_inputs(project: Project, specs: Iterable[Analysis]) -> dict[str, Found
         The recordings that they need, by reference, those of a suite all together.
 
     Raises:
-        InputError: a record cannot be read or applied, the frame cannot be built, is a mechanism or has parts that are
-            not connected, an output does not exist in it, or it has fewer modes than are asked for.
+        InputError: a record cannot be read, applied or fitted to the spectrum, the frame cannot be built, is a
+            mechanism or has parts that are not connected, an output does not exist in it, or it has fewer modes than
+            are asked for.
     """
     specs = tuple(specs)
     if project.hazard is not None:
         checked_hazard(project)
     histories = [spec for spec in specs if isinstance(spec, HistoryAnalysis)]
-    names = sorted({spec.record.partition("/")[0] for spec in histories})
+    wanted = {spec.record.partition("/")[0] for spec in histories}
+    names = [name for name in project.records if name in wanted]
     found = find_recordings(project, [reference for name in names for reference in references(project, name)])
     for spec in histories:
         check_motion(project, spec, found[spec.record].record)
+    check_fits(project, found)
     frame = build_frame(project)
     requested_quantities(project, frame, Group())
     try:
@@ -102,6 +107,7 @@ def check_project(project: Project) -> dict[str, str]:
     others = find_recordings(project, [key for name in unused for key in references(project, name)])
     period = fundamental_period(project)
     notes = advice(project, period, [item.record for item in found.values()])
+    notes += [f"record {name}: {doubt}" for name, item in found.items() for doubt in doubts(item.record)]
     return {
         "title": project.title,
         "frame": _frame(project),

@@ -82,7 +82,7 @@ def match_recordings(
 
     def report(motion: Motion) -> None:
         done.append(motion.name)
-        text = motion.failure or outcome(motion)
+        text = motion.failure.removeprefix(f"{motion.name} ") or outcome(motion)
         tell(Progress("end", motion.name, len(done), len(recordings), 1.0, text, time.monotonic() - started))
 
     root = Group(
@@ -96,22 +96,24 @@ def match_recordings(
         }
     )
     with ArchiveWriter(archive_path, root, extra={"provenance": circumstances()}) as writer:
-        with stop_on_signals() as stop:
-            prepare = partial(fit, target=target, options=options)
-            motions = prepare_motions(recordings, prepare, workers, report, stop.is_set)
-            if len(motions) < len(recordings):
-                writer.discard()
-                raise Interrupted(f"interrupted; {writer.path} is unchanged")
-        motions = {motion.name: motion for motion in raise_suite(list(motions.values()), target, fundamental_period)}
-        fitted = [motion for motion in motions.values() if not motion.failure]
-        if not fitted:
-            writer.discard()
-            reasons = "".join(f"\n  {motion.failure}" for motion in motions.values())
-            raise AnalysisError(f"none of the recordings can be fitted:{reasons}")
-        verdicts = criteria(fitted, target, fundamental_period)
-        for place, group in suite_groups(name, list(motions.values()), target, verdicts):
-            writer.write(place, group)
-        writer.finish({"status": "completed" if len(fitted) == len(motions) else "failed"})
+        try:
+            with stop_on_signals() as stop:
+                prepare = partial(fit, target=target, options=options)
+                motions = prepare_motions(recordings, prepare, workers, report, stop.is_set)
+                if len(motions) < len(recordings):
+                    raise Interrupted(f"interrupted; {writer.path} is unchanged")
+            motions = {item.name: item for item in raise_suite(list(motions.values()), target, fundamental_period)}
+            fitted = [motion for motion in motions.values() if not motion.failure]
+            if not fitted:
+                reasons = "".join(f"\n  {motion.failure}" for motion in motions.values())
+                raise AnalysisError(f"none of the recordings can be fitted:{reasons}")
+            verdicts = criteria(fitted, target, fundamental_period)
+            for place, group in suite_groups(name, list(motions.values()), target, verdicts):
+                writer.write(place, group)
+            writer.finish({"status": "completed" if len(fitted) == len(motions) else "failed"})
+        except BaseException:
+            writer.discard()  # nothing of it could be used later
+            raise
     return MatchSummary(writer.path, motions, verdicts, time.monotonic() - started)
 
 

@@ -10,6 +10,7 @@ from edesign.codes.ec8.elastic import ElasticSpectrum
 from edesign.errors import EdesignError, InputError
 from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
+from edesign.ground_motion.matching.match import check_record
 from edesign.ground_motion.matching.raising import raised, suite_factor
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.sources import Found
@@ -53,7 +54,8 @@ def fit(reference: str, found: Found, target: ElasticSpectrum, options: MatchOpt
     try:
         return Motion(reference, found, match_record(found.record, target, options))
     except EdesignError as error:
-        return Motion(reference, found, failure=f"{reference} cannot be fitted to the spectrum: {error}")
+        reason = str(error).removeprefix(f"{found.record.name}: ")
+        return Motion(reference, found, failure=f"{reference} cannot be fitted to the spectrum: {reason}")
 
 
 def raise_suite(motions: Sequence[Motion], target: ElasticSpectrum, fundamental_period: float | None) -> list[Motion]:
@@ -141,6 +143,30 @@ def match_options(project: Project, reference: str) -> MatchOptions | None:
     return MatchOptions(
         method=spec.method, periods=spec.periods, scale_bounds=spec.scale_bounds, damping=project.hazard.damping
     )
+
+
+def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
+    """Check that recordings reach over the band that the project fits, before any is fitted.
+
+    Args:
+        project: the validated project.
+        recordings: what was found, by reference.
+
+    Raises:
+        InputError: a step is too long or a record too short; the message has a line for each.
+    """
+    faults = []
+    for reference, found in recordings.items():
+        options = match_options(project, reference)
+        if options is None:
+            continue
+        try:
+            check_record(found.record, options)
+        except InputError as error:
+            name = reference.partition("/")[0]
+            faults.append(f"{project.where('records', name, 'match')}: records.{name}.match: {error}")
+    if faults:
+        raise InputError("\n".join(faults))
 
 
 def level_factor(project: Project, spec: HistoryAnalysis) -> float:

@@ -78,9 +78,10 @@ def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
     for task in tasks:
         other = first.setdefault(task.name, task)
         if other is not task:
+            at = next(i for i, spec in enumerate(project.analyses) if spec.name == task.entry)
             raise InputError(
-                f"{project.path}: the analyses `{other.entry}` and `{task.entry}` both lead to one named "
-                f"`{task.name}`; rename one of them"
+                f"{project.where('analyses', at, 'name')}: analyses[{at}].name: the analyses `{other.entry}` and "
+                f"`{task.entry}` both lead to one named `{task.name}`; rename one of them"
             )
     names = list(dict.fromkeys(name for task in tasks for name in (task.entry, task.name)))
     for name in only:

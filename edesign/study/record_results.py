@@ -92,10 +92,12 @@ def suite_groups(
     if target is not None and fitted:
         periods = fitted[0].periods
         group.coords["period"] = Variable(("period",), periods, "s", "period of the oscillator")
+        before = np.mean([match.psa_before for match in fitted], axis=0)
+        after = np.mean([match.psa_after for match in fitted], axis=0)
         for key, values, label in (
             ("target", target.acceleration(periods), target.label),
-            ("mean_psa_before", np.mean([match.psa_before for match in fitted], axis=0), "mean over the records as recorded, each times its constant factor"),
-            ("mean_psa_after", np.mean([match.psa_after for match in fitted], axis=0), "mean over the matched records"),
+            ("mean_psa_before", before, "pseudo-acceleration, mean of the scaled originals"),
+            ("mean_psa_after", after, "pseudo-acceleration, mean of the matched records"),
         ):
             group.add(key, ("period",), values, "m/s^2", label)
         group.attributes |= {"target": target.label, "fitted": len(fitted), "suite_factor": fitted[0].suite_factor}

@@ -133,8 +133,12 @@ def run_project(
                         _archive(writer, run, task, group, seconds)
             except KeyboardInterrupt:
                 run.stop.set()
-            except ArchiveError as error:
-                raise ArchiveError(f"{error}; {_kept(path, len(run.outcomes), len(plan))}") from error
+            except EdesignError as error:
+                if not run.outcomes:
+                    writer.discard()
+                elif isinstance(error, ArchiveError):
+                    raise ArchiveError(f"{error}; {_kept(path, len(run.outcomes), len(plan))}") from error
+                raise
             if run.stop.is_set() and len(run.outcomes) < len(plan):
                 if not run.outcomes:
                     writer.discard()
@@ -238,6 +242,8 @@ def _prepare_records(
 def _analyse(run: _Run, task: Task) -> tuple[Group, float]:
     """Run one analysis; whatever goes wrong in it becomes a group with the status "failed"."""
     started = time.monotonic()
+    if run.stop.is_set():
+        return Group(attributes={"status": INTERRUPTED}), 0.0
     run.start(task)
     try:
         motion = run.motions.get(task.record or "")
@@ -258,6 +264,8 @@ def _analyse(run: _Run, task: Task) -> tuple[Group, float]:
 
 def _results(run: _Run, tasks: Sequence[Task], workers: int) -> Iterator[tuple[Task, Group, float]]:
     """Yield results as they come; interrupted analyses are left out, and none starts after a stop."""
+    if run.stop.is_set():
+        return
     if workers <= 1:
         for task in tasks:
             if run.stop.is_set():

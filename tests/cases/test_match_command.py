@@ -10,8 +10,11 @@ import pytest
 from cases import suite_project
 
 from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
+from edesign.errors import ArchiveError
 from edesign.ground_motion.csv_record import read_csv
+from edesign.ground_motion.suite import TAKEN
 from edesign.project.units import STANDARD_GRAVITY
 
 SITE = ["--a-gr", "0.2g", "--ground", "B"]
@@ -78,7 +81,10 @@ def test_the_best_of_a_library_are_chosen(tmp_path: Path, capsys: pytest.Capture
         (["set.yaml", "--ground", "B"], "--a-gr: the reference ground acceleration is missing"),
         (["set.yaml", "--ground", "Q", "--a-gr", "0.2g"], "--ground: `Q` is unknown"),
         (["set.yaml", "--ground", "B", "--a-gr", "0.2"], "--a-gr: the bare number `0.2` needs a unit"),
-        (["set.yaml", *SITE, "--country", "grece", "--zone", "3"], "grece"),
+        (["set.yaml", "--ground", "B", "--country", "grece", "--zone", "3"], "grece"),
+        (["set.yaml", *SITE, "--country", "greece", "--zone", "3"], "--zone: --a-gr gives"),
+        (["set.yaml", *SITE, "--t1", "1e9s"], "no period of a structure"),
+        (["set.yaml", *SITE, "--max-per-event", "1"], "only with --select"),
         (["set.yaml", *SITE, "--method", "wavelet"], "did you mean `wavelets`?"),
         (["set.yaml", *SITE, "--periods", "2s", "1s"], "periods"),
         (["set.yaml", *SITE, "--periods", "0.1", "1"], "--periods: the bare number"),
@@ -88,7 +94,16 @@ def test_the_best_of_a_library_are_chosen(tmp_path: Path, capsys: pytest.Capture
         (["set.yaml", *SITE, "--folder", "nowhere"], "there is no such folder"),
         (["set.yaml", *SITE, "--unit", "g"], "--unit, --time-step: only for record files"),
         (["set.yaml", "first.csv", *SITE], "one suite file, or record files"),
-        (["first.csv", *SITE], "declare it"),
+        (["first.csv", *SITE], "declare it: --unit g"),
+        (["first.csv", "FIRST.txt", *SITE, "--unit", "g"], "another of the files is called FIRST too"),
+        (["first.csv", "copy.csv", *SITE, "--unit", "g"], "the same recording as first.csv"),
+        (["target.csv", *SITE, "--unit", "g"], "`target` has a meaning of its own in archives; rename the file"),
+        (["..csv", *SITE, "--unit", "g"], "its name needs a letter or digit"),
+        (["taken.yaml", *SITE], "taken.yaml:4:10: records[0].id: `period` has a meaning of its own"),
+        (["motion.AT2", *SITE, "--unit", "g"], "only for tables of text"),
+        (["first.csv", *SITE, "--unit", "g", "--no-stand-ins"], "only with a suite file"),
+        (["huge.csv", *SITE, "--unit", "g", "--time-step", "0.01s"], "is that of no ground motion"),
+        (["tiny.csv", *SITE, "--unit", "g", "--time-step", "0.01s"], "is that of no ground motion"),
         (["first.csv", "first.csv", *SITE, "--unit", "g"], "another of the files is called first"),
         (["set.yaml", *SITE, "--format", "gif"], "--format: `gif` is unknown"),
         (["set.yaml", *SITE, "--level", "DBE"], "--level: only with --project"),
@@ -105,6 +120,13 @@ def test_mistakes(
     Path("empty.csv").write_text("")
     Path("nan.csv").write_text("0\nnan\n0\n")
     Path("short.csv").write_text("0\n0.1\n0\n-0.1\n0\n")
+    Path("huge.csv").write_text("0\n1e300\n0\n")
+    Path("tiny.csv").write_text("0\n1e-300\n0\n")
+    for name in ("FIRST.txt", "copy.csv", "target.csv", "..csv"):
+        Path(name).write_text(Path("first.csv").read_text())
+    Path("motion.AT2").write_text("A\nB\nACCELERATION IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n0.0 0.1 0.0\n")
+    taken = "{id: period, file: first.csv, acceleration_unit: g}"
+    Path("taken.yaml").write_text(f"edesign_suite: 1\ntitle: Taken\nrecords:\n  - {taken}\n")
     before = sorted(tmp_path.iterdir())
     code = main(["match", *words])
     errors = capsys.readouterr().err
@@ -124,6 +146,48 @@ def test_a_recording_that_cannot_be_fitted_does_not_take_the_others_with_it(
     with open_archive("records_matched.h5") as opened:
         assert opened.group_attributes("records/records/short")["status"] == "failed"
         assert opened.group_attributes("records/records/first")["status"] == "completed"
+
+
+def test_the_archive_has_no_other_names_of_its_own_than_those_that_are_taken(tmp_path: Path) -> None:
+    """A recording of such a name would take the place of a variable of its suite."""
+    archive = tmp_path / "out.h5"
+    words = ["match", str(suite_project.write_suite(tmp_path)), *SITE, "--method", "scale", "--periods", "0.1s", "2s"]
+    assert main([*words, "--archive", str(archive), "--quiet"]) == 0
+    with open_archive(archive) as opened:
+        suite = opened.group("records/set")
+        assert set(TAKEN) == {*suite.coords, *suite.variables}
+
+
+def test_folders_are_looked_at_before_the_fit(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    suite, archive = suite_project.write_suite(tmp_path), tmp_path / "out.h5"
+    for option in ("--csv", "--figures"):
+        words = ["match", str(suite), *SITE, *FIT, "--archive", str(archive), option, str(tmp_path / "first.csv")]
+        assert main(words) == 4
+        output, errors = capsys.readouterr()
+        assert "is a file, and a folder is needed" in errors and not output and not archive.exists()
+
+
+def test_tables_come_before_files_that_cannot_be_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    suite, archive, out = suite_project.write_suite(tmp_path), tmp_path / "out.h5", tmp_path / "csv"
+    (out / "second.csv").mkdir(parents=True)  # no file can take its place
+    words = ["match", str(suite), *SITE, *FIT, "--archive", str(archive), "--csv", str(out)]
+    assert main(words) == 4
+    output, errors = capsys.readouterr()
+    assert f"archive: {archive}" in output and "second.csv: cannot be written" in errors
+    assert sorted(path.name for path in out.iterdir()) == ["first.csv", "second.csv"]  # nothing half-written
+
+
+def test_a_disk_that_is_full_leaves_nothing_behind(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def full(writer: ArchiveWriter, path: str, group: object) -> None:
+        raise ArchiveError("the disk is full")
+
+    suite = suite_project.write_suite(tmp_path)
+    monkeypatch.setattr(ArchiveWriter, "write", full)
+    words = ["match", str(suite), *SITE, "--method", "scale", "--archive", str(tmp_path / "out.h5")]
+    assert main(words) == 4
+    assert "the disk is full" in capsys.readouterr().err and not list(tmp_path.glob("out*"))
 
 
 def test_a_unit_that_cannot_be_right_is_doubted(
@@ -150,7 +214,23 @@ def test_spectrum_prints_writes_and_draws(tmp_path: Path, capsys: pytest.Capture
         rows = list(csv.DictReader(file))
     assert [float(row["Se [m/s2]"]) for row in rows] == pytest.approx([1.035 * STANDARD_GRAVITY] * 3, rel=1e-12)
     assert [float(row["Sd [g]"]) for row in rows] == pytest.approx([1.035 / 4] * 3, rel=1e-12)
-    assert figure.read_text(encoding="utf-8").startswith("<?xml")
+    drawn = figure.read_text(encoding="utf-8")
+    assert drawn.startswith("<?xml") and "EN 1998-1:2004 design, q = 4" in drawn
+
+
+def test_spectrum_says_what_is_simulated_or_doubtful(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    suite_project.write_suite(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    assert main(["spectrum", "set.yaml", *SITE, "--points", "2"]) == 0
+    output = capsys.readouterr().out
+    assert "third: simulated, M 6.5, 20 km, v_s30 500 m/s, seed 3" in output and "first: simulated" not in output
+    Path("a,b.csv").write_text("".join(f"{i * 0.01:.2f},{value}\n" for i, value in enumerate((0, 40, 0, -40, 0))))
+    assert main(["spectrum", "a,b.csv", *SITE, "--unit", "g", "--points", "2", "--csv", "s.csv"]) == 0
+    assert "a,b: the peak is 40 g" in capsys.readouterr().out
+    with Path("s.csv").open(encoding="utf-8") as file:
+        assert "a,b [g]" in next(csv.reader(file))
 
 
 @pytest.mark.parametrize(

@@ -3,16 +3,22 @@
 from __future__ import annotations
 
 import csv
+import os
+import signal
 from pathlib import Path
 
 import numpy as np
 import pytest
 from cases import suite_project
 
+from edesign import load_project
 from edesign.archive.reader import Archive, open_archive
 from edesign.cli.main import main
+from edesign.errors import Interrupted
 from edesign.ground_motion.intensity import displacement, velocity
 from edesign.project.units import STANDARD_GRAVITY
+from edesign.study.progress import Progress
+from edesign.study.run import run_project
 
 A_G_S = 0.2 * STANDARD_GRAVITY * 1.2  # type 1, ground B, Table 3.2
 GAMMA_MCE = (0.02 / 0.10) ** (-1 / 3)  # thesis Eq. 5.5
@@ -117,6 +123,12 @@ def test_workers_do_not_change_the_results(archive: Path, tmp_path: Path) -> Non
         ("suite: set.yaml", "suite: set.yaml, only: [frist]", "there is no recording `frist`; did you mean `first`?"),
         ("suite: set.yaml", "suite: set.yaml, stand_ins: false", "third: this recording was not found; tried were"),
         ("[0.1 s, 2 s]", "[2 s, 0.1 s]", "the shorter period stands first"),
+        ("[0.1 s, 2 s]", "[0.1 s, 30 s]", "records.set.match: second: the band ends at 30 s, but a record of"),
+        ("[0.1 s, 2 s]", "[0.01 s, 2 s]", "records.set.match: third: the band begins at 0.01 s"),
+        ("spectrum: 1", "spectrum: 1\n  damping: 100 %", "hazard.damping: a record is fitted to this spectrum"),
+        ("suite: set.yaml", "suite: set.yaml, only: [first, first]", "records.set.only[1]: `first` stands here twice"),
+        ("name: push,", "name: dbe.first,", "analyses[2].name: the analyses `dbe.first` and `dbe` both lead to"),
+        ("suite: set.yaml", "suite: project.yaml", "this is a project file; a suite file begins with"),
         ("method: frequency", "method: fourier", "`fourier` is unknown"),
         ("a_gR: 0.2 g", "country: greece, zone: 4", "hazard.zone"),
         (
@@ -142,3 +154,24 @@ def test_a_match_without_hazard_is_refused(tmp_path: Path, capsys: pytest.Captur
     path.write_text(text[: text.index("hazard:")] + text[text.index("records:\n") :], encoding="utf-8")
     assert main(["check", str(path)]) == 2
     assert "fitted to the spectrum of the `hazard`, and the file has none" in capsys.readouterr().err
+
+
+def test_a_suite_is_no_project(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["check", str(suite_project.write_suite(tmp_path))]) == 2
+    errors = capsys.readouterr().err
+    assert errors.count("\n") == 1 and "this is a suite file; a project file begins with `edesign: 1`" in errors
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_stop_during_the_fit_starts_no_analysis(tmp_path: Path, workers: int) -> None:
+    """Nothing is kept that could be used later, and nothing is fitted again on the way out."""
+    heard: list[str] = []
+
+    def listen(report: Progress) -> None:
+        heard.append(report.analysis)
+        if report.event == "advance":
+            os.kill(os.getpid(), signal.SIGINT)
+
+    with pytest.raises(Interrupted, match="before an analysis was finished"):
+        run_project(load_project(suite_project.write(tmp_path)), progress=listen, workers=workers)
+    assert set(heard) == {"matching"} and not list(tmp_path.glob("*.h5*"))

@@ -39,7 +39,7 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
     Source: EN 1998-1:2004, 3.2.3.1.2 (what is matched); thesis, section 5.3.3.
     """
     options = options or MatchOptions()
-    _check_record(record, options)
+    check_record(record, options)
     periods = options.matching_periods
     wanted, zero_period = _ordinates(target, periods, options)
     scale, notes = _scale(record, wanted, periods, options)
@@ -90,17 +90,12 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
     )
 
 
-def _method(method: Method) -> Adjust:
-    if method == "frequency":
-        from edesign.ground_motion.matching.frequency import adjust as by_frequency
+def check_record(record: Record, options: MatchOptions) -> None:
+    """Check that a record reaches over the band to be matched.
 
-        return by_frequency
-    from edesign.ground_motion.matching.wavelets import adjust as by_wavelets
-
-    return by_wavelets
-
-
-def _check_record(record: Record, options: MatchOptions) -> None:
+    Raises:
+        InputError: it is zero throughout, its time step is too long or it is too short.
+    """
     shortest, longest = options.periods
     if record.pga == 0.0:
         raise InputError(f"{record.name}: the record is zero throughout; it cannot be matched")
@@ -115,6 +110,16 @@ def _check_record(record: Record, options: MatchOptions) -> None:
             f"{record.name}: the band ends at {longest:g} s, but a record of {record.duration:g} s has no room for two "
             f"cycles of periods above {record.duration / _LEAST_CYCLES:.4g} s; end the band there or earlier"
         )
+
+
+def _method(method: Method) -> Adjust:
+    if method == "frequency":
+        from edesign.ground_motion.matching.frequency import adjust as by_frequency
+
+        return by_frequency
+    from edesign.ground_motion.matching.wavelets import adjust as by_wavelets
+
+    return by_wavelets
 
 
 def _ordinates(target: Spectrum, periods: np.ndarray, options: MatchOptions) -> tuple[np.ndarray, float]:

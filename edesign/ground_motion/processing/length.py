@@ -11,6 +11,7 @@ from edesign.ground_motion.intensity import husid
 from edesign.ground_motion.record import Record
 
 _TOLERANCE = 1e-9  # of a step
+_MOST_ZEROS = 10_000_000  # samples; more is a mistake, and would not fit into memory
 
 
 def taper(record: Record, start: float, end: float) -> Record:
@@ -106,13 +107,18 @@ def pad(record: Record, before: float = 0.0, after: float = 0.0) -> Record:
         before, after: s.
 
     Raises:
-        InputError: a length is negative.
+        InputError: a length is negative, or so many zeros are no record any more.
     """
     if not (before >= 0.0 and after >= 0.0 and np.isfinite(before + after)):
         raise InputError(f"{record.name}: pads of {before:g} s and {after:g} s; they must not be negative")
     counts = [int(np.ceil(seconds / record.time_step - _TOLERANCE)) for seconds in (before, after)]
     if counts == [0, 0]:
         return record
+    if sum(counts) > _MOST_ZEROS:
+        raise InputError(
+            f"{record.name}: zeros of {before:g} s and {after:g} s are {sum(counts):.3g} samples of "
+            f"{record.time_step:g} s; {_MOST_ZEROS} are possible"
+        )
     samples = np.concatenate((np.zeros(counts[0]), record.acceleration, np.zeros(counts[1])))
     lengths = [count * record.time_step for count in counts]
     done = f"zeros added: {lengths[0]:.9g} s in front, {lengths[1]:.9g} s behind"

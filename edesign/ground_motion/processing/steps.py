@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
+from edesign.errors import InputError
 from edesign.ground_motion.processing.band_pass import band_pass
 from edesign.ground_motion.processing.baseline import correct_baseline, remove_drift
 from edesign.ground_motion.processing.length import pad, taper, trim, trim_to_significant
@@ -16,10 +17,13 @@ def processed(record: Record, steps: Iterable[Step]) -> Record:
     """Return a record after the steps, in their order; its source says each.
 
     Raises:
-        InputError: a step does not suit the record.
+        InputError: a step does not suit the record; the message says which.
     """
-    for step in steps:
-        record = _one(record, step)
+    for i, step in enumerate(steps):
+        try:
+            record = _one(record, step)
+        except InputError as error:
+            raise InputError(f"processing[{i}].{step.given[0]}: {error}") from error
     return record
 
 
@@ -32,6 +36,8 @@ def _one(record: Record, step: Step) -> Record:
         given = step.filter
         return band_pass(record, given.low, given.high, given.order, given.keep_pads)
     if step.trim:
+        if step.trim.end > record.duration + record.time_step:
+            raise InputError(f"{record.name}: the record ends at {record.duration:g} s, before {step.trim.end:g} s")
         return trim(record, step.trim.start, step.trim.end, step.trim.taper)
     if step.significant:
         part = step.significant

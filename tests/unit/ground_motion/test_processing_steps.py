@@ -1,0 +1,42 @@
+"""The processing that a project file describes: its faults name the step."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from edesign.errors import InputError
+from edesign.ground_motion.processing.steps import processed
+from edesign.ground_motion.record import Record
+from edesign.project.processing import Step
+
+STEP = 0.01
+MOTION = Record("motion", np.sin(np.arange(2001) * STEP), STEP, "sine of 20 s")
+
+
+def test_steps_are_done_in_their_order() -> None:
+    steps = [
+        Step.model_validate({"trim": {"start": "5 s", "end": "20 s", "taper": "0 s"}}),
+        Step.model_validate({"pad": {"after": "2 s"}}),
+    ]
+    done = processed(MOTION, steps)
+    assert done.duration == pytest.approx(17.0, rel=1e-12)
+    assert np.array_equal(done.acceleration[:1501], MOTION.acceleration[500:])
+
+
+@pytest.mark.parametrize(
+    ("step", "said"),
+    [
+        (
+            {"trim": {"start": "1 s", "end": "21 s"}},
+            r"processing\[1\].trim: motion: the record ends at 20 s, before 21 s",
+        ),
+        ({"pad": {"before": "1e9 s"}}, r"processing\[1\].pad: motion: zeros of 1e\+09 s and 0 s are 1e\+11 samples"),
+        ({"filter": {"low": "1e-9 Hz"}}, r"processing\[1\].filter: motion: zeros of"),
+        ({"taper": {"start": "15 s", "end": "15 s"}}, r"processing\[1\].taper: motion: tapers of 15 s and 15 s"),
+    ],
+)
+def test_a_fault_names_its_step(step: dict[str, dict[str, str]], said: str) -> None:
+    steps = [Step.model_validate({"baseline": {"order": 0}}), Step.model_validate(step)]
+    with pytest.raises(InputError, match=said):
+        processed(MOTION, steps)
