@@ -12,6 +12,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.assess.measures import response_measures
 from edesign.errors import InputError
 from edesign.study.plan import ANALYSES
+from edesign.study.record_results import RECORDS
 
 STATISTICS = ("steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error")
 ROOT = ("title", "status", "project_file", "project_checksum", "input_checksum", "edesign_version", "core_version")
@@ -25,9 +26,10 @@ def summarise(archive: str | os.PathLike[str], analysis: str | None = None) -> d
         analysis: name of one analysis; all if None.
 
     Returns:
-        {"archive": {title, status, complete, versions ...}, "analyses": [{"name", "kind", "variant", "record", "level",
-        "status", "reason", "measures": {...}, "statistics": {...}}]}. Analyses that were planned and have no result
-        have the status "not run".
+        {"archive": {title, status, complete, versions ...}, "records": [...], "analyses": [{"name", "kind", "variant",
+        "record", "level", "status", "reason", "measures": {...}, "statistics": {...}}]}. Analyses that were planned and
+        have no result have the status "not run". Records have their attributes in the archive, and those of suites stand
+        under "records" of their suite; they are left out when one analysis is asked for.
 
     Raises:
         ArchiveError: the archive cannot be read.
@@ -36,7 +38,19 @@ def summarise(archive: str | os.PathLike[str], analysis: str | None = None) -> d
     with open_archive(archive) as opened:
         names = planned(opened) if analysis is None else [find(opened, analysis)]
         about = {name: opened.attributes.get(name) for name in ROOT} | {"complete": opened.complete}
-        return {"archive": finite(about), "analyses": [entry(name, results(opened, name)) for name in names]}
+        found = {"archive": finite(about), "analyses": [entry(name, results(opened, name)) for name in names]}
+        return found if analysis is not None else {**found, "records": finite(record_entries(opened, RECORDS))}
+
+
+def record_entries(archive: Archive, place: str) -> list[dict[str, Any]]:
+    """Return the attributes of the records, or suites with their records, below a place of an archive."""
+    entries = []
+    for name in archive.names(place):
+        attributes = dict(archive.group_attributes(f"{place}/{name}"))
+        if attributes.get("suite"):
+            attributes["records"] = record_entries(archive, f"{place}/{name}")
+        entries.append(attributes)
+    return entries
 
 
 def planned(archive: Archive) -> list[str]:

@@ -60,14 +60,23 @@ def criteria(
 
     Source: EN 1998-1:2004, 3.2.3.1.2(4).
     """
-    records = [motion.record for motion in motions if motion.match is not None]
-    if not records:
+    matches = [motion.match for motion in motions if motion.match is not None]
+    if not matches:
         return ()
+    records = [match.matched for match in matches]
     periods = check_periods(fundamental_period) if fundamental_period is not None else PERIODS
     spectra = [psa(record.acceleration, record.time_step, periods, DAMPING) for record in records]
     peaks = [record.pga for record in records]
     at_5_percent = replace(target, damping=DAMPING)  # which is what the clause compares
-    return check_accelerograms(periods, spectra, peaks, at_5_percent, fundamental_period).criteria
+    verdicts = check_accelerograms(periods, spectra, peaks, at_5_percent, fundamental_period).criteria
+    first, last = float(matches[0].periods[0]), float(matches[0].periods[-1])
+    if fundamental_period is None or first <= 0.2 * fundamental_period and 2.0 * fundamental_period <= last:
+        return verdicts
+    outside = f"; fitted were {first:g} s to {last:g} s only"
+    return tuple(
+        replace(verdict, detail=verdict.detail + outside) if verdict.clause.endswith("c") else verdict
+        for verdict in verdicts
+    )
 
 
 def suite_groups(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 from pathlib import Path
 
 import numpy as np
@@ -39,6 +40,11 @@ def test_match_writes_archive_tables_csv_and_figures(tmp_path: Path, capsys: pyt
             record = read_csv(out / f"{name}.csv", "m/s^2")
             assert np.array_equal(record.acceleration, group.variables["matched_acceleration"].values)
             assert (out / f"{name}.csv").read_text().startswith("time_s,acceleration_m_s2\n")
+    assert main(["show", str(archive), "--json"]) == 0
+    (suite_entry,) = json.loads(capsys.readouterr().out)["records"]
+    assert [record["origin"] for record in suite_entry["records"]] == ["file", "file", "stand-in"]
+    assert suite_entry["criteria"][0]["clause"] == "3.2.3.1.2(4)a"
+    assert all(record["misfit_after"]["rms"] < 0.05 for record in suite_entry["records"])
     assert main(["show", str(archive)]) == 0
     assert "3.2.3.1.2(4)b" in capsys.readouterr().out
 
@@ -58,6 +64,13 @@ def test_scale_keeps_the_shape(tmp_path: Path) -> None:
             assert matched == pytest.approx(expected, rel=1e-12)
         verdicts = opened.group_attributes("records/set")["criteria"]
         assert all(verdict["passed"] is not False for verdict in verdicts)
+
+
+def test_periods_outside_of_the_fit_are_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """2 T1 = 3 s, fitted up to 2 s."""
+    suite = suite_project.write_suite(tmp_path)
+    assert main(["match", str(suite), *SITE, *FIT, "--t1", "1.5s", "--archive", str(tmp_path / "out.h5")]) == 0
+    assert "fitted were 0.1 s to 2 s only" in capsys.readouterr().out
 
 
 def test_the_best_of_a_library_are_chosen(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

@@ -12,7 +12,6 @@ from edesign.ground_motion.matching.peaks import Peaks
 from edesign.ground_motion.matching.response_matrix import Wavelets, response_matrix, wavelets_for
 
 NEAR = 0.8  # of the target: peaks from here on are watched
-_HEAVIEST = 4.0  # weight of an ordinate that stays behind
 _OVER = 1.01  # of the target: what a trial may have before it teaches
 _SAME = 0.15  # of the period: peaks nearer than that are one
 
@@ -26,7 +25,6 @@ class Step:
         wavelets: to be added.
         matrix: change of |peak|/target per amplitude, shape (n_peaks, n).
         missing: 1 - |peak|/target, shape (n_peaks,).
-        weight: of the peaks, shape (n_peaks,).
         ordinates: what is matched.
     """
 
@@ -34,11 +32,12 @@ class Step:
     wavelets: Wavelets
     matrix: np.ndarray
     missing: np.ndarray
-    weight: np.ndarray
     ordinates: Ordinates
 
     @classmethod
-    def at(cls, state: State, ordinates: Ordinates, width_factor: float, time_step: float) -> Step:
+    def at(
+        cls, state: State, ordinates: Ordinates, width_factor: float, lags: tuple[float, ...], time_step: float
+    ) -> Step:
         """Linearise at a state.
 
         Args:
@@ -61,15 +60,14 @@ class Step:
             ordinates.damping,
             (state.motion.size - 1) * time_step,
             width_factor,
+            lags,
         )
-        weight = np.minimum(1.0 + (0.5 * state.error / state.rms) ** 2, _HEAVIEST)
-        weight[-1] = 1.0
         matrix, missing = _rows(peaks, wavelets, ordinates)
-        return cls(peaks, wavelets, matrix, missing, weight[peaks.ordinate], ordinates)
+        return cls(peaks, wavelets, matrix, missing, ordinates)
 
     def amplitudes(self, damping: float) -> np.ndarray:
         """Amplitudes of the wavelets; see `edesign.ground_motion.matching.amplitudes`."""
-        return amplitudes(self.matrix, self.missing, self.peaks.largest, self.weight, damping)
+        return amplitudes(self.matrix, self.missing, np.flatnonzero(self.peaks.largest), damping)
 
     def taught_by(self, trial: State, tried: np.ndarray) -> Step:
         """Return the step that also watches the peaks by which a trial exceeded the target.
@@ -88,18 +86,18 @@ class Step:
             return self
         new = new.where(~known)
         matrix, missing = _rows(new, self.wavelets, self.ordinates)
-        held = np.zeros(new.ordinate.size, dtype=bool)
+        order = np.argsort(np.concatenate((self.peaks.ordinate, new.ordinate)), kind="stable")
+        peaks = Peaks(
+            np.concatenate((self.peaks.ordinate, new.ordinate))[order],
+            np.concatenate((self.peaks.time, new.time))[order],
+            np.concatenate((self.peaks.value, new.value))[order],
+            np.concatenate((self.peaks.largest, np.zeros(new.ordinate.size, dtype=bool)))[order],
+        )
         return replace(
             self,
-            peaks=Peaks(
-                np.concatenate((self.peaks.ordinate, new.ordinate)),
-                np.concatenate((self.peaks.time, new.time)),
-                np.concatenate((self.peaks.value, new.value)),
-                np.concatenate((self.peaks.largest, held)),
-            ),
-            matrix=np.vstack((self.matrix, matrix)),
-            missing=np.concatenate((self.missing, missing + matrix @ tried)),
-            weight=np.concatenate((self.weight, np.ones(held.size))),
+            peaks=peaks,
+            matrix=np.vstack((self.matrix, matrix))[order],
+            missing=np.concatenate((self.missing, missing + matrix @ tried))[order],
         )
 
 

@@ -1,0 +1,114 @@
+"""Peaks in the responses of many oscillators, with their times."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.signal import lfilter
+
+from edesign.ground_motion.band_limited import polygon_samples, upsampled
+
+_STEPS = 16  # time steps a period, at least
+_SHARE = 0.75  # of an ordinate's largest response, from which on its other peaks are kept
+_MOST = 8  # peaks of one ordinate: short periods have many of nearly the same size
+
+_Found = tuple[np.ndarray, np.ndarray, np.ndarray]
+
+
+@dataclass(frozen=True)
+class Peaks:
+    """Local peaks of response, those of one ordinate together, the largest of each first.
+
+    Attributes:
+        ordinate: index of the oscillator, ascending, shape (m,); one more than the last is the ground itself.
+        time: s from the first sample, shape (m,).
+        value: signed pseudo acceleration, m/s2, shape (m,); acceleration for the ground.
+        largest: whether the peak is the first of its ordinate, shape (m,).
+    """
+
+    ordinate: np.ndarray
+    time: np.ndarray
+    value: np.ndarray
+    largest: np.ndarray
+
+    def where(self, kept: np.ndarray) -> Peaks:
+        """The peaks chosen by a mask of shape (m,)."""
+        return Peaks(self.ordinate[kept], self.time[kept], self.value[kept], self.largest[kept])
+
+
+class PeakFinder:
+    """Finds the peaks of oscillators under motions of one time step; the motion is read as `psa` reads it."""
+
+    def __init__(self, time_step: float, periods: np.ndarray, damping: float) -> None:
+        """Prepare.
+
+        Args:
+            time_step: s.
+            periods: of the oscillators, greater than zero, shape (n_p,), s.
+            damping: ratio of critical.
+        """
+        self._time_step, self._count = time_step, periods.size
+        self._after = int(np.ceil(np.max(periods) / time_step))  # a peak may come after the motion's end
+        octaves = np.maximum(0, np.ceil(np.log2(_STEPS * time_step / periods) - 1e-9)).astype(int)
+        self._groups = []
+        for octave in np.unique(octaves):
+            at, factor = np.flatnonzero(octaves == octave), 2 ** int(octave)
+            step = time_step / factor
+            self._groups.append((at, factor, [recursion(period / step, damping) for period in periods[at]]))
+
+    def __call__(self, acceleration: np.ndarray) -> Peaks:
+        """Return the peaks under a motion, shape (n,), m/s2."""
+        factors = [factor for _, factor, _ in self._groups]
+        motions = upsampled(acceleration, factors)
+        found: list[_Found] = [_local_peaks(acceleration, self._time_step, self._count, between=False)]
+        for motion, group in zip(motions, self._groups, strict=True):
+            found += self._peaks_of(motion, *group)
+        ordinate, time, value = (np.concatenate(part) for part in zip(*found, strict=True))
+        order = np.lexsort((-np.abs(value), ordinate))
+        ordinate, time, value = ordinate[order], time[order], value[order]
+        rank = np.arange(ordinate.size) - np.searchsorted(ordinate, ordinate)
+        return Peaks(ordinate, time, value, rank == 0).where(rank < _MOST)
+
+    def _peaks_of(
+        self, motion: np.ndarray, at: np.ndarray, factor: int, recursions: list[tuple[np.ndarray, np.ndarray]]
+    ) -> list[_Found]:
+        corners = np.concatenate((polygon_samples(motion), np.zeros(self._after * factor)))
+        step = self._time_step / factor
+        return [
+            _local_peaks(lfilter(numerator, denominator, corners), step, int(ordinate), between=True)
+            for ordinate, (numerator, denominator) in zip(at, recursions, strict=True)
+        ]
+
+
+def recursion(period: float, damping: float) -> tuple[np.ndarray, np.ndarray]:
+    """Numerator and denominator of the filter from acceleration, linear between samples, to pseudo acceleration.
+
+    Args:
+        period: in time steps.
+        damping: ratio of critical.
+
+    Source: Nigam & Jennings (1969), Bulletin of the Seismological Society of America 59(2); the velocity is
+    eliminated.
+    """
+    h = 2.0 * np.pi / period
+    damped = h * np.sqrt(1.0 - damping**2)
+    decay, cosine, sine = np.exp(-damping * h), np.cos(damped), np.sin(damped) / damped
+    denominator = np.array([1.0, -2.0 * decay * cosine, decay**2])
+    ramp, turn = 2.0 * damping / h, (2.0 * damping**2 - 1.0) * sine
+    first = 1.0 - ramp + decay * (ramp * cosine + turn)
+    last = decay**2 * (1.0 + ramp) + decay * (turn - ramp * cosine)  # the first with time, so the damping, reversed
+    return np.array([first, np.sum(denominator) - first - last, last]), denominator  # a lasting one gives itself
+
+
+def _local_peaks(response: np.ndarray, step: float, ordinate: int, between: bool) -> _Found:
+    """Ordinate, time and value of the maxima of |response|, shape (n,); between samples: of the parabola by three."""
+    size = np.abs(response)
+    at = np.flatnonzero(size[1:-1] >= _SHARE * np.max(size)) + 1
+    at = at[(size[at] >= size[at - 1]) & (size[at] > size[at + 1])]
+    middle = response[at]
+    if not between:
+        return np.full(at.size, ordinate), at * step, middle
+    before, after = response[at - 1], response[at + 1]
+    shift = 0.5 * (before - after) / (before - 2.0 * middle + after)
+    return np.full(at.size, ordinate), (at + shift) * step, middle - 0.25 * (before - after) * shift
