@@ -226,6 +226,13 @@ int ed_response_spectrum(int n, double dt, const double *acceleration, int n_osc
 int ed_rotated_spectrum(int n, double dt, const double *first, const double *second, int n_oscillators,
                         const double *period, const double *damping, int n_angles, double *sd);
 
+/* Local maxima of |y|, largest first, of recursions y_i = b0 x_i + b1 x_(i-1) + b2 x_(i-2) - a1 y_(i-1) - a2 y_(i-2) from rest.
+ * samples: x, n >= 3. numerator: b0 b1 b2, denominator: a1 a2 of each recursion. Those from `share` (0..1) of the largest sample on
+ * are kept, at most `most` (>= 1) of each. count: n_recursions; place (in samples from the first, between them by a parabola) and
+ * value (signed): n_recursions x most, of which the first `count` are set. Also ED_E_MEMORY, ED_E_NOT_FINITE. */
+int ed_recursion_peaks(int n, const double *samples, int n_recursions, const double *numerator, const double *denominator,
+                       double share, int most, int *count, double *place, double *value);
+
 #ifdef __cplusplus
 }
 #endif

@@ -77,6 +77,34 @@ def rotated_peak_displacement(
     return sd
 
 
+def recursion_peaks(
+    samples: np.ndarray, numerator: np.ndarray, denominator: np.ndarray, share: float, most: int
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Local maxima of |y| of recursions of the second order from rest, as `scipy.signal.lfilter` runs them.
+
+    Args:
+        samples: (n,), at least three.
+        numerator: b0, b1, b2 of each recursion, shape (m, 3).
+        denominator: a1, a2 of each recursion (a0 is 1), shape (m, 2).
+        share: of the largest sample of a recursion, from which on its maxima are kept.
+        most: so many of each, the largest.
+
+    Returns:
+        Index of the recursion, ascending; place in samples from the first; signed value: (p,) each, those of one
+        recursion by their size, the largest first.
+
+    Raises:
+        CoreError: an argument is out of range, no memory, or a response is not finite.
+    """
+    x, b, a = _array(samples), _array(numerator), _array(denominator)
+    count = np.empty(b.shape[0], dtype=np.intc)
+    place, value = np.empty((count.size, most)), np.empty((count.size, most))
+    counts = ffi.from_buffer("int[]", count)
+    _check(lib.ed_recursion_peaks(x.size, _c(x), count.size, _c(b), _c(a), share, most, counts, _c(place), _c(value)))
+    kept = np.arange(most) < count[:, None]
+    return np.repeat(np.arange(count.size), count), place[kept], value[kept]
+
+
 def _array(values: np.ndarray) -> np.ndarray:
     return np.ascontiguousarray(values, dtype=float)
 

@@ -28,7 +28,7 @@ def summarise(archive: str | os.PathLike[str], analysis: str | None = None) -> d
     Returns:
         {"archive": {title, status, complete, versions ...}, "records": [...], "analyses": [{"name", "kind", "variant",
         "record", "level", "status", "reason", "measures": {...}, "statistics": {...}}]}. Analyses that were planned and
-        have no result have the status "not run". Records have their attributes in the archive, and those of suites stand
+        have no result have the status "not run". Records have the attributes of their groups, and those of suites stand
         under "records" of their suite; they are left out when one analysis is asked for.
 
     Raises:

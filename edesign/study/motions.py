@@ -11,6 +11,7 @@ from edesign.errors import EdesignError, InputError
 from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
 from edesign.ground_motion.matching.match import check_record
+from edesign.ground_motion.matching.one_thread import one_thread
 from edesign.ground_motion.matching.raising import raised, suite_factor
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.sources import Found
@@ -94,7 +95,7 @@ def prepare_motions(
         return None if stop() else prepare(reference, recordings[reference])
 
     motions: dict[str, Motion] = {}
-    with ThreadPoolExecutor(workers) as pool:
+    with one_thread(), ThreadPoolExecutor(workers) as pool:
         for reference, motion in zip(recordings, pool.map(start, recordings), strict=True):
             if motion is None:
                 break

@@ -18,6 +18,7 @@ from scipy.integrate import trapezoid
 from scipy.signal import cont2discrete, lfilter, ss2tf
 
 from edesign.codes.ec8 import ElasticSpectrum, HorizontalParameters
+from edesign.core.spectrum import recursion_peaks
 from edesign.ground_motion.at2 import read_at2
 from edesign.ground_motion.csv_record import read_csv
 from edesign.ground_motion.intensity import displacement, velocity
@@ -125,7 +126,14 @@ def test_the_filter_is_the_oscillator() -> None:
     for period, damping in ((16.0, 0.05), (50.0, 0.02), (600.0, 0.2)):
         numerator, denominator = recursion(period, damping)
         brute = simulated(motion, 0.01, 0.01 * period, damping)
-        np.testing.assert_allclose(lfilter(numerator, denominator, motion), brute, atol=1e-9 * np.max(np.abs(brute)))
+        response = lfilter(numerator, denominator, motion)
+        np.testing.assert_allclose(response, brute, atol=1e-9 * np.max(np.abs(brute)))
+        _, place, value = recursion_peaks(motion, numerator[None], denominator[None, 1:], 0.5, 400)
+        size = np.abs(response)
+        top = (size[1:-1] >= size[:-2]) & (size[1:-1] > size[2:]) & (size[1:-1] >= 0.5 * size.max())
+        local = np.flatnonzero(top) + 1
+        assert sorted(np.round(place)) == sorted(local)  # the core and scipy find the same peaks
+        assert np.all(np.abs(value) >= 0.5 * size.max()) and np.all(np.diff(np.abs(value)) <= 0.0)
 
 
 def test_a_wavelet_has_its_peak_response_near_the_peak_it_is_set_for() -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
 from edesign.ground_motion.intensity import husid, measures
+from edesign.ground_motion.matching.one_thread import one_thread
 from edesign.ground_motion.matching.options import MatchOptions, Method
 from edesign.ground_motion.matching.result import Adjust, Adjusted, Match, Misfit, misfit
 from edesign.ground_motion.matching.shape import compare
@@ -47,9 +48,9 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
     matched, adjusted = scaled, Adjusted(scaled.acceleration, 0, ())
     if options.method != "scale":
         scaled, lead = _with_room(scaled, options)
-        adjusted = _method(options.method)(
-            scaled.acceleration, scaled.time_step, wanted, periods, options, zero_period=zero_period
-        )
+        adjust = _method(options.method)
+        with one_thread():
+            adjusted = adjust(scaled.acceleration, scaled.time_step, wanted, periods, options, zero_period=zero_period)
         band = f"{periods[0]:g} to {periods[-1]:g} s"
         source = f"{scaled.source}; matched to {target.label} over {band} ({options.method})"
         matched = replace(scaled, acceleration=adjusted.acceleration, source=source)

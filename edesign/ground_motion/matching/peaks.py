@@ -5,15 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.signal import lfilter
 
+from edesign.core.spectrum import recursion_peaks
 from edesign.ground_motion.band_limited import polygon_samples, upsampled
 
 _STEPS = 16  # time steps a period, at least
 _SHARE = 0.75  # of an ordinate's largest response, from which on its other peaks are kept
 _MOST = 8  # peaks of one ordinate: short periods have many of nearly the same size
-
-_Found = tuple[np.ndarray, np.ndarray, np.ndarray]
 
 
 @dataclass(frozen=True)
@@ -54,31 +52,24 @@ class PeakFinder:
         self._groups = []
         for octave in np.unique(octaves):
             at, factor = np.flatnonzero(octaves == octave), 2 ** int(octave)
-            step = time_step / factor
-            self._groups.append((at, factor, [recursion(period / step, damping) for period in periods[at]]))
+            filters = [recursion(period / (time_step / factor), damping) for period in periods[at]]
+            numerator, denominator = (np.array(part) for part in zip(*filters, strict=True))
+            self._groups.append((at, factor, numerator, denominator[:, 1:]))
 
     def __call__(self, acceleration: np.ndarray) -> Peaks:
         """Return the peaks under a motion, shape (n,), m/s2."""
-        factors = [factor for _, factor, _ in self._groups]
-        motions = upsampled(acceleration, factors)
-        found: list[_Found] = [_local_peaks(acceleration, self._time_step, self._count, between=False)]
-        for motion, group in zip(motions, self._groups, strict=True):
-            found += self._peaks_of(motion, *group)
+        motions = upsampled(acceleration, [factor for _, factor, _, _ in self._groups])
+        found = []
+        for motion, (at, factor, numerator, denominator) in zip(motions, self._groups, strict=True):
+            corners = np.concatenate((polygon_samples(motion), np.zeros(self._after * factor)))
+            which, place, value = recursion_peaks(corners, numerator, denominator, _SHARE, _MOST)
+            found.append((at[which], place * (self._time_step / factor), value))
+        place, value = _ground_peaks(acceleration)
+        found.append((np.full(value.size, self._count), place * self._time_step, value))
         ordinate, time, value = (np.concatenate(part) for part in zip(*found, strict=True))
-        order = np.lexsort((-np.abs(value), ordinate))
+        order = np.argsort(ordinate, kind="stable")
         ordinate, time, value = ordinate[order], time[order], value[order]
-        rank = np.arange(ordinate.size) - np.searchsorted(ordinate, ordinate)
-        return Peaks(ordinate, time, value, rank == 0).where(rank < _MOST)
-
-    def _peaks_of(
-        self, motion: np.ndarray, at: np.ndarray, factor: int, recursions: list[tuple[np.ndarray, np.ndarray]]
-    ) -> list[_Found]:
-        corners = np.concatenate((polygon_samples(motion), np.zeros(self._after * factor)))
-        step = self._time_step / factor
-        return [
-            _local_peaks(lfilter(numerator, denominator, corners), step, int(ordinate), between=True)
-            for ordinate, (numerator, denominator) in zip(at, recursions, strict=True)
-        ]
+        return Peaks(ordinate, time, value, np.diff(ordinate, prepend=-1) > 0)
 
 
 def recursion(period: float, damping: float) -> tuple[np.ndarray, np.ndarray]:
@@ -101,14 +92,10 @@ def recursion(period: float, damping: float) -> tuple[np.ndarray, np.ndarray]:
     return np.array([first, np.sum(denominator) - first - last, last]), denominator  # a lasting one gives itself
 
 
-def _local_peaks(response: np.ndarray, step: float, ordinate: int, between: bool) -> _Found:
-    """Ordinate, time and value of the maxima of |response|, shape (n,); between samples: of the parabola by three."""
-    size = np.abs(response)
+def _ground_peaks(acceleration: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Place (in samples) and value of the maxima of |acceleration| at samples, the largest first."""
+    size = np.abs(acceleration)
     at = np.flatnonzero(size[1:-1] >= _SHARE * np.max(size)) + 1
     at = at[(size[at] >= size[at - 1]) & (size[at] > size[at + 1])]
-    middle = response[at]
-    if not between:
-        return np.full(at.size, ordinate), at * step, middle
-    before, after = response[at - 1], response[at + 1]
-    shift = 0.5 * (before - after) / (before - 2.0 * middle + after)
-    return np.full(at.size, ordinate), (at + shift) * step, middle - 0.25 * (before - after) * shift
+    at = at[np.argsort(-size[at], kind="stable")][:_MOST]
+    return at, acceleration[at]
