@@ -153,13 +153,17 @@ def side_by_side(chosen: list[Record], wanted: list[str]) -> None:
     if "REQPY" not in runs:
         return
     for name in (name for name in runs if name != "REQPY"):
-        pairs = list(zip(runs["REQPY"], runs[name], strict=True))
-        print(
-            f"  REQPY over {name}, medians of the ratios: "
-            f"rms {statistics.median(a.rms / b.rms for a, b in pairs):.2f}, "
-            f"CPU {statistics.median(a.cpu / b.cpu for a, b in pairs):.0f}, "
-            f"wall {statistics.median(a.wall / b.wall for a, b in pairs):.0f}"
-        )
+        print(f"  REQPY over {name}: {ratios(runs['REQPY'], runs[name])}")
+
+
+def ratios(theirs: list[Run], ours: list[Run]) -> str:
+    """Ratio of the medians, and in brackets the median of the ratios."""
+    texts = []
+    for label, key in (("rms", "rms"), ("CPU", "cpu"), ("wall", "wall")):
+        first, second = ([getattr(run, key) for run in runs] for runs in (theirs, ours))
+        each = statistics.median(a / b for a, b in zip(first, second, strict=True))
+        texts.append(f"{label} {statistics.median(first) / statistics.median(second):.1f} ({each:.1f})")
+    return ", ".join(texts) + "; ratio of the medians (median of the ratios)"
 
 
 def changes(chosen: list[Record], options: MatchOptions) -> None:
