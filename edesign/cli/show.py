@@ -15,15 +15,23 @@ def show(
     analysis: Annotated[
         str | None, typer.Option("--analysis", "-n", metavar="NAME", help="Details of one analysis only.")
     ] = None,
+    figures: Annotated[
+        Path | None, typer.Option("--figures", metavar="DIR", help="Draw the records and their spectra.")
+    ] = None,
+    figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:
-    """Print the analyses of an archive, their response measures and statistics."""
+    """Print the records and analyses of an archive, response measures and statistics."""
+    from edesign.report.record_figures import check_format, draw_records
     from edesign.report.summary import summarise
     from edesign.report.tables import details, overview
     from edesign.report.text import print_tables
 
+    check_format(figure_format)
     if as_json:
         typer.echo(json.dumps(summarise(archive, analysis), indent=2, allow_nan=False, ensure_ascii=False))
     elif analysis is not None:
         print_tables(details(archive, analysis))
     else:
         print_tables(overview(archive))
+    if figures is not None:
+        draw_records(archive, figures, figure_format)

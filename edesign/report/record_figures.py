@@ -79,7 +79,10 @@ def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterat
     if not fitted:
         spectra = {member: group.variables["psa"].values for member, group in members.items()}
         period = next(iter(members.values())).coords["period"].values
-        yield f"{name}_spectra", spectra_figure(period, spectra, title=f"{name}: as recorded, {_damping(members)}")
+        yield (
+            f"{name}_spectra",
+            spectra_figure(period, spectra, title=f"{name}: {_origins(members)}, {_damping(members)}"),
+        )
         return
     period, target = suite.coords["period"].values, suite.variables["target"].values
     goal, damping = {str(suite.attributes["target"]): target}, _damping(fitted)
@@ -88,14 +91,21 @@ def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterat
         for member, group in fitted.items()
     }
     matched = {member: group.variables["psa_after"].values for member, group in fitted.items()}
-    yield f"{name}_before", spectra_figure(period, recorded, goal, f"{name}: as recorded, {damping}")
+    yield f"{name}_before", spectra_figure(period, recorded, goal, f"{name}: {_origins(fitted)}, {damping}")
     yield f"{name}_after", spectra_figure(period, matched, goal, f"{name}: matched, {damping}")
     means = {
-        "mean, as recorded": np.mean(list(recorded.values()), axis=0),
+        "mean, unscaled": np.mean(list(recorded.values()), axis=0),
         "mean, matched": np.mean(list(matched.values()), axis=0),
     }
-    title = f"{name}: means of {len(fitted)}, {damping}"
+    title = f"{name}: means, {_origins(fitted)}, {damping}"
     yield f"{name}_mean", spectra_figure(period, means, goal, title, mean=False)
+
+
+def _origins(members: dict[str, Group]) -> str:
+    """How many are recordings, and how many simulated in their place."""
+    simulated = sum(group.attributes["origin"] == "stand-in" for group in members.values())
+    texts = [f"{len(members) - simulated} recorded", f"{simulated} simulated"]
+    return ", ".join(text for text in texts if not text.startswith("0 "))
 
 
 def _damping(members: dict[str, Group]) -> str:

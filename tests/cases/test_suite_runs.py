@@ -74,6 +74,12 @@ def test_original_and_fitted_record_are_archived_with_their_origin(archive: Path
         assert group.attributes["misfit_after"]["rms"] < 0.1 * group.attributes["misfit_before"]["rms"]
 
 
+def test_show_draws_the_records_of_a_run(archive: Path, tmp_path: Path) -> None:
+    assert main(["show", str(archive), "--figures", str(tmp_path), "--format", "png"]) == 0
+    expected = ("set_before", "set_after", "set_mean", "first", "second", "third")
+    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(f"{name}.png" for name in expected)
+
+
 def test_fitted_records_end_at_rest(archive: Path) -> None:
     """1 mm/s and 1 mm: far below what the motion has (about 0.1 m/s); integrated here by the trapezoidal rule."""
     with open_archive(archive) as opened:
