@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
 from edesign.study.progress import Listener, Progress, silent
 
 LINE_EVERY = 0.1  # of an analysis, where no bar can be shown
+LINE_AFTER = 2.0  # s: quicker analyses have lines at their start and end only
 
 
 @contextmanager
@@ -25,15 +27,21 @@ def listener(quiet: bool = False) -> Iterator[Listener]:
 
 
 class PlainLines:
-    """A line at the start, at every tenth, and at the end of each analysis."""
+    """A line at the start and the end of each analysis, and at every tenth of those that take long."""
 
     def __init__(self) -> None:
         self._told: dict[str, int] = {}
+        self._began: dict[str, float] = {}
 
     def __call__(self, report: Progress) -> None:
         """Print the report if it is worth a line."""
         text = describe(report)
+        now = time.monotonic()
+        if report.event == "start":
+            self._began[report.analysis] = now
         if report.event == "advance":
+            if now - self._began.get(report.analysis, now) < LINE_AFTER:
+                return
             tenths = int(report.fraction / LINE_EVERY + 1e-9)
             if tenths <= self._told.get(report.analysis, 0) or report.fraction >= 1:
                 return

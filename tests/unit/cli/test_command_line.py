@@ -18,6 +18,7 @@ from unit.cli.small_project import Core, fail, project
 import edesign
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter, partial_path
+from edesign.cli import progress
 from edesign.cli.main import main
 from edesign.project import loader
 from edesign.study import analyses, run
@@ -44,9 +45,21 @@ def archive(tmp_path: Path) -> Path:
         return writer.finish({"status": "failed"})
 
 
+def test_a_quick_run_prints_two_lines_an_analysis(core: Core, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["run", "project.yaml"]) == 0
+    lines = capsys.readouterr().err.splitlines()
+    assert [line.partition(" (")[0] for line in lines] == [
+        "[1/2] a",
+        "[1/2] a: completed",
+        "[2/2] b",
+        "[2/2] b: completed",
+    ]
+
+
 def test_run_prints_progress_lines_and_a_summary(
-    core: Core, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+    core: Core, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
+    monkeypatch.setattr(progress, "LINE_AFTER", 0.0)
     assert main(["run", "project.yaml"]) == 0
     output, errors = capsys.readouterr()
     assert errors.splitlines()[:4] == ["[1/2] a", "[1/2] a: 10%", "[1/2] a: 20%", "[1/2] a: 30%"]
