@@ -10,8 +10,6 @@ from edesign.core._edcore import ffi, lib
 from edesign.core.errors import CoreError
 from edesign.core.model import status_name
 
-SHORTEST_PERIOD = int(lib.ED_MIN_PERIOD_STEPS)  # in time steps
-
 
 def peak_displacement(
     acceleration: np.ndarray, time_step: float, period: np.ndarray, damping: np.ndarray
@@ -21,7 +19,7 @@ def peak_displacement(
     Args:
         acceleration: (n,) m/s2.
         time_step: s.
-        period: (m,) s, each at least SHORTEST_PERIOD time steps.
+        period: (m,) s, each at least ED_MIN_PERIOD_STEPS time steps.
         damping: (m,) ratio of critical, 0 <= damping < 1.
 
     Returns:

@@ -102,12 +102,14 @@ def code_spectra(
         hazard: the block of the project file.
         level: one of its levels; None for the reference action.
         vertical: the vertical component instead of a horizontal one.
-        q: behaviour factor in place of that of the hazard; None for no design spectrum.
+        q: behaviour factor; None takes that of the hazard for a horizontal component, and without one, or for the
+            vertical component, gives no design spectrum.
 
     Raises:
         InputError: as `elastic_spectrum`, or a q that EN 1998-1 does not allow.
     """
     if not vertical:
+        q = hazard.behaviour_factor if q is None else q
         return elastic_spectrum(hazard, level), None if q is None else _design(hazard, level, q)
     elastic = vertical_spectrum(hazard, level)
     return elastic, None if q is None else vertical_design_spectrum(elastic, q, _national(hazard).beta)

@@ -66,21 +66,6 @@ class Record:
         """Return the record times `factor` (dimensionless)."""
         return replace(self, acceleration=factor * self.acceleration, source=f"{self.source}; times {factor:.9g}")
 
-    def scaled_to_pga(self, pga: float) -> Record:
-        """Return the record scaled so that its largest absolute sample is `pga`.
-
-        Args:
-            pga: m/s2, greater than zero.
-
-        Raises:
-            InputError: `pga` is not greater than zero, or the record is zero throughout.
-        """
-        if not (np.isfinite(pga) and pga > 0.0):
-            raise InputError(f"{self.name}: the peak ground acceleration must be greater than zero, not {pga:g} m/s2")
-        if self.pga == 0.0:
-            raise InputError(f"{self.name}: the record is zero throughout; it cannot be scaled to a peak")
-        return self.scaled(pga / self.pga)
-
     def resampled(self, time_step: float) -> Record:
         """Return the record at another step by linear interpolation, which is how time integration reads a record.
 

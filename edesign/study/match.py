@@ -11,7 +11,7 @@ from pathlib import Path
 
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
-from edesign.codes.ec8.accelerograms import Criterion
+from edesign.codes.ec8.accelerograms import DAMPING, Criterion
 from edesign.codes.ec8.elastic import ElasticSpectrum
 from edesign.errors import AnalysisError, Interrupted
 from edesign.ground_motion.matching import MatchOptions
@@ -19,7 +19,7 @@ from edesign.ground_motion.selection import Selection, select_records
 from edesign.ground_motion.selection_scaling import SelectionOptions
 from edesign.ground_motion.sources import Found
 from edesign.study.interrupt import stop_on_signals
-from edesign.study.motions import CODE_DAMPING, Motion, fit, prepare_motions, raise_suite
+from edesign.study.motions import Motion, fit, prepare_motions, raise_suite
 from edesign.study.progress import Listener, Progress, silent
 from edesign.study.provenance import circumstances, versions
 from edesign.study.record_results import criteria, suite_groups
@@ -153,7 +153,7 @@ def choose_recordings(
     Raises:
         InputError: there are not so many.
     """
-    at_5_percent = replace(target, damping=CODE_DAMPING)
+    at_5_percent = replace(target, damping=DAMPING)
     settings = SelectionOptions(scale_bounds=options.scale_bounds, band=options.periods, max_per_event=max_per_event)
     names = list(recordings)
     events = [recordings[name].event or name for name in names]

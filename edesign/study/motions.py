@@ -6,6 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
+from edesign.codes.ec8.accelerograms import DAMPING
 from edesign.codes.ec8.elastic import ElasticSpectrum
 from edesign.errors import EdesignError, InputError
 from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
@@ -18,8 +19,6 @@ from edesign.ground_motion.sources import Found
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords
-
-CODE_DAMPING = 0.05  # of the spectra that EN 1998-1, 3.2.3.1.2(4) compares
 
 
 @dataclass(frozen=True)
@@ -67,7 +66,7 @@ def raise_suite(motions: Sequence[Motion], target: ElasticSpectrum, fundamental_
     matches = [motion.match for motion in motions if motion.match is not None]
     if not matches:
         return list(motions)
-    factor = suite_factor(matches, replace(target, damping=CODE_DAMPING), fundamental_period)
+    factor = suite_factor(matches, replace(target, damping=DAMPING), fundamental_period)
     return [replace(motion, match=raised(motion.match, factor)) if motion.match else motion for motion in motions]
 
 

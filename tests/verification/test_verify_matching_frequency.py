@@ -5,18 +5,16 @@ Spectra are checked with oscillators of this file (scipy's first-order hold), no
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass, replace
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 from scipy.signal import cont2discrete, dlsim
+from shared_records import needs_recordings, recordings
+from verification.own_spectrum import Own
 
 from edesign.codes.ec8 import ElasticSpectrum, HorizontalParameters
-from edesign.ground_motion.at2 import read_at2
-from edesign.ground_motion.csv_record import read_csv
 from edesign.ground_motion.intensity import displacement, velocity
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
 from edesign.ground_motion.matching.fourier_factor import FourierFactor
@@ -26,7 +24,6 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 
 G = 9.80665  # m/s2
-SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[3] / "shared") / "records"
 DBE = ElasticSpectrum(
     0.36 * G, HorizontalParameters(ground="C", spectrum_type=1, S=1.15, T_B=0.2, T_C=0.6, T_D=2.0), label="DBE"
 )
@@ -51,25 +48,6 @@ class Times:
 
     def displacement(self, period: Any) -> np.ndarray:
         return self.factor * np.asarray(self.of.displacement(period))
-
-
-@dataclass(frozen=True)
-class Own:
-    """The spectrum of a record as a target."""
-
-    record: Record
-    damping: float = 0.05
-    label: str = "its own spectrum"
-
-    @property
-    def zero_period(self) -> float:
-        return self.record.pga
-
-    def acceleration(self, period: Any) -> np.ndarray:
-        return psa(self.record.acceleration, self.record.time_step, period)
-
-    def displacement(self, period: Any) -> np.ndarray:
-        return self.acceleration(period) * (np.asarray(period) / (2.0 * np.pi)) ** 2
 
 
 def synthetic(seed: int = 11, step: float = 0.01, seconds: float = 40.0) -> Record:
@@ -253,17 +231,14 @@ def test_without_the_peak_of_the_ground_nothing_above_the_transition_is_touched(
     assert np.sqrt(np.mean((ratio - 1.0) ** 2)) < 0.03
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="the recordings are not beside the repository")
+@needs_recordings
 def test_all_thesis_recordings_reach_the_design_spectrum() -> None:
-    paths = [path for path in sorted(SHARED.iterdir()) if path.suffix in (".AT2", ".csv")]
-    assert len(paths) >= 13
     ratios = []
-    for path in paths:
-        record = read_at2(path, path.stem) if path.suffix == ".AT2" else read_csv(path, "g", None, 1, 2, path.stem)
+    for record in recordings():
         match = match_record(record, DBE, OPTIONS)
-        assert match.misfit_after.rms < 0.05, path.name  # the bar; 0.018 to 0.033 when this was written
+        assert match.misfit_after.rms < 0.05, record.name  # the bar; 0.018 to 0.033 when this was written
         assert match.misfit_after.rms < 0.2 * match.misfit_before.rms
-        assert abs(match.after.end_velocity) < 1e-3 and abs(match.after.end_displacement) < 1e-3, path.name
-        assert match.after.pgd < 1.5 * match.before.pgd, path.name
+        assert abs(match.after.end_velocity) < 1e-3 and abs(match.after.end_displacement) < 1e-3, record.name
+        assert match.after.pgd < 1.5 * match.before.pgd, record.name
         ratios.append(match.pga_ratio)
     assert np.mean(ratios) >= 1.0  # EN 1998-1, 3.2.3.1.2(4)b: the mean peak of the ground is at least a_g S

@@ -5,10 +5,7 @@ Responses are checked with oscillators of this file (scipy's first-order hold), 
 
 from __future__ import annotations
 
-import os
-from dataclasses import dataclass, replace
-from pathlib import Path
-from typing import Any
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -16,11 +13,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import trapezoid
 from scipy.signal import cont2discrete, lfilter, ss2tf
+from shared_records import needs_recordings, recordings
+from verification.own_spectrum import Own
 
 from edesign.codes.ec8 import ElasticSpectrum, HorizontalParameters
 from edesign.core.spectrum import recursion_peaks
-from edesign.ground_motion.at2 import read_at2
-from edesign.ground_motion.csv_record import read_csv
 from edesign.ground_motion.intensity import displacement, velocity
 from edesign.ground_motion.matching import MatchOptions, match_record
 from edesign.ground_motion.matching.amplitudes import amplitudes, badness
@@ -32,7 +29,6 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 
 G = 9.80665  # m/s2
-SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[3] / "shared") / "records"
 DBE = ElasticSpectrum(
     0.36 * G, HorizontalParameters(ground="C", spectrum_type=1, S=1.15, T_B=0.2, T_C=0.6, T_D=2.0), label="DBE"
 )
@@ -221,25 +217,6 @@ def test_amplitudes_hold_down_a_peak_that_would_exceed() -> None:
     assert badness(error) < 0.5 * badness(np.maximum.reduceat(matrix @ free - missing, first))
 
 
-@dataclass(frozen=True)
-class Own:
-    """The spectrum of a record as a target."""
-
-    record: Record
-    damping: float = 0.05
-    label: str = "its own spectrum"
-
-    @property
-    def zero_period(self) -> float:
-        return self.record.pga
-
-    def acceleration(self, period: Any) -> np.ndarray:
-        return psa(self.record.acceleration, self.record.time_step, period)
-
-    def displacement(self, period: Any) -> np.ndarray:
-        return self.acceleration(period) * (np.asarray(period) / (2.0 * np.pi)) ** 2
-
-
 def test_a_record_that_matches_is_left_alone() -> None:
     record = synthetic()
     match = match_record(record, Own(record), MatchOptions(points=200))
@@ -307,15 +284,12 @@ def test_few_or_many_points_at_a_coarse_step(points: int) -> None:
     assert abs(match.after.end_velocity) < 1e-6
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="the recordings are not beside the repository")
+@needs_recordings
 def test_real_records_are_matched_closely_and_keep_their_character() -> None:
     """All within 2 % (rms) and 6 % (largest) at 300 periods that are not the matching ones, at rest, and in shape."""
-    paths = [path for path in sorted(SHARED.iterdir()) if path.suffix in (".AT2", ".csv")]
-    assert paths
-    for path in paths:
-        record = read_at2(path) if path.suffix == ".AT2" else read_csv(path, "g", None, 1, 2, path.stem)
+    for record in recordings():
         match = match_record(record, DBE, OPTIONS)
-        assert match.misfit_after.rms < 0.02 and match.misfit_after.largest < 0.06, (path.name, match.misfit_after)
+        assert match.misfit_after.rms < 0.02 and match.misfit_after.largest < 0.06, (record.name, match.misfit_after)
         assert abs(match.after.end_velocity) < 1e-3 and abs(match.after.end_displacement) < 1e-3
         assert 0.95 < match.pga_ratio < 1.06
         assert 0.6 < match.shape.arias_ratio < 1.6 and 0.7 < match.shape.duration_ratio < 1.3

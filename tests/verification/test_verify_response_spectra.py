@@ -6,24 +6,19 @@ uses nothing of edesign; its own error is below 0.01 %, as a test below shows.
 
 from __future__ import annotations
 
-import os
-from pathlib import Path
-
 import numpy as np
 import pytest
 import scipy.signal
+from shared_records import needs_recordings, recordings
 
 from benchmarks.peers.scipy_spectrum import noise_motion, reference_spectra, upsampled
 from edesign.core.errors import CoreError
 from edesign.core.spectrum import peak_displacement, peak_responses
-from edesign.ground_motion.at2 import read_at2
 from edesign.ground_motion.band_limited import polygon_samples
 from edesign.ground_motion.band_limited import upsampled as upsampled_here
-from edesign.ground_motion.csv_record import read_csv
 from edesign.ground_motion.intensity import displacement, velocity
 from edesign.ground_motion.response_spectrum import psa, response_spectra, rotated_spectra
 
-SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[3] / "shared") / "records"
 PERIODS = np.geomspace(0.02, 6.0, 60)
 
 
@@ -235,13 +230,10 @@ def test_synthetic_motion_against_scipy(step: float, damping: float) -> None:
         np.testing.assert_allclose(got[0], expected, rtol=tolerance)
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real records beside the repository")
+@needs_recordings
 def test_real_records_against_scipy() -> None:
     """Every real record, 5 % damping; 0.062, 0.16 and 0.048 % were measured, of 200 periods."""
-    records = [read_at2(path) for path in sorted(SHARED.glob("*.AT2"))]
-    records += [read_csv(path, "g") for path in sorted(SHARED.glob("*.csv"))]
-    assert len(records) >= 10
-    for record in records:
+    for record in recordings():
         spectra = response_spectra(record.acceleration, record.time_step, PERIODS)
         expected = reference_spectra(record.acceleration, record.time_step, PERIODS, 0.05)
         for got, reference, tolerance in zip(

@@ -7,11 +7,10 @@ distributed parameter file, by random vibration theory, not by simulation.
 from __future__ import annotations
 
 import math
-import os
-from pathlib import Path
 
 import numpy as np
 import pytest
+from shared_records import SHARED, needs_recordings
 
 from edesign.errors import InputError
 from edesign.ground_motion.intensity import measures
@@ -20,7 +19,6 @@ from edesign.ground_motion.response_spectrum import psa
 from edesign.ground_motion.simulation import SINGLE_CORNER, Crust, simulate
 from edesign.ground_motion.simulation.fourier_spectrum import fourier_amplitude
 
-SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[3] / "shared") / "records"
 # period (s), 5 % pseudo-acceleration (cm/s2)
 SMSIM_PSA = [
     (0.05, 129.1),
@@ -127,7 +125,7 @@ REAL = [
 ]
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real records beside the repository")
+@needs_recordings
 def test_real_records_as_a_set() -> None:
     """Plausibility, not proof: 13 components of 8 earthquakes, each against the median of 12 simulations.
 

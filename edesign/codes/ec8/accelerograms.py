@@ -12,6 +12,8 @@ from numpy.typing import ArrayLike
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
 
+DAMPING = 0.05
+"""Ratio of critical damping of the spectra that are compared."""
 MIN_RECORDS = 3
 RECORDS_FOR_MEAN = 7
 LOWEST_RATIO = 0.90
@@ -161,7 +163,7 @@ def check_accelerograms(
         )
     if not (np.all(np.isfinite(psa)) and np.all(np.isfinite(pga)) and np.all(psa >= 0.0) and np.all(pga >= 0.0)):
         raise InputError("spectra and peak accelerations must be finite and at least zero")
-    if not math.isclose(target.damping, 0.05, rel_tol=1e-9):
+    if not math.isclose(target.damping, DAMPING, rel_tol=1e-9):
         raise InputError(f"the target spectrum must have 5 % damping, not {100.0 * target.damping:g} %")
     at, lowest = (None, None) if T_1 is None else _worst(T, psa, target, T_1)
     criteria = (

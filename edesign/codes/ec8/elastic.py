@@ -12,9 +12,6 @@ from edesign.codes.ec8.branches import checked_action, displacement_of, four_bra
 from edesign.codes.ec8.parameters import HorizontalParameters
 from edesign.errors import InputError
 
-LONGEST_PERIOD = 4.0
-"""Period up to which Eqs. 3.2-3.5 are stated, s; see `ElasticSpectrum` for what holds beyond."""
-
 
 def damping_correction(damping: float) -> float:
     """Return eta = sqrt(10 / (5 + xi)), at least 0.55; xi in per cent, 5 % gives 1.

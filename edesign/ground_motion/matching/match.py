@@ -11,16 +11,14 @@ from edesign.errors import InputError
 from edesign.ground_motion.intensity import husid, measures
 from edesign.ground_motion.matching.one_thread import one_thread
 from edesign.ground_motion.matching.options import MatchOptions, Method
-from edesign.ground_motion.matching.result import Adjust, Adjusted, Match, Misfit, misfit
+from edesign.ground_motion.matching.result import Adjust, Adjusted, Match, misfit
 from edesign.ground_motion.matching.shape import compare
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 
 _CHECKED = 300  # periods at which the result is judged, at least; three times the matching periods, at least
 _LEAST_CYCLES = 2.0  # of the longest period that a record must have room for
-_GOOD = 0.05  # misfit (rms) up to which there is nothing to say
 _QUIET = 1e-3  # of the Arias intensity: before and after it, the motion counts as not begun and over
-_LARGEST_END_VELOCITY = 1e-3  # m/s
 
 
 def match_record(record: Record, target: Spectrum, options: MatchOptions | None = None) -> Match:
@@ -81,13 +79,7 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
         shape=shape,
         iterations=adjusted.iterations,
         history=adjusted.history,
-        notes=(
-            *notes,
-            *adjusted.notes,
-            *(_misfit_note(after_misfit, options) if options.method != "scale" else ()),
-            *_rest_note(after.end_velocity),
-            *shape.notes(),
-        ),
+        told=(*notes, *adjusted.notes),
     )
 
 
@@ -174,18 +166,3 @@ def _with_room(scaled: Record, options: MatchOptions) -> tuple[Record, float]:
     samples = np.concatenate((np.zeros(before), padded.acceleration))
     source = f"{padded.source}; {before * step:.9g} s of zeros before"
     return replace(padded, acceleration=samples, source=source), before * step
-
-
-def _misfit_note(reached: Misfit, options: MatchOptions) -> tuple[str, ...]:
-    if reached.rms <= max(_GOOD, options.tolerance):
-        return ()
-    return (
-        f"the spectrum is off by {100 * reached.rms:.2g} % (rms), at most {100 * reached.largest:.2g} % "
-        f"at {reached.at_period:.3g} s",
-    )
-
-
-def _rest_note(end_velocity: float) -> tuple[str, ...]:
-    if abs(end_velocity) <= _LARGEST_END_VELOCITY:
-        return ()
-    return (f"the ground still moves at {1e3 * end_velocity:.3g} mm/s at the end of the record",)

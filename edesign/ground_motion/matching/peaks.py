@@ -8,8 +8,8 @@ import numpy as np
 
 from edesign.core.spectrum import recursion_peaks
 from edesign.ground_motion.band_limited import polygon_samples, upsampled
+from edesign.ground_motion.oscillators import upsampling_factors
 
-_STEPS = 16  # time steps a period, at least
 _SHARE = 0.75  # of an ordinate's largest response, from which on its other peaks are kept
 _MOST = 8  # peaks of one ordinate: short periods have many of nearly the same size
 
@@ -48,10 +48,10 @@ class PeakFinder:
         """
         self._time_step, self._count = time_step, periods.size
         self._after = int(np.ceil(np.max(periods) / time_step))  # a peak may come after the motion's end
-        octaves = np.maximum(0, np.ceil(np.log2(_STEPS * time_step / periods) - 1e-9)).astype(int)
+        factors = upsampling_factors(time_step, periods)
         self._groups = []
-        for octave in np.unique(octaves):
-            at, factor = np.flatnonzero(octaves == octave), 2 ** int(octave)
+        for factor in np.unique(factors).tolist():
+            at = np.flatnonzero(factors == factor)
             filters = [recursion(period / (time_step / factor), damping) for period in periods[at]]
             numerator, denominator = (np.array(part) for part in zip(*filters, strict=True))
             self._groups.append((at, factor, numerator, denominator[:, 1:]))

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.codes.ec8.accelerograms import LOWEST_RATIO, check_periods
+from edesign.codes.ec8.accelerograms import DAMPING, LOWEST_RATIO, check_periods
 from edesign.codes.spectrum import Spectrum
 from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.matching.result import Match, misfit
@@ -15,7 +15,6 @@ from edesign.ground_motion.response_spectrum import psa
 
 MOST = 1.5
 """Largest factor; a suite that needs more does not fit its target, and its criteria say so."""
-DAMPING = 0.05  # of the spectra that the code compares
 _MARGIN = 1.0 + 1e-9  # rounding must not undo a criterion
 
 
@@ -45,7 +44,6 @@ def raised(match: Match, factor: float) -> Match:
     matched = match.matched.scaled(factor)
     after = factor * match.psa_after
     shape = replace(match.shape, arias_ratio=factor**2 * match.shape.arias_ratio)
-    notes = tuple(note for note in match.notes if note not in match.shape.notes())
     return replace(
         match,
         matched=matched,
@@ -53,6 +51,5 @@ def raised(match: Match, factor: float) -> Match:
         misfit_after=misfit(after, match.target, match.periods),
         after=measures(matched),
         shape=shape,
-        notes=(*notes, *shape.notes()),
         suite_factor=factor * match.suite_factor,
     )

@@ -12,6 +12,9 @@ from edesign.ground_motion.matching.options import MatchOptions, Method
 from edesign.ground_motion.matching.shape import Shape
 from edesign.ground_motion.record import Record
 
+GOOD = 0.05  # misfit (rms) up to which there is nothing to say
+LARGEST_END_VELOCITY = 1e-3  # m/s
+
 
 @dataclass(frozen=True)
 class Misfit:
@@ -109,7 +112,7 @@ class Match:
         shape: how far the motion's character changed, against the scaled original.
         iterations: how many were done.
         history: misfit (rms over the matching periods) before the first and after each iteration.
-        notes: what the user should know; empty if all went well.
+        told: what scaling and method had to say.
         suite_factor: on the result, the same for a whole suite so that its mean satisfies the code; 1 as matched.
     """
 
@@ -132,8 +135,22 @@ class Match:
     shape: Shape
     iterations: int
     history: tuple[float, ...]
-    notes: tuple[str, ...]
+    told: tuple[str, ...]
     suite_factor: float = 1.0
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the user should know; empty if all went well."""
+        found = list(self.told)
+        off, end_velocity = self.misfit_after, self.after.end_velocity
+        if self.method != "scale" and off.rms > GOOD:
+            found.append(
+                f"the spectrum is off by {100 * off.rms:.2g} % (rms), at most {100 * off.largest:.2g} % "
+                f"at {off.at_period:.3g} s"
+            )
+        if abs(end_velocity) > LARGEST_END_VELOCITY:
+            found.append(f"the ground still moves at {1e3 * end_velocity:.3g} mm/s at the end of the record")
+        return (*found, *self.shape.notes())
 
     @property
     def pga_ratio(self) -> float:

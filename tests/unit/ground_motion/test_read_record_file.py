@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import os
 from pathlib import Path
 
 import numpy as np
 import pytest
+from shared_records import SHARED, needs_recordings
 from strong_motion_samples import cosmos_channel, csmip_channel, esm_file, knet_file, motion
 
 from edesign.errors import InputError
@@ -15,7 +15,6 @@ from edesign.ground_motion.csv_record import read_csv
 from edesign.ground_motion.read import FORMATS, read_record_file
 
 G = 9.80665  # m/s2
-SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[4] / "shared") / "records"
 AT2_OLD = (
     "PEER STRONG MOTION DATABASE RECORD. PROCESSING BY PACIFIC ENGINEERING.\n"
     "NOWHERE 10/15/79 2319, A STATION, 000 (CDMG STATION 5054)\n"
@@ -142,7 +141,7 @@ def test_nothing_fits(tmp_path: Path) -> None:
         read_record_file(tmp_path / "a.mseed")
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real records beside the repository")
+@needs_recordings
 def test_real_records_are_found_by_content() -> None:
     at2, csv = sorted(SHARED.glob("*.AT2")), sorted(SHARED.glob("*.csv"))
     assert at2 or csv

