@@ -29,7 +29,9 @@ def spectrum(
     spectrum_type: action.SpectrumType = None,
     damping: action.Damping = None,
     gamma: action.Importance = None,
-    q: Annotated[float | None, typer.Option("--q", help="Behaviour factor, that of the project by default: the design spectrum too.")] = None,
+    q: Annotated[
+        float | None, typer.Option("--q", help="Behaviour factor for the design spectrum; the project's if not said.")
+    ] = None,
     vertical: Annotated[bool, typer.Option("--vertical", help="The vertical component.")] = False,
     periods: Annotated[tuple[str, str], typer.Option("--periods", metavar="FROM TO", help="Range of periods.")] = (
         "0.02s",
