@@ -207,6 +207,51 @@ int ed_state_set(ed_analysis *analysis, const double *state);
 /* One attempt at a fraction of the next step of the run, and a return to where it began, as after a failure. */
 int ed_try_and_revert(ed_analysis *analysis, double fraction);
 
+/* ---- dampers ---------------------------------------------------------------------------------------------------- */
+
+/* Laws of dampers; parameters in this order (docs/laws explains them). Any consistent units. */
+enum {
+  ED_LAW_KELVIN_VOIGT = 0,       /* k c */
+  ED_LAW_ZENER = 1,              /* k0 k1 c1 */
+  ED_LAW_GENERALISED_MAXWELL = 2,/* k0, then k_i c_i of each branch (1..16) */
+  ED_LAW_FRACTIONAL_KELVIN = 3,  /* k0 c alpha: F = k0 (u + c D^alpha u) */
+  ED_LAW_FRACTIONAL_ZENER = 4,   /* k0 a b alpha: F + a D^alpha F = k0 (u + b D^alpha u) */
+  ED_LAW_VISCOUS = 5,            /* c */
+  ED_LAW_VISCOUS_POWER = 6,      /* c alpha: F = c |v|^alpha sgn v */
+  ED_LAW_MAXWELL = 7,            /* c0 lambda: F + lambda F' = c0 v */
+  ED_LAW_MAXWELL_POWER = 8,      /* c alpha k: c |v|^alpha sgn v in series with the spring k */
+  ED_LAW_FRACTIONAL_MAXWELL = 9, /* c0 lambda nu: F + lambda D^nu F = c0 v */
+  ED_LAW_FRICTION = 10,          /* mu N k: slip at mu N, stiffness k of the connection before */
+  ED_LAW_ELASTIC_PLASTIC = 11,   /* k Fy b: kinematic hardening ratio 0 <= b < 1 */
+  ED_LAW_RAMBERG_OSGOOD = 12,    /* k Fy a n: u = F/k (1 + a |F/Fy|^(n-1)), Masing */
+  ED_LAW_BOUC_WEN = 13,          /* Fy Y alpha A beta gamma n */
+  ED_LAW_MODIFIED_BOUC_WEN = 14, /* k1 k2 u_ref Y alpha A beta gamma n C alpha_d */
+  ED_LAW_ASYMPTOTE = 15,         /* f0 k1 k2 k3 kappa n c: rate-dependent asymptote law of Sause and Lee */
+  ED_LAW_LINEARISED = 16,        /* k_eff zeta_eff omega: F = k_eff u + 2 zeta_eff k_eff / omega v */
+  ED_LAW_MGMM = 17               /* k1 c1 k0 c_NL alpha k_a k_b u_ref c_a c_b v_ref consistent(0, 1) */
+};
+
+typedef struct ed_damper ed_damper;
+
+/* A damper: a law with its parameters, and the stiffness of a brace in series with it (0: rigid). On failure *status and `message`
+ * (size bytes) say why and NULL is returned. */
+ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, double brace, int *status, char *message,
+                         int size);
+void ed_damper_free(ed_damper *damper);
+int ed_damper_state_size(const ed_damper *damper);            /* doubles */
+void ed_damper_start(const ed_damper *damper, double *state); /* at rest */
+
+/* ED_DAMPER_BEST: the exact step where the law has one, else SUNDIALS; ED_DAMPER_ODE: SUNDIALS. */
+enum { ED_DAMPER_BEST = 0, ED_DAMPER_ODE = 1 };
+/* One step of duration h from `committed`, along the cubic through deformation and velocity at both ends. Writes the state at its
+ * end, the force there, and its derivatives to u1 and v1 (slope). tolerance: relative, of SUNDIALS. Repeated calls give the same. */
+int ed_damper_step(const ed_damper *damper, int method, double tolerance, const double *committed, double h, double u0, double v0,
+                   double u1, double v1, double *trial, double *force, double *slope);
+/* Force under n samples of deformation u and velocity v at ascending times, from rest; held at u[0] for long before. force: n.
+ * *done: samples that were reached when it fails. */
+int ed_damper_history(const ed_damper *damper, int method, double tolerance, int n, const double *time, const double *u,
+                      const double *v, double *force, int *done);
+
 /* ---- oscillators under ground acceleration ---------------------------------------------------------------------- */
 
 /* Largest magnitudes of relative displacement, relative velocity and absolute acceleration of oscillators that start at rest,

@@ -1,0 +1,11 @@
+/* A brace in series with a damper whose law has an exact step. */
+#ifndef ED_BRACE_H
+#define ED_BRACE_H
+
+#include "damper/law.h"
+
+/* As ed_law.step, for the total deformation of damper and brace; the state is the law's, then the damper's own deformation. */
+int ed_brace_step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2],
+                  double *trial, ed_damper_force *out);
+
+#endif

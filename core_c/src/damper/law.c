@@ -1,0 +1,107 @@
+/* The table of laws, and dampers made of them. */
+#include "damper/law.h"
+
+#include "damper/brace.h"
+#include "damper/laws.h"
+#include "damper/ode_system.h"
+#include "edcore.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const ed_law *ed_law_of(int id)
+{
+  static const ed_law *const laws[] = {
+      [ED_LAW_KELVIN_VOIGT] = &ed_kelvin_voigt,
+      [ED_LAW_ZENER] = &ed_zener,
+      [ED_LAW_GENERALISED_MAXWELL] = &ed_generalised_maxwell,
+      [ED_LAW_FRACTIONAL_KELVIN] = &ed_fractional_kelvin,
+      [ED_LAW_FRACTIONAL_ZENER] = &ed_fractional_zener,
+      [ED_LAW_VISCOUS] = &ed_viscous,
+      [ED_LAW_VISCOUS_POWER] = &ed_viscous_power,
+      [ED_LAW_MAXWELL] = &ed_maxwell,
+      [ED_LAW_MAXWELL_POWER] = &ed_maxwell_power,
+      [ED_LAW_FRACTIONAL_MAXWELL] = &ed_fractional_maxwell,
+      [ED_LAW_FRICTION] = &ed_friction,
+      [ED_LAW_ELASTIC_PLASTIC] = &ed_elastic_plastic,
+      [ED_LAW_RAMBERG_OSGOOD] = &ed_ramberg_osgood,
+      [ED_LAW_BOUC_WEN] = &ed_bouc_wen,
+      [ED_LAW_MODIFIED_BOUC_WEN] = &ed_modified_bouc_wen,
+      [ED_LAW_ASYMPTOTE] = &ed_asymptote,
+      [ED_LAW_LINEARISED] = &ed_linearised,
+      [ED_LAW_MGMM] = &ed_mgmm,
+  };
+  return id >= 0 && id < (int)(sizeof laws / sizeof *laws) ? laws[id] : NULL;
+}
+
+int ed_refuse_parameter(char message[ED_DAMPER_MESSAGE], const char *name, double value, const char *allowed)
+{
+  snprintf(message, ED_DAMPER_MESSAGE, "%s = %g is not allowed: %s", name, value, allowed);
+  return ED_E_ARGUMENT;
+}
+
+int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double *parameters, double brace,
+                      char message[ED_DAMPER_MESSAGE])
+{
+  memset(damper, 0, sizeof *damper);
+  damper->law = ed_law_of(law);
+  if (!damper->law) {
+    snprintf(message, ED_DAMPER_MESSAGE, "there is no damper law %d", law);
+    return ED_E_ID;
+  }
+  if (n_parameters < damper->law->least_parameters || n_parameters > damper->law->most_parameters) {
+    snprintf(message, ED_DAMPER_MESSAGE, "law %s: %d parameters, but %d to %d are needed", damper->law->name, n_parameters,
+             damper->law->least_parameters, damper->law->most_parameters);
+    return ED_E_ARGUMENT;
+  }
+  if (!(brace >= 0.0) || !isfinite(brace))
+    return ed_refuse_parameter(message, "brace", brace, "a stiffness above zero, or 0 for none");
+  for (int i = 0; i < n_parameters; i++)
+    if (!isfinite(parameters[i])) {
+      snprintf(message, ED_DAMPER_MESSAGE, "law %s: parameter %d is not a finite number", damper->law->name, i + 1);
+      return ED_E_NOT_FINITE;
+    }
+  damper->n_parameters = n_parameters;
+  damper->brace = brace;
+  memcpy(damper->parameter, parameters, (size_t)n_parameters * sizeof *parameters);
+  const int status = damper->law->prepare(damper, message);
+  if (status != ED_OK)
+    ed_damper_clear(damper);
+  return status;
+}
+
+void ed_damper_clear(ed_damper *damper)
+{
+  free(damper->derived);
+  damper->derived = NULL;
+}
+
+int ed_damper_state_size(const ed_damper *damper)
+{
+  const int own_deformation = damper->brace > 0.0 && ed_damper_has_exact_step(damper);
+  return damper->n_ode + damper->n_memory + own_deformation;
+}
+
+void ed_damper_start(const ed_damper *damper, double *state)
+{
+  memset(state, 0, (size_t)ed_damper_state_size(damper) * sizeof *state);
+  if (damper->law->start)
+    damper->law->start(damper, state);
+}
+
+int ed_damper_has_exact_step(const ed_damper *damper)
+{
+  return damper->law->step != NULL && !(damper->brace > 0.0 && damper->law->takes_brace);
+}
+
+int ed_damper_advance(const ed_damper *damper, ed_ode_system *system, const double *committed, const ed_path *path,
+                      const ed_path direction[2], double *trial, ed_damper_force *out)
+{
+  if (!ed_damper_has_exact_step(damper))
+    return ed_ode_system_step(system, &committed, path, (const ed_path(*)[2])direction, &trial, out);
+  if (damper->brace > 0.0)
+    return ed_brace_step(damper, committed, path, direction, trial, out);
+  return damper->law->step(damper, committed, path, direction, trial, out);
+}

@@ -1,0 +1,87 @@
+/* A damper law: the force of a device whose deformation follows a path over one step.
+ *
+ * A law offers an exact step along a path (`step`), or its differential equations (`rate`), or both; the SUNDIALS system
+ * (ode_system.h) integrates the equations of all devices that have no exact step as one. Laws never change the committed state:
+ * they write the state at the end of the path into `trial`, so every trial starts from the committed state again.
+ *
+ * State of a device: n_ode variables of the differential equations, then n_memory doubles of memory (running extremes, last
+ * reversal ...), constant between events. All zero is not necessarily the state at rest: `start` writes that one. */
+#ifndef ED_LAW_H
+#define ED_LAW_H
+
+#include "damper/path.h"
+#include "edcore.h"
+
+enum { ED_MAX_PARAMETERS = 64, ED_MAX_ODE = 64, ED_DAMPER_MESSAGE = 256 };
+
+typedef struct {
+  double force;
+  double slope[2]; /* d force / d unknown, for the two directions of the path */
+} ed_damper_force;
+
+/* Right-hand side at one instant with all its partial derivatives. */
+typedef struct {
+  double force, force_u, force_v;
+  double force_y[ED_MAX_ODE];
+  double y[ED_MAX_ODE];                       /* dy/dt */
+  double y_u[ED_MAX_ODE], y_v[ED_MAX_ODE];
+  double y_y[ED_MAX_ODE * ED_MAX_ODE];        /* row by row, n_ode wide; only the diagonal when diagonal_ode is set */
+} ed_damper_rate;
+
+typedef struct ed_law ed_law;
+
+/* A law with its parameters; read-only once prepared (ed_damper in edcore.h). */
+struct ed_damper {
+  const ed_law *law;
+  int n_parameters;
+  double parameter[ED_MAX_PARAMETERS];
+  int n_derived;
+  double *derived;      /* constants that `prepare` makes of the parameters; owned */
+  int n_ode, n_memory;
+  int diagonal_ode;
+  double brace;         /* stiffness in series; 0: none (rigid) */
+};
+
+struct ed_law {
+  const char *name;
+  int least_parameters, most_parameters;
+  int rate_independent;  /* the force depends on the order of deformations alone, not on their speed */
+  int takes_brace;       /* `rate` itself puts brace > 0 in series; exact steps leave that to brace.c */
+  /* Checks the parameters; sets n_ode, n_memory, diagonal_ode and `derived`. On ED_E_ARGUMENT `message` says parameter, value
+   * seen, what is allowed. Also ED_E_MEMORY. */
+  int (*prepare)(ed_damper *damper, char message[ED_DAMPER_MESSAGE]);
+  void (*start)(const ed_damper *damper, double *state);
+  /* Exact step along the path from `committed`; NULL where the law has none. Returns ED_OK, ED_E_NOT_FINITE, ED_E_NOT_CONVERGED.
+   * direction: derivatives of the path to the two unknowns; `out` gets the force at the end and its derivatives to them. The
+   * path begins where the last one ended in u; its velocity there may differ. */
+  int (*step)(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+              ed_damper_force *out);
+  /* Differential equations at deformation u, velocity v, y (n_ode), memory (n_memory): smooth between events. NULL where the
+   * law has none. Running extremes: memory holds those of the segment's start; inside a segment the law takes the larger of the
+   * memory and the present value. */
+  void (*rate)(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out);
+  /* Moves the memory from the start of a segment without event inside to its end at (u, v, y). NULL: nothing to do. */
+  void (*remember)(const ed_damper *damper, double u, double v, const double *y, double *memory);
+  /* Events other than reversals of the path, which always end a segment. Ascending places in (0, h) of the path where the
+   * equations are not smooth, given the memory at its start; at most 8. NULL: none. */
+  int (*events)(const ed_damper *damper, const ed_path *path, const double *memory, double at[8]);
+};
+
+/* The laws by their id in edcore.h (ED_LAW_*). NULL: no such law. */
+const ed_law *ed_law_of(int id);
+
+/* Prepares `damper` for a law; on failure `message` says why and nothing is to be freed. */
+int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double *parameters, double brace,
+                      char message[ED_DAMPER_MESSAGE]);
+void ed_damper_clear(ed_damper *damper);
+
+/* One step of a damper by the method that suits it; out may not be NULL. system: for laws without exact step. */
+struct ed_ode_system;
+int ed_damper_advance(const ed_damper *damper, struct ed_ode_system *system, const double *committed, const ed_path *path,
+                      const ed_path direction[2], double *trial, ed_damper_force *out);
+int ed_damper_has_exact_step(const ed_damper *damper);
+
+/* Helpers for `prepare`. */
+int ed_refuse_parameter(char message[ED_DAMPER_MESSAGE], const char *name, double value, const char *allowed); /* ED_E_ARGUMENT */
+
+#endif

@@ -1,0 +1,274 @@
+"""The damper laws and their parameters; docs/laws has a page on each."""
+
+from __future__ import annotations
+
+import math
+
+from edesign.damper.law import Law, Parameter
+from edesign.errors import InputError
+from edesign.project.problems import did_you_mean
+
+_K, _C, _F, _T = "N/m", "N*s/m", "N", "s"
+
+
+def _alpha(name: str, meaning: str, upper_allowed: bool = False) -> Parameter:
+    return Parameter(name, meaning, "", upper=1.0, upper_allowed=upper_allowed)
+
+
+def _not_negative(name: str, meaning: str, unit: str, default: float | None = None) -> Parameter:
+    return Parameter(name, meaning, unit, lower_allowed=True, default=default)
+
+
+def _any(name: str, meaning: str, unit: str, default: float | None = None) -> Parameter:
+    return Parameter(name, meaning, unit, lower=-math.inf, default=default)
+
+
+_EXPONENT = Parameter("alpha", "exponent of the velocity", "", upper=2.0)
+_BOUC_WEN = (
+    Parameter("alpha", "stiffness after yielding / before", "", upper=1.0, lower_allowed=True, upper_allowed=False),
+    Parameter("A", "slope of z at the start", "", default=1.0),
+    Parameter("beta", "shape of loading", "", lower=-math.inf, default=0.5),
+    Parameter("gamma", "shape of unloading", "", default=0.5),
+    Parameter("n", "sharpness of yielding", "", lower=1.0, upper=100.0, lower_allowed=True, default=1.0),
+)
+
+_ALL = (
+    Law(
+        "kelvin_voigt",
+        "Kelvin-Voigt: spring and dashpot side by side",
+        (_not_negative("k", "stiffness", _K), _not_negative("c", "damping coefficient", _C)),
+        "F = k u + c v",
+        "thesis Eq. 2.49",
+        True,
+    ),
+    Law(
+        "zener",
+        "Zener (standard linear solid): spring beside a Maxwell branch",
+        (
+            _not_negative("k0", "stiffness of the spring", _K),
+            Parameter("k1", "stiffness of the branch", _K),
+            Parameter("c1", "damping coefficient of the branch", _C),
+        ),
+        "F + c1/k1 F' = k0 u + (k0 + k1) c1/k1 v",
+        "thesis Eq. 2.72",
+        True,
+    ),
+    Law(
+        "generalised_maxwell",
+        "generalised Maxwell: spring beside N Maxwell branches",
+        (_not_negative("k0", "stiffness of the spring", _K),),
+        "F = k0 u + sum F_i, F_i + c_i/k_i F_i' = c_i v",
+        "thesis Eqs. 4.4, 4.19",
+        True,
+        branch=(
+            Parameter("k", "stiffness of branch", _K),
+            Parameter("c", "damping coefficient of branch", _C),
+        ),
+    ),
+    Law(
+        "fractional_kelvin",
+        "fractional Kelvin: spring beside a springpot",
+        (
+            Parameter("k0", "stiffness", _K),
+            Parameter("c", "coefficient of the fractional derivative", "s^alpha"),
+            _alpha("alpha", "order of the derivative"),
+        ),
+        "F = k0 (u + c D^alpha u)",
+        "thesis Eq. 2.76",
+        True,
+    ),
+    Law(
+        "fractional_zener",
+        "fractional Zener: four-parameter fractional solid",
+        (
+            Parameter("k0", "stiffness at rest", _K),
+            Parameter("a", "coefficient of the force's derivative", "s^alpha"),
+            Parameter("b", "coefficient of the deformation's derivative, above a", "s^alpha"),
+            _alpha("alpha", "order of the derivatives"),
+        ),
+        "F + a D^alpha F = k0 (u + b D^alpha u)",
+        "thesis Eq. 2.74 with one term a side",
+        True,
+    ),
+    Law(
+        "viscous",
+        "linear viscous dashpot",
+        (Parameter("c", "damping coefficient", _C),),
+        "F = c v",
+        "thesis Eq. 2.24 with alpha = 1",
+        True,
+    ),
+    Law(
+        "viscous_power",
+        "viscous dashpot with a power of the velocity",
+        (Parameter("c", "damping coefficient", "N*(s/m)^alpha"), _EXPONENT),
+        "F = c |v|^alpha sgn v",
+        "thesis Eq. 2.24",
+        True,
+    ),
+    Law(
+        "maxwell",
+        "Maxwell: spring and dashpot in series",
+        (Parameter("c0", "damping coefficient", _C), Parameter("lambda", "relaxation time", _T)),
+        "F + lambda F' = c0 v",
+        "thesis Eq. 2.25",
+        True,
+    ),
+    Law(
+        "maxwell_power",
+        "power-law dashpot in series with a spring",
+        (
+            Parameter("c", "damping coefficient", "N*(s/m)^alpha"),
+            _EXPONENT,
+            Parameter("k", "stiffness of the spring", _K),
+        ),
+        "F' = k (v - sgn F (|F| / c)^(1/alpha))",
+        "thesis Eqs. 2.24, 2.25",
+        True,
+    ),
+    Law(
+        "fractional_maxwell",
+        "fractional Maxwell",
+        (
+            Parameter("c0", "damping coefficient", _C),
+            Parameter("lambda", "relaxation coefficient", "s^nu"),
+            _alpha("nu", "order of the derivative"),
+        ),
+        "F + lambda D^nu F = c0 v",
+        "thesis Eq. 2.23; Makris & Constantinou (1991)",
+        True,
+    ),
+    Law(
+        "friction",
+        "Coulomb friction",
+        (
+            Parameter("mu", "coefficient of friction", ""),
+            Parameter("N", "normal force", _F),
+            Parameter("k", "stiffness of the connection before slip", _K),
+        ),
+        "|F| <= mu N",
+        "thesis Eq. 2.22",
+        False,
+    ),
+    Law(
+        "elastic_plastic",
+        "elastic-plastic with kinematic hardening",
+        (
+            Parameter("k", "elastic stiffness", _K),
+            Parameter("Fy", "yield force", _F),
+            Parameter("b", "stiffness after yielding / before", "", upper=1.0, lower_allowed=True, upper_allowed=False),
+        ),
+        "F' = k v, in yielding b k v",
+        "thesis 2.2.2",
+        False,
+    ),
+    Law(
+        "ramberg_osgood",
+        "Ramberg-Osgood with Masing's rule",
+        (
+            Parameter("k", "initial stiffness", _K),
+            Parameter("Fy", "reference force", _F),
+            Parameter("a", "share of the plastic deformation at the reference force", ""),
+            Parameter("n", "exponent", "", lower=1.0),
+        ),
+        "u = F/k (1 + a |F/Fy|^(n-1))",
+        "Ramberg & Osgood (1943); Jennings (1964)",
+        False,
+    ),
+    Law(
+        "bouc_wen",
+        "Bouc-Wen",
+        (Parameter("Fy", "yield force", _F), Parameter("Y", "yield deformation", "m"), *_BOUC_WEN),
+        "F = alpha Fy/Y u + (1 - alpha) Fy z, Y z' = A v - gamma |v| z |z|^(n-1) - beta v |z|^n",
+        "thesis Eqs. 2.67-2.68; Wen (1976)",
+        False,
+    ),
+    Law(
+        "modified_bouc_wen",
+        "Bouc-Wen with softening by the largest deformation, beside a power-law dashpot",
+        (
+            _not_negative("k1", "stiffness that softening takes away", _K),
+            Parameter("k2", "stiffness that stays", _K),
+            Parameter("u_ref", "deformation that softens", "m"),
+            Parameter("Y", "yield deformation", "m"),
+            *_BOUC_WEN,
+            _not_negative("C", "damping coefficient", "N*(s/m)^alpha_d"),
+            Parameter("alpha_d", "exponent of the velocity", "", upper=2.0),
+        ),
+        "F = k (alpha u + (1 - alpha) Y z) + C |v|^alpha_d sgn v, k = k1 exp(-u_max/u_ref) + k2",
+        "thesis Eqs. 2.69-2.71; Karavasilis, Blakeborough & Williams (2011)",
+        True,
+    ),
+    Law(
+        "asymptote",
+        "rate-dependent law with asymptotes",
+        (
+            Parameter("f0", "force of the asymptotes at zero deformation", _F),
+            _any("k1", "linear stiffness of the asymptotes", _K),
+            _any("k2", "quadratic coefficient of the asymptotes", "N/m^2", default=0.0),
+            _any("k3", "cubic coefficient of the asymptotes", "N/m^3", default=0.0),
+            Parameter("kappa", "speed of the approach to the asymptote", ""),
+            Parameter("n", "shape of the approach", "", lower=1.0, lower_allowed=True, default=1.0),
+            _not_negative("c", "damping coefficient of the dashpot beside", _C, default=0.0),
+        ),
+        "F = Fa - e0 (1 + kappa (n - 1) (Fa - Fa0) / e0)^(-1/(n-1)) + c v",
+        "thesis Eqs. 2.65-2.66; Sause et al. (2009), Lee et al. (2009)",
+        True,
+    ),
+    Law(
+        "linearised",
+        "linearised device",
+        (
+            Parameter("k_eff", "effective stiffness", _K),
+            _not_negative("zeta_eff", "effective damping ratio", ""),
+            Parameter("omega", "circular frequency at which they hold", "rad/s"),
+        ),
+        "F = k_eff u + 2 zeta_eff k_eff / omega v",
+        "thesis Eqs. 2.63-2.64; FEMA 356, 9.3.3.1",
+        True,
+    ),
+    Law(
+        "mgmm",
+        "modified generalised Maxwell model (MGMM)",
+        (
+            Parameter("k1", "stiffness of the Maxwell branch", _K),
+            Parameter("c1", "damping coefficient of the Maxwell branch", _C),
+            _not_negative("k0", "stiffness of the spring", _K),
+            _not_negative("c_NL", "coefficient of the non-linear dashpot", "N*(s/m)^alpha"),
+            Parameter("alpha", "exponent of the velocity", "", upper=2.0),
+            _not_negative("k_a", "stiffness that the largest deformation takes away", _K),
+            _not_negative("k_b", "stiffness that stays", _K),
+            Parameter("u_ref", "deformation that softens", "m"),
+            _not_negative("c_a", "damping that the largest velocity takes away", _C),
+            _not_negative("c_b", "damping that stays", _C),
+            Parameter("v_ref", "velocity that softens", "m/s"),
+            Parameter(
+                "consistent",
+                "1: carry the derivative of k_mod u; 0: as printed",
+                "",
+                upper=1.0,
+                lower_allowed=True,
+                default=0.0,
+                fitted=False,
+            ),
+        ),
+        "F + c1/k1 F' = (k0 + k_mod) u + (c1/k1 k0 + c1 + c_mod) v + c_NL |v|^alpha sgn v, "
+        "k_mod = k_a exp(-u_max/u_ref) + k_b, c_mod = c_a exp(-v_max/v_ref) + c_b",
+        "thesis Eqs. 4.24-4.29",
+        True,
+    ),
+)
+
+LAWS: dict[str, Law] = {law.name: law for law in _ALL}
+"""Every law by its name."""
+
+
+def law(name: str) -> Law:
+    """The law of a name.
+
+    Raises:
+        InputError: there is none; the message names the nearest.
+    """
+    if name not in LAWS:
+        raise InputError(f"there is no damper law `{name}`{did_you_mean(name, LAWS)} (there are: {', '.join(LAWS)})")
+    return LAWS[name]
