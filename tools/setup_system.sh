@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Make sure that what pip cannot install is there: a C compiler, SuiteSparse with headers, Python >= 3.11 with headers
-# and venv; for the tests also the sanitizers' libraries and, if it can be had, valgrind.
+# Make sure that what pip cannot install is there: a C compiler, SuiteSparse and SUNDIALS with headers, Python >= 3.11
+# with headers and venv; for the tests also the sanitizers' libraries and, if it can be had, valgrind.
 #
 #   setup_system.sh run | test | memcheck
 #
@@ -8,7 +8,8 @@
 # links, not that a package has a certain name, so nothing is installed where everything is there already. Missing
 # packages are installed by apt when we are root or sudo asks no password; otherwise one message names them and the exit
 # code is 1.
-# Environment: PYTHON (interpreter to try first), CC, SUITESPARSE_ROOT, EDESIGN_NO_INSTALL=1 (never call apt).
+# Environment: PYTHON (interpreter to try first), CC, SUITESPARSE_ROOT, SUNDIALS_ROOT, EDESIGN_NO_INSTALL=1 (never call
+# apt).
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
@@ -64,18 +65,37 @@ int main(void) { return puts("") < 0; }' >"$scratch/c.c"
         $cc -fsanitize=address,undefined -o "$scratch/c" "$scratch/c.c" >/dev/null 2>&1 || lack "$sanitizers" gcc
     fi
 
-    local flags=""
-    if ! flags="$(sh core_c/suitesparse.sh)"; then
-        lack "SuiteSparse (KLU) with headers" libsuitesparse-dev
-    elif [[ $hard == 0 ]]; then
-        echo '#include <Python.h>
+    sh core_c/libraries.sh suitesparse >/dev/null 2>&1 || lack "SuiteSparse (KLU) with headers" libsuitesparse-dev
+    sh core_c/libraries.sh sundials >/dev/null 2>&1 || lack "SUNDIALS >= 6.4 (ARKODE) with headers" libsundials-dev
+    if [[ $hard == 0 ]]; then
+        cat >"$scratch/libraries.c" <<'END'
+#include <Python.h>
 #include <klu.h>
-int main(void) { klu_common c; return !klu_defaults(&c); }' >"$scratch/klu.c"
-        # shellcheck disable=SC2086
+#include <arkode/arkode_arkstep.h>
+#include <nvector/nvector_serial.h>
+#ifndef SUNDIALS_DOUBLE_PRECISION
+#error "SUNDIALS is not built for double precision"
+#endif
+#if SUNDIALS_VERSION_MAJOR < 7
+#define SUN_COMM_NULL NULL
+#endif
+int main(void)
+{
+  klu_common common;
+  SUNContext context;
+  if (!klu_defaults(&common) || SUNContext_Create(SUN_COMM_NULL, &context))
+    return 1;
+  N_Vector y = N_VNew_Serial(1, context);
+  void *solver = ARKStepCreate(NULL, NULL, 0.0, y, context); /* refuses to have no equations */
+  N_VDestroy(y);
+  return solver || SUNContext_Free(&context);
+}
+END
+        # shellcheck disable=SC2046
         $cc -I"$("$python" -c 'import sysconfig; print(sysconfig.get_path("include"))')" \
-            -o "$scratch/klu" "$scratch/klu.c" \
-            $flags -lklu -lamd -lcolamd -lbtf -lsuitesparseconfig -lm >"$scratch/log" 2>&1 ||
-            lack "a working set of C compiler, Python headers and SuiteSparse" gcc libc6-dev libsuitesparse-dev
+            -o "$scratch/libraries" "$scratch/libraries.c" $(sh core_c/libraries.sh) >"$scratch/log" 2>&1 ||
+            lack "a working set of C compiler, Python headers, SuiteSparse and SUNDIALS" \
+                gcc libc6-dev libsuitesparse-dev libsundials-dev
     fi
     if [[ "$mode" != run && "$(uname)" == Linux ]] && ! command -v valgrind >/dev/null; then
         lack "valgrind" valgrind
@@ -120,11 +140,11 @@ edesign needs system packages that are missing here: ${words#, }.
 Please install them once, then call make again (this is done for you only with apt, as root or by a sudo without password):
 
   Debian, Ubuntu   sudo apt-get install $apt
-  Fedora, RHEL     sudo dnf install gcc glibc-devel suitesparse-devel python3-devel$test_dnf
-  macOS            xcode-select --install; brew install suite-sparse python@3.12
-  conda            conda install -c conda-forge c-compiler suitesparse 'python>=3.11'$test_conda
+  Fedora, RHEL     sudo dnf install gcc glibc-devel suitesparse-devel sundials-devel python3-devel$test_dnf
+  macOS            xcode-select --install; brew install suite-sparse sundials python@3.12
+  conda            conda install -c conda-forge c-compiler suitesparse sundials 'python>=3.11'$test_conda
 
-Another place for them: PYTHON=/path/to/python3, CC=compiler, SUITESPARSE_ROOT=/prefix.
+Another place for them: PYTHON=/path/to/python3, CC=compiler, SUITESPARSE_ROOT=/prefix, SUNDIALS_ROOT=/prefix.
 " >&2
     [[ ! -s "$scratch/log" ]] || { echo "The compiler said:"; tail -n 5 "$scratch/log"; } >&2
 }

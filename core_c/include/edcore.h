@@ -32,7 +32,8 @@ extern "C" {
   X(ED_E_ELEMENT, -9, "an element state was not found") \
   X(ED_E_NOT_FINITE, -10, "a result is not a finite number") \
   X(ED_E_STATE, -11, "this call is not allowed in the present state") \
-  X(ED_E_UNSTABLE, -12, "the structure is unstable under its loads")
+  X(ED_E_UNSTABLE, -12, "the structure is unstable under its loads") \
+  X(ED_E_DAMPER, -13, "a damper state was not found")
 
 #define ED_STATUS_ENUM(name, value, text) name = value,
 typedef enum { ED_STATUS_LIST(ED_STATUS_ENUM) ED_STATUS_END = 99 } ed_status;
@@ -78,6 +79,13 @@ int ed_model_truss(ed_model *model, const char *name, int i, int j, int material
  * acts at mid-length; at one place: local x is at `angle` (rad) from global x. */
 int ed_model_link(ed_model *model, const char *name, int i, int j, double kx, double ky, double krz, double angle);
 
+/* A damper (laws: below) whose deformation is the sum of coefficient * displacement of n_terms degrees (0 ux, 1 uy, 2 rz) of nodes,
+ * F = force_scale * law(deformation_scale * u); brace: stiffness in series at the size of the device, 0: rigid. It carries nothing
+ * before ed_install_dampers. Give its degrees mass: velocities of others are left to ring by the trapezoidal rule. Up to 12 terms. */
+int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters, const double *parameters, double brace,
+                    double force_scale, double deformation_scale, int n_terms, const int *node, const int *degree,
+                    const double *coefficient);
+
 int ed_model_pattern(ed_model *model);
 int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, double fy, double mz);
 /* Loads on beam-columns, force a length in local axes, or a force at position (0..1) of the length. */
@@ -119,6 +127,9 @@ int ed_rayleigh(ed_analysis *analysis, double mass_factor, double stiffness_fact
 /* n modes over the equations (n x n_equations, row by row, any scale), circular frequencies, ratios of critical. */
 int ed_modal_damping(ed_analysis *analysis, int n, const double *shape, const double *omega, const double *ratio);
 
+/* From now on the dampers act; their deformation counts from here. Before runs, e.g. after gravity. */
+int ed_install_dampers(ed_analysis *analysis);
+
 /* Recorded quantities: weighted sums of terms. Components in brackets. */
 enum {
   ED_DISPLACEMENT = 0,       /* node (0..2), relative to the ground */
@@ -136,7 +147,10 @@ enum {
   ED_SECTION_FORCE = 12,     /* element (2 point + 0 N, + 1 M) */
   ED_SECTION_DEFORMATION = 13,
   ED_FIBRE_STRESS = 14,      /* element (point * layers of the first section + layer) */
-  ED_FIBRE_STRAIN = 15
+  ED_FIBRE_STRAIN = 15,
+  ED_DAMPER_FORCE = 16,      /* damper */
+  ED_DAMPER_DEFORMATION = 17,/* damper (0 with its brace, 1 without) */
+  ED_DAMPER_WORK = 18        /* damper: work done on it so far */
 };
 int ed_channel(ed_analysis *analysis, int n_terms, const double *coefficient, const int *kind, const int *object,
                const int *component, int keep_history);
@@ -145,8 +159,8 @@ void ed_clear_channels(ed_analysis *analysis);
 void ed_extremes(const ed_analysis *analysis, double *maximum, double *time_of_maximum, double *minimum,
                  double *time_of_minimum, double *last);
 
-enum { ED_INPUT = 0, ED_KINETIC = 1, ED_DAMPING = 2, ED_STORED = 3, ED_HYSTERETIC = 4, ED_GEOMETRIC = 5, ED_BALANCE = 6,
-       ED_N_ENERGY = 7 };
+enum { ED_INPUT = 0, ED_KINETIC = 1, ED_DAMPING = 2, ED_STORED = 3, ED_HYSTERETIC = 4, ED_GEOMETRIC = 5, ED_DAMPERS = 6,
+       ED_BALANCE = 7, ED_N_ENERGY = 8 };
 
 /* A run is begun once, advanced in pieces (so that the caller can show progress or stop between them) and ends by itself.
  * Buffers belong to the caller, hold every `every`-th step and the start: abscissa n_rows, values n_rows x n_history,

@@ -2,23 +2,25 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
+from edesign.building.devices import Attached, Device, DeviceLaw, add_attachment, add_devices
 from edesign.building.loads import beam_loads, node_loads
 from edesign.building.masses import node_masses
-from edesign.building.profiles import profile
-from edesign.building.section import CrossSection, plate_section, rectangle_section, rolled_section
+from edesign.building.named_section import cross_section
+from edesign.building.section import CrossSection
 from edesign.errors import InputError
 from edesign.project import names
 from edesign.project.frame import Frame
 from edesign.project.materials import BilinearMaterial, ElasticMaterial, Material
 from edesign.project.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.project import Project
-from edesign.project.sections import ElasticSection, PlateSection, RectangleSection
+from edesign.project.sections import ElasticSection
 
 if TYPE_CHECKING:
     from edesign.core import Model, Steel
@@ -56,6 +58,8 @@ class FrameModel:
         members: by name, columns, then beams, then braces.
         masses: kg, by node.
         supports: fixed degrees of freedom (ux, uy, rz) of each supported node, by name.
+        devices: its dampers.
+        attached: nodes of its tuned masses, by name.
     """
 
     frame: Frame
@@ -65,6 +69,8 @@ class FrameModel:
     members: dict[str, Member]
     masses: dict[str, float]
     supports: dict[str, tuple[bool, bool, bool]]
+    devices: tuple[Device, ...] = ()
+    attached: dict[str, int] = field(default_factory=dict)
 
     @property
     def mass(self) -> float:
@@ -85,7 +91,12 @@ class FrameModel:
         return [self.floor_nodes(floor)[0] for floor in range(1, self.frame.n_storeys + 1)]
 
 
-def build_frame(project: Project, model: Model | None = None) -> FrameModel:
+def build_frame(
+    project: Project,
+    model: Model | None = None,
+    laws: Mapping[str, DeviceLaw] | None = None,
+    attachments: Sequence[Attached] = (),
+) -> FrameModel:
     """Build the model of a project's frame: nodes, supports, members, diaphragms, masses, and the gravity loads.
 
     A place of the grid where no member ends gets no node and no support. The rotation of a node at which only pin-ended
@@ -94,6 +105,8 @@ def build_frame(project: Project, model: Model | None = None) -> FrameModel:
     Args:
         project: the validated project.
         model: an empty model to build in; a new one by default.
+        laws: of the dampers, by name; None: the frame without them.
+        attachments: tuned masses.
 
     Raises:
         InputError: an unknown or impossible section, or loads upwards that would give a negative mass.
@@ -119,25 +132,12 @@ def build_frame(project: Project, model: Model | None = None) -> FrameModel:
         model.uniform_load(gravity, members[name].element, axial=0.0, transverse=-load)
     for name, load in node_loads(project, project.loads.gravity).items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
-    return FrameModel(frame, model, gravity, nodes, members, masses, supports)
-
-
-def cross_section(project: Project, name: str) -> CrossSection | ElasticSection:
-    """Return a section by its name: an own one of the project, or one of the catalogue.
-
-    Raises:
-        InputError: there is no such section, or its plates do not fit together.
-    """
-    own = project.sections.get(name)
-    try:
-        if isinstance(own, PlateSection):
-            return plate_section(own, project.fibres)
-        if isinstance(own, RectangleSection):
-            return rectangle_section(own, project.fibres)
-        return own if own is not None else rolled_section(profile(name), project.fibres)
-    except InputError as error:
-        where = project.where(*(("sections", name) if own is not None else ("frame",)))
-        raise InputError(f"{where}: section {name}: {error}") from error
+    devices = add_devices(project, model, nodes, laws) if laws is not None else ()
+    attached = {}
+    for item in attachments:
+        leading = next(name for line in frame.lines if (name := names.node_name(line, item.floor)) in nodes)
+        attached[item.name] = add_attachment(model, item, nodes[leading], *frame.nodes[leading])
+    return FrameModel(frame, model, gravity, nodes, members, masses, supports, devices, attached)
 
 
 def _supports(frame: Frame, model: Model, nodes: dict[str, int]) -> dict[str, tuple[bool, bool, bool]]:

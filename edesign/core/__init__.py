@@ -2,7 +2,7 @@
 
 from edesign.core._edcore import ffi, lib
 from edesign.core.analysis import Analysis
-from edesign.core.damper import CoreDamper
+from edesign.core.damper import CoreDamper, LawValues
 from edesign.core.errors import CoreError
 from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
 from edesign.core.materials import Bilinear, Elastic, MenegottoPinto, Steel
@@ -20,6 +20,7 @@ __all__ = [
     "Elastic",
     "GeneralisedAlpha",
     "Integrator",
+    "LawValues",
     "MenegottoPinto",
     "Model",
     "Modes",

@@ -12,9 +12,9 @@ import scipy.sparse
 from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.errors import CoreError
+from edesign.core.errors import CoreError, status_name
 from edesign.core.integrators import Integrator, Newmark
-from edesign.core.model import Model, status_name
+from edesign.core.model import Model
 from edesign.core.modes import Modes, natural_modes
 from edesign.core.response import ENERGIES, KINDS, RUNGS, Channel, Response
 
@@ -99,18 +99,42 @@ class Analysis:
         """Mass matrix over the equations."""
         return scipy.sparse.diags(self.masses(), format="csc")
 
-    def modes(self, count: int) -> Modes:
+    def modes(self, count: int, damper_stiffness: ArrayLike | None = None) -> Modes:
         """The lowest natural modes at the present state.
+
+        Args:
+            count: how many.
+            damper_stiffness: (n_dampers,) N/m that the dampers add; None: nothing.
 
         Raises:
             CoreError: the structure is unstable in this state.
         """
-        if lib.ed_unstable_directions(self._c) > 0:
+        if damper_stiffness is None and lib.ed_unstable_directions(self._c) > 0:
             raise CoreError("ED_E_UNSTABLE", "the structure is unstable in its present state: it has no natural modes")
         influence = np.zeros(self.n_equations)
         free = self.equations[:, 0] >= 0
         influence[self.equations[free, 0]] = 1.0
-        return natural_modes(self.stiffness(), self.masses(), self.equations, influence, count)
+        stiffness = self.stiffness()
+        if damper_stiffness is not None:
+            along = self.damper_directions()
+            stiffness = (stiffness + along.T @ scipy.sparse.diags(np.asarray(damper_stiffness)) @ along).tocsc()
+        return natural_modes(stiffness, self.masses(), self.equations, influence, count)
+
+    def damper_directions(self) -> scipy.sparse.csr_matrix:
+        """Deformation of each damper by displacements of the equations, (n_dampers, n_equations)."""
+        rows, columns, values = [], [], []
+        for damper, terms in enumerate(self.model.damper_terms):
+            for coefficient, node, degree in terms:
+                if self.equations[node, degree] >= 0:
+                    rows.append(damper)
+                    columns.append(self.equations[node, degree])
+                    values.append(coefficient)
+        shape = (len(self.model.damper_terms), self.n_equations)
+        return scipy.sparse.csr_matrix((values, (rows, columns)), shape=shape)
+
+    def install_dampers(self) -> None:
+        """From now on the dampers act; their deformation counts from the present state."""
+        self._check(lib.ed_install_dampers(self._c))
 
     def rayleigh(self, a0: float, a1: float, stiffness: str = "current") -> None:
         """Damping a0 M + a1 K with the initial, committed or current K; a0 in 1/s, a1 in s."""
@@ -144,9 +168,7 @@ class Analysis:
             raise ValueError("this state belongs to another analysis")
         self._check(lib.ed_state_set(self._c, _doubles(np.ascontiguousarray(state))))
 
-    def static(
-        self, pattern: int, factor: float = 1.0, steps: int = 1, channels: Sequence[Channel] = ()
-    ) -> Response:
+    def static(self, pattern: int, factor: float = 1.0, steps: int = 1, channels: Sequence[Channel] = ()) -> Response:
         """Load control: bring a pattern to `factor` in equal steps; it stays on for later runs."""
         self._check(lib.ed_static_begin(self._c, pattern, factor, steps))
         return self._run(steps, channels, 1, None, None)

@@ -3,7 +3,8 @@
 The public header core_c/include/edcore.h is the only declaration of the interface: the C preprocessor expands it, with
 ED_CFFI defined and without system headers, into what cffi reads. Integer macros ED_NAME become constants.
 
-Environment: CC (compiler), EDESIGN_CFLAGS (appended to the compiler flags, e.g. "-O0 -g"), SUITESPARSE_ROOT (prefix).
+Environment: CC (compiler), EDESIGN_CFLAGS (appended to the compiler flags, e.g. "-O0 -g"), SUITESPARSE_ROOT and
+SUNDIALS_ROOT (prefixes).
 """
 
 from __future__ import annotations
@@ -19,7 +20,6 @@ import cffi
 
 CORE = Path("core_c")
 HEADER = CORE / "include" / "edcore.h"
-LIBRARIES = ["klu", "amd", "colamd", "btf", "suitesparseconfig", "m"]
 # No contraction: results must not depend on whether a machine has fused multiply-add. Hidden symbols: calls inside the
 # library may be inlined. gnu11 for M_PI and clock_gettime. No -march=native: a built package moves between machines.
 FLAGS = ["-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden", "-Wall", "-Wextra"]
@@ -55,14 +55,16 @@ def declarations(header: Path = HEADER) -> str:
     return "".join(f"#define {name} ...\n" for name in integers) + expanded
 
 
-def suitesparse_flags() -> list[str]:
-    """Compiler and linker flags that find SuiteSparse; see core_c/suitesparse.sh."""
-    result = subprocess.run(["sh", str(CORE / "suitesparse.sh")], capture_output=True, text=True, check=False)
+def library_flags() -> list[str]:
+    """Compiler and linker flags of SuiteSparse and SUNDIALS; see core_c/libraries.sh."""
+    result = subprocess.run(["sh", str(CORE / "libraries.sh")], capture_output=True, text=True, check=False)
     if result.returncode:
+        missing = " and ".join(result.stderr.splitlines())
         raise SystemExit(
-            "edesign needs the headers of SuiteSparse (klu.h), found in none of the usual places. Install "
-            "libsuitesparse-dev (apt), suitesparse-devel (dnf), suite-sparse (brew) or suitesparse (conda), "
-            "or set SUITESPARSE_ROOT to its prefix."
+            f"edesign needs libraries with headers that were found in none of the usual places: {missing}. Install "
+            "libsuitesparse-dev and libsundials-dev (apt), suitesparse-devel and sundials-devel (dnf), "
+            "suite-sparse and sundials (brew) or suitesparse and sundials (conda), "
+            "or set SUITESPARSE_ROOT and SUNDIALS_ROOT to their prefixes."
         )
     return result.stdout.split()
 
@@ -72,7 +74,7 @@ def ffibuilder() -> cffi.FFI:
     sources = sorted(path.as_posix() for path in CORE.glob("src/*/*.c"))
     if not sources or not HEADER.exists():
         raise SystemExit(f"no C sources under {CORE.resolve()}: build from the root of the source tree")
-    found = suitesparse_flags()
+    found = library_flags()
     builder = cffi.FFI()
     builder.cdef(declarations())
     builder.set_source(
@@ -81,7 +83,6 @@ def ffibuilder() -> cffi.FFI:
         sources=sources,
         depends=sorted(path.as_posix() for path in [*CORE.glob("include/*.h"), *CORE.glob("src/**/*.h")]),
         include_dirs=[(CORE / "include").as_posix(), (CORE / "src").as_posix()],
-        libraries=LIBRARIES,
         extra_compile_args=[
             *FLAGS,
             *(flag for flag in found if flag.startswith("-I")),

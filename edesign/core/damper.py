@@ -3,19 +3,32 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.errors import CoreError
-from edesign.core.model import status_name
+from edesign.core.errors import CoreError, status_name
 
 Method = Literal["best", "ode"]
 _METHODS = {"best": lib.ED_DAMPER_BEST, "ode": lib.ED_DAMPER_ODE}
 TOLERANCE = 1e-6
 """Relative tolerance of SUNDIALS for laws without an exact step."""
+
+
+@dataclass(frozen=True)
+class LawValues:
+    """A damper law by its name, and its parameters in the order of the core, SI units."""
+
+    law: str
+    values: tuple[float, ...]
+
+
+def law_number(law: str) -> int:
+    """The core's number of a law, ED_LAW_*."""
+    return int(getattr(lib, f"ED_LAW_{law.upper()}"))
 
 
 class CoreDamper:
@@ -33,8 +46,7 @@ class CoreDamper:
     def __init__(self, law: str, parameters: Sequence[float], brace: float = 0.0) -> None:
         status, message = ffi.new("int *"), ffi.new("char[256]")
         values = [float(value) for value in parameters]
-        number = getattr(lib, f"ED_LAW_{law.upper()}")
-        handle = lib.ed_damper_new(number, len(values), values, brace, status, message, 256)
+        handle = lib.ed_damper_new(law_number(law), len(values), values, brace, status, message, 256)
         if handle == ffi.NULL:
             raise CoreError(status_name(status[0]), ffi.string(message).decode(errors="replace"))
         self._handle = ffi.gc(handle, lib.ed_damper_free)

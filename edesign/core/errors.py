@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.core._edcore import ffi, lib
 from edesign.errors import AnalysisError
 
 
@@ -15,3 +16,8 @@ class CoreError(AnalysisError):
     def __init__(self, status: str, message: str) -> None:
         super().__init__(message)
         self.status = status
+
+
+def status_name(status: int) -> str:
+    """Name of a status of the core."""
+    return str(ffi.string(lib.ed_status_name(status)).decode(errors="replace"))

@@ -9,15 +9,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.errors import CoreError
+from edesign.core.damper import LawValues, law_number
+from edesign.core.errors import CoreError, status_name
 from edesign.core.materials import Bilinear, Elastic, MenegottoPinto, Steel
 
 GEOMETRY = {"linear": lib.ED_LINEAR, "p_delta": lib.ED_P_DELTA, "corotational": lib.ED_COROTATIONAL}
-
-
-def status_name(status: int) -> str:
-    """Name of a status of the core."""
-    return str(ffi.string(lib.ed_status_name(status)).decode(errors="replace"))
 
 
 class Model:
@@ -37,6 +33,8 @@ class Model:
         self.element_sections: list[int] = []
         self.node_xy: list[tuple[float, float]] = []
         self.n_patterns = 0
+        self.damper_names: list[str] = []
+        self.damper_terms: list[tuple[tuple[float, int, int], ...]] = []
 
     def freeze(self) -> Any:
         """The core's handle, for Analysis; nothing can be added afterwards, because analyses refer to what is here."""
@@ -155,6 +153,43 @@ class Model:
         rad.
         """
         return self._element(name, lib.ed_model_link(self._c, name.encode(), i, j, *stiffness, angle), -1)
+
+    def damper(
+        self,
+        name: str,
+        law: LawValues,
+        terms: Sequence[tuple[float, int, int]],
+        brace: float = 0.0,
+        force_scale: float = 1.0,
+        deformation_scale: float = 1.0,
+    ) -> int:
+        """Add a damper; it carries nothing before `Analysis.install_dampers`.
+
+        Args:
+            law: the law with its parameters.
+            terms: (coefficient, node, degree) of each displacement that its deformation is the sum of; degrees 0 ux,
+                1 uy, 2 rz. They should have mass.
+            brace: stiffness in series at the size of the device, N/m; 0: rigid.
+            force_scale, deformation_scale: F = force_scale * law(deformation_scale * u).
+        """
+        number = lib.ed_model_damper(
+            self._c,
+            name.encode(),
+            law_number(law.law),
+            len(law.values),
+            list(law.values),
+            brace,
+            force_scale,
+            deformation_scale,
+            len(terms),
+            [node for _, node, _ in terms],
+            [degree for _, _, degree in terms],
+            [coefficient for coefficient, _, _ in terms],
+        )
+        self._checked(number)
+        self.damper_names.append(name)
+        self.damper_terms.append(tuple(terms))
+        return number
 
     def pattern(self, name: str = "") -> int:
         """Add a load pattern."""

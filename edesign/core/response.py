@@ -25,9 +25,12 @@ KINDS = {
     "section_deformation": lib.ED_SECTION_DEFORMATION,
     "fibre_stress": lib.ED_FIBRE_STRESS,
     "fibre_strain": lib.ED_FIBRE_STRAIN,
+    "damper_force": lib.ED_DAMPER_FORCE,
+    "damper_deformation": lib.ED_DAMPER_DEFORMATION,
+    "damper_work": lib.ED_DAMPER_WORK,
 }
 
-ENERGIES = ("input", "kinetic", "damping", "elastic", "hysteretic", "p_delta", "residual")
+ENERGIES = ("input", "kinetic", "damping", "elastic", "hysteretic", "p_delta", "dampers", "residual")
 
 RUNGS = {
     lib.ED_RUNG_FULL_NEWTON: "full Newton",

@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.errors import CoreError
-from edesign.core.model import status_name
+from edesign.core.errors import CoreError, status_name
 
 
 def peak_displacement(

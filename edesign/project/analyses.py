@@ -8,7 +8,7 @@ from pydantic import Discriminator, Field, Tag
 
 from edesign.project.base import Model, by_key
 from edesign.project.damping import ModeNumber, State
-from edesign.project.units import Duration, PositiveAcceleration, PositiveFactor, PositiveRatio
+from edesign.project.units import Duration, PositiveAcceleration, PositiveFactor, PositiveLength, PositiveRatio
 
 Steps = Annotated[int, Field(ge=1, le=1_000_000)]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=64)]
@@ -16,18 +16,25 @@ Label = Annotated[str, Field(max_length=64)]
 
 
 class _Analysis(Model):
-    """What all analyses share: a unique name, and a free label of the variant of the building."""
+    """What all analyses share: a unique name, a label of the variant, and whether it has its dampers."""
 
     name: Name
     variant: Label = ""
+    dampers: bool = True
 
 
 class ModalAnalysis(_Analysis):
-    """Periods, shapes and modal masses of the first `modes` modes."""
+    """Periods, shapes and modal masses of the first `modes` modes.
+
+    Dampers add their stiffness in steady vibration in the first mode, with an amplitude `damper_strain` of their layers
+    or `damper_deformation` (m); with neither their small vibrations count.
+    """
 
     kind: Literal["modal"]
     modes: ModeNumber
     state: State = "gravity"
+    damper_strain: PositiveFactor | None = None
+    damper_deformation: PositiveLength | None = None
 
 
 class GravityAnalysis(_Analysis):

@@ -44,6 +44,12 @@ def beam_name(bay: int, floor: int) -> str:
     return f"B_{bay}_{floor}"
 
 
+def damper_name(kind: str, bay: int, storey: int) -> str:
+    """Damper in a bay and storey by its kind, e.g. V_2_5: chevron (V), rising (R), falling (F), storey (S)."""
+    letter = {"chevron": "V", "rising": "R", "falling": "F", "storey": "S"}[kind]
+    return f"{letter}_{bay}_{storey}"
+
+
 def brace_name(bay: int, storey: int, direction: str) -> str:
     """Brace in a bay and storey, rising (r) or falling (f) from left to right: D_2_5_r."""
     return f"D_{bay}_{storey}_{direction}"

@@ -10,6 +10,7 @@ from pydantic import Field, PrivateAttr
 
 from edesign.project.analyses import Analysis
 from edesign.project.base import Model
+from edesign.project.dampers import Dampers
 from edesign.project.damping import Damping
 from edesign.project.elements import Elements
 from edesign.project.frame import Frame
@@ -38,6 +39,7 @@ class Project(Model):
     loads: Loads = Loads()
     masses: Masses | None = None
     elements: Elements = Elements()
+    dampers: Dampers | None = None
     damping: Damping | None = None
     integration: Integration | None = None
     hazard: Hazard | None = None

@@ -8,7 +8,6 @@ from collections.abc import Iterable, Mapping
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import build_frame
 from edesign.core import CoreError
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard
@@ -26,7 +25,7 @@ from edesign.study.modal import fundamental_period
 from edesign.study.motions import check_fits
 from edesign.study.plan import make_plan
 from edesign.study.requested import requested_quantities
-from edesign.study.structure import make_structure
+from edesign.study.structure import make_frame, make_structure
 
 ORIGINS = {"file": "from files", "package": "from packages", "stand-in": "simulated"}
 
@@ -56,7 +55,7 @@ def check_inputs(project: Project, specs: Iterable[Analysis]) -> dict[str, Found
     for spec in histories:
         check_motion(project, spec, found[spec.record].record)
     check_fits(project, found)
-    frame = build_frame(project)
+    frame = make_frame(project, dampers=True)
     requested_quantities(project, frame, Group())
     try:
         structure = make_structure(project, frame)

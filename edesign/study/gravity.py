@@ -17,7 +17,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     Raises:
         CoreError: the frame is a mechanism, or a load cannot be applied.
     """
-    structure = make_structure(project)
+    structure = make_structure(project, dampers=spec.dampers)
     frame = structure.frame
     group = Group()
     q.coordinates(group, frame)

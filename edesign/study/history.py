@@ -54,7 +54,7 @@ def run_history(
     motion = motion or _motion(project, spec.record)
     factor = scale_factor(project, spec, motion.record)
     ground = input_motion(motion.record, factor, project.integration.time_step, spec.free_vibration)
-    structure = make_structure(project)
+    structure = make_structure(project, dampers=spec.dampers)
     frame = structure.frame
     group = Group()
     q.coordinates(group, frame)
@@ -70,6 +70,7 @@ def run_history(
         *q.member_forces(frame, q.bending_members(frame), "member", history=False),
         *q.axial_forces(frame),
         *q.plastic_rotations(frame),
+        *q.dampers(frame, "dampers" in wanted),
         *requested,
     ]
     period = _damp(project, structure)
@@ -173,6 +174,7 @@ def _damp(project: Project, structure: Structure) -> float:
     if initial:
         modes = structure.modes(count)
     structure.apply_gravity()
+    structure.install_dampers()
     under_gravity = structure.modes(max(1, 0 if initial else count))
     modes = modes or under_gravity
     if isinstance(damping, RayleighDamping):

@@ -10,6 +10,7 @@ from edesign.errors import AnalysisError
 from edesign.project.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.study.recording import coordinate
+from edesign.study.damper_stiffness import damped_modes, store_damper_stiffness
 from edesign.study.structure import Structure, make_structure
 
 _NEGLIGIBLE = 1e-6  # horizontal part of a mode that is a vertical one
@@ -24,11 +25,16 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
     Raises:
         AnalysisError: there are not so many modes, or the structure is unstable.
     """
-    structure = make_structure(project)
+    structure = make_structure(project, dampers=spec.dampers)
     if spec.state == "gravity":
         structure.apply_gravity()
     group = Group()
-    store_modes(group, structure, structure.modes(spec.modes))
+    if structure.frame.devices:
+        modes, stiffness = damped_modes(project, structure, spec)
+        store_damper_stiffness(group, structure, modes, stiffness)
+    else:
+        modes = structure.modes(spec.modes)
+    store_modes(group, structure, modes)
     group.attributes |= {"status": "completed", "reason": "", "state": spec.state, "mass_kg": structure.frame.mass}
     return group
 

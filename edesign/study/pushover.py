@@ -7,14 +7,14 @@ from collections.abc import Callable
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import FrameModel, build_frame
+from edesign.building.frame import FrameModel
 from edesign.errors import AnalysisError
 from edesign.project.analyses import PushoverAnalysis
 from edesign.project.project import Project
 from edesign.study import quantities as q
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.requested import requested_quantities
-from edesign.study.structure import make_structure
+from edesign.study.structure import make_frame, make_structure
 
 
 def run_pushover(
@@ -29,13 +29,14 @@ def run_pushover(
         AnalysisError: no equilibrium under gravity, or no usable first mode.
         CoreError: the frame is a mechanism.
     """
-    frame = build_frame(project)
+    frame = make_frame(project, spec.dampers)
     lateral = frame.model.pattern("lateral")
     loads = lateral_loads(project, frame, spec.pattern)
     for name, load in loads.items():
         frame.model.nodal_load(lateral, frame.nodes[name], load, 0.0, 0.0)
     structure = make_structure(project, frame)
     structure.apply_gravity()
+    structure.install_dampers()
     group = Group()
     q.coordinates(group, frame)
     load_factor = Quantity(
@@ -51,6 +52,7 @@ def run_pushover(
         *q.member_forces(frame, q.bending_members(frame), "member", history=False),
         *q.axial_forces(frame),
         *q.plastic_rotations(frame),
+        *q.dampers(frame, history=False),
         *requested_quantities(project, frame, group),
     ]
     target = spec.roof_drift * frame.frame.height

@@ -28,6 +28,10 @@ def coordinates(group: Group, frame: FrameModel) -> None:
     storeys = np.arange(1, frame.frame.n_storeys + 1)
     coordinate(group, "floor", storeys, "1", "floor, the highest is the roof")
     coordinate(group, "storey", storeys, "1", "storey below the floor of the same number")
+    if frame.devices:
+        coordinate(group, "damper", [device.name for device in frame.devices], "", "name of the damper")
+        storeys_of = [device.storey for device in frame.devices]
+        group.add("damper_storey", ("damper",), storeys_of, "1", "storey of the damper, 0: of none")
     for kind in ("column", "beam", "brace"):
         found = [member.name for member in frame.of_kind(kind)]
         if found:
@@ -152,6 +156,42 @@ def plastic_rotations(frame: FrameModel) -> list[Quantity]:
             name = f"plastic rotation of the end of the {kind}: chord rotation less its elastic part"
             shape = (len(members), 2)
             found.append(Quantity(f"{kind}_plastic_rotation", (kind, "end"), shape, cells, "rad", name))
+    return found
+
+
+def dampers(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Force, deformation and work of the dampers; with layers also their shear strain."""
+    numbers = [device.number for device in frame.devices]
+    if not numbers:
+        return []
+    shape = (len(numbers),)
+    parts = (
+        ("damper_force", "damper_force", 0, "N", "force of the damper, positive with its deformation"),
+        ("damper_deformation", "damper_deformation", 1, "m", "deformation of the damper without its brace"),
+    )
+    found = [
+        Quantity(name, ("damper",), shape, tuple(((1.0, kind, n, at),) for n in numbers), unit, label, history)
+        for name, kind, at, unit, label in parts
+    ]
+    thicknesses = [device.layer_thickness for device in frame.devices]
+    if any(thicknesses):
+        cells = tuple(
+            ((1.0 / thickness, "damper_deformation", n, 1),) if thickness else ()
+            for n, thickness in zip(numbers, thicknesses, strict=True)
+        )
+        label = "shear strain of the damper's layers"
+        found.append(Quantity("damper_strain", ("damper",), shape, cells, "1", label, keep=("max", "min")))
+    work = tuple(((1.0, "damper_work", n, 0),) for n in numbers)
+    label = "work done on the damper and its brace"
+    found.append(Quantity("damper_work", ("damper",), shape, work, "J", label, keep=("final",)))
+    storeys: list[Terms] = [() for _ in range(frame.frame.n_storeys)]
+    for device in frame.devices:
+        if device.storey:
+            top = {frame.nodes[name] for name in frame.floor_nodes(device.storey)}
+            across = sum(c for c, node, degree in device.terms if node in top and degree == 0)
+            storeys[device.storey - 1] += ((across, "damper_force", device.number, 0),)
+    label = "horizontal force of the storey's dampers on the floor above"
+    found.append(Quantity("storey_damper_force", ("storey",), (len(storeys),), tuple(storeys), "N", label, history))
     return found
 
 

@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from edesign.building.frame import FrameModel, build_frame
 from edesign.core import Analysis, Modes, Response
 from edesign.errors import AnalysisError
 from edesign.project.project import Project
+from edesign.study.dampers import attachments, device_laws
 
 DEFAULT_TOLERANCE = 1e-7  # of analyses in projects without `integration`
 GRAVITY_STEPS = 10
@@ -25,16 +28,20 @@ class Structure:
     frame: FrameModel
     analysis: Analysis
 
-    def modes(self, count: int) -> Modes:
-        """The lowest modes in the present state.
+    def modes(self, count: int, damper_stiffness: np.ndarray | None = None) -> Modes:
+        """The lowest modes in the present state, with stiffness of the dampers (n_dampers,) N/m if it is given.
 
         Raises:
             AnalysisError: there are not so many modes, or the structure is unstable.
         """
         try:
-            return self.analysis.modes(count)
+            return self.analysis.modes(count, damper_stiffness)
         except (ValueError, RuntimeError) as error:
             raise AnalysisError(f"modes: {error}") from error
+
+    def install_dampers(self) -> None:
+        """From now on the dampers act: they are set in under the gravity loads and carry nothing of them."""
+        self.analysis.install_dampers()
 
     def apply_gravity(self) -> Response:
         """Apply the gravity combination, which stays on.
@@ -53,17 +60,29 @@ def tolerance(project: Project) -> float:
     return project.integration.tolerance if project.integration is not None else DEFAULT_TOLERANCE
 
 
-def make_structure(project: Project, frame: FrameModel | None = None) -> Structure:
+def make_frame(project: Project, dampers: bool = False) -> FrameModel:
+    """Build a project's frame, with its dampers and tuned masses or without.
+
+    Raises:
+        InputError: the frame cannot be built, or a damper is wrong.
+    """
+    if not dampers or project.dampers is None:
+        return build_frame(project)
+    return build_frame(project, laws=device_laws(project), attachments=attachments(project))
+
+
+def make_structure(project: Project, frame: FrameModel | None = None, dampers: bool = False) -> Structure:
     """Build a project's frame and the analysis of it.
 
     Args:
         project: the validated project.
         frame: its model, if it has been built and completed by further loads.
+        dampers: whether the frame has its dampers and tuned masses.
 
     Raises:
         InputError: the frame cannot be built.
         CoreError: it is a mechanism, or parts are not connected; the message names them.
     """
     if frame is None:
-        frame = build_frame(project)
+        frame = make_frame(project, dampers)
     return Structure(frame, Analysis(frame.model, tolerance=tolerance(project)))

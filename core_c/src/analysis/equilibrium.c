@@ -155,6 +155,7 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
   double before = HUGE_VAL;
   int status;
   a->n_residuals = 0;
+  a->swinging = 0;
   step->residual(a, step, a->r);
   for (int iteration = 0;; iteration++) {
     const double unbalance = ed_unbalance(a, a->r);
@@ -176,6 +177,8 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
       factor = a->factored_stamp != a->tangent_stamp || rung != 0;
     else if (same && iteration > 0)
       factor = worth_factoring(a, unbalance, before);
+    if (!a->swinging && iteration >= 3 && ed_installed(a) && unbalance > 0.1 * a->residuals[iteration - 2])
+      factor = a->swinging = 1;
     if (factor && (status = ed_factor_effective(a, step->k, step->m, step->c)) != ED_OK)
       return status;
     memcpy(a->du, a->r, (size_t)a->n * sizeof(double));

@@ -71,12 +71,22 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
   for (int axis = 0; axis < 2; axis++)
     run->ground_now[axis] = run->ground_before[axis] = run->ground[axis][0];
   /* the first acceleration from equilibrium, where there is mass */
+  int status = ed_start_devices(a);
+  if (status != ED_OK) {
+    ed_run_end(a);
+    return ed_fail(a, status, "damper %s: no state was found at the start", a->model->devices[a->failed_device].name);
+  }
   ed_freeze_damping(a, 0);
   ed_damping_force(a, a->trial.v, a->trial.damping);
   for (int i = 0; i < a->n; i++)
     if (a->mass[i] > 0.0)
       a->trial.a[i] = (a->external[i] - a->trial.resisting[i] - a->trial.damping[i]) / a->mass[i] -
                       a->influence[0][i] * run->ground_now[0] - a->influence[1][i] * run->ground_now[1];
+  for (int i = 0; i < a->n; i++) { /* so that the first step goes on with half the first acceleration */
+    a->trial.pace[i] = a->trial.v[i];
+    a->trial.pace_before[i] = a->trial.v[i] - 0.5 * dt * a->trial.a[i];
+  }
+  memcpy(a->committed.pace, a->trial.pace, 2 * (size_t)a->n * sizeof(double)); /* the one lies behind the other */
   memcpy(a->committed.a, a->trial.a, (size_t)a->n * sizeof(double));
   memcpy(a->committed.damping, a->trial.damping, (size_t)a->n * sizeof(double));
   return ED_OK;
@@ -111,8 +121,22 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
   }
   head->position += fraction;
   head->time = (run->done + head->position) * run->dt;
-  /* start from the committed displacement: its element states are known */
+  a->duration = dt;
+  a->velocity_factor = step.velocity;
   const double *v0 = a->committed.v, *a0 = a->committed.a;
+  if (ed_installed(a)) {
+    /* Dampers with a power of the velocity meet a velocity that turns back, as that at an unchanged displacement would, with a force
+     * that turns at once: go on as in the last two steps. Velocities and accelerations would not do, stiff modes ring in them. */
+    for (int i = 0; i < a->n; i++) {
+      const double du = dt * (2.0 * a->committed.pace[i] - a->committed.pace_before[i]);
+      a->trial.u[i] = a->committed.u[i] + du;
+      a->trial.v[i] = (1.0 - g / b) * v0[i] + dt * (1.0 - 0.5 * g / b) * a0[i] + step.velocity * du;
+      a->trial.a[i] = (1.0 - 0.5 / b) * a0[i] - v0[i] / (b * dt) + step.acceleration * du;
+    }
+    const int status = ed_update_elements(a);
+    return status == ED_OK ? ed_equilibrate(a, &step, rung) : status;
+  }
+  /* start from the committed displacement: its element states are known */
   for (int i = 0; i < a->n; i++) {
     a->trial.v[i] = (1.0 - g / b) * v0[i] + dt * (1.0 - 0.5 * g / b) * a0[i];
     a->trial.a[i] = (1.0 - 0.5 / b) * a0[i] - v0[i] / (b * dt);

@@ -67,6 +67,7 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
   double *load = a->predicted, *by_load = a->work;
   int status;
   head->position += fraction;
+  ed_slowly(a);
   const double share = (run->done + head->position) / run->steps;
   const double target = run->control_start + share * (run->control_end - run->control_start);
   head->time = target;

@@ -22,6 +22,12 @@ void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa)
   a->factor_price = ed_solver_flops(a->solver) / (ed_solver_solve_flops(a->solver) + others);
 }
 
+void ed_slowly(ed_analysis *a)
+{
+  a->duration = 1e8;
+  a->velocity_factor = 0.0;
+}
+
 void ed_run_buffers(ed_analysis *a, int every, double *abscissa, double *values, double *energy)
 {
   a->run.every = every > 0 ? every : 1;

@@ -33,6 +33,7 @@ int ed_static_attempt(ed_analysis *a, double fraction, int rung)
   const ed_step step = {.k = 1.0, .residual = residual};
   ed_state_head *head = a->trial.head;
   head->position += fraction;
+  ed_slowly(a);
   a->n_residuals = 0;
   const double share = (run->done + head->position) / run->steps;
   const double factor = share >= 1.0 ? run->factor_end : run->factor_start + share * (run->factor_end - run->factor_start);

@@ -1,10 +1,87 @@
+/* Bouc-Wen (thesis Eqs. 2.67, 2.68; Wen 1976): F = alpha Fy/Y u + (1 - alpha) Fy z.
+ *
+ * With a brace k_b in series the own deformation u_d follows from k_b (u - u_d) = F(u_d, z), and its velocity is
+ * w = k_b v / (k_b + dF/du_d), so that z stays the only variable. */
+#include "damper/bouc_wen.h"
+
 #include "damper/laws.h"
 #include "edcore.h"
 
-static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+#include <stddef.h>
+
+enum { FY, Y, ALPHA, A, BETA, GAMMA, N, PARAMETERS };
+
+const char *ed_bouc_wen_refused(const ed_bouc_wen_shape *shape, double *value, const char **allowed)
 {
-  (void)damper;
-  return ed_refuse_parameter(message, "law", 0.0, "not there yet");
+  *allowed = "above zero";
+  if (!((*value = shape->Y) > 0.0))
+    return "Y";
+  if (!((*value = shape->A) > 0.0))
+    return "A";
+  *allowed = "at least zero";
+  if (!((*value = shape->gamma) >= 0.0))
+    return "gamma";
+  *allowed = "at least -gamma: below it z grows without bound";
+  if (!((*value = shape->beta) + shape->gamma >= 0.0))
+    return "beta";
+  *allowed = "1 to 100";
+  if (!((*value = shape->n) >= 1.0 && *value <= 100.0))
+    return "n";
+  return NULL;
 }
 
-const ed_law ed_bouc_wen = {.name = "bouc_wen", .least_parameters = 1, .most_parameters = ED_MAX_PARAMETERS, .prepare = prepare};
+static ed_bouc_wen_shape shape_of(const ed_damper *damper)
+{
+  const double *p = damper->parameter;
+  return (ed_bouc_wen_shape){p[Y], p[A], p[BETA], p[GAMMA], p[N]};
+}
+
+static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+{
+  const double *p = damper->parameter;
+  const ed_bouc_wen_shape shape = shape_of(damper);
+  const char *allowed;
+  double value;
+  const char *refused = ed_bouc_wen_refused(&shape, &value, &allowed);
+  if (refused)
+    return ed_refuse_parameter(message, refused, value, allowed);
+  if (!(p[FY] > 0.0))
+    return ed_refuse_parameter(message, "Fy", p[FY], "above zero");
+  if (!(p[ALPHA] >= 0.0 && p[ALPHA] < 1.0))
+    return ed_refuse_parameter(message, "alpha", p[ALPHA], "at least 0 and below 1");
+  damper->n_ode = 1;
+  damper->diagonal_ode = 1;
+  return ED_OK;
+}
+
+static void rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out)
+{
+  (void)memory;
+  const double *p = damper->parameter, brace = damper->brace;
+  const double k = p[ALPHA] * p[FY] / p[Y], f = (1.0 - p[ALPHA]) * p[FY];
+  const ed_bouc_wen_shape shape = shape_of(damper);
+  double slope, slope_z;
+  ed_bouc_wen_slope(&shape, y[0], ed_way(v), &slope, &slope_z);
+  double part = 1.0, share = 1.0, share_z = 0.0; /* of the whole: part of the linear spring, share of the velocity */
+  if (brace > 0.0) {
+    part = brace / (brace + k);
+    share = brace / (brace + k + f * slope);
+    share_z = -share * share * f * slope_z / brace;
+  }
+  out->force = part * (k * u + f * y[0]);
+  out->force_u = part * k;
+  out->force_v = 0.0;
+  out->force_y[0] = part * f;
+  out->y[0] = slope * share * v;
+  out->y_u[0] = 0.0;
+  out->y_v[0] = slope * share;
+  out->y_y[0] = (slope_z * share + slope * share_z) * v;
+}
+
+const ed_law ed_bouc_wen = {.name = "bouc_wen",
+                            .least_parameters = PARAMETERS,
+                            .most_parameters = PARAMETERS,
+                            .rate_independent = 1,
+                            .takes_brace = 1,
+                            .prepare = prepare,
+                            .rate = rate};

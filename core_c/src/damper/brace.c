@@ -1,8 +1,218 @@
+/* Damper and brace in series: k_b (u - u_d) = F(u_d).
+ *
+ * Laws that depend on speed: the damper's own deformation u_d is a parabola over the step, and equilibrium holds at one third and
+ * at the end of it (collocation at the points of Radau IIA, order 3, L-stable: Hairer & Wanner 1996, IV.5). The law meets that
+ * parabola exactly, and both evaluations start from the committed state, so that the tangent is exact too.
+ * Laws that do not: equilibrium at every turning point of the path and at its end, which is all that such laws know. */
 #include "damper/brace.h"
+
+#include <math.h>
+#include <string.h>
+
+enum { MOST_ITERATIONS = 40 };
+/* offsets from the own deformation in the state */
+enum { STRETCHING = 1, LAST_THIRD, LAST_END, FROM, LAST_DURATION };
+static const double TOLERANCE = 1e-9; /* of the forces that balance: a hundredth of what the frame asks of its own balance */
+
+static double largest(double a, double b)
+{
+  return a > b ? a : b;
+}
+
+/* ---- laws that depend on speed */
+
+static const double THIRD = 1.0 / 3.0;
+
+/* The parabola through u0, ua at h/3 and ub at h. */
+static void parabola(ed_path *path, double h, double u0, double ua, double ub)
+{
+  path->h = h;
+  path->c[0] = u0;
+  path->c[1] = (-8.0 * u0 + 9.0 * ua - ub) / (2.0 * h);
+  path->c[2] = (6.0 * u0 - 9.0 * ua + 3.0 * ub) / (2.0 * h * h);
+  path->c[3] = 0.0;
+}
+
+typedef struct {
+  double a, b;                       /* own deformation at h/3 and h */
+  double residual[2], size, slope[2][2], chord[2][2];
+  ed_damper_force end;
+} ed_stage;
+
+static int evaluate(const ed_damper *d, const double *committed, double h, const double total[2], ed_stage *stage, double *trial)
+{
+  const double kb = d->brace, u0 = committed[d->n_ode + d->n_memory];
+  ed_path whole, direction[2];
+  parabola(&whole, h, u0, stage->a, stage->b);
+  parabola(&direction[0], h, 0.0, 1.0, 0.0);
+  parabola(&direction[1], h, 0.0, 0.0, 1.0);
+  ed_path third = whole, third_direction[2] = {direction[0], direction[1]};
+  third.h = third_direction[0].h = third_direction[1].h = THIRD * h;
+  ed_damper_force at_third = {0};
+  stage->end = (ed_damper_force){0};
+  int status = d->law->step(d, committed, &third, third_direction, trial, &at_third);
+  if (status == ED_OK)
+    status = d->law->step(d, committed, &whole, direction, trial, &stage->end);
+  if (status != ED_OK)
+    return status;
+  stage->residual[0] = at_third.force - kb * (total[0] - stage->a);
+  stage->residual[1] = stage->end.force - kb * (total[1] - stage->b);
+  stage->size = fabs(at_third.force) + fabs(stage->end.force) + kb * (fabs(total[0]) + fabs(total[1]) + fabs(stage->a) + fabs(stage->b));
+  stage->slope[0][0] = at_third.slope[0] + kb;
+  stage->slope[0][1] = at_third.slope[1];
+  stage->slope[1][0] = stage->end.slope[0];
+  stage->slope[1][1] = stage->end.slope[1] + kb;
+  for (int i = 0; i < 2; i++) {
+    stage->chord[0][i] = stage->slope[0][i] + at_third.chord[i];
+    stage->chord[1][i] = stage->slope[1][i] + stage->end.chord[i];
+  }
+  return isfinite(stage->residual[0] + stage->residual[1]) ? ED_OK : ED_E_NOT_FINITE;
+}
+
+/* x of slope x = right; 0: singular */
+static int solve(double slope[2][2], double right0, double right1, double x[2])
+{
+  const double determinant = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
+  x[0] = (slope[1][1] * right0 - slope[0][1] * right1) / determinant;
+  x[1] = (slope[0][0] * right1 - slope[1][0] * right0) / determinant;
+  return isfinite(x[0] + x[1]);
+}
+
+static int viscous(const ed_damper *d, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+                   ed_damper_force *out)
+{
+  const int own = d->n_ode + d->n_memory;
+  const double h = path->h, kb = d->brace, u0 = committed[own];
+  const double total[2] = {ed_path_u(path, THIRD * h), ed_path_u(path, h)};
+  /* a first guess: the brace stretches on as it does when the step begins, or as in the last trial of this step */
+  const double stretched = path->c[0] - u0, stretching = committed[own + STRETCHING];
+  ed_stage stage = {.a = total[0] - stretched - THIRD * h * stretching, .b = total[1] - stretched - h * stretching};
+  if (trial[own + FROM] == u0 && trial[own + LAST_DURATION] == h) {
+    stage.a = total[0] - trial[own + LAST_THIRD];
+    stage.b = total[1] - trial[own + LAST_END];
+  }
+  int status = evaluate(d, committed, h, total, &stage, trial);
+  for (int i = 0;; i++) {
+    if (status != ED_OK)
+      return status;
+    if (largest(fabs(stage.residual[0]), fabs(stage.residual[1])) <= TOLERANCE * stage.size)
+      break;
+    if (i == MOST_ITERATIONS)
+      return ED_E_NOT_CONVERGED;
+    const double before = fabs(stage.residual[0]) + fabs(stage.residual[1]);
+    ed_stage next;
+    for (int chord = 0; chord < 2; chord++) { /* with chords where tangents do not bring it nearer */
+      double move[2];
+      if (!solve(chord ? stage.chord : stage.slope, -stage.residual[0], -stage.residual[1], move))
+        return ED_E_NOT_CONVERGED;
+      next = (ed_stage){.a = stage.a + move[0], .b = stage.b + move[1]};
+      status = evaluate(d, committed, h, total, &next, trial);
+      if (status == ED_OK && fabs(next.residual[0]) + fabs(next.residual[1]) <= 0.5 * before)
+        break;
+    }
+    stage = next;
+  }
+  trial[own] = stage.b;
+  trial[own + LAST_THIRD] = total[0] - stage.a;
+  trial[own + LAST_END] = total[1] - stage.b;
+  trial[own + FROM] = u0;
+  trial[own + LAST_DURATION] = h;
+  trial[own + STRETCHING] = ed_path_v(path, h) - (4.0 * u0 - 9.0 * stage.a + 5.0 * stage.b) / (2.0 * h);
+  out->force = stage.end.force;
+  for (int i = 0; i < 2; i++) {
+    const double of_third = ed_path_u(&direction[i], THIRD * h), of_end = ed_path_u(&direction[i], h);
+    double moved[2];
+    if (!solve(stage.slope, kb * of_third, kb * of_end, moved))
+      return ED_E_NOT_CONVERGED;
+    out->slope[i] = kb * (of_end - moved[1]);
+    if (!solve(stage.chord, kb * of_third, kb * of_end, moved))
+      return ED_E_NOT_CONVERGED;
+    out->chord[i] = kb * (of_end - moved[1]) - out->slope[i];
+  }
+  return ED_OK;
+}
+
+/* ---- laws that do not */
+
+/* A path of the damper's own deformation from u0, by way of the turning point `turn` unless there is none, to `end`; direction: to
+ * turn and end. Only the order of deformations counts, so a parabola that turns where it must will do. */
+static void own_path(double u0, const double *turn, double end, ed_path *path, ed_path direction[2])
+{
+  *path = (ed_path){1.0, {u0, end - u0, 0.0, 0.0}};
+  direction[0] = (ed_path){1.0, {0.0}};
+  direction[1] = (ed_path){1.0, {0.0, 1.0, 0.0, 0.0}};
+  if (!turn || *turn == u0 || *turn == end)
+    return;
+  const double top = 1.0 / (1.0 + sqrt(fabs((*turn - end) / (*turn - u0)))), rise = (*turn - u0) / (top * top);
+  path->c[1] = 2.0 * rise * top;
+  path->c[2] = -rise;
+  direction[0].c[1] = 1.0 / (top * (1.0 - top));
+  direction[0].c[2] = -direction[0].c[1];
+  direction[1].c[1] = -top / (1.0 - top);
+  direction[1].c[2] = 1.0 / (1.0 - top);
+}
+
+/* Own deformation at which damper and brace carry the same at `total`: Newton kept between u_from and where the brace is idle. */
+static int meet(const ed_damper *d, const double *committed, double u0, const double *turn, double total_from, double total,
+                double *found, double *trial, ed_damper_force *out)
+{
+  const double kb = d->brace, from = turn ? *turn : u0, full = from + total - total_from;
+  double low = fmin(from, full), high = fmax(from, full), u = full;
+  for (int i = 0; i < 2 * MOST_ITERATIONS; i++) {
+    ed_path path, direction[2];
+    own_path(u0, turn, u, &path, direction);
+    const int status = d->law->step(d, committed, &path, direction, trial, out);
+    if (status != ED_OK)
+      return status;
+    const double residual = out->force - kb * (total - u), slope = out->slope[1] + kb;
+    if (!isfinite(residual))
+      return ED_E_NOT_FINITE;
+    *found = u;
+    if (fabs(residual) <= TOLERANCE * (fabs(out->force) + kb * (fabs(total) + fabs(u))))
+      return ED_OK;
+    *(residual > 0.0 ? &high : &low) = u;
+    u -= residual / slope;
+    if (!(u > low && u < high))
+      u = 0.5 * (low + high);
+    if (u == low || u == high)
+      return ED_OK; /* the last digit */
+  }
+  return ED_E_NOT_CONVERGED;
+}
+
+static int hysteretic(const ed_damper *d, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+                      ed_damper_force *out)
+{
+  const int own = d->n_ode + d->n_memory;
+  const double kb = d->brace, u0 = committed[own], end = ed_path_u(path, path->h);
+  double at[2], start = path->c[0], turn = 0.0, turned[2] = {0.0}, found;
+  const int reversals = ed_path_reversals(path, at);
+  /* Two reversals in one step: the way between them is left out, which only a step far too long would notice. */
+  const int one = reversals > 0;
+  if (one) {
+    const double at_turn = ed_path_u(path, at[0]);
+    const int status = meet(d, committed, u0, NULL, start, at_turn, &turn, trial, out);
+    if (status != ED_OK)
+      return status;
+    for (int i = 0; i < 2; i++)
+      turned[i] = kb * ed_path_u(&direction[i], at[0]) / (out->slope[1] + kb);
+    start = at_turn;
+  }
+  const int status = meet(d, committed, u0, one ? &turn : NULL, start, end, &found, trial, out);
+  if (status != ED_OK)
+    return status;
+  trial[own] = found;
+  const double by_turn = one ? out->slope[0] : 0.0, stiffness = out->slope[1];
+  for (int i = 0; i < 2; i++) {
+    const double of_end = ed_path_u(&direction[i], path->h);
+    out->slope[i] = kb * (of_end - (kb * of_end - by_turn * turned[i]) / (stiffness + kb));
+  }
+  return ED_OK;
+}
 
 int ed_brace_step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2],
                   double *trial, ed_damper_force *out)
 {
-  (void)damper, (void)committed, (void)path, (void)direction, (void)trial, (void)out;
-  return ED_E_STATE;
+  return damper->law->rate_independent ? hysteretic(damper, committed, path, direction, trial, out)
+                                       : viscous(damper, committed, path, direction, trial, out);
 }

@@ -1,11 +1,82 @@
+/* Elastic-plastic device with kinematic hardening: F = k (u - p), |F - b k u| <= (1 - b) Fy, return mapping of the plastic
+ * deformation p. Along a monotone motion that is exact in one step. Coulomb friction in series with the stiffness of its
+ * connection is the same without hardening. Memory: p. */
 #include "damper/laws.h"
+#include "damper/motions.h"
 #include "edcore.h"
 
-static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+#include <math.h>
+#include <stdlib.h>
+
+enum { STIFFNESS, HARDENING, LIMIT, N_DERIVED }; /* k, b k, (1 - b) Fy */
+
+static int derive(ed_damper *damper, double k, double yield, double ratio)
 {
-  (void)damper;
-  return ed_refuse_parameter(message, "law", 0.0, "not there yet");
+  damper->n_memory = 1;
+  damper->derived = malloc(N_DERIVED * sizeof *damper->derived);
+  if (!damper->derived)
+    return ED_E_MEMORY;
+  damper->n_derived = N_DERIVED;
+  damper->derived[STIFFNESS] = k;
+  damper->derived[HARDENING] = ratio * k;
+  damper->derived[LIMIT] = (1.0 - ratio) * yield;
+  return ED_OK;
 }
 
-const ed_law ed_friction = {.name = "friction", .least_parameters = 1, .most_parameters = ED_MAX_PARAMETERS, .prepare = prepare};
-const ed_law ed_elastic_plastic = {.name = "elastic_plastic", .least_parameters = 1, .most_parameters = ED_MAX_PARAMETERS, .prepare = prepare};
+static int prepare_friction(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+{
+  static const char *const name[] = {"mu", "N", "k"};
+  const double *p = damper->parameter;
+  for (int i = 0; i < 3; i++)
+    if (!(p[i] > 0.0))
+      return ed_refuse_parameter(message, name[i], p[i], "greater than 0");
+  return derive(damper, p[2], p[0] * p[1], 0.0);
+}
+
+static int prepare_elastic_plastic(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+{
+  const double *p = damper->parameter;
+  if (!(p[0] > 0.0))
+    return ed_refuse_parameter(message, "k", p[0], "greater than 0");
+  if (!(p[1] > 0.0))
+    return ed_refuse_parameter(message, "Fy", p[1], "greater than 0");
+  if (!(p[2] >= 0.0 && p[2] < 1.0))
+    return ed_refuse_parameter(message, "b", p[2], "at least 0 and less than 1");
+  return derive(damper, p[0], p[1], p[2]);
+}
+
+static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+                ed_damper_force *out)
+{
+  const double k = damper->derived[STIFFNESS], hardening = damper->derived[HARDENING], limit = damper->derived[LIMIT];
+  ed_motion motion[3];
+  const int n = ed_path_motions(path, direction, motion);
+  double plastic = committed[0], plastic_slope[2] = {0.0, 0.0};
+  for (int i = 0; i < n; i++) {
+    const double u = motion[i].u, force = k * (u - plastic), beyond = force - hardening * u;
+    const int yields = fabs(beyond) > limit;
+    out->force = yields ? hardening * u + copysign(limit, beyond) : force;
+    if (yields)
+      plastic = u - out->force / k;
+    for (int j = 0; j < 2; j++) {
+      out->slope[j] = yields ? hardening * motion[i].slope[j] : k * (motion[i].slope[j] - plastic_slope[j]);
+      if (yields)
+        plastic_slope[j] = motion[i].slope[j] - out->slope[j] / k;
+    }
+  }
+  trial[0] = plastic;
+  return isfinite(out->force + plastic) ? ED_OK : ED_E_NOT_FINITE;
+}
+
+const ed_law ed_friction = {.name = "friction",
+                            .least_parameters = 3,
+                            .most_parameters = 3,
+                            .rate_independent = 1,
+                            .prepare = prepare_friction,
+                            .step = step};
+const ed_law ed_elastic_plastic = {.name = "elastic_plastic",
+                                   .least_parameters = 3,
+                                   .most_parameters = 3,
+                                   .rate_independent = 1,
+                                   .prepare = prepare_elastic_plastic,
+                                   .step = step};

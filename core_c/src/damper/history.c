@@ -51,9 +51,10 @@ int ed_damper_step(const ed_damper *damper, int method, double tolerance, const 
   if (status != ED_OK)
     return status;
   ed_path path, direction[2];
-  ed_damper_force out;
+  ed_damper_force out = {0};
   ed_path_hermite(&path, h, u0, v0, u1, v1);
   ed_path_hermite_directions(direction, h);
+  memcpy(trial, committed, (size_t)ed_damper_state_size(damper) * sizeof *trial);
   status = system ? ed_ode_system_step(system, &committed, &path, (const ed_path(*)[2])direction, &trial, &out)
                   : ed_damper_advance(damper, NULL, committed, &path, direction, trial, &out);
   ed_ode_system_free(system);
@@ -84,7 +85,7 @@ static int exact_history(const ed_damper *damper, double *state, double *trial, 
 {
   ed_path path;
   const ed_path none[2] = {{0}}; /* no derivative is asked for */
-  ed_damper_force out;
+  ed_damper_force out = {0};
   for (int i = *done; i < n; i++) {
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
     const int status = ed_damper_advance(damper, NULL, state, &path, none, trial, &out);
@@ -129,7 +130,7 @@ int ed_damper_history(const ed_damper *damper, int method, double tolerance, int
   } else {
     ed_path hold;
     const ed_path none[2] = {{0}};
-    ed_damper_force out;
+    ed_damper_force out = {0};
     ed_path_hermite(&hold, slowly, 0.0, 0.0, u[0], 0.0);
     status = ed_damper_advance(damper, NULL, state, &hold, none, state + size, &out);
     memcpy(state, state + size, size * sizeof *state);

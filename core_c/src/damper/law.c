@@ -80,8 +80,7 @@ void ed_damper_clear(ed_damper *damper)
 
 int ed_damper_state_size(const ed_damper *damper)
 {
-  const int own_deformation = damper->brace > 0.0 && ed_damper_has_exact_step(damper);
-  return damper->n_ode + damper->n_memory + own_deformation;
+  return damper->n_ode + damper->n_memory + (damper->brace > 0.0 && ed_damper_has_exact_step(damper) ? ED_BRACE_STATE : 0);
 }
 
 void ed_damper_start(const ed_damper *damper, double *state)

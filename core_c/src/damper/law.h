@@ -17,6 +17,10 @@ enum { ED_MAX_PARAMETERS = 64, ED_MAX_ODE = 64, ED_DAMPER_MESSAGE = 256 };
 typedef struct {
   double force;
   double slope[2]; /* d force / d unknown, for the two directions of the path */
+  /* What comes to the slopes when powers of the velocity take the chord from rest instead of the tangent: an iteration that swings
+   * about rest, where Newton's method for a power below 1 does not settle, settles with it. Laws without powers leave it alone; who
+   * calls has set it to zero. */
+  double chord[2];
 } ed_damper_force;
 
 /* Right-hand side at one instant with all its partial derivatives. */

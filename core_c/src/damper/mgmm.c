@@ -1,10 +1,282 @@
+/* Modified generalised Maxwell model (thesis Eqs. 4.23 to 4.29):
+ *
+ *   F + tau F' = (k0 + k_mod) u + (tau k0 + c1 + c_mod) v + c_NL |v|^alpha sgn v,  tau = c1/k1,
+ *
+ * as printed. Carrying the derivative of k_mod u as that of k0 u (consistent = 1) adds tau d(k_mod u)/dt on the right. With
+ *
+ *   F = k0 u + Q           and Q + tau Q' = k_mod u + (c1 + c_mod) v + c_NL |v|^alpha sgn v   as printed,
+ *   F = (k0 + k_mod) u + Q and Q + tau Q' = (c1 + c_mod) v + c_NL |v|^alpha sgn v             when consistent,
+ *
+ * the right-hand side G of Q depends on the path alone, so that Q follows by quadrature: Q(h) = Q(0) exp(-h/tau) + 1/tau integral
+ * of exp(-(h - s)/tau) G(s) ds. State: Q, largest and smallest deformation, largest and smallest velocity. */
 #include "damper/laws.h"
+#include "damper/power_integral.h"
+#include "damper/softening.h"
 #include "edcore.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { LARGEST_U, SMALLEST_U, LARGEST_V, SMALLEST_V, MEMORY };
+
+typedef struct {
+  double tau, k0, c1, c_nl, alpha;
+  double relaxing;   /* share of k_mod u in Q: 1 as printed, 0 when consistent */
+  ed_softening k_mod, c_mod;
+  ed_power_rule power;
+} constants;
+
+/* Of what happened so many relaxation times ago nothing is left in double precision. */
+static const double FORGOTTEN = 40.0;
+/* Share of v_ref at which the power of the non-linear dashpot, whose slope at rest is infinite for alpha < 1, is rounded. */
+static const double REST = 1e-6;
+/* Pieces of quadrature: the powers of e by which the integrand may change over one, for 3 points (all together) and for 5 (each of
+ * time, u_max and v_max); more by GROW for each power by which it has faded there. */
+static const double CHANGE_FEW = 0.1, CHANGE = 1.0, GROW = 0.35;
+
+static const constants *constants_of(const ed_damper *damper)
+{
+  return (const constants *)(const void *)damper->derived;
+}
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  (void)damper;
-  return ed_refuse_parameter(message, "law", 0.0, "not there yet");
+  static const char *const names[] = {"k1", "c1", "k0", "c_NL", "alpha", "k_a", "k_b", "u_ref", "c_a", "c_b", "v_ref"};
+  static const char positive[] = {1, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
+  const double *p = damper->parameter;
+  for (int i = 0; i < 11; i++)
+    if (!(p[i] >= 0.0) || (positive[i] && p[i] == 0.0))
+      return ed_refuse_parameter(message, names[i], p[i], positive[i] ? "greater than 0" : "at least 0");
+  if (p[4] > 2.0)
+    return ed_refuse_parameter(message, "alpha", p[4], "at most 2");
+  if (p[11] != 0.0 && p[11] != 1.0)
+    return ed_refuse_parameter(message, "consistent", p[11], "0 or 1");
+  const double tau = p[1] / p[0];
+  if (!(tau > 0.0) || !isfinite(tau))
+    return ed_refuse_parameter(message, "c1/k1", tau, "a finite time greater than 0");
+  constants *law = malloc(sizeof *law);
+  if (!law)
+    return ED_E_MEMORY;
+  *law = (constants){.tau = tau, .k0 = p[2], .c1 = p[1], .c_nl = p[3], .alpha = p[4], .relaxing = 1.0 - p[11],
+                     .k_mod = {p[5], p[6], p[7]}, .c_mod = {p[8], p[9], p[10]}};
+  ed_power_rule_prepare(&law->power, p[4], tau, REST * p[10]);
+  damper->derived = (double *)(void *)law;
+  damper->n_derived = (int)(sizeof *law / sizeof(double));
+  damper->n_ode = 1;
+  damper->n_memory = MEMORY;
+  damper->diagonal_ode = 1;
+  return ED_OK;
 }
 
-const ed_law ed_mgmm = {.name = "mgmm", .least_parameters = 1, .most_parameters = ED_MAX_PARAMETERS, .prepare = prepare};
+/* A step, or the end of it that is not forgotten. */
+typedef struct {
+  ed_path path, velocity;
+  const ed_path *direction, *velocity_direction; /* NULL when no slopes are wanted */
+  double value, slope[2];                        /* Q(h) without Q(0), as far as it is gathered */
+} step_sums;
+
+static void add_linear_piece(const constants *law, step_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v,
+                             double from, double to, int n, const double *point, const double *weight)
+{
+  static const double none[2] = {0.0};
+  const double h = sum->path.h, length = to - from;
+  ed_modulus k = ed_softening_modulus(&law->k_mod, of_u, 0.0, none), c = ed_softening_modulus(&law->c_mod, of_v, 0.0, none);
+  double along_u[2] = {0.0}, along_v[2] = {0.0};
+  for (int i = 0; i < n; i++) {
+    const double s = from + length * point[i], u = ed_path_u(&sum->path, s), v = ed_path_u(&sum->velocity, s);
+    for (int j = 0; sum->direction && j < 2; j++) {
+      along_u[j] = ed_path_u(&sum->direction[j], s);
+      along_v[j] = ed_path_u(&sum->velocity_direction[j], s);
+    }
+    if (of_u->follow != 0.0)
+      k = ed_softening_modulus(&law->k_mod, of_u, u, along_u);
+    if (of_v->follow != 0.0)
+      c = ed_softening_modulus(&law->c_mod, of_v, v, along_v);
+    const double share = weight[i] * length / law->tau * exp((s - h) / law->tau);
+    const double stiffness = share * law->relaxing * k.value, damping = share * (law->c1 + c.value);
+    sum->value += stiffness * u + damping * v;
+    for (int j = 0; sum->direction && j < 2; j++)
+      sum->slope[j] += stiffness * along_u[j] + damping * along_v[j] + share * (law->relaxing * k.slope[j] * u + c.slope[j] * v);
+  }
+}
+
+/* Powers of e by which a softening changes over a piece of the path of its quantity, and has faded at the beginning. */
+static double softening_change(const ed_softening *law, const ed_softening_piece *piece, const ed_path *path, double from, double to,
+                               double *faded)
+{
+  const double begin = ed_path_u(path, from);
+  *faded = (piece->rest + piece->follow * begin) / law->reference;
+  return fabs(piece->follow * (ed_path_u(path, to) - begin)) / law->reference;
+}
+
+/* Adds the linear terms between two places if the piece is short enough; 0 if it is not. */
+static int add_linear_if_short(const constants *law, step_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v,
+                               double from, double to)
+{
+  const double time = (to - from) / law->tau;
+  if (time > CHANGE + GROW * (sum->path.h - to) / law->tau)
+    return 0;
+  double faded, change = time;
+  if (of_u->follow != 0.0) {
+    const double softening = softening_change(&law->k_mod, of_u, &sum->path, from, to, &faded);
+    if (softening > CHANGE + GROW * faded)
+      return 0;
+    change += softening;
+  }
+  if (of_v->follow != 0.0) {
+    const double softening = softening_change(&law->c_mod, of_v, &sum->velocity, from, to, &faded);
+    if (softening > CHANGE + GROW * faded)
+      return 0;
+    change += softening;
+  }
+  const ed_power_rule *rule = &law->power;
+  if (change <= CHANGE_FEW)
+    add_linear_piece(law, sum, of_u, of_v, from, to, ED_POWER_FEW, rule->few, rule->few_weight);
+  else
+    add_linear_piece(law, sum, of_u, of_v, from, to, ED_POWER_MANY, rule->many, rule->many_weight);
+  return 1;
+}
+
+static void add_linear(const constants *law, step_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v)
+{
+  const double h = sum->path.h;
+  for (double from = 0.0; from < h;) {
+    while (of_u->to <= from)
+      of_u++;
+    while (of_v->to <= from)
+      of_v++;
+    double to = fmin(of_u->to, of_v->to);
+    while (!add_linear_if_short(law, sum, of_u, of_v, from, to))
+      to = 0.5 * (from + to);
+    from = to;
+  }
+}
+
+static int moves(const ed_path direction[2])
+{
+  for (int j = 0; j < 2; j++)
+    for (int i = 0; i < 4; i++)
+      if (direction[j].c[i] != 0.0)
+        return 1;
+  return 0;
+}
+
+static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+                ed_damper_force *out)
+{
+  const constants *law = constants_of(damper);
+  const double h = path->h, length = fmin(h, FORGOTTEN * law->tau), origin = h - length;
+  const double *memory = committed + 1;
+  if (!isfinite(path->c[0] + h * (path->c[1] + h * (path->c[2] + h * path->c[3]))))
+    return ED_E_NOT_FINITE;
+  const int wanted = moves(direction);
+  ed_path velocity, along[2], velocity_along[2];
+  step_sums sum = {.path = *path};
+  ed_path_of_velocity(path, &velocity);
+  sum.velocity = velocity;
+  for (int j = 0; wanted && j < 2; j++) {
+    along[j] = direction[j];
+    ed_path_of_velocity(&direction[j], &velocity_along[j]);
+  }
+  ed_softening_piece of_u[ED_EXTREMES_PIECES], of_v[ED_EXTREMES_PIECES];
+  ed_running extremes_u, extremes_v;
+  const int n_u = ed_softening_pieces((ed_running){memory[LARGEST_U], memory[SMALLEST_U]}, path, wanted ? along : NULL, origin,
+                                      of_u, &extremes_u);
+  const int n_v = ed_softening_pieces((ed_running){memory[LARGEST_V], memory[SMALLEST_V]}, &velocity,
+                                      wanted ? velocity_along : NULL, origin, of_v, &extremes_v);
+  of_u[n_u - 1].to = of_v[n_v - 1].to = length;
+  if (origin > 0.0) {
+    ed_path_piece(path, origin, h, &sum.path);
+    sum.path.h = length;
+    ed_path_of_velocity(&sum.path, &sum.velocity);
+    for (int j = 0; wanted && j < 2; j++) {
+      ed_path_piece(&direction[j], origin, h, &along[j]);
+      ed_path_of_velocity(&along[j], &velocity_along[j]);
+    }
+  }
+  if (wanted) {
+    sum.direction = along;
+    sum.velocity_direction = velocity_along;
+  }
+  add_linear(law, &sum, of_u, of_v);
+  double slope[2] = {0.0}, chord[2] = {0.0};
+  if (law->c_nl > 0.0)
+    sum.value += law->c_nl * ed_power_integral(&law->power, &sum.path, sum.direction, slope, chord);
+  const double relaxing = sum.value + committed[0] * exp(-h / law->tau), u = ed_path_u(&sum.path, length);
+  trial[0] = relaxing;
+  trial[1 + LARGEST_U] = extremes_u.largest;
+  trial[1 + SMALLEST_U] = extremes_u.smallest;
+  trial[1 + LARGEST_V] = extremes_v.largest;
+  trial[1 + SMALLEST_V] = extremes_v.smallest;
+  double along_u[2] = {0.0};
+  for (int j = 0; wanted && j < 2; j++)
+    along_u[j] = ed_path_u(&along[j], length);
+  const ed_modulus k = ed_softening_modulus(&law->k_mod, &of_u[n_u - 1], u, along_u);
+  const double spring = 1.0 - law->relaxing, stiffness = law->k0 + spring * k.value;
+  out->force = stiffness * u + relaxing;
+  for (int j = 0; j < 2; j++) {
+    out->slope[j] = stiffness * along_u[j] + spring * k.slope[j] * u + sum.slope[j] + law->c_nl * slope[j];
+    out->chord[j] = law->c_nl * fmax(chord[j] - slope[j], 0.0);
+  }
+  return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
+}
+
+/* Modulus at one instant, with its derivative to the value. */
+static double modulus_now(const ed_softening *law, double largest, double smallest, double value, double *slope)
+{
+  const double mean = ed_extremes_mean(ed_extremes_with((ed_running){largest, smallest}, value));
+  const double falling = law->a * exp(-mean / law->reference);
+  const double follow = value > largest ? 0.5 : value < smallest ? -0.5 : 0.0;
+  *slope = -falling * follow / law->reference;
+  return falling + law->b;
+}
+
+static void rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out)
+{
+  const constants *law = constants_of(damper);
+  double k_slope, c_slope;
+  const double k = modulus_now(&law->k_mod, memory[LARGEST_U], memory[SMALLEST_U], u, &k_slope);
+  const double c = modulus_now(&law->c_mod, memory[LARGEST_V], memory[SMALLEST_V], v, &c_slope);
+  const double spring = 1.0 - law->relaxing;
+  double power_slope, power = law->c_nl * ed_power_now(&law->power, v, &power_slope);
+  power_slope *= law->c_nl;
+  out->force = (law->k0 + spring * k) * u + y[0];
+  out->force_u = law->k0 + spring * (k + k_slope * u);
+  out->force_v = 0.0;
+  out->force_y[0] = 1.0;
+  out->y[0] = (law->relaxing * k * u + (law->c1 + c) * v + power - y[0]) / law->tau;
+  out->y_u[0] = law->relaxing * (k + k_slope * u) / law->tau;
+  out->y_v[0] = (law->c1 + c + c_slope * v + power_slope) / law->tau;
+  out->y_y[0] = -1.0 / law->tau;
+}
+
+static void remember(const ed_damper *damper, double u, double v, const double *y, double *memory)
+{
+  (void)damper;
+  (void)y;
+  const ed_running of_u = ed_extremes_with((ed_running){memory[LARGEST_U], memory[SMALLEST_U]}, u);
+  const ed_running of_v = ed_extremes_with((ed_running){memory[LARGEST_V], memory[SMALLEST_V]}, v);
+  memory[LARGEST_U] = of_u.largest;
+  memory[SMALLEST_U] = of_u.smallest;
+  memory[LARGEST_V] = of_v.largest;
+  memory[SMALLEST_V] = of_v.smallest;
+}
+
+/* At most 5 of the deformation and 3 of the velocity, which is quadratic. */
+static int events(const ed_damper *damper, const ed_path *path, const double *memory, double at[8])
+{
+  (void)damper;
+  ed_path velocity;
+  ed_path_of_velocity(path, &velocity);
+  double of_u[ED_EXTREMES_BREAKS], of_v[ED_EXTREMES_BREAKS];
+  const int n_u = ed_extremes_breaks((ed_running){memory[LARGEST_U], memory[SMALLEST_U]}, path, of_u);
+  const int n_v = ed_extremes_breaks((ed_running){memory[LARGEST_V], memory[SMALLEST_V]}, &velocity, of_v);
+  int n = 0;
+  for (int i = 0, j = 0; (i < n_u || j < n_v) && n < 8;)
+    at[n++] = j == n_v || (i < n_u && of_u[i] <= of_v[j]) ? of_u[i++] : of_v[j++];
+  return n;
+}
+
+const ed_law ed_mgmm = {.name = "mgmm", .least_parameters = 12, .most_parameters = 12, .prepare = prepare, .step = step,
+                        .rate = rate, .remember = remember, .events = events};

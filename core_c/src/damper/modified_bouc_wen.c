@@ -1,10 +1,175 @@
+/* Bouc-Wen with softening by the largest deformation, beside a power-law dashpot (thesis Eqs. 2.69 to 2.71; Karavasilis,
+ * Blakeborough & Williams 2011): F = k (alpha u + (1 - alpha) Y z) + C |v|^alpha_d sgn v, k = k1 exp(-u_max/u_ref) + k2.
+ *
+ * With a brace k_b in series the own deformation u_d is a variable of its own. Its velocity w follows from the dashpot, which takes
+ * what the brace gives beyond the hysteretic part: C |w|^alpha_d sgn w = k_b (u - u_d) - k (...); without dashpot from
+ * k_b (v - w) = dF/du_d w. Memory: largest and smallest (own) deformation. */
+#include "damper/bouc_wen.h"
 #include "damper/laws.h"
+#include "damper/running_extremes.h"
 #include "edcore.h"
+
+enum { K1, K2, U_REF, Y, ALPHA, A, BETA, GAMMA, N, C, ALPHA_D, PARAMETERS };
+
+/* For alpha_d < 1 the slope of the dashpot's force is infinite at rest. Below this speed the force is the chord from the origin, as
+ * in viscous_power.c. For alpha_d > 1 the slope of its speed is infinite at no force: below this share of C it is held. */
+static const double AT_REST = 1e-9, NO_FORCE = 1e-16;
+static const double no_way = 1e-12; /* of the brace's force: which way the device goes is then told by the whole */
+
+static ed_bouc_wen_shape shape_of(const ed_damper *damper)
+{
+  const double *p = damper->parameter;
+  return (ed_bouc_wen_shape){p[Y], p[A], p[BETA], p[GAMMA], p[N]};
+}
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  (void)damper;
-  return ed_refuse_parameter(message, "law", 0.0, "not there yet");
+  static const struct {
+    int parameter, zero_too;
+    const char *name;
+  } bounds[] = {{K1, 1, "k1"}, {K2, 0, "k2"}, {U_REF, 0, "u_ref"}, {C, 1, "C"}, {ALPHA_D, 0, "alpha_d"}};
+  const double *p = damper->parameter;
+  for (int i = 0; i < (int)(sizeof bounds / sizeof *bounds); i++) {
+    const double value = p[bounds[i].parameter];
+    if (!(value > 0.0) && !(value == 0.0 && bounds[i].zero_too))
+      return ed_refuse_parameter(message, bounds[i].name, value, bounds[i].zero_too ? "at least zero" : "above zero");
+  }
+  const ed_bouc_wen_shape shape = shape_of(damper);
+  const char *allowed;
+  double value;
+  const char *refused = ed_bouc_wen_refused(&shape, &value, &allowed);
+  if (refused)
+    return ed_refuse_parameter(message, refused, value, allowed);
+  if (!(p[ALPHA] >= 0.0 && p[ALPHA] < 1.0))
+    return ed_refuse_parameter(message, "alpha", p[ALPHA], "at least 0 and below 1");
+  if (p[ALPHA_D] > 2.0)
+    return ed_refuse_parameter(message, "alpha_d", p[ALPHA_D], "at most 2");
+  damper->n_ode = damper->brace > 0.0 ? 2 : 1;
+  damper->n_memory = 2;
+  return ED_OK;
 }
 
-const ed_law ed_modified_bouc_wen = {.name = "modified_bouc_wen", .least_parameters = 1, .most_parameters = ED_MAX_PARAMETERS, .prepare = prepare};
+/* The hysteretic part at own deformation x and z, and its derivatives. */
+typedef struct {
+  double force, x, z, xx, xz; /* xx, xz: second derivatives */
+} hysteretic;
+
+static hysteretic hysteretic_part(const double *p, double x, double z, double way, const double *memory)
+{
+  const ed_running before = {memory[0], memory[1]}, now = ed_extremes_with(before, x);
+  const double soft = p[K1] * exp(-ed_extremes_mean(now) / p[U_REF]), k = soft + p[K2];
+  /* while an extreme grows, u_max changes by half of what the deformation does */
+  const double growth = x >= now.largest && way > 0.0 ? 0.5 : x <= now.smallest && way < 0.0 ? -0.5 : 0.0;
+  const double per = -growth / p[U_REF], part = p[ALPHA] * x + (1.0 - p[ALPHA]) * p[Y] * z, f = (1.0 - p[ALPHA]) * p[Y];
+  return (hysteretic){.force = k * part,
+                      .x = k * p[ALPHA] + per * soft * part,
+                      .z = k * f,
+                      .xx = 2.0 * per * soft * p[ALPHA] + per * per * soft * part,
+                      .xz = per * soft * f};
+}
+
+/* Without brace: y = z. */
+static void rigid_rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out)
+{
+  const double *p = damper->parameter, speed = fabs(v), way = ed_way(v);
+  const ed_bouc_wen_shape shape = shape_of(damper);
+  const hysteretic part = hysteretic_part(p, u, y[0], way, memory);
+  double slope, slope_z, chord = 0.0, tangent = 0.0;
+  ed_bouc_wen_slope(&shape, y[0], way, &slope, &slope_z);
+  if (p[C] > 0.0) {
+    const int rest = speed < AT_REST && p[ALPHA_D] <= 1.0;
+    chord = p[C] * (p[ALPHA_D] == 1.0 ? 1.0 : pow(rest ? AT_REST : speed, p[ALPHA_D] - 1.0));
+    tangent = rest ? chord : p[ALPHA_D] * chord;
+  }
+  out->force = part.force + chord * v;
+  out->force_u = part.x;
+  out->force_v = tangent;
+  out->force_y[0] = part.z;
+  out->y[0] = slope * v;
+  out->y_u[0] = 0.0;
+  out->y_v[0] = slope;
+  out->y_y[0] = slope_z * v;
+}
+
+/* With brace: y = own deformation, z. */
+static void braced_rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out)
+{
+  const double *p = damper->parameter, brace = damper->brace;
+  const ed_bouc_wen_shape shape = shape_of(damper);
+  double w, w_u, w_v, w_x, w_z, slope, slope_z;
+  hysteretic part;
+  if (p[C] > 0.0) {
+    double way = ed_way(v);
+    part = hysteretic_part(p, y[0], y[1], way, memory);
+    const double rest = brace * (u - y[0]) - part.force;
+    if (fabs(rest) > no_way * brace * (fabs(u) + fabs(y[0])) && ed_way(rest) != way) {
+      way = ed_way(rest);
+      part = hysteretic_part(p, y[0], y[1], way, memory);
+    }
+    const double power = 1.0 / p[ALPHA_D], size = fmax(fabs(rest) / p[C], NO_FORCE);
+    const double lower = power == 1.0 ? 1.0 : pow(size, power - 1.0), w_rest = power * lower / p[C];
+    w = lower * rest / p[C];
+    w_u = w_rest * brace;
+    w_v = 0.0;
+    w_x = -w_rest * (brace + part.x);
+    w_z = -w_rest * part.z;
+    ed_bouc_wen_slope(&shape, y[1], way, &slope, &slope_z);
+    out->force = brace * (u - y[0]);
+    out->force_u = brace;
+    out->force_y[0] = -brace;
+    out->force_y[1] = 0.0;
+  } else {
+    part = hysteretic_part(p, y[0], y[1], ed_way(v), memory);
+    ed_bouc_wen_slope(&shape, y[1], ed_way(v), &slope, &slope_z);
+    const double whole = brace + part.x + part.z * slope, share = whole > 0.0 ? brace / whole : NAN;
+    const double per = -share * share / brace * v;
+    w = share * v;
+    w_u = 0.0;
+    w_v = share;
+    w_x = per * (part.xx + part.xz * slope);
+    w_z = per * (part.xz + part.z * slope_z);
+    out->force = part.force;
+    out->force_u = 0.0;
+    out->force_y[0] = part.x;
+    out->force_y[1] = part.z;
+  }
+  out->force_v = 0.0;
+  out->y[0] = w;
+  out->y_u[0] = w_u;
+  out->y_v[0] = w_v;
+  out->y_y[0] = w_x;
+  out->y_y[1] = w_z;
+  out->y[1] = slope * w;
+  out->y_u[1] = slope * w_u;
+  out->y_v[1] = slope * w_v;
+  out->y_y[2] = slope * w_x;
+  out->y_y[3] = slope * w_z + slope_z * w;
+}
+
+static void rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out)
+{
+  (damper->brace > 0.0 ? braced_rate : rigid_rate)(damper, u, v, y, memory, out);
+}
+
+static void remember(const ed_damper *damper, double u, double v, const double *y, double *memory)
+{
+  (void)v;
+  const ed_running now = ed_extremes_with((ed_running){memory[0], memory[1]}, damper->brace > 0.0 ? y[0] : u);
+  memory[0] = now.largest;
+  memory[1] = now.smallest;
+}
+
+/* Where the whole deformation begins or ceases to be an extreme; that of the device itself is known only while it is integrated. */
+static int events(const ed_damper *damper, const ed_path *path, const double *memory, double at[8])
+{
+  return damper->brace > 0.0 ? 0 : ed_extremes_breaks((ed_running){memory[0], memory[1]}, path, at);
+}
+
+const ed_law ed_modified_bouc_wen = {.name = "modified_bouc_wen",
+                                     .least_parameters = PARAMETERS,
+                                     .most_parameters = PARAMETERS,
+                                     .takes_brace = 1,
+                                     .prepare = prepare,
+                                     .rate = rate,
+                                     .remember = remember,
+                                     .events = events};

@@ -82,6 +82,7 @@ ed_analysis *ed_analysis_new(const ed_model *model, int *status, char *message, 
     a->energy = 1;
     a->rayleigh_kind = ED_STIFFNESS_INITIAL;
     a->control.tolerance = 1e-16;
+    a->damper_tolerance = 1e-6;
     a->control.fast_elastic = 1;
     *status = prepare(a);
   }
@@ -101,6 +102,7 @@ void ed_analysis_free(ed_analysis *a)
     return;
   ed_run_end(a);
   ed_solver_free(a->solver);
+  ed_devices_free(a);
   void *blocks[] = {a->equation,        a->mass,          a->influence[0],  a->influence[1],    a->rotational,
                     a->name,            a->column_start,  a->row,           a->diagonal,        a->scatter,
                     a->tangent,         a->initial,       a->reference,     a->effective,     a->kept.matrix,    a->backed.matrix,     a->elements,        a->trial.block,

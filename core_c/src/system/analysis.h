@@ -2,6 +2,7 @@
 #ifndef ED_ANALYSIS_H
 #define ED_ANALYSIS_H
 
+#include "damper/ode_system.h"
 #include "edcore.h"
 #include "element/element.h"
 #include "system/model.h"
@@ -9,7 +10,7 @@
 
 enum { ED_MAX_EVENTS = 10000, ED_MAX_RESIDUALS = 64 };
 
-/* Start of the state block; the vectors u v a, resisting and damping forces and the elements' blocks follow. */
+/* Start of the state block; the vectors u v a, resisting and damping forces, paces and the elements' blocks follow. */
 typedef struct {
   double time;
   double force_level;            /* largest force so far: scale of the unbalance */
@@ -23,8 +24,10 @@ typedef struct {
   ed_state_head *head;
   double *u, *v, *a;             /* n */
   double *resisting, *damping;   /* n: at this state */
+  double *pace, *pace_before;    /* n: displacement / time of the last two steps */
   double *p_delta;               /* per element: force and drift, 2 n_members */
   double *elements;
+  double *devices;               /* the blocks of the dampers */
 } ed_state;
 
 /* What it takes to have factors again. */
@@ -95,9 +98,11 @@ struct ed_analysis {
   ed_element *elements;
   ed_state trial, committed;
   int state_size;                /* of the block */
+  int element_blocks;            /* size of all elements' blocks */
   double *layers;
   int layer_size;
   double *layers_backup, *block_backup;
+  int *device_block;             /* per device: offset of its block */
   double *displacement;          /* over all degrees, at the trial state */
   double *resisting;             /* over all degrees, at the trial state */
   double *member_force;          /* 6 a member */
@@ -111,6 +116,23 @@ struct ed_analysis {
   ed_factored kept;              /* of the last commit, once others have replaced them */
   ed_factored backed;            /* of ed_backup */
   double factor_price;           /* of a factorisation, in iterations */
+
+  /* dampers; arrays per device, of those without exact step where `ode` is in the name */
+  ed_ode_system *ode_system;
+  int n_by_ode, *device_by_ode;  /* which */
+  int *device_scatter;           /* n_terms x n_terms a device, into values */
+  ed_path *device_path, *device_ode_path, (*device_direction)[2], direction[2];
+  ed_damper_force *device_out;
+  double (*device_slope)[2];     /* dF/du, dF/dv at the trial state */
+  double (*device_chord)[2];     /* what comes to them where an iteration swings */
+  int *device_swings;            /* its velocity fell or turned in the last iteration */
+  int swinging;                  /* this attempt does not settle with tangents alone */
+  const double **device_old;
+  double **device_new;
+  double duration;               /* of the present attempt */
+  double velocity_factor;        /* dv/du of the present attempt */
+  double damper_tolerance;
+  int failed_device;
 
   /* damping */
   double rayleigh_mass, rayleigh_stiffness;
@@ -177,6 +199,18 @@ void ed_revert(ed_analysis *a);
 void ed_backup(ed_analysis *a);
 void ed_restore(ed_analysis *a);
 
+/* devices.c */
+int ed_device_block_size(const ed_device *device);
+int ed_devices_allocate(ed_analysis *a);
+void ed_devices_free(ed_analysis *a);
+int ed_update_devices(ed_analysis *a);            /* trial u, v -> states and forces */
+void ed_add_device_forces(ed_analysis *a);        /* into the resisting forces over all degrees */
+void ed_add_device_tangent(const ed_analysis *a, double k, double velocity, double *matrix);
+int ed_installed(const ed_analysis *a);
+int ed_start_devices(ed_analysis *a);
+double ed_count_device_work(ed_analysis *a);
+double ed_device_value(const ed_analysis *a, int kind, int device, int component);
+
 /* check.c */
 int ed_check_structure(ed_analysis *a);
 void ed_name_mechanism(ed_analysis *a, char *buffer, int size);
@@ -213,6 +247,7 @@ int ed_climb(ed_analysis *a, ed_attempt attempt);
 
 /* run.c */
 void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa);
+void ed_slowly(ed_analysis *a);                   /* static steps last so long that dampers relax */
 
 /* one attempt a kind of run: static.c, pushover.c, history.c */
 int ed_static_attempt(ed_analysis *a, double fraction, int rung);

@@ -8,26 +8,60 @@ static int compare_ints(const void *a, const void *b)
   return *(const int *)a - *(const int *)b;
 }
 
-/* Pattern of the matrix from the elements' equations (every diagonal is in it), and where each element term goes. */
+/* The degrees that a member, or after the members a damper, couples. */
+static int coupled(const ed_analysis *a, int index, const int **degree)
+{
+  const int members = a->model->n_members;
+  if (index < members) {
+    *degree = a->elements[index].dof;
+    return 6;
+  }
+  *degree = a->model->devices[index - members].degree;
+  return a->model->devices[index - members].n_terms;
+}
+
+/* Where the matrix of a member or damper goes. */
+static void find_places(const ed_analysis *a, int index, int *place)
+{
+  const int *degree, n = coupled(a, index, &degree);
+  for (int j = 0; j < n; j++)
+    for (int i = 0; i < n; i++) {
+      const int column = a->equation[degree[j]], row = a->equation[degree[i]];
+      *place = a->nnz;
+      if (column >= 0 && row >= 0) {
+        const int *first = a->row + a->column_start[column];
+        const size_t length = (size_t)(a->column_start[column + 1] - a->column_start[column]);
+        const int *found = bsearch(&row, first, length, sizeof *first, compare_ints);
+        *place = (int)(found - a->row);
+      }
+      place++;
+    }
+}
+
+/* Pattern of the matrix from the elements' and dampers' equations (every diagonal is in it), and where each element term goes. */
 int ed_build_pattern(ed_analysis *a)
 {
-  const int n = a->n, members = a->model->n_members;
+  const int n = a->n, members = a->model->n_members, all = members + a->model->n_devices;
   int *count = calloc((size_t)n + 1, sizeof *count);
   a->column_start = calloc((size_t)n + 1, sizeof *a->column_start);
   a->diagonal = calloc((size_t)n, sizeof *a->diagonal);
   a->scatter = malloc(36 * (size_t)(members + 1) * sizeof *a->scatter);
-  if (!count || !a->column_start || !a->diagonal || !a->scatter) {
+  size_t device_terms = 0;
+  for (int i = 0; i < a->model->n_devices; i++)
+    device_terms += (size_t)(a->model->devices[i].n_terms * a->model->devices[i].n_terms);
+  a->device_scatter = malloc((device_terms + 1) * sizeof *a->device_scatter);
+  if (!count || !a->column_start || !a->diagonal || !a->scatter || !a->device_scatter) {
     free(count);
     return ED_E_MEMORY;
   }
   for (int i = 0; i < n; i++)
     count[i] = 1;
-  for (int m = 0; m < members; m++)
-    for (int j = 0; j < 6; j++) {
-      const int column = a->equation[a->elements[m].dof[j]];
-      if (column >= 0)
-        count[column] += 6;
-    }
+  for (int m = 0; m < all; m++) {
+    const int *degree, terms = coupled(a, m, &degree);
+    for (int j = 0; j < terms; j++)
+      if (a->equation[degree[j]] >= 0)
+        count[a->equation[degree[j]]] += terms;
+  }
   int *start = malloc(((size_t)n + 1) * sizeof *start), *fill = malloc((size_t)n * sizeof *fill);
   int total = 0;
   for (int i = 0; start && i < n; i++) {
@@ -47,15 +81,15 @@ int ed_build_pattern(ed_analysis *a)
     rows[start[i]] = i;
     fill[i] = start[i] + 1;
   }
-  for (int m = 0; m < members; m++)
-    for (int j = 0; j < 6; j++) {
-      const int column = a->equation[a->elements[m].dof[j]];
-      for (int i = 0; column >= 0 && i < 6; i++) {
-        const int row = a->equation[a->elements[m].dof[i]];
-        if (row >= 0)
-          rows[fill[column]++] = row;
-      }
+  for (int m = 0; m < all; m++) {
+    const int *degree, terms = coupled(a, m, &degree);
+    for (int j = 0; j < terms; j++) {
+      const int column = a->equation[degree[j]];
+      for (int i = 0; column >= 0 && i < terms; i++)
+        if (a->equation[degree[i]] >= 0)
+          rows[fill[column]++] = a->equation[degree[i]];
     }
+  }
   int nnz = 0;
   for (int i = 0; i < n; i++) {
     qsort(rows + start[i], (size_t)(fill[i] - start[i]), sizeof *rows, compare_ints);
@@ -74,18 +108,12 @@ int ed_build_pattern(ed_analysis *a)
       if (a->row[k] == i)
         a->diagonal[i] = k;
   for (int m = 0; m < members; m++)
-    for (int j = 0; j < 6; j++)
-      for (int i = 0; i < 6; i++) {
-        const int column = a->equation[a->elements[m].dof[j]], row = a->equation[a->elements[m].dof[i]];
-        int place = nnz;
-        if (column >= 0 && row >= 0) {
-          const int *first = a->row + a->column_start[column];
-          const size_t length = (size_t)(a->column_start[column + 1] - a->column_start[column]);
-          const int *found = bsearch(&row, first, length, sizeof *first, compare_ints);
-          place = (int)(found - a->row);
-        }
-        a->scatter[36 * m + 6 * j + i] = place;
-      }
+    find_places(a, m, a->scatter + 36 * m);
+  int *place = a->device_scatter;
+  for (int i = 0; i < a->model->n_devices; i++) {
+    find_places(a, members + i, place);
+    place += a->model->devices[i].n_terms * a->model->devices[i].n_terms;
+  }
   const size_t bytes = ((size_t)nnz + 1) * sizeof(double);
   a->tangent = malloc(bytes);
   a->initial = malloc(bytes);
@@ -155,6 +183,7 @@ static void clear_forces(ed_analysis *a)
 
 static void sum_forces(ed_analysis *a)
 {
+  ed_add_device_forces(a);
   memset(a->trial.resisting, 0, (size_t)a->n * sizeof *a->trial.resisting);
   for (int i = 0; i < 3 * a->model->n_nodes; i++)
     if (a->equation[i] >= 0)
@@ -176,6 +205,9 @@ int ed_update_elements(ed_analysis *a)
     }
     add_forces(a, m, d);
   }
+  const int status = ed_update_devices(a);
+  if (status != ED_OK)
+    return status;
   sum_forces(a);
   return ED_OK;
 }

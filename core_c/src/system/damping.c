@@ -154,6 +154,7 @@ int ed_factor_effective(ed_analysis *a, double k, double m, double c)
     for (int i = 0; i < a->nnz; i++)
       a->effective[i] = k * a->tangent[i] + damping * D[i];
   }
+  ed_add_device_tangent(a, k, a->velocity_factor, a->effective);
   const double inertia = m + c * a->rayleigh_mass;
   if (inertia != 0.0)
     for (int i = 0; i < a->n; i++)

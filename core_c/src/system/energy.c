@@ -1,4 +1,4 @@
-/* Energy balance: input = kinetic + damping + stored + hysteretic + second-order + balance.
+/* Energy balance: input = kinetic + damping + stored + hysteretic + second-order + work on dampers + balance.
  *
  * Works of forces along a step use the trapezoidal rule, which is exact for inertia under the constant average acceleration
  * method; stored and hysteretic energy come from the fibres. What does not fit is the balance: unfinished iterations and the
@@ -72,6 +72,7 @@ void ed_count_energy(ed_analysis *a, double dissipated)
     head->energy[ED_DAMPING] += mean_work(n, a->committed.damping, a->trial.damping, a->committed.u, a->trial.u);
   }
   head->energy[ED_INPUT] += input;
+  head->energy[ED_DAMPERS] += ed_count_device_work(a);
   head->energy[ED_HYSTERETIC] += dissipated;
   head->energy[ED_GEOMETRIC] += second_order;
   head->largest_input = fmax(head->largest_input, fabs(head->energy[ED_INPUT]));
@@ -132,7 +133,7 @@ void ed_close_energy(ed_analysis *a)
   energy[ED_KINETIC] = kinetic;
   energy[ED_STORED] = stored;
   energy[ED_BALANCE] = energy[ED_INPUT] - kinetic - energy[ED_DAMPING] - stored - energy[ED_HYSTERETIC] -
-                       energy[ED_GEOMETRIC];
+                       energy[ED_GEOMETRIC] - energy[ED_DAMPERS];
   memcpy(a->trial.head->energy, energy, ED_N_ENERGY * sizeof *energy);
   const double largest = a->committed.head->largest_input;
   a->statistics.energy_error = largest > 0.0 ? fabs(energy[ED_BALANCE]) / largest : 0.0;

@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-static int refuse(ed_model *model, int status, const char *format, ...)
+int ed_model_refuse(ed_model *model, int status, const char *format, ...)
 {
   va_list arguments;
   va_start(arguments, format);
@@ -16,7 +16,7 @@ static int refuse(ed_model *model, int status, const char *format, ...)
 }
 
 /* Room for one more item; arrays grow by powers of two, so that the present count tells the capacity. */
-static void *grown(void *array, int count, size_t size)
+void *ed_model_grown(void *array, int count, size_t size)
 {
   const int full = count >= 8 ? (count & (count - 1)) == 0 : count == 0;
   if (!full)
@@ -24,16 +24,6 @@ static void *grown(void *array, int count, size_t size)
   const size_t capacity = count >= 8 ? 2 * (size_t)count : 8;
   return realloc(array, capacity * size);
 }
-
-#define APPEND(model, array, count)                                               \
-  do {                                                                            \
-    void *room = grown((model)->array, (model)->count, sizeof *(model)->array);   \
-    if (!room)                                                                    \
-      return refuse(model, ED_E_MEMORY, "out of memory");                         \
-    (model)->array = room;                                                        \
-    memset(&(model)->array[(model)->count], 0, sizeof *(model)->array);           \
-    (model)->count++;                                                             \
-  } while (0)
 
 ed_model *ed_model_new(void)
 {
@@ -52,6 +42,9 @@ void ed_model_free(ed_model *model)
   free(model->members);
   free(model->nodal_loads);
   free(model->member_loads);
+  for (int i = 0; i < model->n_devices; i++)
+    ed_damper_clear(&model->devices[i].damper);
+  free(model->devices);
   free(model);
 }
 
@@ -64,19 +57,19 @@ int ed_model_material(ed_model *model, int law, int n, const double *p)
 {
   static const int expected[] = {1, 3, 6};
   if (law < ED_ELASTIC || law > ED_MENEGOTTO_PINTO || n != expected[law])
-    return refuse(model, ED_E_ARGUMENT, "material: unknown law %d or wrong number of parameters %d", law, n);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "material: unknown law %d or wrong number of parameters %d", law, n);
   for (int i = 0; i < n; i++)
     if (!isfinite(p[i]))
-      return refuse(model, ED_E_ARGUMENT, "material: parameter %d is not a finite number", i + 1);
+      return ed_model_refuse(model, ED_E_ARGUMENT, "material: parameter %d is not a finite number", i + 1);
   if (p[0] <= 0.0 || (n > 1 && p[1] <= 0.0))
-    return refuse(model, ED_E_ARGUMENT, "material: E and fy must be positive");
+    return ed_model_refuse(model, ED_E_ARGUMENT, "material: E and fy must be positive");
   if (n > 2 && (p[2] < 0.0 || p[2] >= 1.0))
-    return refuse(model, ED_E_ARGUMENT, "material: hardening ratio %g is not in [0, 1)", p[2]);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "material: hardening ratio %g is not in [0, 1)", p[2]);
   if (law == ED_MENEGOTTO_PINTO && (p[3] <= 0.0 || p[4] < 0.0 || p[4] >= 1.0 || p[5] <= 0.0))
-    return refuse(model, ED_E_ARGUMENT, "material: R0 > 0, 0 <= cR1 < 1 and cR2 > 0 are needed");
+    return ed_model_refuse(model, ED_E_ARGUMENT, "material: R0 > 0, 0 <= cR1 < 1 and cR2 > 0 are needed");
   if (model->n_sections)
-    return refuse(model, ED_E_STATE, "material: declare all materials before the first section");
-  APPEND(model, materials, n_materials);
+    return ed_model_refuse(model, ED_E_STATE, "material: declare all materials before the first section");
+  ED_APPEND(model, materials, n_materials);
   ed_steel *steel = &model->materials[model->n_materials - 1];
   steel->law = law;
   steel->E = p[0];
@@ -94,8 +87,8 @@ int ed_model_material(ed_model *model, int law, int n, const double *p)
 int ed_model_elastic_section(ed_model *model, double EA, double EI)
 {
   if (!(EA > 0.0 && EI > 0.0 && isfinite(EA) && isfinite(EI)))
-    return refuse(model, ED_E_ARGUMENT, "section: EA %g and EI %g must be positive", EA, EI);
-  APPEND(model, sections, n_sections);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "section: EA %g and EI %g must be positive", EA, EI);
+  ED_APPEND(model, sections, n_sections);
   ed_section_elastic(&model->sections[model->n_sections - 1], EA, EI);
   return model->n_sections - 1;
 }
@@ -103,23 +96,23 @@ int ed_model_elastic_section(ed_model *model, double EA, double EI)
 int ed_model_fibre_section(ed_model *model, int n, const double *y, const double *area, const int *material)
 {
   if (n < 1)
-    return refuse(model, ED_E_ARGUMENT, "section: at least one fibre is needed");
+    return ed_model_refuse(model, ED_E_ARGUMENT, "section: at least one fibre is needed");
   for (int i = 0; i < n; i++) {
     if (!isfinite(y[i]) || !isfinite(area[i]) || area[i] <= 0.0)
-      return refuse(model, ED_E_ARGUMENT, "section: fibre %d has depth %g and area %g", i + 1, y[i], area[i]);
+      return ed_model_refuse(model, ED_E_ARGUMENT, "section: fibre %d has depth %g and area %g", i + 1, y[i], area[i]);
     if (material[i] < 0 || material[i] >= model->n_materials)
-      return refuse(model, ED_E_ID, "section: fibre %d has no material %d", i + 1, material[i]);
+      return ed_model_refuse(model, ED_E_ID, "section: fibre %d has no material %d", i + 1, material[i]);
   }
-  APPEND(model, sections, n_sections);
+  ED_APPEND(model, sections, n_sections);
   ed_section *section = &model->sections[model->n_sections - 1];
   if (!ed_section_from_fibres(section, n, y, area, material, model->materials)) {
     model->n_sections--;
-    return refuse(model, ED_E_MEMORY, "out of memory");
+    return ed_model_refuse(model, ED_E_MEMORY, "out of memory");
   }
   if (!(section->k11 * section->k22 - section->k12 * section->k12 > 1e-12 * section->k11 * section->k22)) {
     model->n_sections--;
     ed_section_free(section);
-    return refuse(model, ED_E_ARGUMENT, "section: no bending stiffness (all fibres at one depth)");
+    return ed_model_refuse(model, ED_E_ARGUMENT, "section: no bending stiffness (all fibres at one depth)");
   }
   return model->n_sections - 1;
 }
@@ -129,7 +122,7 @@ int ed_model_section_layers(const ed_model *model, int section)
   return section >= 0 && section < model->n_sections ? model->sections[section].n : ED_E_ID;
 }
 
-static void copy_name(char *to, const char *name)
+void ed_copy_name(char *to, const char *name)
 {
   snprintf(to, ED_NAME, "%s", name ? name : "");
 }
@@ -137,10 +130,10 @@ static void copy_name(char *to, const char *name)
 int ed_model_node(ed_model *model, const char *name, double x, double y)
 {
   if (!isfinite(x) || !isfinite(y))
-    return refuse(model, ED_E_ARGUMENT, "node %s: coordinates are not finite numbers", name ? name : "");
-  APPEND(model, nodes, n_nodes);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: coordinates are not finite numbers", name ? name : "");
+  ED_APPEND(model, nodes, n_nodes);
   ed_node *node = &model->nodes[model->n_nodes - 1];
-  copy_name(node->name, name);
+  ed_copy_name(node->name, name);
   node->x = x;
   node->y = y;
   for (int d = 0; d < 3; d++)
@@ -152,7 +145,7 @@ static int bad_node(ed_model *model, int node)
 {
   if (node >= 0 && node < model->n_nodes)
     return 0;
-  refuse(model, ED_E_ID, "there is no node %d", node);
+  ed_model_refuse(model, ED_E_ID, "there is no node %d", node);
   return 1;
 }
 
@@ -172,7 +165,7 @@ int ed_model_tie(ed_model *model, int node, int master, int ux, int uy, int rz)
     return ED_E_ID;
   const int tied[3] = {ux, uy, rz};
   if (node == master)
-    return refuse(model, ED_E_ARGUMENT, "node %s is tied to itself", model->nodes[node].name);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "node %s is tied to itself", model->nodes[node].name);
   for (int d = 0; d < 3; d++) {
     if (!tied[d])
       continue;
@@ -193,7 +186,7 @@ int ed_model_mass(ed_model *model, int node, double mx, double my, double mrz)
   if (bad_node(model, node))
     return ED_E_ID;
   if (!(mx >= 0.0 && my >= 0.0 && mrz >= 0.0) || !isfinite(mx + my + mrz))
-    return refuse(model, ED_E_ARGUMENT, "node %s: masses must not be negative", model->nodes[node].name);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: masses must not be negative", model->nodes[node].name);
   const double mass[3] = {mx, my, mrz};
   for (int d = 0; d < 3; d++)
     model->nodes[node].mass[d] += mass[d];
@@ -207,12 +200,12 @@ static int member(ed_model *model, const char *name, ed_element_kind kind, int i
     return ED_E_ID;
   const ed_node *a = &model->nodes[i], *b = &model->nodes[j];
   if (i == j || (!may_be_short && hypot(b->x - a->x, b->y - a->y) <= 0.0))
-    return refuse(model, ED_E_ARGUMENT, "element %s has no length (nodes %s and %s)", name ? name : "", a->name, b->name);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s has no length (nodes %s and %s)", name ? name : "", a->name, b->name);
   if (geometry < ED_LINEAR || geometry > ED_COROTATIONAL)
-    return refuse(model, ED_E_ARGUMENT, "element %s: unknown geometry %d", name ? name : "", geometry);
-  APPEND(model, members, n_members);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: unknown geometry %d", name ? name : "", geometry);
+  ED_APPEND(model, members, n_members);
   ed_member *m = &model->members[model->n_members - 1];
-  copy_name(m->name, name);
+  ed_copy_name(m->name, name);
   m->kind = kind;
   m->node[0] = i;
   m->node[1] = j;
@@ -224,11 +217,11 @@ int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int po
                          int release_i, int release_j)
 {
   if (points < 2 || points > ED_MAX_POINTS)
-    return refuse(model, ED_E_ARGUMENT, "element %s: %d integration points are not in 2..%d", name ? name : "", points,
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: %d integration points are not in 2..%d", name ? name : "", points,
                   ED_MAX_POINTS);
   for (int p = 0; p < points; p++)
     if (sections[p] < 0 || sections[p] >= model->n_sections)
-      return refuse(model, ED_E_ID, "element %s: there is no section %d", name ? name : "", sections[p]);
+      return ed_model_refuse(model, ED_E_ID, "element %s: there is no section %d", name ? name : "", sections[p]);
   const int id = member(model, name, ED_FIBRE_BEAM, i, j, geometry, 0);
   if (id < 0)
     return id;
@@ -244,7 +237,7 @@ int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int s
                           int release_j)
 {
   if (section < 0 || section >= model->n_sections)
-    return refuse(model, ED_E_ID, "element %s: there is no section %d", name ? name : "", section);
+    return ed_model_refuse(model, ED_E_ID, "element %s: there is no section %d", name ? name : "", section);
   const int id = member(model, name, ED_ELASTIC_BEAM, i, j, geometry, 0);
   if (id < 0)
     return id;
@@ -258,9 +251,9 @@ int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int s
 int ed_model_truss(ed_model *model, const char *name, int i, int j, int material, double area, int geometry)
 {
   if (material < 0 || material >= model->n_materials)
-    return refuse(model, ED_E_ID, "element %s: there is no material %d", name ? name : "", material);
+    return ed_model_refuse(model, ED_E_ID, "element %s: there is no material %d", name ? name : "", material);
   if (!(area > 0.0) || !isfinite(area))
-    return refuse(model, ED_E_ARGUMENT, "element %s: area %g must be positive", name ? name : "", area);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: area %g must be positive", name ? name : "", area);
   const int id = member(model, name, ED_TRUSS, i, j, geometry, 0);
   if (id < 0)
     return id;
@@ -272,7 +265,7 @@ int ed_model_truss(ed_model *model, const char *name, int i, int j, int material
 int ed_model_link(ed_model *model, const char *name, int i, int j, double kx, double ky, double krz, double angle)
 {
   if (!(kx >= 0.0 && ky >= 0.0 && krz >= 0.0) || !isfinite(kx + ky + krz + angle))
-    return refuse(model, ED_E_ARGUMENT, "link %s: stiffnesses must not be negative", name ? name : "");
+    return ed_model_refuse(model, ED_E_ARGUMENT, "link %s: stiffnesses must not be negative", name ? name : "");
   const int id = member(model, name, ED_LINK, i, j, ED_LINEAR, 1);
   if (id < 0)
     return id;
@@ -292,12 +285,12 @@ int ed_model_pattern(ed_model *model)
 int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, double fy, double mz)
 {
   if (pattern < 0 || pattern >= model->n_patterns)
-    return refuse(model, ED_E_ID, "there is no load pattern %d", pattern);
+    return ed_model_refuse(model, ED_E_ID, "there is no load pattern %d", pattern);
   if (bad_node(model, node))
     return ED_E_ID;
   if (!isfinite(fx + fy + mz))
-    return refuse(model, ED_E_ARGUMENT, "node %s: a load is not a finite number", model->nodes[node].name);
-  APPEND(model, nodal_loads, n_nodal_loads);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: a load is not a finite number", model->nodes[node].name);
+  ED_APPEND(model, nodal_loads, n_nodal_loads);
   model->nodal_loads[model->n_nodal_loads - 1] = (ed_nodal_load){pattern, node, {fx, fy, mz}};
   return ED_OK;
 }
@@ -305,15 +298,15 @@ int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, doubl
 static int member_load(ed_model *model, int pattern, int element, double position, double axial, double transverse)
 {
   if (pattern < 0 || pattern >= model->n_patterns)
-    return refuse(model, ED_E_ID, "there is no load pattern %d", pattern);
+    return ed_model_refuse(model, ED_E_ID, "there is no load pattern %d", pattern);
   if (element < 0 || element >= model->n_members)
-    return refuse(model, ED_E_ID, "there is no element %d", element);
+    return ed_model_refuse(model, ED_E_ID, "there is no element %d", element);
   ed_member *m = &model->members[element];
   if (m->kind != ED_FIBRE_BEAM && m->kind != ED_ELASTIC_BEAM)
-    return refuse(model, ED_E_ARGUMENT, "element %s is no beam-column and takes no load", m->name);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is no beam-column and takes no load", m->name);
   if (!isfinite(axial + transverse))
-    return refuse(model, ED_E_ARGUMENT, "element %s: a load is not a finite number", m->name);
-  APPEND(model, member_loads, n_member_loads);
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: a load is not a finite number", m->name);
+  ED_APPEND(model, member_loads, n_member_loads);
   model->member_loads[model->n_member_loads - 1] = (ed_member_load){pattern, element, position, axial, transverse};
   m->loaded = 1;
   return ED_OK;
@@ -327,9 +320,9 @@ int ed_model_uniform_load(ed_model *model, int pattern, int element, double axia
 int ed_model_point_load(ed_model *model, int pattern, int element, double position, double axial, double transverse)
 {
   if (element < 0 || element >= model->n_members)
-    return refuse(model, ED_E_ID, "there is no element %d", element);
+    return ed_model_refuse(model, ED_E_ID, "there is no element %d", element);
   if (!(position >= 0.0 && position <= 1.0))
-    return refuse(model, ED_E_ARGUMENT, "element %s: a load at %g of its length is not on it",
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: a load at %g of its length is not on it",
                   model->members[element].name, position);
   return member_load(model, pattern, element, position, axial, transverse);
 }

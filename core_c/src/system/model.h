@@ -3,9 +3,12 @@
 #define ED_MODEL_H
 
 #include "base/quadrature.h"
+#include "damper/law.h"
 #include "edcore.h"
 #include "material/steel.h"
 #include "section/section.h"
+
+#include <stddef.h>
 
 enum { ED_NAME = 48, ED_MESSAGE = 1024 };
 
@@ -44,6 +47,17 @@ typedef struct {
   double axial, transverse;
 } ed_member_load;
 
+/* A damper in the frame: its deformation is the sum of coefficient * displacement of the degrees, and its force acts on them. */
+enum { ED_MAX_TERMS = 12 };
+typedef struct {
+  char name[ED_NAME];
+  ed_damper damper;             /* its brace is in the law's units, as if the device had the size of the law */
+  double force_scale, deformation_scale; /* F = force_scale * law(deformation_scale * u) */
+  int n_terms;
+  int degree[ED_MAX_TERMS];     /* 3 node + d */
+  double coefficient[ED_MAX_TERMS];
+} ed_device;
+
 struct ed_model {
   ed_steel *materials;
   ed_section *sections;
@@ -51,8 +65,25 @@ struct ed_model {
   ed_member *members;
   ed_nodal_load *nodal_loads;
   ed_member_load *member_loads;
+  ed_device *devices;
+  int n_devices;
   int n_materials, n_sections, n_nodes, n_members, n_nodal_loads, n_member_loads, n_patterns;
   char message[ED_MESSAGE];
 };
+
+/* model.c, for the other files that add to a model */
+int ed_model_refuse(ed_model *model, int status, const char *format, ...);
+void *ed_model_grown(void *array, int count, size_t size);
+void ed_copy_name(char *to, const char *from); /* ED_NAME characters, cut short if need be */
+
+#define ED_APPEND(model, array, count)                                               \
+  do {                                                                               \
+    void *room = ed_model_grown((model)->array, (model)->count, sizeof *(model)->array); \
+    if (!room)                                                                       \
+      return ed_model_refuse(model, ED_E_MEMORY, "out of memory");                   \
+    (model)->array = room;                                                           \
+    memset(&(model)->array[(model)->count], 0, sizeof *(model)->array);              \
+    (model)->count++;                                                                \
+  } while (0)
 
 #endif

@@ -16,13 +16,14 @@ static void point_into(ed_state *state, double *block, const ed_analysis *a)
   state->block = block;
   state->head = (ed_state_head *)(void *)next;
   next += head_size();
-  double **vectors[] = {&state->u, &state->v, &state->a, &state->resisting, &state->damping};
-  for (int i = 0; i < 5; i++) {
+  double **vectors[] = {&state->u, &state->v, &state->a, &state->resisting, &state->damping, &state->pace, &state->pace_before};
+  for (int i = 0; i < 7; i++) {
     *vectors[i] = next;
     next += a->n;
   }
   state->p_delta = next;
   state->elements = next + 2 * a->model->n_members;
+  state->devices = state->elements + a->element_blocks;
 }
 
 int ed_state_allocate(ed_analysis *a)
@@ -35,7 +36,16 @@ int ed_state_allocate(ed_analysis *a)
     blocks += ed_element_block_size(e);
     layers += ed_element_layer_size(e);
   }
-  a->state_size = head_size() + 5 * a->n + 2 * a->model->n_members + blocks;
+  a->element_blocks = blocks;
+  a->device_block = calloc((size_t)a->model->n_devices + 1, sizeof *a->device_block);
+  if (!a->device_block)
+    return ED_E_MEMORY;
+  int devices = 0;
+  for (int i = 0; i < a->model->n_devices; i++) {
+    a->device_block[i] = devices;
+    devices += ed_device_block_size(&a->model->devices[i]);
+  }
+  a->state_size = head_size() + 7 * a->n + 2 * a->model->n_members + blocks + devices;
   a->layer_size = layers;
   double *trial = calloc((size_t)a->state_size, sizeof *trial);
   double *committed = calloc((size_t)a->state_size, sizeof *committed);
@@ -50,8 +60,9 @@ int ed_state_allocate(ed_analysis *a)
     const ed_element *e = &a->elements[m];
     ed_element_initialise(e, a->trial.elements + e->state, a->layers + e->layers);
   }
+  const int status = ed_devices_allocate(a);
   memcpy(a->committed.block, a->trial.block, (size_t)a->state_size * sizeof(double));
-  return ED_OK;
+  return status;
 }
 
 static void copy_factors(ed_analysis *a, double *to, const double *from)
@@ -70,6 +81,11 @@ void ed_commit(ed_analysis *a)
     ed_count_energy(a, dissipated);
   if (a->run.kind != ED_RUN_HISTORY)
     ed_remember_loads(a);
+  else if (ed_installed(a))
+    for (int i = 0; i < a->n; i++) {
+      a->trial.pace_before[i] = a->committed.pace[i];
+      a->trial.pace[i] = (a->trial.u[i] - a->committed.u[i]) / a->duration;
+    }
   memcpy(a->committed.block, a->trial.block, (size_t)a->state_size * sizeof(double));
   copy_factors(a, a->factors_committed, a->factors);
   a->kept.valid = 0;

@@ -1,0 +1,30 @@
+/* The hysteretic variable of the Bouc-Wen laws (thesis Eq. 2.68), Y z' = A v - gamma |v| z |z|^(n-1) - beta v |z|^n, as its rate per
+ * deformation: z' = slope v. */
+#ifndef ED_BOUC_WEN_H
+#define ED_BOUC_WEN_H
+
+#include <math.h>
+
+typedef struct {
+  double Y, A, beta, gamma, n;
+} ed_bouc_wen_shape;
+
+/* way: sign of the velocity (0 when it stands: what both ways have in common). */
+static inline void ed_bouc_wen_slope(const ed_bouc_wen_shape *shape, double z, double way, double *slope, double *slope_z)
+{
+  const double size = fabs(z), n = shape->n;
+  const double lower = n == 1.0 ? 1.0 : n == 2.0 ? size : pow(size, n - 1.0); /* |z|^(n-1) */
+  const double side = z > 0.0 ? 1.0 : z < 0.0 ? -1.0 : 0.0;
+  *slope = (shape->A - (shape->gamma * way * side + shape->beta) * lower * size) / shape->Y;
+  *slope_z = -(shape->gamma * way + shape->beta * side) * n * lower / shape->Y;
+}
+
+static inline double ed_way(double v)
+{
+  return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : 0.0;
+}
+
+/* NULL, or which parameter of the five is impossible. */
+const char *ed_bouc_wen_refused(const ed_bouc_wen_shape *shape, double *value, const char **allowed);
+
+#endif

@@ -1,0 +1,71 @@
+/* Laws with fractional derivatives as Prony series: quadrature of their relaxation spectra. */
+#include "damper/laws.h"
+#include "damper/prony.h"
+#include "damper/spectrum.h"
+#include "edcore.h"
+
+static int check(const ed_damper *damper, const char *const *name, int order, char message[ED_DAMPER_MESSAGE])
+{
+  for (int i = 0; i < damper->n_parameters; i++) {
+    const double value = damper->parameter[i];
+    if (!(value > 0.0))
+      return ed_refuse_parameter(message, name[i], value, "it must be above zero");
+    if (i == order && !(value < 1.0))
+      return ed_refuse_parameter(message, name[i], value, "it must be above 0 and below 1");
+  }
+  return ED_OK;
+}
+
+/* F = k0 (u + c D^alpha u): beside the spring a relaxation modulus k0 c t^-alpha / Gamma(1 - alpha). */
+static int kelvin(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+{
+  static const char *const name[] = {"k0", "c", "alpha"};
+  if (check(damper, name, 2, message))
+    return ED_E_ARGUMENT;
+  const double *p = damper->parameter;
+  ed_prony series;
+  ed_spectrum_of_power(&series, p[2]);
+  series.spring = p[0];
+  for (int i = 0; i < series.branches; i++)
+    series.stiffness[i] *= p[0] * p[1];
+  return ed_prony_prepare(damper, &series, message);
+}
+
+/* F + a D^alpha F = k0 (u + b D^alpha u): relaxation modulus k0 (1 + (b/a - 1) E_alpha(-t^alpha / a)). */
+static int zener(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+{
+  static const char *const name[] = {"k0", "a", "b", "alpha"};
+  if (check(damper, name, 3, message))
+    return ED_E_ARGUMENT;
+  const double *p = damper->parameter;
+  if (!(p[2] > p[1]))
+    return ed_refuse_parameter(message, "b", p[2], "it must be above a, or the device would give more energy than it took");
+  ed_prony series;
+  ed_spectrum_of_mittag_leffler(&series, p[3], p[1], 0);
+  series.spring = p[0];
+  for (int i = 0; i < series.branches; i++)
+    series.stiffness[i] *= p[0] * ((p[2] - p[1]) / p[1]);
+  return ed_prony_prepare(damper, &series, message);
+}
+
+/* F + lambda D^nu F = c0 v: relaxation modulus c0/lambda t^(nu - 1) E_nu,nu(-t^nu / lambda) = -c0 d/dt E_nu(-t^nu / lambda). */
+static int maxwell(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+{
+  static const char *const name[] = {"c0", "lambda", "nu"};
+  if (check(damper, name, 2, message))
+    return ED_E_ARGUMENT;
+  const double *p = damper->parameter;
+  ed_prony series;
+  ed_spectrum_of_mittag_leffler(&series, p[2], p[1], 1);
+  for (int i = 0; i < series.branches; i++)
+    series.stiffness[i] *= p[0];
+  return ed_prony_prepare(damper, &series, message);
+}
+
+#define LAW(law, parameters, prepares) \
+  {.name = law, .least_parameters = parameters, .most_parameters = parameters, .prepare = prepares, .step = ed_prony_step, \
+   .rate = ed_prony_rate}
+
+const ed_law ed_fractional_kelvin = LAW("fractional_kelvin", 3, kelvin);
+const ed_law ed_fractional_zener = LAW("fractional_zener", 4, zener);
+const ed_law ed_fractional_maxwell = LAW("fractional_maxwell", 3, maxwell);

@@ -1,0 +1,251 @@
+/* Dampers in the frame: deformation and velocity from the degrees, force and tangent back to them.
+ *
+ * Over a step a damper sees the cubic through deformation and velocity at both ends, starting from its committed state in every
+ * trial. Its tangent for Newton is dF/du + (dv/du of the step) dF/dv. Those whose law has no exact step go through SUNDIALS as one
+ * system. Before ed_install_dampers they carry nothing; then the deformation of that moment is their zero. */
+#include "damper/ode_system.h"
+#include "system/analysis.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* offsets in a device's block; the law's state follows */
+enum { INSTALLED, OFFSET, DEFORMATION, VELOCITY, FORCE, WORK, LAW_STATE };
+
+int ed_device_block_size(const ed_device *device)
+{
+  return LAW_STATE + ed_damper_state_size(&device->damper);
+}
+
+static double *block_of(const ed_analysis *a, const ed_state *state, int device)
+{
+  return state->devices + a->device_block[device];
+}
+
+static int allocate(ed_analysis *a, int n)
+{
+  const size_t count = (size_t)n;
+  a->device_path = calloc(count, sizeof *a->device_path);
+  a->device_ode_path = calloc(count, sizeof *a->device_ode_path);
+  a->device_direction = calloc(count, sizeof *a->device_direction);
+  a->device_out = calloc(count, sizeof *a->device_out);
+  a->device_slope = calloc(count, sizeof *a->device_slope);
+  a->device_chord = calloc(count, sizeof *a->device_chord);
+  a->device_swings = calloc(count, sizeof *a->device_swings);
+  a->device_old = calloc(count, sizeof *a->device_old);
+  a->device_new = calloc(count, sizeof *a->device_new);
+  a->device_by_ode = calloc(count, sizeof *a->device_by_ode);
+  return a->device_path && a->device_ode_path && a->device_direction && a->device_out && a->device_slope && a->device_old && a->device_new &&
+                 a->device_by_ode && a->device_chord && a->device_swings
+             ? ED_OK
+             : ED_E_MEMORY;
+}
+
+int ed_devices_allocate(ed_analysis *a)
+{
+  const int n = a->model->n_devices;
+  if (n == 0)
+    return ED_OK;
+  const ed_damper **by_ode = malloc((size_t)n * sizeof *by_ode);
+  int status = by_ode ? allocate(a, n) : ED_E_MEMORY;
+  for (int i = 0; status == ED_OK && i < n; i++) {
+    const ed_device *device = &a->model->devices[i];
+    ed_damper_start(&device->damper, block_of(a, &a->trial, i) + LAW_STATE);
+    if (!ed_damper_has_exact_step(&device->damper)) {
+      by_ode[a->n_by_ode] = &device->damper;
+      a->device_by_ode[a->n_by_ode++] = i;
+    }
+  }
+  if (status == ED_OK && a->n_by_ode > 0)
+    a->ode_system = ed_ode_system_new(a->n_by_ode, by_ode, a->damper_tolerance, &status);
+  free(by_ode);
+  return status;
+}
+
+void ed_devices_free(ed_analysis *a)
+{
+  ed_ode_system_free(a->ode_system);
+  void *blocks[] = {a->device_block, a->device_path, a->device_direction, a->device_out, a->device_slope,
+                    a->device_old,   a->device_new,  a->device_by_ode,    a->device_scatter,  a->device_ode_path,
+                    a->device_chord, a->device_swings};
+  for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
+    free(blocks[i]);
+}
+
+static double along(const ed_analysis *a, const ed_device *device, const double *vector)
+{
+  double sum = 0.0;
+  for (int i = 0; i < device->n_terms; i++) {
+    const int equation = a->equation[device->degree[i]];
+    if (equation >= 0)
+      sum += device->coefficient[i] * vector[equation];
+  }
+  return sum;
+}
+
+/* The law's path over this step, from the degrees. */
+static void set_path(ed_analysis *a, int i)
+{
+  const ed_device *device = &a->model->devices[i];
+  const double *before = block_of(a, &a->committed, i);
+  double *now = block_of(a, &a->trial, i);
+  const double scale = device->deformation_scale, v0 = along(a, device, a->committed.v);
+  now[DEFORMATION] = along(a, device, a->trial.u) - now[OFFSET];
+  const double velocity = along(a, device, a->trial.v);
+  a->device_swings[i] = velocity * now[VELOCITY] < 0.25 * now[VELOCITY] * now[VELOCITY];
+  now[VELOCITY] = velocity;
+  ed_path_hermite(&a->device_path[i], a->duration, scale * before[DEFORMATION], scale * v0, scale * now[DEFORMATION],
+                  scale * now[VELOCITY]);
+}
+
+static void take(ed_analysis *a, int i, const ed_damper_force *out)
+{
+  const ed_device *device = &a->model->devices[i];
+  block_of(a, &a->trial, i)[FORCE] = device->force_scale * out->force;
+  for (int k = 0; k < 2; k++) {
+    a->device_slope[i][k] = device->force_scale * device->deformation_scale * out->slope[k];
+    a->device_chord[i][k] = device->force_scale * device->deformation_scale * out->chord[k];
+  }
+}
+
+static int update_by_ode(ed_analysis *a)
+{
+  for (int k = 0; k < a->n_by_ode; k++) {
+    const int i = a->device_by_ode[k];
+    set_path(a, i);
+    a->device_old[k] = block_of(a, &a->committed, i) + LAW_STATE;
+    a->device_new[k] = block_of(a, &a->trial, i) + LAW_STATE;
+    /* the system wants its own paths side by side */
+    a->device_ode_path[k] = a->device_path[i];
+    memcpy(a->device_direction[k], a->direction, sizeof a->direction);
+    memset(&a->device_out[k], 0, sizeof a->device_out[k]);
+  }
+  const int status = ed_ode_system_step(a->ode_system, a->device_old, a->device_ode_path,
+                                        (const ed_path(*)[2])a->device_direction, a->device_new, a->device_out);
+  for (int k = 0; status == ED_OK && k < a->n_by_ode; k++)
+    take(a, a->device_by_ode[k], &a->device_out[k]);
+  return status;
+}
+
+int ed_update_devices(ed_analysis *a)
+{
+  const int n = a->model->n_devices;
+  if (n == 0 || block_of(a, &a->trial, 0)[INSTALLED] == 0.0)
+    return ED_OK;
+  ed_path_hermite_directions(a->direction, a->duration);
+  for (int i = 0; i < n; i++) {
+    const ed_device *device = &a->model->devices[i];
+    if (!ed_damper_has_exact_step(&device->damper))
+      continue;
+    ed_damper_force out = {0};
+    set_path(a, i);
+    const int status = ed_damper_advance(&device->damper, NULL, block_of(a, &a->committed, i) + LAW_STATE, &a->device_path[i],
+                                         a->direction, block_of(a, &a->trial, i) + LAW_STATE, &out);
+    if (status != ED_OK) {
+      a->failed_device = i;
+      return ED_E_DAMPER;
+    }
+    take(a, i, &out);
+  }
+  if (a->n_by_ode > 0 && update_by_ode(a) != ED_OK) {
+    a->failed_device = a->device_by_ode[0];
+    return ED_E_DAMPER;
+  }
+  return ED_OK;
+}
+
+void ed_add_device_forces(ed_analysis *a)
+{
+  for (int i = 0; i < a->model->n_devices; i++) {
+    const ed_device *device = &a->model->devices[i];
+    const double force = block_of(a, &a->trial, i)[FORCE];
+    for (int k = 0; k < device->n_terms; k++)
+      a->resisting[device->degree[k]] += device->coefficient[k] * force;
+  }
+}
+
+int ed_installed(const ed_analysis *a)
+{
+  return a->model->n_devices > 0 && block_of(a, &a->trial, 0)[INSTALLED] != 0.0;
+}
+
+/* k (dF/du + velocity dF/dv) of every device, into a matrix of the pattern (nnz + 1). */
+void ed_add_device_tangent(const ed_analysis *a, double k, double velocity, double *matrix)
+{
+  if (!ed_installed(a))
+    return;
+  const int *place = a->device_scatter;
+  for (int i = 0; i < a->model->n_devices; i++) {
+    const ed_device *device = &a->model->devices[i];
+    double slope = k * (a->device_slope[i][0] + velocity * a->device_slope[i][1]);
+    if (a->swinging && a->device_swings[i])
+      slope += k * (a->device_chord[i][0] + velocity * a->device_chord[i][1]);
+    for (int p = 0; p < device->n_terms; p++)
+      for (int q = 0; q < device->n_terms; q++)
+        matrix[*place++] += slope * device->coefficient[p] * device->coefficient[q];
+  }
+  matrix[a->nnz] = 0.0;
+}
+
+/* Work done on the devices over the step, by the trapezoidal rule as that of all other forces. */
+double ed_count_device_work(ed_analysis *a)
+{
+  double sum = 0.0;
+  for (int i = 0; i < a->model->n_devices; i++) {
+    const double *before = block_of(a, &a->committed, i);
+    double *now = block_of(a, &a->trial, i);
+    const double work = 0.5 * (before[FORCE] + now[FORCE]) * (now[DEFORMATION] - before[DEFORMATION]);
+    now[WORK] += work;
+    sum += work;
+  }
+  return sum;
+}
+
+int ed_install_dampers(ed_analysis *a)
+{
+  if (a->run.kind != ED_RUN_NONE)
+    return ed_fail(a, ED_E_STATE, "dampers are installed before a run");
+  for (int i = 0; i < a->model->n_devices; i++) {
+    double *now = block_of(a, &a->committed, i);
+    if (now[INSTALLED] != 0.0)
+      continue;
+    now[INSTALLED] = 1.0;
+    now[OFFSET] = along(a, &a->model->devices[i], a->committed.u);
+  }
+  ed_revert(a);
+  return ED_OK;
+}
+
+/* Forces that the present velocities bring at once, when a history begins: a step too short to deform anything. */
+int ed_start_devices(ed_analysis *a)
+{
+  if (!ed_installed(a))
+    return ED_OK;
+  double speed = 0.0;
+  for (int i = 0; i < a->model->n_devices; i++)
+    speed += fabs(along(a, &a->model->devices[i], a->committed.v));
+  if (speed == 0.0)
+    return ED_OK;
+  a->duration = 1e-6 * a->run.dt;
+  for (int i = 0; i < a->n; i++)
+    a->trial.u[i] += a->duration * a->trial.v[i];
+  const int status = ed_update_devices(a);
+  memcpy(a->trial.u, a->committed.u, (size_t)a->n * sizeof(double));
+  for (int i = 0; status == ED_OK && i < a->model->n_devices; i++)
+    block_of(a, &a->committed, i)[FORCE] = block_of(a, &a->trial, i)[FORCE];
+  ed_revert(a);
+  return status;
+}
+
+double ed_device_value(const ed_analysis *a, int kind, int device, int component)
+{
+  const ed_device *d = &a->model->devices[device];
+  const double *now = block_of(a, &a->committed, device);
+  if (kind == ED_DAMPER_FORCE)
+    return now[FORCE];
+  if (kind == ED_DAMPER_WORK)
+    return now[WORK];
+  const double brace = d->damper.brace * d->force_scale * d->deformation_scale;
+  return component == 1 && brace > 0.0 ? now[DEFORMATION] - now[FORCE] / brace : now[DEFORMATION];
+}

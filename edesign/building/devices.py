@@ -1,0 +1,243 @@
+"""Dampers of a project in the frame model: where they attach, at what size, with which brace."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from edesign.building.named_section import cross_section
+from edesign.core import LawValues, Model
+from edesign.errors import InputError
+from edesign.project import names
+from edesign.project.dampers import BraceSection, BraceStiffness, DamperBetween, DamperRun
+from edesign.project.problems import did_you_mean
+from edesign.project.project import Project
+
+UX, UY = 0, 1
+Term = tuple[float, int, int]
+
+
+@dataclass(frozen=True)
+class DeviceLaw:
+    """A law with its parameters, and the layers of elastomer they belong to.
+
+    Attributes:
+        law: for the core.
+        layers, layer_area (m2), layer_thickness (m): of the prototype; None: the law has no size of its own.
+    """
+
+    law: LawValues
+    layers: int | None = None
+    layer_area: float | None = None
+    layer_thickness: float | None = None
+
+
+@dataclass(frozen=True)
+class Device:
+    """A damper in the frame model.
+
+    Attributes:
+        number: its id in the core.
+        law: name of its law in the project.
+        values: what the core has of it.
+        storey: storey whose drift works it, from 1; 0: none.
+        terms: (coefficient, node, degree) that its deformation is the sum of.
+        layer_thickness: m, for the shear strain; None: the law has no layers.
+        force_scale, deformation_scale: F = force_scale * law(deformation_scale * u).
+        brace: N/m; 0: rigid.
+    """
+
+    name: str
+    number: int
+    law: str
+    values: LawValues
+    storey: int
+    terms: tuple[Term, ...]
+    layer_thickness: float | None
+    force_scale: float
+    deformation_scale: float
+    brace: float
+
+
+@dataclass(frozen=True)
+class Attached:
+    """A tuned mass on a floor, m in kg, k in N/m, c in N s/m."""
+
+    name: str
+    floor: int
+    mass: float
+    stiffness: float
+    damping: float
+
+
+@dataclass(frozen=True)
+class _Place:
+    name: str
+    storey: int
+    index: int  # of its storey among the `count` of the run
+    count: int
+    terms: tuple[Term, ...]
+    length: float  # of its brace
+    cosine: float  # of the brace to the deformation
+    braces: int  # that share the force
+
+
+def add_devices(
+    project: Project, model: Model, nodes: Mapping[str, int], laws: Mapping[str, DeviceLaw]
+) -> tuple[Device, ...]:
+    """Add the dampers of a project to its model.
+
+    Args:
+        project: the validated project.
+        model: has the nodes already.
+        nodes: ids by name.
+        laws: by name.
+
+    Raises:
+        InputError: a law or node does not exist, a list has another length than the storeys, or a size is given for
+            a law without prototype.
+
+    Source: thesis Eqs. 5.18-5.21 (size), 5.10 with alpha_b = 2 cos^2 (chevron).
+    """
+    found: list[Device] = []
+    devices = project.dampers.devices if project.dampers is not None else ()
+    for i, run in enumerate(devices):
+        where = f"{project.where('dampers', 'devices', i)}: dampers.devices[{i}]"
+        if run.law not in laws:
+            where = f"{project.where('dampers', 'devices', i, 'law')}: dampers.devices[{i}].law"
+            raise InputError(f"{where}: there is no damper law `{run.law}`{did_you_mean(run.law, laws)}")
+        law = laws[run.law]
+        for place in _places(project, run, nodes, where):
+            force_scale, deformation_scale, thickness = _scales(run, law, place, where)
+            brace = _brace(project, run, place, where)
+            name = _free(place.name, found)
+            in_series = law.law, brace
+            if law.law.law == "viscous_power" and brace > 0.0:  # the same, as one law with exact equations
+                spring = brace / (force_scale * deformation_scale)
+                in_series = LawValues("maxwell_power", (*law.law.values, spring)), 0.0
+            number = model.damper(name, in_series[0], place.terms, in_series[1], force_scale, deformation_scale)
+            scales = (force_scale, deformation_scale, brace)
+            found.append(Device(name, number, run.law, law.law, place.storey, place.terms, thickness, *scales))
+    return tuple(found)
+
+
+def add_attachment(model: Model, attached: Attached, node: int, x: float, y: float) -> int:
+    """Add a tuned mass beside a node of its floor; returns the node of the mass."""
+    mass = model.node(attached.name, x, y)
+    model.tie(mass, node, uy=True, rz=True)
+    model.mass(mass, attached.mass)
+    model.link(f"{attached.name}_spring", node, mass, (attached.stiffness, 0.0, 0.0))
+    if attached.damping > 0.0:
+        dashpot = LawValues("viscous", (attached.damping,))
+        model.damper(f"{attached.name}_dashpot", dashpot, ((1.0, mass, UX), (-1.0, node, UX)))
+    return mass
+
+
+def _free(name: str, found: list[Device]) -> str:
+    """The name, or with the next number where several dampers stand at one place."""
+    taken = {device.name for device in found}
+    number = 2
+    chosen = name
+    while chosen in taken:
+        chosen = f"{name}_{number}"
+        number += 1
+    return chosen
+
+
+def _places(project: Project, run: DamperRun | DamperBetween, nodes: Mapping[str, int], where: str) -> Iterator[_Place]:
+    frame = project.frame
+    if isinstance(run, DamperBetween):
+        yield _between(project, run, nodes, where)
+        return
+    storeys = run.storeys.numbers(1, frame.n_storeys)
+    for index, storey in enumerate(storeys):
+        at = (index, len(storeys))
+        for bay in run.bays.numbers(1, frame.n_bays):
+            left, right = frame.bay_lines(bay)
+            corner = {
+                (line, floor): _node(nodes, names.node_name(line, floor), where)
+                for line in (left, right)
+                for floor in (storey - 1, storey)
+            }
+            width, height = frame.bay_widths[bay - 1], frame.storey_heights[storey - 1]
+            low_left, low_right = corner[left, storey - 1], corner[right, storey - 1]
+            top_left, top_right = corner[left, storey], corner[right, storey]
+            name = names.damper_name(run.kind, bay, storey)
+            top: tuple[Term, ...] = ((0.5, top_left, UX), (0.5, top_right, UX))
+            if run.kind == "storey":
+                terms = (*top, (-0.5, low_left, UX), (-0.5, low_right, UX))
+                yield _Place(name, storey, *at, terms, height, 1.0, 1)
+            elif run.kind == "chevron":
+                # the apex moves with the mean of the feet and tilts with their difference
+                tilt = 0.5 * height / (0.5 * width)
+                feet = ((-0.5, low_left, UX), (-0.5, low_right, UX), (-tilt, low_left, UY), (tilt, low_right, UY))
+                length = math.hypot(0.5 * width, height)
+                yield _Place(name, storey, *at, (*top, *feet), length, 0.5 * width / length, 2)
+            else:
+                length = math.hypot(width, height)
+                low, high = (low_left, top_right) if run.kind == "rising" else (low_right, top_left)
+                c = width / length * (1.0 if run.kind == "rising" else -1.0)
+                s = height / length
+                terms = ((c, high, UX), (s, high, UY), (-c, low, UX), (-s, low, UY))
+                yield _Place(name, storey, *at, terms, length, 1.0, 1)
+
+
+def _between(project: Project, run: DamperBetween, nodes: Mapping[str, int], where: str) -> _Place:
+    start, end = run.nodes
+    first, second = _node(nodes, start, where), _node(nodes, end, where)
+    (x0, y0), (x1, y1) = project.frame.nodes[start], project.frame.nodes[end]
+    length = math.hypot(x1 - x0, y1 - y0)
+    if length == 0.0:
+        raise InputError(f"{where}: nodes: a damper from `{start}` to itself")
+    c, s = (x1 - x0) / length, (y1 - y0) / length
+    terms = ((c, second, UX), (s, second, UY), (-c, first, UX), (-s, first, UY))
+    levels = project.frame.y
+    storey = next((i for i in range(1, len(levels)) if sorted((y0, y1)) == [levels[i - 1], levels[i]]), 0)
+    return _Place(f"N_{start}_{end}", storey, 0, 1, terms, length, 1.0, 1)
+
+
+def _node(nodes: Mapping[str, int], name: str, where: str) -> int:
+    if name not in nodes:
+        raise InputError(f"{where}: there is no node `{name}` in this frame{did_you_mean(name, nodes)}")
+    return nodes[name]
+
+
+def _scales(
+    run: DamperRun | DamperBetween, law: DeviceLaw, place: _Place, where: str
+) -> tuple[float, float, float | None]:
+    """Factors on force and deformation, and the layers' thickness."""
+    given = {key for key in ("layers", "layer_area", "layer_thickness") if getattr(run, key) is not None}
+    if law.layers is None or law.layer_area is None or law.layer_thickness is None:
+        if given:
+            keys = ", ".join(f"`{key}`" for key in sorted(given))
+            raise InputError(f"{where}: {keys}: the law `{run.law}` has no `prototype` whose size could be changed")
+        return float(run.number), 1.0, None
+    layers = run.layers if run.layers is not None else law.layers
+    area = law.layer_area if run.layer_area is None else _of_storey(run.layer_area, place, where, "layer_area")
+    thickness = run.layer_thickness if run.layer_thickness is not None else law.layer_thickness
+    force = run.number * layers * area / (law.layers * law.layer_area)
+    return force, law.layer_thickness / thickness, thickness
+
+
+def _of_storey(values: float | tuple[float, ...], place: _Place, where: str, key: str) -> float:
+    if not isinstance(values, tuple):
+        return values
+    if len(values) != place.count:
+        raise InputError(f"{where}: {key}: {len(values)} values for {place.count} storeys; one for each is needed")
+    return values[place.index]
+
+
+def _brace(project: Project, run: DamperRun | DamperBetween, place: _Place, where: str) -> float:
+    """Stiffness in series, N/m; 0: rigid."""
+    if isinstance(run.brace, BraceStiffness):
+        return _of_storey(run.brace.stiffness, place, where, "brace.stiffness")
+    if not isinstance(run.brace, BraceSection):
+        return 0.0
+    if run.kind == "storey":
+        raise InputError(f"{where}: brace: a damper between floors has no brace geometry; give its `stiffness`")
+    if run.brace.material not in project.materials:
+        hint = did_you_mean(run.brace.material, project.materials)
+        raise InputError(f"{where}: brace: there is no material `{run.brace.material}`{hint}")
+    axial = project.materials[run.brace.material].E * cross_section(project, run.brace.section).area / place.length
+    return place.braces * axial * place.cosine**2

@@ -1,0 +1,136 @@
+"""`edesign characterise`: mechanical properties of a damper from its tests."""
+
+from __future__ import annotations
+
+import json
+import re
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from edesign.errors import InputError
+
+if TYPE_CHECKING:
+    from edesign.damper.campaign import Campaign
+
+
+def characterise(
+    inputs: Annotated[
+        list[Path],
+        typer.Argument(
+            help="A campaign (.yaml), or test files (.csv).", metavar="CAMPAIGN_OR_TESTS", show_default=False
+        ),
+    ],
+    layers: Annotated[int | None, typer.Option("--layers", min=1, help="Of the specimen of test files.")] = None,
+    layer_area: Annotated[str | None, typer.Option("--layer-area", help="Of one layer: `41400 mm^2`.")] = None,
+    layer_thickness: Annotated[str | None, typer.Option("--layer-thickness", help="Of one layer: `12 mm`.")] = None,
+    temperature: Annotated[
+        str | None, typer.Option("--temperature", help="Ambient, of test files without a column of it: `20 degC`.")
+    ] = None,
+    cycles: Annotated[
+        str, typer.Option("--cycles", metavar="FIRST-LAST", help="Averaged; 1 is the first of full amplitude.")
+    ] = "5-15",
+    per_cycle: Annotated[
+        bool, typer.Option("--per-cycle", help="Each full cycle too, whatever its amplitude.")
+    ] = False,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of tables.")] = False,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="FILE", help="Write the properties as CSV.")
+    ] = None,
+    figures: Annotated[Path | None, typer.Option("--figures", metavar="DIR", help="Draw tests and properties.")] = None,
+    figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
+) -> None:
+    """Find storage, equivalent and loss modulus and loss factor of each test with a steady amplitude."""
+    from edesign.damper.properties import Properties, checked_range, cycle_properties, properties
+    from edesign.damper.property_table import from_properties, write_property_table
+    from edesign.report.damper_figures import draw_tests
+    from edesign.report.damper_tables import cycles_table, properties_data, properties_table
+    from edesign.report.record_figures import check_format
+    from edesign.report.text import print_tables
+
+    check_format(figure_format)
+    asked = _cycles(cycles)
+    checked_range(asked)
+    campaign = _campaign(inputs, layers, layer_area, layer_thickness, temperature)
+    found: dict[str, Properties] = {}
+    notes, each = [], {}
+    for test in campaign.tests:
+        try:
+            found[test.name] = properties(test, campaign.specimen, asked)
+        except InputError as error:
+            notes.append(str(error))
+        if per_cycle:
+            try:
+                each[test.name] = cycle_properties(test, campaign.specimen)
+            except InputError as error:
+                notes.append(str(error))
+    if not found and not each:
+        raise InputError("\n".join(notes))
+    if as_json:
+        data = {**properties_data(found, each), "notes": notes}
+        typer.echo(json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False))
+    else:
+        specimen = campaign.specimen
+        title = (
+            f"{specimen.name}: {specimen.layers} layers of {1e6 * specimen.layer_area:.6g} mm2, "
+            f"{1e3 * specimen.layer_thickness:.6g} mm thick"
+        )
+        tables = [properties_table(title, found, notes)]
+        print_tables([*tables, *(cycles_table(name, columns) for name, columns in each.items())])
+    table = from_properties(list(found.values()), str(output or inputs[0])) if found else None
+    if output is not None:
+        if table is None:
+            raise InputError(f"{output}: there are no properties to write\n" + "\n".join(notes))
+        write_property_table(table, output)
+    if figures is not None:
+        draw_tests(campaign, table, figures, figure_format)
+
+
+def _cycles(text: str) -> tuple[int, int]:
+    match = re.fullmatch(r"\s*(\d{1,6})\s*-\s*(\d{1,6})\s*", text)
+    if not match:
+        raise InputError(f"--cycles: `{text}` is no range; write first and last, such as `5-15`")
+    return int(match[1]), int(match[2])
+
+
+def _campaign(
+    inputs: list[Path], layers: int | None, area: str | None, thickness: str | None, temperature: str | None
+) -> Campaign:
+    """The campaign of a file, or one made of test files and options."""
+    from pydantic_core import PydanticCustomError
+
+    from edesign.cli.hazard_options import quantity
+    from edesign.damper.campaign import Campaign, load_campaign
+    from edesign.damper.read_test import read_test
+    from edesign.damper.specimen import Specimen
+    from edesign.damper.test_files import parse_temperature
+    from edesign.project.units import AREA, LENGTH
+
+    options = {"--layers": layers, "--layer-area": area, "--layer-thickness": thickness}
+    if any(path.suffix.lower() in (".yaml", ".yml") for path in inputs):
+        if len(inputs) > 1:
+            raise InputError(f"{inputs[0]}: one campaign, or test files; not both, and not two campaigns")
+        for option, value in {**options, "--temperature": temperature}.items():
+            if value is not None:
+                raise InputError(f"{option}: the campaign says this; leave the option out")
+        return load_campaign(inputs[0])
+    for option, value in options.items():
+        if value is None:
+            raise InputError(f"{option}: test files do not say this; give it, or a campaign file")
+    assert layers is not None and area is not None and thickness is not None
+    celsius = None
+    if temperature is not None:
+        try:
+            celsius = parse_temperature(temperature)
+        except PydanticCustomError as error:
+            raise InputError(f"--temperature: {error.message()}") from None
+    specimen = Specimen(
+        "specimen", layers, quantity(area, AREA, "--layer-area"), quantity(thickness, LENGTH, "--layer-thickness")
+    )
+    names = [path.stem for path in inputs]
+    tests = tuple(
+        read_test(path, temperature_C=celsius, name=path.stem if names.count(path.stem) == 1 else str(path))
+        for path in inputs
+    )
+    return Campaign(specimen, None, tests, inputs[0])

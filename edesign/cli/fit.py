@@ -1,0 +1,167 @@
+"""`edesign fit`: damper laws fitted to tests."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from edesign.cli.fit_inputs import FitInput
+    from edesign.damper.fitting import CrossValidation, Fit
+    from edesign.damper.fitting.solve import Progress
+    from edesign.damper.law import Law
+
+
+def fit(
+    source: Annotated[
+        Path, typer.Argument(metavar="CAMPAIGN_OR_TABLE", help="Campaign file (.yaml), or property table (.csv).")
+    ],
+    law: Annotated[
+        list[str] | None,
+        typer.Option("--law", help="Law to fit; more than one are compared. The campaign's if not said."),
+    ] = None,
+    against: Annotated[
+        str | None, typer.Option("--against", help="forces (Eq. 4.32) or properties (Eqs. 4.30-4.31).")
+    ] = None,
+    start: Annotated[
+        list[str] | None,
+        typer.Option("--start", help="NAME=VALUE with unit, a set such as thesis_table_4_2, or `data`."),
+    ] = None,
+    fix: Annotated[
+        list[str] | None, typer.Option("--fix", metavar="NAME[=VALUE]", help="Hold a parameter, not fit it.")
+    ] = None,
+    free: Annotated[
+        list[str] | None, typer.Option("--free", metavar="NAME", help="Fit a parameter that is held by default.")
+    ] = None,
+    branches: Annotated[
+        int, typer.Option("--branches", min=1, max=16, help="Maxwell branches of generalised_maxwell.")
+    ] = 1,
+    temperature: Annotated[
+        str | None, typer.Option("--temperature", help="gamma: gamma_T of each temperature; ferry: p1 and p2.")
+    ] = None,
+    starts: Annotated[int, typer.Option("--starts", min=1, max=1000, help="Descents from different starts.")] = 6,
+    seed: Annotated[int, typer.Option("--seed", min=0, help="Of the starts.")] = 1,
+    loss: Annotated[str, typer.Option("--loss", help="linear, soft_l1, huber, cauchy.")] = "linear",
+    cross_validate: Annotated[
+        bool, typer.Option("--cross-validate", help="Leave each test out in turn and predict it.")
+    ] = False,
+    folds: Annotated[
+        int | None, typer.Option("--folds", min=2, help="Of --cross-validate: so many parts instead of each test.")
+    ] = None,
+    layers: Annotated[int | None, typer.Option("--layers", min=1, help="Specimen of a property table.")] = None,
+    layer_area: Annotated[str | None, typer.Option("--layer-area", help="Of one layer: `41400 mm^2`.")] = None,
+    layer_thickness: Annotated[str | None, typer.Option("--layer-thickness", help="Of one layer: `12 mm`.")] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="DIR", help="Write law.yaml and fit.json.")
+    ] = None,
+    json_output: Annotated[bool, typer.Option("--json", help="Print the fit as JSON instead of tables.")] = False,
+    figures: Annotated[
+        Path | None, typer.Option("--figures", metavar="DIR", help="Draw measured and fitted loops of every test.")
+    ] = None,
+    figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Threads.")] = 1,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
+) -> None:
+    """Fit damper laws to measured forces or properties; say how sure the parameters are, and which law suffices."""
+    from edesign.archive.files import make_folder
+    from edesign.cli import fit_inputs as read
+    from edesign.damper.fitting import compare
+    from edesign.errors import InputError
+    from edesign.report.fit_figures import draw_fits
+    from edesign.report.fit_tables import tables_of
+    from edesign.report.record_figures import check_format
+    from edesign.report.text import print_tables
+
+    check_format(figure_format)
+    if folds is not None and not cross_validate:
+        raise InputError("--folds: only with --cross-validate")
+    given = read.read_input(source, against, read.read_specimen(layers, layer_area, layer_thickness))
+    if given.table is not None and (cross_validate or figures is not None):
+        raise InputError("--cross-validate, --figures: only with forces, not with properties")
+    laws = read.read_laws(law or [], given.law)
+    alone = len(laws) == 1
+    options: dict[str, Any] = {"starts": starts, "seed": seed, "loss": loss, "workers": workers}
+    options["temperature"] = temperature
+    results = []
+    for item in laws:
+        begin = read.read_starts(item, start or [], given.law, alone)
+        own = options | {
+            "fixed": read.read_fixed(item, fix or [], begin, alone),
+            "fit_also": [name for name in free or [] if alone or name in {p.name for p in item.parameters}],
+            "branches": branches if item.branch else 1,
+        }
+        results.append(_fit(item, given, begin, own, cross_validate, folds, quiet))
+    if output is not None:
+        for result in results:
+            _write(result, given.title, output if alone else output / result.fit.law.name)
+    if json_output:
+        found = [_json(result) for result in results]
+        typer.echo(json.dumps(found[0] if alone else found, indent=1, allow_nan=False))
+    elif not quiet:
+        fits, outs = [result.fit for result in results], [result.held_out for result in results]
+        comparison = compare.comparison(fits, outs) if cross_validate or not alone else None
+        print_tables(tables_of(fits, comparison, [result.validated for result in results]))
+    if figures is not None:
+        make_folder(figures)
+        draw_fits([result.fit for result in results], [*given.tests, *given.validation], figures, figure_format)
+
+
+@dataclass(frozen=True)
+class _Result:
+    """A fit, its cross-validation, and its errors on the tests for validation."""
+
+    fit: Fit
+    held_out: CrossValidation | None
+    validated: dict[str, float]
+
+
+def _fit(
+    law: Law,
+    given: FitInput,
+    begin: dict[str, float],
+    options: dict[str, Any],
+    out: bool,
+    folds: int | None,
+    quiet: bool,
+) -> _Result:
+    from edesign.damper.fitting import cross_validate, fit_forces, fit_properties, prediction_errors
+
+    progress = None if quiet else _progress(law.name)
+    if given.table is not None:
+        return _Result(fit_properties(law, given.table, given.specimen, begin, progress=progress, **options), None, {})
+    found = fit_forces(law, given.tests, begin, specimen=given.specimen, progress=progress, **options)
+    held_out = cross_validate(law, given.tests, begin, folds=folds, whole=found, **options) if out else None
+    return _Result(found, held_out, prediction_errors(found, given.validation) if given.validation else {})
+
+
+def _json(result: _Result) -> dict[str, Any]:
+    from edesign.damper.fitting.write import fit_json
+
+    found = fit_json(result.fit)
+    if result.held_out is not None:
+        found["nrms_percent_held_out"] = {name: 100.0 * value for name, value in result.held_out.nrms.items()}
+    if result.validated:
+        found["nrms_percent_validation"] = {name: 100.0 * value for name, value in result.validated.items()}
+    return found
+
+
+def _write(result: _Result, title: str, folder: Path) -> None:
+    from edesign.archive.files import make_folder, write_text
+    from edesign.damper.fitting.write import law_yaml
+
+    make_folder(folder)
+    write_text(law_yaml(result.fit, title), folder / "law.yaml")
+    write_text(json.dumps(_json(result), indent=1, allow_nan=False) + "\n", folder / "fit.json")
+
+
+def _progress(name: str) -> Progress:
+    """Tell on standard error which start of which law is done."""
+
+    def tell(what: str, done: int, of: int) -> None:
+        typer.echo(f"{name}: {what} {done}/{of}", err=True)
+
+    return tell

@@ -1,0 +1,201 @@
+"""What `edesign fit` reads from files and options."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from edesign.errors import InputError
+
+if TYPE_CHECKING:
+    from edesign.damper.law import Law, Parameter
+    from edesign.damper.property_table import PropertyTable
+    from edesign.damper.specimen import Specimen
+    from edesign.damper.test_files import LawChoice
+    from edesign.damper.test_record import DamperTest
+
+AGAINST = ("forces", "properties")
+
+
+@dataclass(frozen=True)
+class FitInput:
+    """What is fitted to.
+
+    Attributes:
+        against: "forces" or "properties".
+        title: of the campaign or table.
+        specimen: what was tested.
+        law: that the campaign names; None: none.
+        tests: to fit to; () for a property table.
+        validation: tests to compare with only.
+        table: properties; None when forces are fitted.
+    """
+
+    against: str
+    title: str
+    specimen: Specimen
+    law: LawChoice | None
+    tests: tuple[DamperTest, ...]
+    validation: tuple[DamperTest, ...]
+    table: PropertyTable | None
+
+
+def read_input(path: Path, against: str | None, specimen: Specimen | None) -> FitInput:
+    """Read a campaign (YAML) or a property table (CSV).
+
+    Raises:
+        InputError: the file cannot be read, nothing in it can be fitted to, or an option does not go with it.
+    """
+    from edesign.damper.campaign import load_campaign
+    from edesign.damper.properties import properties
+    from edesign.damper.property_table import from_properties, read_property_table
+    from edesign.project.problems import did_you_mean
+
+    if against is not None and against not in AGAINST:
+        raise InputError(f"--against: `{against}` is unknown{did_you_mean(against, AGAINST)} ({', '.join(AGAINST)})")
+    if path.suffix.lower() == ".csv":
+        if against == "forces":
+            raise InputError("--against forces: a property table has no forces; give the campaign file of the tests")
+        if specimen is None:
+            raise InputError("a property table needs the specimen: --layers, --layer-area and --layer-thickness")
+        return FitInput("properties", path.stem, specimen, None, (), (), read_property_table(path))
+    if specimen is not None:
+        raise InputError("--layers, --layer-area, --layer-thickness: the campaign file says what the specimen is")
+    campaign = load_campaign(path, needs_force=False)
+    tests, title = campaign.used_for("fit"), campaign.title or campaign.specimen.name
+    if not tests:
+        raise InputError(f"{path}: no test has `use: fit`, so there is nothing to fit to")
+    if against == "properties":
+        table = from_properties([properties(test, campaign.specimen) for test in tests], str(path))
+        return FitInput("properties", title, campaign.specimen, campaign.law, (), (), table)
+    return FitInput("forces", title, campaign.specimen, campaign.law, tests, campaign.used_for("validate"), None)
+
+
+def read_specimen(layers: int | None, area: str | None, thickness: str | None) -> Specimen | None:
+    """The specimen of the options; None if none is given.
+
+    Raises:
+        InputError: some of them are missing, or have no unit.
+    """
+    from edesign.cli.hazard_options import quantity
+    from edesign.damper.specimen import Specimen
+    from edesign.project.units import AREA, LENGTH
+
+    if layers is None and area is None and thickness is None:
+        return None
+    if layers is None or area is None or thickness is None:
+        raise InputError("--layers, --layer-area and --layer-thickness: all three are needed")
+    return Specimen(
+        "specimen", layers, quantity(area, AREA, "--layer-area"), quantity(thickness, LENGTH, "--layer-thickness")
+    )
+
+
+def read_laws(names: Sequence[str], choice: LawChoice | None) -> tuple[Law, ...]:
+    """The laws of --law, else that of the campaign.
+
+    Raises:
+        InputError: one is unknown or named twice, or there is none.
+    """
+    from edesign.damper.laws import law
+
+    if not names and choice is None:
+        raise InputError("--law: which law is to be fitted? The campaign names none")
+    wanted = list(names) if names or choice is None else [choice.type]
+    for name in wanted:
+        if wanted.count(name) > 1:
+            raise InputError(f"--law: `{name}` stands there twice")
+    return tuple(law(name) for name in wanted)
+
+
+def read_starts(law: Law, given: Sequence[str], choice: LawChoice | None, alone: bool) -> dict[str, float]:
+    """Start values of a law: of the campaign's law, a published set, or NAME=VALUE; `data`: none.
+
+    Args:
+        law: the law.
+        given: of --start.
+        choice: the campaign's law.
+        alone: whether it is the only law; a value of another law's parameter is a mistake only then.
+    """
+    from edesign.damper.parameters import PARAMETER_SETS, parameter_set, read_parameters
+
+    values: dict[str, float] = {}
+    if not given and choice is not None and choice.type == law.name and choice.parameters is not None:
+        return read_parameters(law, choice.parameters)
+    pairs = [text for text in given if "=" in text]
+    for text in given:
+        if "=" in text or text == "data":
+            continue
+        if not alone and text in PARAMETER_SETS and PARAMETER_SETS[text].law != law.name:
+            continue
+        values |= read_parameters(law, parameter_set(law, text).values)
+    return values | read_values(law, pairs, "--start", alone)
+
+
+def read_fixed(law: Law, given: Sequence[str], start: Mapping[str, float], alone: bool) -> dict[str, float] | list[str]:
+    """Parameters of --fix: NAME=VALUE, or NAME alone for its start value."""
+    names = [text for text in given if "=" not in text]
+    values = read_values(law, [text for text in given if "=" in text], "--fix", alone)
+    known = {parameter.name for parameter in law.parameters} | set(start) | set(values)
+    for name in names:
+        if name in start:
+            values[name] = start[name]
+        elif name in known:
+            raise InputError(f"--fix {name}: at which value? `--fix {name}=...` or a start value is needed")
+        elif alone:
+            _unknown(law, name, "--fix")
+    return values
+
+
+def read_values(law: Law, pairs: Sequence[str], option: str, alone: bool) -> dict[str, float]:
+    """Values of NAME=VALUE with units.
+
+    Raises:
+        InputError: a name is unknown, or a value cannot be read.
+    """
+    from edesign.damper.fitting.scales import exponent_in
+    from edesign.damper.parameters import ParameterError, read_parameters, write_parameters
+
+    texts = dict(pair.split("=", 1) for pair in pairs)
+    texts = {name.strip(): text.strip() for name, text in texts.items()}
+    parameters = {p.name: p for p in law.all_parameters(dict.fromkeys(texts, 0.0))}
+    for name in list(texts):
+        if name not in parameters:
+            if alone:
+                _unknown(law, name, option)
+            del texts[name]
+    for name in texts:
+        exponent = exponent_in(parameters[name].unit)
+        if exponent is not None and exponent not in texts:
+            raise InputError(f"{option} {name}: its unit contains {exponent}; give `{exponent}=...` too")
+    if not texts:
+        return {}
+    placeholders = write_parameters(law, {p.name: _placeholder(p) for p in parameters.values()})
+    for name, parameter in parameters.items():  # of exponents in units the text may say another number
+        if exponent_in(parameter.unit) in texts and name not in texts:
+            placeholders[name] = placeholders[name].partition("^")[0] + f"^{exponent_in(parameter.unit)}"
+    try:
+        found = read_parameters(law, {**placeholders, **texts})
+    except ParameterError as error:
+        lines = [f"{option} {name}: {message}" for name, message in error.problems if name in texts]
+        raise InputError("\n".join(lines or [str(error)])) from None
+    return {name: found[name] for name in texts}
+
+
+def _unknown(law: Law, name: str, option: str) -> None:
+    from edesign.project.problems import did_you_mean
+
+    known = [parameter.name for parameter in law.with_branches(1 if law.branch else 0)]
+    raise InputError(
+        f"{option}: law {law.name} has no parameter `{name}`{did_you_mean(name, known)} (there are: {', '.join(known)})"
+    )
+
+
+def _placeholder(parameter: Parameter) -> float:
+    if parameter.default is not None:
+        return parameter.default
+    if math.isfinite(parameter.upper):
+        return 0.5 * (parameter.lower + parameter.upper)
+    return parameter.lower + 1.0 if math.isfinite(parameter.lower) else 1.0

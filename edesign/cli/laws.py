@@ -1,0 +1,20 @@
+"""`edesign laws`: the damper laws and their parameters."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+import typer
+
+
+def laws(
+    name: Annotated[
+        str | None, typer.Argument(help="One law: its parameters, equation and source.", show_default=False)
+    ] = None,
+) -> None:
+    """Print the damper laws, or one law's parameters with unit, bounds and default."""
+    from edesign.damper.laws import law
+    from edesign.report.law_table import law_table, laws_table
+    from edesign.report.text import print_tables
+
+    print_tables([laws_table() if name is None else law_table(law(name))])

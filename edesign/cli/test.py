@@ -1,0 +1,56 @@
+"""`edesign test`: a programme of damper tests on the virtual rig."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def test(
+    programme: Annotated[Path, typer.Argument(help="The programme of tests (.yaml).", show_default=False)],
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="DIR", help="Where to write; NAME_campaign here by default."),
+    ] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a campaign that is there.")] = False,
+    figures: Annotated[Path | None, typer.Option("--figures", metavar="DIR", help="Draw tests and properties.")] = None,
+    figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no table.")] = False,
+) -> None:
+    """Run tests of a damper law as a laboratory would run them, and write them as a campaign.
+
+    Written are TEST.csv (time, displacement, force), campaign.yaml, and properties.csv of the steady sines.
+    """
+    from edesign.cli.damper_progress import reporter
+    from edesign.cli.progress import listener
+    from edesign.damper.campaign import CAMPAIGN_FILE
+    from edesign.damper.programme import run_programme
+    from edesign.damper.programme_file import load_programme
+    from edesign.damper.property_table import from_properties
+    from edesign.errors import InputError
+    from edesign.report.damper_figures import draw_tests
+    from edesign.report.damper_tables import properties_table
+    from edesign.report.record_figures import check_format
+    from edesign.report.text import print_tables
+
+    check_format(figure_format)
+    plan = load_programme(programme)
+    folder = output or Path(f"{programme.stem}_campaign")
+    if (folder / CAMPAIGN_FILE).exists() and not overwrite:
+        raise InputError(
+            f"{folder / CAMPAIGN_FILE}: there is a campaign already; choose another --output, or --overwrite"
+        )
+    with listener(quiet) as listen:
+        run = run_programme(plan, folder, reporter(listen, "virtual tests"))
+    if not quiet:
+        title = f"{len(run.campaign.tests)} tests of {run.campaign.specimen.name}"
+        print_tables([properties_table(title, run.properties, [f"note: {text}" for text in run.warnings])])
+        typer.echo(f"campaign: {run.campaign.path}")
+    if figures is not None:
+        table = from_properties(list(run.properties.values())) if run.properties else None
+        draw_tests(run.campaign, table, figures, figure_format)
+
+
+test.__test__ = False  # type: ignore[attr-defined]  # no test of pytest

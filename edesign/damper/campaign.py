@@ -1,0 +1,218 @@
+"""Campaigns of damper tests: a YAML file that names the specimen, the law thought of, and the files of the tests."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Any
+
+import yaml
+from pydantic import Field
+
+from edesign.archive.files import make_folder, write_text
+from edesign.damper.read_test import read_test, write_test
+from edesign.damper.specimen import Specimen
+from edesign.damper.test_files import (
+    Celsius,
+    LawBlock,
+    LawChoice,
+    SpecimenBlock,
+    Temperature,
+    Text,
+    check_one,
+    check_specimen,
+)
+from edesign.damper.test_record import DamperTest, Use
+from edesign.errors import InputError
+from edesign.project.base import Model
+from edesign.project.problems import FileProblems, Problems
+from edesign.project.yaml_file import check_model, read_yaml_text
+
+CAMPAIGN_FILE = "campaign.yaml"
+_WHAT, _BEGINS = "campaign file", "specimen:"
+
+
+class CampaignError(FileProblems):
+    """A campaign file is wrong."""
+
+
+class TestEntry(Model):
+    """A test: its CSV file, relative to the campaign file; its temperature unless the file has a column of it."""
+
+    __test__ = False  # no test of pytest
+
+    file: Text
+    title: str = ""
+    temperature: Temperature | None = None
+    temperature_C: Celsius | None = None
+    use: Use = "fit"
+
+    @property
+    def celsius(self) -> float | None:
+        """Ambient temperature, degC."""
+        return self.temperature if self.temperature is not None else self.temperature_C
+
+
+class CampaignFile(Model):
+    """A campaign file."""
+
+    title: str = ""
+    specimen: SpecimenBlock
+    law: LawBlock | None = None
+    tests: Annotated[tuple[TestEntry, ...], Field(min_length=1)]
+
+
+@dataclass(frozen=True)
+class Campaign:
+    """Tests of one specimen, in the order in which they were made.
+
+    Attributes:
+        specimen: what was tested.
+        law: thought to describe it; None: none named.
+        tests: in the order of the file, which is that of the tests.
+        path: the campaign file.
+        title: for people.
+    """
+
+    specimen: Specimen
+    law: LawChoice | None
+    tests: tuple[DamperTest, ...]
+    path: Path
+    title: str = ""
+
+    def used_for(self, use: Use) -> tuple[DamperTest, ...]:
+        """Tests to fit to, or those to compare with only."""
+        return tuple(test for test in self.tests if test.use == use)
+
+
+def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
+    """Read and check a campaign file and the tests it names.
+
+    Args:
+        path: the YAML file.
+        needs_force: whether tests without force are refused.
+
+    Raises:
+        InputError: the file cannot be read, or tests are wrong; the message lists the first mistake of each of them.
+        CampaignError: the file is wrong; the message lists all problems with file, line and column.
+    """
+    path = Path(path)
+    file, problems = check_model(read_yaml_text(path, _WHAT), CampaignFile, _WHAT, _BEGINS)
+    if file is None:
+        raise CampaignError(path, problems.found)
+    check_specimen(file.specimen, problems)
+    for i, entry in enumerate(file.tests):
+        keys = ("tests", i)
+        check_one(entry, "temperature", "temperature_C", keys, problems, required=False)
+        if not (path.parent / entry.file).exists():
+            problems.at_value((*keys, "file"), f"there is no file {path.parent / entry.file}")
+    _check_twins(file, problems)
+    if problems.found:
+        raise CampaignError(path, problems.found)
+    tests, wrong = [], []
+    for name, entry in zip(_names(file), file.tests, strict=True):
+        try:
+            tests.append(
+                read_test(
+                    path.parent / entry.file,
+                    temperature_C=entry.celsius,
+                    title=entry.title,
+                    use=entry.use,
+                    needs_force=needs_force,
+                    name=name,
+                )
+            )
+        except InputError as error:
+            wrong.append(str(error))
+    if wrong:
+        raise InputError("\n".join(wrong))
+    law = None if file.law is None else file.law.choice
+    return Campaign(file.specimen.specimen, law, tuple(tests), path, file.title)
+
+
+def write_campaign(
+    folder: Path | str,
+    specimen: Specimen,
+    tests: Sequence[DamperTest],
+    law: LawChoice | None = None,
+    title: str = "",
+) -> Campaign:
+    """Write a campaign: NAME.csv for each test, and then campaign.yaml, so that it names whole files only.
+
+    Args:
+        folder: made if it does not exist.
+        specimen: what was tested.
+        tests: names without folders, no two alike.
+        law: with parameters as text, numbers without dimension, or the name of a set.
+        title: for people.
+
+    Returns:
+        The campaign with its place.
+
+    Raises:
+        ArchiveError: a file cannot be written.
+        InputError: two tests have one name.
+    """
+    folder = Path(folder)
+    names = [test.name.lower() for test in tests]
+    for name in names:
+        if names.count(name) > 1:
+            raise InputError(f"campaign {folder}: two tests are called {name}; their files would be one")
+    make_folder(folder)
+    for test in tests:
+        write_test(folder / f"{test.name}.csv", test)
+    path = folder / CAMPAIGN_FILE
+    write_text(_text(specimen, tests, law, title), path)
+    return Campaign(specimen, law, tuple(tests), path, title)
+
+
+def _text(specimen: Specimen, tests: Sequence[DamperTest], law: LawChoice | None, title: str) -> str:
+    data: dict[str, Any] = {"title": title} if title else {}
+    data["specimen"] = {
+        "name": specimen.name,
+        "layers": specimen.layers,
+        "layer_area_mm2": _rounded(1e6 * specimen.layer_area),
+        "layer_thickness_mm": _rounded(1e3 * specimen.layer_thickness),
+    }
+    if law is not None:
+        data["law"] = {"type": law.type}
+        if law.parameters is not None:
+            data["law"]["parameters"] = law.parameters if isinstance(law.parameters, str) else dict(law.parameters)
+        if not law.refit:
+            data["law"]["refit"] = False
+    data["tests"] = [
+        {
+            "file": f"{test.name}.csv",
+            **({"title": test.title} if test.title else {}),
+            "temperature_C": _rounded(test.temperature_C),
+            "use": test.use,
+        }
+        for test in tests
+    ]
+    # leaves stand in one line each, as a person would write them
+    return yaml.safe_dump(data, sort_keys=False, default_flow_style=None, width=1000, allow_unicode=True)
+
+
+def _rounded(value: float) -> float | int:
+    """Twelve digits, so that 1e6 * 0.0414 is 41400."""
+    number = float(f"{value:.12g}")
+    return int(number) if number == int(number) and abs(number) < 1e15 else number
+
+
+def _names(file: CampaignFile) -> list[str]:
+    """Names of the tests: file names without ending, or with folders where these are needed to tell them apart."""
+    short = [Path(entry.file).stem for entry in file.tests]
+    return [
+        name if short.count(name) == 1 else str(Path(entry.file).with_suffix(""))
+        for name, entry in zip(short, file.tests, strict=True)
+    ]
+
+
+def _check_twins(file: CampaignFile, problems: Problems) -> None:
+    first: dict[Path, int] = {}
+    for i, entry in enumerate(file.tests):
+        other = first.setdefault(Path(entry.file), i)
+        if other != i:
+            line = problems.node(("tests", other)).mark.line
+            problems.at_value(("tests", i, "file"), f"the file is there already, in line {line}")

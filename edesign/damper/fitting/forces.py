@@ -1,0 +1,166 @@
+"""Fit a law to measured force histories, all tests at once."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.damper.damper import Damper
+from edesign.damper.fitting.assemble import assemble
+from edesign.damper.fitting.coordinates import Bounds
+from edesign.damper.fitting.fit import Fit, Tested
+from edesign.damper.fitting.independence import independent_errors
+from edesign.damper.fitting.loading import Loading, Predict, prepare, scales_of
+from edesign.damper.fitting.minimise import Loss, Residual
+from edesign.damper.fitting.observed import observe
+from edesign.damper.fitting.setup import Setup, set_up
+from edesign.damper.fitting.solve import FAILED, Progress, solve
+from edesign.damper.fitting.start import linear_start, spread
+from edesign.damper.fitting.thermal import ThermalKind
+from edesign.damper.fitting.uncertainty import blocks_of
+from edesign.damper.law import Law
+from edesign.damper.nrms import nrms
+from edesign.errors import AnalysisError, InputError
+
+if TYPE_CHECKING:
+    from edesign.damper.specimen import Specimen
+    from edesign.damper.test_record import DamperTest
+
+STARTS, SCREENED = 6, 8
+"""Descents; candidates that are screened for each."""
+
+
+def fit_forces(
+    law: Law,
+    tests: Sequence[DamperTest],
+    start: Mapping[str, float] | None = None,
+    *,
+    specimen: Specimen | None = None,
+    bounds: Bounds | None = None,
+    fixed: Mapping[str, float] | Sequence[str] = (),
+    fit_also: Sequence[str] = (),
+    loss: Loss = "linear",
+    starts: int = STARTS,
+    seed: int = 1,
+    weights: Mapping[str, float] | None = None,
+    temperature: ThermalKind | None = None,
+    reference_C: float | None = None,
+    branches: int = 1,
+    predict: Predict | None = None,
+    workers: int = 1,
+    progress: Progress | None = None,
+) -> Fit:
+    """Fit a law to force histories by least squares over all tests at once.
+
+    Errors of a test are measured in the root mean square of its force, so every test counts alike, whatever its force
+    and length.
+
+    Args:
+        law: the law.
+        tests: with measured forces.
+        start: values to start from, SI; those not given come from the data. Held parameters are held at these.
+        specimen: for the tested range as strain.
+        bounds: narrower than the law's own, by name, SI.
+        fixed: names held at their start values, or values to hold, SI; besides those of identifiable.HELD.
+        fit_also: names of identifiable.HELD that are fitted nevertheless.
+        loss: "linear" is least squares; the others give errors beyond twice the usual one less weight.
+        starts: descents, from the start and the best of a seeded Latin hypercube about it.
+        seed: of the hypercube.
+        weights: factor of the squared errors of a test, by name.
+        temperature: see thermal.Thermal.
+        reference_C: degC at which the parameters hold.
+        branches: of a law with branches.
+        predict: force of parameters under a loading; None: the law in the core.
+        workers: threads.
+        progress: told of the starts.
+
+    Raises:
+        InputError: something is wrong with tests or options, or the data cannot carry so many parameters.
+        AnalysisError: the law gives no force at the start.
+
+    Source: thesis Eq. 4.32.
+    """
+    begun = time.perf_counter()
+    loadings = prepare(tests, weights)
+    scales = scales_of(loadings)
+    observed = observe(loadings, scales)
+    temperatures = [loading.temperature_C for loading in loadings]
+    setup = set_up(
+        law, observed, start, bounds, fixed, fit_also, temperatures, temperature, reference_C, branches, starts, loss
+    )
+    samples = sum(loading.time.size for loading in loadings)
+    if samples <= 2 * len(setup.coordinates.names):
+        raise InputError(
+            f"{samples} samples cannot carry {len(setup.coordinates.names)} parameters; give more tests, or hold some"
+        )
+    force = predict or core_predict(law)
+    slim = tuple(loading.for_search() for loading in loadings)
+    coarse, full = _residual(setup, slim, force), _residual(setup, loadings, force)
+    coordinates = setup.coordinates
+    first = coordinates.at(coordinates.start)
+    force(setup.thermal.at(law, coordinates.values(first), loadings[0].temperature_C), loadings[0])  # errors are told
+    candidates = [first, *linear_start(law, coordinates, observed, seed), *spread(coordinates, SCREENED * starts, seed)]
+    outcome = solve(coordinates, coarse, full, candidates, starts, loss, workers, progress, setup.canonical)
+    tests_of, blocks = blocks_of(loadings)
+    best = coordinates.values(outcome.x)
+    predicted = [force(setup.thermal.at(law, best, loading.temperature_C), loading) for loading in loadings]
+    found = assemble(
+        setup,
+        outcome,
+        (tests_of, blocks),
+        errors={a.name: nrms(p, a.force) for p, a in zip(predicted, loadings, strict=True)},
+        overall=nrms(np.concatenate(predicted), np.concatenate([loading.force for loading in loadings])),
+        rms_error={
+            a.name: float(np.sqrt(np.mean((p - a.force) ** 2))) / a.rms
+            for p, a in zip(predicted, loadings, strict=True)
+        },
+        tested=_tested(loadings, specimen),
+        independent=independent_errors(p - a.force for p, a in zip(predicted, loadings, strict=True)),
+    )
+    return replace(found, seconds=time.perf_counter() - begun)
+
+
+def core_predict(law: Law) -> Predict:
+    """The force of a law as the core computes it."""
+
+    def predict(values: Mapping[str, float], loading: Loading) -> np.ndarray:
+        return Damper(law, values).force(loading.time, loading.displacement, loading.velocity)
+
+    return predict
+
+
+def _residual(setup: Setup, loadings: Sequence[Loading], predict: Predict) -> Residual:
+    """Errors relative to the tests' forces; half the sum of their squares is half the mean over tests."""
+    factors = [np.sqrt(a.weight / (a.time.size * len(loadings))) for a in loadings]
+
+    def residual(x: np.ndarray) -> np.ndarray:
+        values = setup.coordinates.values(x)
+        parts = []
+        for loading, factor in zip(loadings, factors, strict=True):
+            try:
+                own = setup.thermal.at(setup.law, values, loading.temperature_C)
+                error = (predict(own, loading) - loading.force) / loading.rms
+            except (AnalysisError, InputError):
+                error = np.full(loading.time.size, FAILED)
+            parts.append(factor * np.where(np.isfinite(error), error, FAILED))
+        return np.concatenate(parts)
+
+    return residual
+
+
+def _tested(loadings: Sequence[Loading], specimen: Specimen | None) -> Tested:
+    amplitude = np.array([np.max(np.abs(loading.displacement)) for loading in loadings])
+    if specimen is not None:
+        amplitude = np.asarray(specimen.strain(amplitude))
+    frequency = [loading.frequency for loading in loadings]
+    temperature = [loading.temperature_C for loading in loadings]
+    return Tested(
+        (float(amplitude.min()), float(amplitude.max())),
+        (min(frequency), max(frequency)),
+        (min(temperature), max(temperature)),
+        specimen is not None,
+    )

@@ -1,0 +1,73 @@
+"""Parameters that force and deformation cannot tell, and the values they are held at by default."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from edesign.damper.fitting.scales import Scales
+from edesign.damper.law import Law
+
+
+@dataclass(frozen=True)
+class Held:
+    """A parameter that is not fitted unless the user asks for it.
+
+    Attributes:
+        why: for people.
+        value: SI, where neither start nor law gives one; in the unit of `of` if that is said.
+        of: "force": largest force of the tests; "frequency": their mean circular frequency; "": SI.
+    """
+
+    why: str
+    value: float
+    of: str = ""
+
+
+_BOUC_WEN = {
+    "A": Held("A only scales z, as the yield force and yield deformation do", 1.0),
+    "gamma": Held("gamma, beta and the yield deformation scale together; the yield deformation is fitted", 0.5),
+}
+
+HELD: dict[str, dict[str, Held]] = {
+    "friction": {"N": Held("only the slip force mu N acts on the damper", 1.0, "force")},
+    "ramberg_osgood": {"a": Held("only a / Fy^(n-1) enters the law", 1.0)},
+    "bouc_wen": _BOUC_WEN,
+    "modified_bouc_wen": _BOUC_WEN,
+    "linearised": {"omega": Held("only zeta_eff / omega enters the force", 1.0, "frequency")},
+    "mgmm": {
+        "k0": Held("Eq. 4.29 contains only k0 + k_b, c1/k1 and c1/k1 k0 + c1 + c_b", 0.0),
+        "c_b": Held("Eq. 4.29 contains only k0 + k_b, c1/k1 and c1/k1 k0 + c1 + c_b", 0.0),
+    },
+}
+"""Parameters held by default, by law. Values that a start gives are kept: held is a value, not zero."""
+
+
+def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, force: float) -> dict[str, float]:
+    """Values of the parameters that are not fitted by default.
+
+    Args:
+        law: the law.
+        start: values the user gave, SI.
+        scales: sizes in the tests.
+        force: largest measured force, N.
+
+    Returns:
+        By name, SI; choices of the law that are no numbers for data to tell are among them.
+    """
+    given = dict(start or {})
+    holds = {name: given.get(name, _value(held, scales, force)) for name, held in HELD.get(law.name, {}).items()}
+    for parameter in law.parameters:
+        if not parameter.fitted and parameter.default is not None:
+            holds[parameter.name] = given.get(parameter.name, parameter.default)
+    return holds
+
+
+def why_held(law: Law, name: str) -> str:
+    """Reason for which a parameter is held by default; "" if it is not."""
+    held = HELD.get(law.name, {}).get(name)
+    return held.why if held else ""
+
+
+def _value(held: Held, scales: Scales, force: float) -> float:
+    return held.value * {"": 1.0, "force": force, "frequency": 1.0 / scales.time}[held.of]

@@ -1,0 +1,130 @@
+"""Least squares from several starts: scipy's trust-region fits on dimensionless coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import Literal, TypeVar
+
+import numpy as np
+from scipy.optimize import least_squares
+
+Loss = Literal["linear", "soft_l1", "huber", "cauchy"]
+Residual = Callable[[np.ndarray], np.ndarray]
+T = TypeVar("T")
+R = TypeVar("R")
+
+_TOLERANCE = 1e-10
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What is minimised.
+
+    Attributes:
+        residual: (m,) of coordinates (n,).
+        lower, upper: bounds (n,).
+        steps: steps (n,) for differences about coordinates.
+    """
+
+    residual: Residual
+    lower: np.ndarray
+    upper: np.ndarray
+    steps: Callable[[np.ndarray], np.ndarray]
+
+    def jacobian(self, x: np.ndarray, at_x: np.ndarray | None = None, workers: int = 1) -> np.ndarray:
+        """Derivatives (m, n): central differences, one-sided with `at_x`, the residual at x, given."""
+        steps = self.steps(x)
+
+        def column(j: int) -> np.ndarray:
+            high, low = x.copy(), x.copy()
+            high[j] = min(x[j] + steps[j], self.upper[j])
+            low[j] = max(x[j] - steps[j], self.lower[j])
+            if at_x is None:
+                return (self.residual(high) - self.residual(low)) / (high[j] - low[j])
+            other = high if high[j] - x[j] >= x[j] - low[j] else low
+            return (self.residual(other) - at_x) / (other[j] - x[j])
+
+        return np.column_stack(in_threads(column, range(x.size), workers))
+
+
+@dataclass(frozen=True)
+class Descent:
+    """Where a descent ended.
+
+    Attributes:
+        x: coordinates (n,).
+        cost: half the sum of (weighted) squares.
+        iterations: evaluations of the Jacobian.
+        evaluations: of the residual.
+        converged: whether the search ended by itself.
+    """
+
+    x: np.ndarray
+    cost: float
+    iterations: int
+    evaluations: int
+    converged: bool
+
+
+def descend(
+    problem: Problem,
+    start: np.ndarray,
+    loss: Loss = "linear",
+    f_scale: float = 1.0,
+    most: int = 60,
+    central: bool = False,
+    workers: int = 1,
+    tolerance: float = _TOLERANCE,
+) -> Descent:
+    """Minimise from one start.
+
+    Args:
+        problem: what is minimised.
+        start: coordinates (n,), moved inside the bounds.
+        loss, f_scale: as of scipy.optimize.least_squares.
+        most: iterations.
+        central: whether derivatives are central differences: twice the work, errors of second order.
+        workers: threads for the derivatives.
+        tolerance: relative change of the cost at which the search ends.
+    """
+    seen: dict[bytes, np.ndarray] = {}
+    count = 0
+
+    def residual(x: np.ndarray) -> np.ndarray:
+        nonlocal count
+        count += 1
+        seen.clear()
+        seen[x.tobytes()] = value = problem.residual(x)
+        return value
+
+    def jacobian(x: np.ndarray) -> np.ndarray:
+        nonlocal count
+        count += x.size * (2 if central else 1)
+        at_x = seen.get(x.tobytes())
+        return problem.jacobian(x, None if central else problem.residual(x) if at_x is None else at_x, workers)
+
+    found = least_squares(
+        residual,
+        np.clip(start, problem.lower, problem.upper),
+        jac=jacobian,
+        bounds=(problem.lower, problem.upper),
+        method="trf",
+        x_scale="jac",
+        loss=loss,
+        f_scale=f_scale,
+        ftol=tolerance,
+        xtol=tolerance,
+        gtol=1e-12,
+        max_nfev=most,
+    )
+    return Descent(found.x, float(found.cost), int(found.njev), count, found.status > 0)
+
+
+def in_threads(work: Callable[[T], R], items: Iterable[T], workers: int) -> Sequence[R]:
+    """Results in the order of the items, whatever the number of threads."""
+    if workers <= 1:
+        return [work(item) for item in items]
+    with ThreadPoolExecutor(workers) as pool:
+        return list(pool.map(work, items))

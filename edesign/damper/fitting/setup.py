@@ -1,0 +1,125 @@
+"""What is fitted and what is held: shared by fits to forces and to properties."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import get_args
+
+import numpy as np
+
+from edesign.damper.fitting.coordinates import ABOVE, Bounds, Coordinates
+from edesign.damper.fitting.identifiable import HELD, default_holds, why_held
+from edesign.damper.fitting.minimise import Loss
+from edesign.damper.fitting.observed import Observed
+from edesign.damper.fitting.start import branches_of, start_values
+from edesign.damper.fitting.thermal import Thermal, ThermalKind, thermal
+from edesign.damper.law import Law, Parameter
+from edesign.errors import InputError
+from edesign.project.problems import did_you_mean
+
+
+@dataclass(frozen=True)
+class Setup:
+    """A fit before it is run.
+
+    Attributes:
+        law: the law.
+        parameters: all of it, and the unknowns of the temperature.
+        coordinates: of what is fitted.
+        held: what is not, with the reason.
+        thermal: how temperature enters.
+    """
+
+    law: Law
+    parameters: tuple[Parameter, ...]
+    coordinates: Coordinates
+    held: dict[str, str]
+    thermal: Thermal
+
+    def canonical(self, x: np.ndarray) -> np.ndarray:
+        """Coordinates with the branches of a law in the order of their relaxation times, the longest first."""
+        kinds = [parameter.name for parameter in self.law.branch]
+        values = self.coordinates.values(x)
+        count = branches_of(self.law, values, 1)
+        free = all(f"{kind}{i}" in self.coordinates.names for kind in kinds for i in range(1, count + 1))
+        if count < 2 or not free or self.coordinates.bounded:
+            return x
+        order = sorted(range(1, count + 1), key=lambda i: -values[f"c{i}"] / values[f"k{i}"])
+        moved = {f"{kind}{new}": values[f"{kind}{old}"] for new, old in enumerate(order, 1) for kind in kinds}
+        return self.coordinates.at({**values, **moved})
+
+
+def set_up(
+    law: Law,
+    observed: Observed,
+    start: Mapping[str, float] | None,
+    bounds: Bounds | None,
+    fixed: Mapping[str, float] | Sequence[str],
+    fit_also: Sequence[str],
+    temperatures: Sequence[float],
+    kind: ThermalKind | None,
+    reference_C: float | None,
+    branches: int,
+    starts: int,
+    loss: Loss,
+) -> Setup:
+    """Decide what is fitted, from where, and within which bounds; arguments as of fit_forces.
+
+    Raises:
+        InputError: an option names what there is not, or nothing is left to fit.
+    """
+    if loss not in get_args(Loss):
+        raise InputError(
+            f"loss: `{loss}` is unknown{did_you_mean(str(loss), get_args(Loss))} ({', '.join(get_args(Loss))})"
+        )
+    if starts < 1:
+        raise InputError(f"starts: {starts}; at least 1 is needed")
+    heat = thermal(law, kind, temperatures, reference_C)
+    begin = {**(start or {}), **(fixed if isinstance(fixed, Mapping) else {})}
+    parameters = (*law.with_branches(branches_of(law, begin, branches)), *heat.parameters)
+    known = {parameter.name: parameter for parameter in parameters}
+    for what, names in (("start", begin), ("fixed", fixed), ("fit", fit_also), ("bounds", bounds or {})):
+        for name in names:
+            if name not in known:
+                raise InputError(
+                    f"{what}: law {law.name} has no parameter `{name}`{did_you_mean(name, known)} "
+                    f"(there are: {', '.join(known)})"
+                )
+    for name, value in begin.items():
+        if not known[name].allows(value):
+            raise InputError(
+                f"start of `{name}`: {value:g} {known[name].unit} is out of range: {known[name].allowed} is allowed"
+            )
+    holds = default_holds(law, begin, observed.scales, observed.largest_force)
+    for name in fit_also:
+        if name not in HELD.get(law.name, {}) and name in holds:
+            raise InputError(f"fit: `{name}` of law {law.name} is a choice, not a number that data can tell")
+        holds.pop(name, None)
+    own = {name: value for name, value in begin.items() if name not in {p.name for p in heat.parameters}}
+    values = start_values(law, observed, {**own, **holds}, branches)
+    values |= {p.name: begin.get(p.name, p.default or 1.0) for p in heat.parameters}
+    reasons = {name: why_held(law, name) or "a choice" for name in holds}
+    reasons |= {name: "held by the user" for name in fixed}
+    values = _within(values, bounds, begin, known)
+    free = [name for name in values if name not in reasons]
+    if not free:
+        raise InputError(f"all parameters of law {law.name} are held; nothing is left to fit")
+    coordinates = Coordinates(parameters, free, values, observed.scales, bounds, ABOVE.get(law.name))
+    return Setup(law, parameters, coordinates, reasons, heat)
+
+
+def _within(
+    values: dict[str, float], bounds: Bounds | None, begin: Mapping[str, float], known: Mapping[str, Parameter]
+) -> dict[str, float]:
+    """Starts that came from the data moved inside the user's bounds; those the user gave are left to be refused."""
+    found = dict(values)
+    for name, (low, high) in (bounds or {}).items():
+        if name in found and name not in begin and not low <= found[name] <= high and low < high:
+            positive = low > 0.0 and math.isfinite(high)
+            middle = math.sqrt(low * high) if positive else 0.5 * (low + high)
+            found[name] = middle if math.isfinite(middle) else low if math.isfinite(low) else high
+            if not known[name].allows(found[name]):
+                found[name] = high if math.isfinite(high) else low
+    return found

@@ -1,0 +1,163 @@
+"""Parameters of damper laws as people write them: `0.515 kN/mm`, `1.585 kN*(s/mm)^0.374`, the name of a set."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+
+from pydantic_core import PydanticCustomError
+
+from edesign.damper.law import Law, Parameter
+from edesign.damper.parameter_sets import PARAMETER_SETS, ParameterSet
+from edesign.errors import InputError
+from edesign.project.problems import did_you_mean, listed
+from edesign.project.units import Kind, parse_quantity, parse_ratio
+
+__all__ = ["PARAMETER_SETS", "ParameterError", "ParameterSet", "parameter_set", "read_parameters", "write_parameters"]
+
+_EXPONENT = re.compile(r"\^([A-Za-z_]\w*)")  # a parameter as exponent in the unit of another
+_BASE = re.compile(r"\b[Nm]\b")
+_PRACTICAL = {"N": "kN", "m": "mm"}
+_DIGITS = 15  # of numbers written; they read back to 1e-14
+_EXPONENT_TOLERANCE = 1e-9  # of the exponent in a unit against the parameter it stands for
+
+
+class ParameterError(InputError):
+    """Parameters of a law are wrong; the message lists all problems.
+
+    Attributes:
+        problems: name of the parameter and what is wrong with it.
+    """
+
+    def __init__(self, law: Law, problems: Sequence[tuple[str, str]]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(f"law {law.name}: parameter `{name}`: {message}" for name, message in problems))
+
+
+def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, float]:
+    """Read the parameters of a law.
+
+    Args:
+        law: the law.
+        values: by name, text with unit (`0.515 kN/mm`), a plain number where there is no dimension; or the name of a
+            set in PARAMETER_SETS. An exponent in a unit is that of the law: a number, or the name of the parameter
+            (`kN*(s/mm)^0.374`, `kN*(s/mm)^alpha`).
+
+    Returns:
+        All parameters in the order of the core, SI units, with defaults.
+
+    Raises:
+        ParameterError: a name is unknown, or a value cannot be read; tells all of them.
+        InputError: a parameter is missing or out of its bounds, or there is no such set for this law.
+    """
+    if isinstance(values, str):
+        values = parameter_set(law, values).values
+    known = {parameter.name: parameter for parameter in law.all_parameters(dict.fromkeys(values, 0.0))}
+    problems = [
+        (name, f"there is no such parameter{did_you_mean(str(name), known)} (there are: {', '.join(known)})")
+        for name in values
+        if name not in known
+    ]
+    found: dict[str, float] = {}
+    given = [parameter for parameter in known.values() if parameter.name in values]
+    for parameter in sorted(given, key=lambda parameter: bool(parameter.unit)):  # exponents before units with them
+        try:
+            found[parameter.name] = _read(parameter, values[parameter.name], found)
+        except PydanticCustomError as error:
+            problems.append((parameter.name, error.message()))
+        except KeyError:
+            pass  # the exponent of its unit is missing or wrong, which is told there
+    if problems:
+        raise ParameterError(law, problems)
+    return law.complete(found)
+
+
+def parameter_set(law: Law, name: str) -> ParameterSet:
+    """A published set of parameters.
+
+    Raises:
+        InputError: there is none of that name, or it is of another law.
+    """
+    if name not in PARAMETER_SETS:
+        hint = did_you_mean(name, PARAMETER_SETS)
+        raise InputError(f"there is no parameter set `{name}`{hint} (there are: {listed(PARAMETER_SETS)})")
+    found = PARAMETER_SETS[name]
+    if found.law != law.name:
+        raise InputError(f"the parameter set `{name}` is of law {found.law}, not of {law.name}")
+    return found
+
+
+def write_parameters(law: Law, values: Mapping[str, float]) -> dict[str, str]:
+    """Parameters in kN, mm and s as text that `read_parameters` reads back to a relative 1e-12.
+
+    Args:
+        law: the law.
+        values: by name, SI units.
+
+    Raises:
+        InputError: a parameter is unknown, missing or out of its bounds.
+    """
+    complete = law.complete(values)
+    plain = {p.name: f"{complete[p.name]:.{_DIGITS}g}" for p in law.all_parameters(complete) if not p.unit}
+    exponents = {name: float(text) for name, text in plain.items()}
+    written = {}
+    for parameter in law.all_parameters(complete):
+        if parameter.unit:
+            unit = practical_unit(parameter, plain)
+            one = parse_quantity(f"1 {unit}", _kind(parameter, exponents))
+            written[parameter.name] = f"{complete[parameter.name] / one:.{_DIGITS}g} {unit}"
+        else:
+            written[parameter.name] = plain[parameter.name]
+    return written
+
+
+def practical_unit(parameter: Parameter, exponents: Mapping[str, object] | None = None) -> str:
+    """The unit in kN and mm; names of parameters in it are replaced by `exponents` where given."""
+    return _BASE.sub(lambda match: _PRACTICAL[match[0]], _with_exponents(parameter.unit, exponents or {}))
+
+
+def _with_exponents(unit: str, exponents: Mapping[str, object]) -> str:
+    return _EXPONENT.sub(lambda match: f"^{exponents.get(match[1], match[1])}", unit)
+
+
+def _read(parameter: Parameter, value: object, found: Mapping[str, float]) -> float:
+    if not parameter.unit:
+        if isinstance(value, bool) and not parameter.fitted:
+            return float(value)
+        bounds = (parameter.lower, parameter.upper, parameter.lower_allowed, parameter.upper_allowed)
+        return parse_ratio(value, *bounds)
+    exponents = {name: found[name] for name in _EXPONENT.findall(parameter.unit)}
+    kind = _kind(parameter, exponents)
+    text = _exponents_in(value, exponents)
+    try:
+        result = parse_quantity(text, kind)
+    except PydanticCustomError as error:
+        if not exponents:
+            raise
+        names = ", ".join(f"{name} = {number:g}" for name, number in exponents.items())
+        raise PydanticCustomError("parameter", "{m}", {"m": f"{error.message()}; {names} here"}) from None
+    # pint takes 1 Hz as 1/s; as a circular frequency it is 2 pi rad/s
+    return 2.0 * math.pi * result if parameter.unit == "rad/s" and re.search(r"Hz\b", str(text)) else result
+
+
+def _exponents_in(value: object, exponents: Mapping[str, float]) -> object:
+    """The text with the exponents by name, or numbers that mean the same, as the numbers themselves."""
+    if not isinstance(value, str) or not exponents:
+        return value
+
+    def replace(match: re.Match[str]) -> str:
+        if match[1] in exponents:
+            return f"^{exponents[match[1]]!r}"
+        near = [
+            number for number in exponents.values() if abs(float(match[2]) - number) <= _EXPONENT_TOLERANCE * number
+        ]
+        return f"^{near[0]!r}" if near else match[0]
+
+    return re.sub(r"\^\s*(?:([A-Za-z_]\w*)|([0-9.]+(?:[eE][-+]?[0-9]+)?))", replace, value.replace("**", "^"))
+
+
+def _kind(parameter: Parameter, exponents: Mapping[str, float]) -> Kind:
+    shown = {name: f"{value:g}" for name, value in exponents.items()}
+    unit = _with_exponents(parameter.unit, {name: repr(value) for name, value in exponents.items()})
+    return Kind(parameter.meaning, unit, f"1 {practical_unit(parameter, shown)}")

@@ -1,0 +1,197 @@
+"""Programmes of damper tests for the virtual rig: the form of the YAML file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Discriminator, Field, PrivateAttr, Tag
+from pydantic_core import PydanticCustomError
+
+from edesign.damper.test_files import (
+    LawBlock,
+    SpecimenBlock,
+    Text,
+    check_one,
+    check_specimen,
+    parse_celsius,
+    parse_temperature,
+)
+from edesign.damper.test_record import Use
+from edesign.project.base import Model, by_key, refuse
+from edesign.project.problems import FileProblems, Problems
+from edesign.project.units import (
+    FREQUENCY,
+    LENGTH,
+    PositiveTime,
+    parse_quantity,
+    parse_ratio,
+)
+from edesign.project.yaml_file import check_model, read_yaml_text
+
+_WHAT, _BEGINS = "programme file", "specimen:"
+
+
+class ProgrammeError(FileProblems):
+    """A programme file is wrong."""
+
+
+def parse_frequency(value: Any) -> float:
+    """Read a frequency such as `0.5 Hz`; Hz.
+
+    Raises:
+        PydanticCustomError: it is none, or a circular frequency.
+    """
+    if "rad" in str(value) or "rpm" in str(value):
+        raise refuse(f"`{value}` is an angular velocity; write the frequency in Hz, for example `0.5 Hz`")
+    return parse_quantity(value, FREQUENCY, "positive")
+
+
+def _several(parse: Callable[[Any], float]) -> BeforeValidator:
+    """One value or a list of them."""
+
+    def read(value: Any) -> tuple[float, ...]:
+        if not isinstance(value, (tuple, list)):
+            return (parse(value),)
+        if not value:
+            raise refuse("the list is empty")
+        found = []
+        for i, item in enumerate(value):
+            try:
+                found.append(parse(item))
+            except PydanticCustomError as error:
+                raise refuse(error.message(), i) from None
+        return tuple(found)
+
+    return BeforeValidator(read)
+
+
+Frequency = Annotated[float, BeforeValidator(parse_frequency)]
+Frequencies = Annotated[tuple[float, ...], _several(parse_frequency)]
+Strains = Annotated[tuple[float, ...], _several(lambda value: parse_ratio(value, 0.0, math.inf, low_allowed=False))]
+Displacements = Annotated[tuple[float, ...], _several(lambda value: parse_quantity(value, LENGTH, "positive"))]
+Temperatures = Annotated[tuple[float, ...], _several(parse_temperature)]
+CelsiusList = Annotated[tuple[float, ...], _several(parse_celsius)]
+
+
+class _Test(Model):
+    """What all tests share. `strain` or `displacement` is the largest amplitude; a list makes a test of each value."""
+
+    strain: Strains | None = None
+    displacement: Displacements | None = None
+    temperature: Temperatures | None = None
+    temperature_C: CelsiusList | None = None
+    title: str = ""
+    use: Use = "fit"
+
+    @property
+    def celsius(self) -> tuple[float, ...]:
+        """Ambient temperatures, degC."""
+        return self.temperature or self.temperature_C or ()
+
+
+class SineTest(_Test):
+    """Steady sines between ramps (thesis 3.2)."""
+
+    type: Literal["sine"]
+    frequency: Frequencies
+    cycles: Annotated[int, Field(ge=1)] = 18
+    ramp_up: Annotated[float, Field(ge=0.0)] = 2.0
+    ramp_down: Annotated[float, Field(ge=0.0)] = 2.0
+
+
+class SweepTest(_Test):
+    """Amplitude sweeps (thesis 4.4); `blend`: cycles over which the amplitude changes."""
+
+    type: Literal["sweep"]
+    frequency: Frequencies
+    blend: Annotated[float, Field(ge=0.0, le=0.5)] = 0.25
+
+
+class RandomTest(_Test):
+    """Band-limited noise; `level` says whether the amplitude is the peak or the rms; one test of each seed."""
+
+    type: Literal["random"]
+    band: tuple[Frequency, Frequency]
+    duration: PositiveTime
+    seed: Annotated[int, Field(ge=0)]
+    level: Literal["peak", "rms"] = "peak"
+
+
+class RecordTest(_Test):
+    """A displacement history from a CSV file, scaled to the amplitude as its peak if one is given."""
+
+    type: Literal["record"]
+    file: Text
+
+
+TestPlan = Annotated[
+    Annotated[SineTest, Tag("?type=sine")]
+    | Annotated[SweepTest, Tag("?type=sweep")]
+    | Annotated[RandomTest, Tag("?type=random")]
+    | Annotated[RecordTest, Tag("?type=record")],
+    Discriminator(by_key("type")),
+]
+
+
+class Noise(Model):
+    """White noise of the force channel: its standard deviation as a share of the peak force of each test."""
+
+    force: Annotated[float, BeforeValidator(lambda value: parse_ratio(value, 0.0, 1.0))]
+    seed: Annotated[int, Field(ge=0)]
+
+
+class Programme(Model):
+    """A checked programme of tests; made by `load_programme`."""
+
+    title: str = ""
+    specimen: SpecimenBlock
+    law: LawBlock
+    sampling_rate: Frequency = 1000.0
+    noise: Noise | None = None
+    tests: Annotated[tuple[TestPlan, ...], Field(min_length=1)]
+
+    _path: Path = PrivateAttr(default=Path("programme.yaml"))
+
+    @property
+    def path(self) -> Path:
+        """The file, as it was given."""
+        return self._path
+
+
+def load_programme(path: Path | str) -> Programme:
+    """Read and check a programme file.
+
+    Raises:
+        InputError: the file cannot be read.
+        ProgrammeError: the file is wrong; the message lists all problems with file, line and column.
+    """
+    path = Path(path)
+    programme, problems = check_model(read_yaml_text(path, _WHAT), Programme, _WHAT, _BEGINS)
+    if programme is None:
+        raise ProgrammeError(path, problems.found)
+    check_specimen(programme.specimen, problems)
+    if programme.law.parameters is None:
+        problems.under(("law",), "parameters", "this key is missing")
+    for i, test in enumerate(programme.tests):
+        _check_test(test, i, path, problems)
+    if problems.found:
+        raise ProgrammeError(path, problems.found)
+    programme._path = path
+    return programme
+
+
+def _check_test(test: _Test, i: int, path: Path, problems: Problems) -> None:
+    keys = ("tests", i)
+    check_one(test, "temperature", "temperature_C", keys, problems)
+    check_one(test, "displacement", "strain", keys, problems, required=not isinstance(test, RecordTest))
+    for key in ("ramp_up", "ramp_down"):
+        ramp = getattr(test, key, 0.0)
+        if (2.0 * ramp) % 1.0 != 0.0:
+            problems.at_value((*keys, key), f"`{ramp:g}`: a multiple of half a cycle is needed")
+    if isinstance(test, RandomTest) and test.band[0] >= test.band[1]:
+        problems.at_value((*keys, "band"), f"{test.band[0]:g} Hz is not below {test.band[1]:g} Hz")
+    if isinstance(test, RecordTest) and not (path.parent / test.file).is_file():
+        problems.at_value((*keys, "file"), f"there is no file {path.parent / test.file}")

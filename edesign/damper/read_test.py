@@ -1,0 +1,106 @@
+"""Test files: CSV with time, displacement, force, and temperature where it was measured."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+
+from edesign.archive.files import write_text
+from edesign.damper.column_units import columns_in_si, need
+from edesign.damper.csv_table import CsvTable, read_csv_table
+from edesign.damper.test_record import FEWEST, DamperTest, Use
+from edesign.errors import InputError
+
+EXAMPLE = "time_s,displacement_mm,force_kN"
+_WHAT = "test file"
+
+
+def read_test(
+    path: Path | str,
+    *,
+    temperature_C: float | None = None,
+    title: str = "",
+    use: Use = "fit",
+    needs_force: bool = True,
+    name: str = "",
+) -> DamperTest:
+    """Read a test.
+
+    Args:
+        path: CSV with the headers `time_s,displacement_mm,force_kN[,temperature_C]`, in any order and in other units
+            (`displacement_m`, `force_N`, `time_ms`).
+        temperature_C: ambient; by default the mean of the file's column of temperatures.
+        title: for people.
+        use: whether laws are fitted to it.
+        needs_force: whether a file without force is refused.
+        name: of the test; the file name without ending by default.
+
+    Raises:
+        InputError: the file cannot be read or is wrong, or no temperature is known.
+    """
+    path = Path(path)
+    table, columns = _columns(path, ("time", "displacement", "force") if needs_force else ("time", "displacement"))
+    temperatures = columns.get("temperature")
+    if temperature_C is None:
+        if temperatures is None:
+            raise InputError(f"{table.where()}: the temperature is not said, and the file has no column of it")
+        temperature_C = float(np.mean(temperatures))
+    return DamperTest(
+        name or path.stem,
+        columns["time"],
+        columns["displacement"],
+        columns.get("force"),
+        float(temperature_C),
+        temperatures,
+        title,
+        use,
+        str(path),
+    )
+
+
+def read_displacement(path: Path | str) -> tuple[np.ndarray, np.ndarray]:
+    """Read time (n,) s and displacement (n,) m of a test file; other columns may be there.
+
+    Raises:
+        InputError: the file cannot be read or is wrong.
+    """
+    _, columns = _columns(Path(path), ("time", "displacement"))
+    return columns["time"], columns["displacement"]
+
+
+def write_test(path: Path | str, test: DamperTest) -> None:
+    """Write a test as CSV in s, mm, kN, degC, nine digits; the file appears when it is whole.
+
+    Raises:
+        ArchiveError: it cannot be written.
+    """
+    headers = ["time_s", "displacement_mm"]
+    columns = [test.time, 1e3 * test.displacement]
+    if test.force is not None:
+        headers.append("force_kN")
+        columns.append(1e-3 * test.force)
+    if test.temperature_history is not None:
+        headers.append("temperature_C")
+        columns.append(test.temperature_history)
+    line = ",".join(["%.9g"] * len(columns))
+    rows = (line % row for row in zip(*(column.tolist() for column in columns), strict=True))
+    write_text("\n".join([",".join(headers), *rows, ""]), Path(path))
+
+
+def _columns(path: Path, needed: tuple[str, ...]) -> tuple[CsvTable, dict[str, np.ndarray]]:
+    """Columns of a file in SI, checked as far as its lines matter."""
+    table = read_csv_table(path, _WHAT, EXAMPLE)
+    columns = columns_in_si(table)
+    need(table, columns, *needed)
+    time = columns["time"]
+    if time.size < FEWEST:
+        raise InputError(f"{path}:{table.lines[-1]}: a test needs at least {FEWEST} samples, not {time.size}")
+    back = np.flatnonzero(np.diff(time) <= 0.0)
+    if back.size:
+        at = int(back[0]) + 1
+        same = "is the time of the line before" if time[at] == time[at - 1] else f"is before {time[at - 1]:g} s"
+        raise InputError(f"{table.where(row=at)}: the time {time[at]:g} s {same}; times must ascend")
+    if np.ptp(columns["displacement"]) == 0.0:
+        raise InputError(f"{table.where(row=0)}: the displacement is the same in all lines; nothing moved")
+    return table, columns

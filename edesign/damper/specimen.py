@@ -1,0 +1,58 @@
+"""The specimen of a damper test: layers of an elastomer in shear, side by side."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+
+from edesign.errors import InputError
+
+Value = TypeVar("Value", float, np.ndarray)
+
+
+@dataclass(frozen=True)
+class Specimen:
+    """A damper of equal layers in parallel, all sheared by the same deformation.
+
+    Attributes:
+        name: of the specimen.
+        layers: how many share the force.
+        layer_area: of one layer, m2.
+        layer_thickness: of one layer, m.
+    """
+
+    name: str
+    layers: int
+    layer_area: float
+    layer_thickness: float
+
+    def __post_init__(self) -> None:
+        if self.layers < 1:
+            raise InputError(f"specimen {self.name}: at least one layer is needed, not {self.layers}")
+        for what, value, unit in (("area", self.layer_area, "m2"), ("thickness", self.layer_thickness, "m")):
+            if not (math.isfinite(value) and value > 0.0):
+                raise InputError(f"specimen {self.name}: the {what} of a layer is {value:g} {unit}; it must be above 0")
+
+    @property
+    def area(self) -> float:
+        """Area that carries the force, m2."""
+        return self.layers * self.layer_area
+
+    def strain(self, displacement: Value) -> Value:
+        """Shear strain of a displacement (m)."""
+        return displacement / self.layer_thickness
+
+    def displacement(self, strain: Value) -> Value:
+        """Displacement (m) of a shear strain."""
+        return strain * self.layer_thickness
+
+    def stress(self, force: Value) -> Value:
+        """Shear stress (Pa) of a force (N)."""
+        return force / self.area
+
+    def stiffness(self, shear_modulus: Value) -> Value:
+        """Stiffness (N/m) of a shear modulus (Pa)."""
+        return shear_modulus * self.area / self.layer_thickness

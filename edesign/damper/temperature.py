@@ -1,0 +1,227 @@
+"""Parameters of a law at another temperature: the factor gamma_T of the MGMM, and Ferry's shift of relaxation times."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+from edesign.damper.law import Law
+from edesign.damper.laws import LAWS
+from edesign.errors import InputError
+
+REFERENCE_C = 20.0
+"""Temperature in degC at which parameters hold where nothing else is said."""
+
+UNIT_SPEED = 1e-3
+"""1 mm/s: in Eq. 4.34 the exponent of the velocity changes with temperature but the number c_NL, made for mm/s, does
+not, so the velocity in it is a multiple of this one."""
+
+Values = dict[str, float]
+Result = tuple[Values, tuple[str, ...]]
+
+
+class TemperatureModel(Protocol):
+    """How parameters of laws change with temperature."""
+
+    @property
+    def reference_C(self) -> float:
+        """Temperature at which parameters are given."""
+
+    @property
+    def laws(self) -> tuple[str, ...]:
+        """Names of the laws it is made for."""
+
+    def shifted(self, law: Law, values: Mapping[str, float], temperature_C: float) -> Result:
+        """Parameters at a temperature, and warnings; the law is one of `laws`, the values are complete."""
+
+
+@dataclass(frozen=True)
+class GammaT:
+    """The factor gamma_T of the MGMM; linear between the temperatures of the table, and beyond it with a warning.
+
+    Attributes:
+        table: temperature in degC and gamma_T, ascending; without one Table 4.4. One gamma_T is 1: the reference.
+        squared: take Eq. 4.34 by the letter, in which k_mod,T of Eq. 4.36 is multiplied by gamma_T once more. Without
+            it "all parameters change at the same rate", as the text of section 4.5 has it.
+
+    Raises:
+        InputError: a table that is not ascending, not positive, or without a reference.
+
+    Source: thesis Eqs. 4.34-4.36 and Table 4.4, with c_NL for k_NL and sgn(v), which print lacks.
+    """
+
+    table: tuple[tuple[float, float], ...] = ((20.0, 1.0), (25.0, 0.935), (30.0, 0.875), (35.0, 0.820))
+    squared: bool = False
+
+    def __post_init__(self) -> None:
+        temperatures = [temperature for temperature, _ in self.table]
+        if len(set(temperatures)) < 2 or temperatures != sorted(set(temperatures)):
+            raise InputError("gamma_T needs two or more temperatures, each once and ascending")
+        if not all(math.isfinite(t) and math.isfinite(gamma) and gamma > 0.0 for t, gamma in self.table):
+            raise InputError("every gamma_T must be a number greater than 0")
+        if sum(gamma == 1.0 for _, gamma in self.table) != 1:
+            raise InputError("gamma_T must be 1 at one temperature, the reference at which the parameters hold")
+
+    @property
+    def reference_C(self) -> float:
+        """Temperature at which gamma_T is 1."""
+        return next(temperature for temperature, gamma in self.table if gamma == 1.0)
+
+    @property
+    def laws(self) -> tuple[str, ...]:
+        """The MGMM alone."""
+        return ("mgmm",)
+
+    @property
+    def range_C(self) -> tuple[float, float]:
+        """First and last temperature of the table."""
+        return self.table[0][0], self.table[-1][0]
+
+    def gamma(self, temperature_C: float) -> float:
+        """gamma_T at a temperature.
+
+        Raises:
+            InputError: the straight line beyond the table has come to zero.
+        """
+        last = len(self.table) - 2
+        i = next((i for i in range(last) if temperature_C <= self.table[i + 1][0]), last)
+        (t0, gamma0), (t1, gamma1) = self.table[i : i + 2]
+        gamma = gamma0 + (gamma1 - gamma0) * (temperature_C - t0) / (t1 - t0)
+        if not gamma > 0.0:
+            raise InputError(
+                f"gamma_T at {temperature_C:g} degC would be {gamma:.3g}, but must be greater than 0; the table "
+                f"goes from {t0:g} to {self.range_C[1]:g} degC"
+            )
+        return gamma
+
+    def shifted(self, law: Law, values: Mapping[str, float], temperature_C: float) -> Result:
+        """MGMM parameters at a temperature: Eqs. 4.34-4.36 have the form of Eqs. 4.24-4.29 with these."""
+        gamma = self.gamma(temperature_C)
+        low, high = self.range_C
+        warnings = []
+        if not low <= temperature_C <= high:
+            warnings.append(
+                f"gamma_T at {temperature_C:g} degC is {gamma:.3g} on a straight line beyond its table, which goes "
+                f"from {low:g} to {high:g} degC"
+            )
+        found = dict(values)
+        for name in ("k1", "c1", "k0", "c_NL", "alpha", "k_a", "k_b", "u_ref", "c_a", "c_b", "v_ref"):
+            found[name] *= gamma
+        if self.squared:
+            found["k_a"] *= gamma
+            found["k_b"] *= gamma
+        found["c_NL"] *= UNIT_SPEED ** (values["alpha"] - found["alpha"])
+        return found, tuple(warnings)
+
+
+# what is multiplied by a_T to which power (1, or the parameter of that name) in laws with relaxation times
+_TIMES: dict[str, dict[str, str]] = {
+    "kelvin_voigt": {"c": ""},
+    "zener": {"c1": ""},
+    "generalised_maxwell": {},  # every c
+    "viscous": {"c": ""},
+    "maxwell": {"c0": "", "lambda": ""},
+    "fractional_kelvin": {"c": "alpha"},
+    "fractional_zener": {"a": "alpha", "b": "alpha"},
+    "fractional_maxwell": {"c0": "", "lambda": "nu"},
+}
+
+
+@dataclass(frozen=True)
+class FerryShift:
+    """Ferry's shift a_T = exp(-p1 (T - T_ref) / (p2 + T - T_ref)) of all relaxation times.
+
+    A law at T answers a frequency f as it does at the reference temperature to a_T f.
+
+    Attributes:
+        p1: dimensionless, at least 0.
+        p2: K, greater than 0.
+        reference: T_ref, degC.
+
+    Source: thesis Eq. 4.33; Ferry (1980), Viscoelastic Properties of Polymers, chapter 11.
+    """
+
+    p1: float
+    p2: float
+    reference: float = REFERENCE_C
+
+    def __post_init__(self) -> None:
+        if not (math.isfinite(self.p1) and self.p1 >= 0.0):
+            raise InputError(f"p1 = {self.p1:g} is out of range: at least 0 is allowed")
+        if not (math.isfinite(self.p2) and self.p2 > 0.0):
+            raise InputError(f"p2 = {self.p2:g} K is out of range: greater than 0 is allowed")
+
+    @property
+    def reference_C(self) -> float:
+        """T_ref, degC."""
+        return self.reference
+
+    @property
+    def laws(self) -> tuple[str, ...]:
+        """The linear viscoelastic laws."""
+        return tuple(_TIMES)
+
+    def factor(self, temperature_C: float) -> float:
+        """a_T at a temperature.
+
+        Raises:
+            InputError: p2 + T - T_ref is not greater than zero.
+        """
+        warmer = temperature_C - self.reference
+        if not self.p2 + warmer > 0.0:
+            raise InputError(
+                f"Ferry's shift with p2 = {self.p2:g} K holds above {self.reference - self.p2:g} degC, not at "
+                f"{temperature_C:g} degC"
+            )
+        return math.exp(-self.p1 * warmer / (self.p2 + warmer))
+
+    def shifted(self, law: Law, values: Mapping[str, float], temperature_C: float) -> Result:
+        """Parameters with all relaxation times multiplied by a_T; stiffnesses stay."""
+        a_t = self.factor(temperature_C)
+        found = dict(values)
+        powers = _TIMES[law.name]
+        if law.branch:
+            powers = {name: "" for name in values if name[0] == "c"}
+        for name, power in powers.items():
+            found[name] *= a_t ** (values[power] if power else 1.0)
+        return found, ()
+
+
+def at(
+    law: Law, values: Mapping[str, float], temperature_C: float, model: TemperatureModel | None = None
+) -> tuple[dict[str, float], tuple[str, ...]]:
+    """Parameters of a law at a temperature.
+
+    Args:
+        law: the law.
+        values: parameters by name at the reference temperature, SI units.
+        temperature_C: degC.
+        model: how they change; None: the table of the thesis for the MGMM, no change for other laws.
+
+    Returns:
+        All parameters at that temperature, SI units; warnings.
+
+    Raises:
+        InputError: the model is made for other laws, or does not reach that temperature.
+    """
+    complete = law.complete(values)
+    if not math.isfinite(temperature_C) or temperature_C <= -273.15:
+        raise InputError(f"{temperature_C:g} degC is no temperature")
+    warnings: tuple[str, ...] = ()
+    if model is None:
+        if temperature_C == REFERENCE_C:
+            return complete, ()
+        if law.name not in GammaT().laws:
+            return complete, (
+                f"law {law.name} has no temperature law here: parameters of {REFERENCE_C:g} degC are taken at "
+                f"{temperature_C:g} degC",
+            )
+        model = GammaT()
+        warnings = (f"no temperature law is given: gamma_T of thesis Table 4.4 is taken at {temperature_C:g} degC",)
+    if law.name not in model.laws:
+        allowed = ", ".join(name for name in LAWS if name in model.laws)
+        raise InputError(f"this temperature law is not made for law {law.name} (it is for: {allowed})")
+    found, more = model.shifted(law, complete, temperature_C)
+    return law.complete(found), (*warnings, *more)

@@ -1,0 +1,81 @@
+"""How temperatures, and temperature laws of dampers, are written in YAML."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field, model_validator
+
+from edesign.damper.temperature import FerryShift, GammaT
+from edesign.errors import InputError
+from edesign.project.base import Model, refuse
+from edesign.project.units import Factor, PositiveFactor
+
+_NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
+_TEMPERATURE = re.compile(rf"\s*({_NUMBER})\s*(degC|°C|K)\s*")
+_DIFFERENCE = re.compile(rf"\s*({_NUMBER})\s*(?:K|degC|°C)\s*")
+_ABSOLUTE_ZERO_C = -273.15
+
+
+def parse_temperature(value: Any) -> float:
+    """Read a temperature with its unit, `20 degC` or `293.15 K`.
+
+    Returns:
+        degC.
+
+    Raises:
+        PydanticCustomError: no number, no unit, another unit, or below absolute zero.
+    """
+    match = _TEMPERATURE.fullmatch(value) if isinstance(value, str) else None
+    if not match:
+        raise refuse(f"`{value}` is no temperature; write number and unit, `20 degC` or `293.15 K`")
+    number = float(match[1])
+    result = number + _ABSOLUTE_ZERO_C if match[2] == "K" else number
+    if not (math.isfinite(result) and result >= _ABSOLUTE_ZERO_C):
+        raise refuse(f"`{value}` is below absolute zero")
+    return round(result, 9)  # 293.15 K is 20 degC
+
+
+Temperature = Annotated[float, BeforeValidator(parse_temperature)]
+"""degC."""
+
+
+def _kelvin(value: Any) -> float:
+    match = _DIFFERENCE.fullmatch(value) if isinstance(value, str) else None
+    if not match or not float(match[1]) > 0.0:
+        raise refuse(f"`{value}`: a difference of temperatures greater than zero is needed, for example `50 K`")
+    return float(match[1])
+
+
+class Ferry(Model):
+    """Ferry's shift, Eq. 4.33."""
+
+    p1: Factor
+    p2: Annotated[float, BeforeValidator(_kelvin)]
+    reference: Temperature
+
+
+class TemperatureLaw(Model):
+    """How the parameters of a law change with temperature; one of the two."""
+
+    gamma_T: dict[Temperature, PositiveFactor] | None = Field(default=None)
+    ferry: Ferry | None = None
+
+    @model_validator(mode="after")
+    def _one(self) -> TemperatureLaw:
+        if (self.gamma_T is None) == (self.ferry is None):
+            raise refuse("one of `gamma_T` and `ferry` is needed")
+        try:
+            self.model()
+        except InputError as error:
+            raise refuse(str(error), "gamma_T") from None
+        return self
+
+    def model(self) -> GammaT | FerryShift:
+        """The temperature law."""
+        if self.ferry is not None:
+            return FerryShift(self.ferry.p1, self.ferry.p2, self.ferry.reference)
+        assert self.gamma_T is not None
+        return GammaT(tuple(sorted(self.gamma_T.items())))

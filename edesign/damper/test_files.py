@@ -1,0 +1,128 @@
+"""What files about damper tests share: the specimen, the law, temperatures, and their two ways to write a value."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field
+
+from edesign.damper.laws import LAWS
+from edesign.damper.specimen import Specimen
+from edesign.project.base import Model, refuse
+from edesign.project.problems import Keys, Problems, did_you_mean, listed
+from edesign.project.units import PositiveArea, PositiveLength
+
+Text = Annotated[str, Field(min_length=1)]
+Positive = Annotated[float, Field(gt=0.0)]
+
+ABSOLUTE_ZERO_C = -273.15
+_TEMPERATURE = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(degC|°C|C|K)\s*")
+
+
+def parse_temperature(value: Any) -> float:
+    """Read a temperature such as `20 degC`; degC.
+
+    Raises:
+        PydanticCustomError: no number, or no unit of temperature.
+    """
+    match = _TEMPERATURE.fullmatch(str(value)) if not isinstance(value, bool) else None
+    if not match:
+        raise refuse(f"`{value}` is no temperature; write number and unit, for example `20 degC`")
+    return _possible(float(match[1]) + (ABSOLUTE_ZERO_C if match[2] == "K" else 0.0))
+
+
+def parse_celsius(value: Any) -> float:
+    """Read a plain number in degC.
+
+    Raises:
+        PydanticCustomError: it is none.
+    """
+    if isinstance(value, bool) or not isinstance(value, (int, float)):
+        raise refuse(f"`{value}` is no plain number of degC; `temperature: 20 degC` takes a unit")
+    return _possible(float(value))
+
+
+def _possible(celsius: float) -> float:
+    if not (math.isfinite(celsius) and celsius > ABSOLUTE_ZERO_C):
+        raise refuse(f"{celsius:g} degC is no temperature: it must be above {ABSOLUTE_ZERO_C:g} degC")
+    return celsius
+
+
+Temperature = Annotated[float, BeforeValidator(parse_temperature)]
+Celsius = Annotated[float, BeforeValidator(parse_celsius)]
+
+
+def _law_name(value: Any) -> Any:
+    if value not in LAWS:
+        raise refuse(
+            f"there is no damper law `{value}`{did_you_mean(str(value), LAWS)} (there are: {listed(LAWS, 30)})"
+        )
+    return value
+
+
+class SpecimenBlock(Model):
+    """The specimen; sizes as plain numbers in mm and mm2, or with their unit."""
+
+    name: Text = "specimen"
+    layers: Annotated[int, Field(ge=1)]
+    layer_area: PositiveArea | None = None
+    layer_area_mm2: Positive | None = None
+    layer_thickness: PositiveLength | None = None
+    layer_thickness_mm: Positive | None = None
+
+    @property
+    def specimen(self) -> Specimen:
+        """The specimen in SI; of a checked block."""
+        area = self.layer_area if self.layer_area is not None else 1e-6 * (self.layer_area_mm2 or 0.0)
+        thickness = (
+            self.layer_thickness if self.layer_thickness is not None else 1e-3 * (self.layer_thickness_mm or 0.0)
+        )
+        return Specimen(self.name, self.layers, area, thickness)
+
+
+class LawBlock(Model):
+    """A law with its parameters: the name of a set, or values by name (text with units)."""
+
+    type: Annotated[str, BeforeValidator(_law_name)]
+    parameters: str | dict[str, Any] | None = None
+    refit: bool = True
+
+    @property
+    def choice(self) -> LawChoice:
+        """The law as it was chosen."""
+        return LawChoice(self.type, self.parameters, self.refit)
+
+
+@dataclass(frozen=True)
+class LawChoice:
+    """A law as a file names it.
+
+    Attributes:
+        type: name of the law, one of `LAWS`.
+        parameters: name of a set, or values by name as written; `read_parameters` makes numbers of them. None: not
+            given.
+        refit: whether they are only a first guess.
+    """
+
+    type: str
+    parameters: Mapping[str, Any] | str | None = None
+    refit: bool = True
+
+
+def check_specimen(block: SpecimenBlock, problems: Problems) -> None:
+    """Check that area and thickness are there, once each."""
+    for key, suffix in (("layer_area", "mm2"), ("layer_thickness", "mm")):
+        check_one(block, key, f"{key}_{suffix}", ("specimen",), problems)
+
+
+def check_one(block: Model, key: str, plain: str, keys: Keys, problems: Problems, required: bool = True) -> None:
+    """Check that a value is given with its unit (`key`) or as a plain number (`plain`), and not twice."""
+    given = [name for name in (key, plain) if getattr(block, name) is not None]
+    if len(given) == 2:
+        problems.at_key((*keys, plain), f"`{key}` says this already; leave one of them out")
+    elif not given and required:
+        problems.under(keys, plain, f"this key is missing (or `{key}`, with its unit)")

@@ -1,0 +1,96 @@
+"""One test of a damper: what was imposed, what was measured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Literal
+
+import numpy as np
+
+from edesign.errors import InputError
+
+Use = Literal["fit", "validate"]
+FEWEST = 3  # samples
+
+
+@dataclass(frozen=True)
+class DamperTest:
+    """Histories of a test at one ambient temperature.
+
+    Attributes:
+        name: of the test, unique in its campaign.
+        time: (n,) s, ascending.
+        displacement: (n,) m.
+        force: (n,) N; None if it was not measured.
+        temperature_C: ambient.
+        temperature_history: (n,) degC; None if it was not measured.
+        title: for people.
+        use: whether laws are fitted to the test, or only compared with it.
+        source: the file it comes from.
+    """
+
+    name: str
+    time: np.ndarray
+    displacement: np.ndarray
+    force: np.ndarray | None = None
+    temperature_C: float = 20.0
+    temperature_history: np.ndarray | None = None
+    title: str = ""
+    use: Use = "fit"
+    source: str = ""
+
+    def __post_init__(self) -> None:
+        for name in ("time", "displacement", "force", "temperature_history"):
+            values = getattr(self, name)
+            if values is not None:
+                object.__setattr__(self, name, self._checked(name.replace("_", " "), values))
+        size = self.time.size
+        if size < FEWEST:
+            raise InputError(f"{self.where}: a test needs at least {FEWEST} samples, not {size}")
+        for name in ("displacement", "force", "temperature_history"):
+            values = getattr(self, name)
+            if values is not None and values.size != size:
+                raise InputError(f"{self.where}: {values.size} samples of {name.replace('_', ' ')}, {size} of time")
+        back = np.flatnonzero(np.diff(self.time) <= 0.0)
+        if back.size:
+            at = int(back[0]) + 1
+            raise InputError(
+                f"{self.where}: sample {at + 1}: the time {self.time[at]:g} s is not after {self.time[at - 1]:g} s"
+            )
+        if np.ptp(self.displacement) == 0.0:
+            raise InputError(f"{self.where}: the displacement is {self.displacement[0]:g} m throughout; nothing moved")
+
+    def _checked(self, name: str, values: np.ndarray) -> np.ndarray:
+        array = np.array(values, dtype=float)
+        if array.ndim != 1:
+            raise InputError(f"{self.where}: {name}: one row of samples is needed, not an array of shape {array.shape}")
+        finite = np.isfinite(array)
+        if not finite.all():
+            at = int(np.argmin(finite))
+            raise InputError(f"{self.where}: {name}: sample {at + 1} is {array[at]:g}, not a finite number")
+        array.setflags(write=False)
+        return array
+
+    @property
+    def where(self) -> str:
+        """The file, or the name of a test that comes from none."""
+        return self.source or f"test {self.name}"
+
+    @property
+    def label(self) -> str:
+        """Title, or the name of a test without one."""
+        return self.title or self.name
+
+    def measured_force(self) -> np.ndarray:
+        """Force (n,) N.
+
+        Raises:
+            InputError: it was not measured.
+        """
+        if self.force is None:
+            raise InputError(f"{self.where}: the test has no force; a column such as `force_kN` is needed")
+        return self.force
+
+    def with_force(self, force: np.ndarray) -> DamperTest:
+        """The same test with another force (n,) N."""
+        return replace(self, force=force)

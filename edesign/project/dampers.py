@@ -1,0 +1,162 @@
+"""Dampers in the frame: their laws, where they stand, their size, their braces; tuned mass and liquid dampers."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project.base import Model, by_key, by_shape
+from edesign.project.selections import Numbers
+from edesign.project.temperature import Temperature
+from edesign.project.units import (
+    Factor,
+    PositiveArea,
+    PositiveFrequency,
+    PositiveLength,
+    PositiveMass,
+    PositiveRatio,
+    PositiveStiffness,
+)
+
+Layers = Annotated[int, Field(ge=1, le=1000)]
+Count = Annotated[int, Field(ge=1, le=1000)]
+
+
+class Prototype(Model):
+    """The damper that the parameters of a law belong to: layers of elastomer in shear."""
+
+    layers: Layers
+    layer_area: PositiveArea
+    layer_thickness: PositiveLength
+
+
+class DamperLaw(Model):
+    """A law with its parameters, at a temperature (degC; None: that of the parameters).
+
+    `parameters` are read by the law itself: a mapping of values with units, or the name of a published set; so is
+    `temperature_law`.
+    """
+
+    type: str
+    parameters: str | dict[str, Any]
+    temperature: Temperature | None = None
+    temperature_law: dict[str, Any] | None = None
+    prototype: Prototype | None = None
+
+
+class BraceStiffness(Model):
+    """Stiffness in series with a damper, along its deformation."""
+
+    stiffness: Annotated[
+        Annotated[PositiveStiffness, Tag("?plain")] | Annotated[tuple[PositiveStiffness, ...], Tag("?list")],
+        Discriminator(lambda value: "?list" if isinstance(value, (list, tuple)) else "?plain"),
+    ]
+
+
+class BraceSection(Model):
+    """Braces of a section and material; their stiffness follows from the geometry."""
+
+    section: str
+    material: str
+
+
+PerStorey = Annotated[
+    Annotated[PositiveArea, Tag("?plain")] | Annotated[tuple[PositiveArea, ...], Tag("?list")],
+    Discriminator(lambda value: "?list" if isinstance(value, (list, tuple)) else "?plain"),
+]
+
+
+def _brace_shape(value: Any) -> str:
+    if by_shape(value) == "?plain":
+        return "?plain"
+    keys = value if isinstance(value, dict) else type(value).model_fields
+    return "?section" if "section" in keys or "material" in keys else "?stiffness"
+
+
+Brace = Annotated[
+    Annotated[Literal["rigid"], Tag("?plain")]
+    | Annotated[BraceStiffness, Tag("?stiffness")]
+    | Annotated[BraceSection, Tag("?section")],
+    Discriminator(_brace_shape),
+]
+
+
+class _Sized(Model):
+    """A law at the size of the device: layers as those of the prototype unless given; `number` of them side by side."""
+
+    law: str
+    number: Count = 1
+    layers: Layers | None = None
+    layer_area: PerStorey | None = None
+    layer_thickness: PositiveLength | None = None
+    brace: Brace = "rigid"
+
+
+class DamperRun(_Sized):
+    """Dampers in some bays and storeys; lists of areas or brace stiffnesses go with the storeys from the lowest.
+
+    chevron: horizontal between the apex of a chevron brace and the beam above; rising, falling: along the diagonal,
+    seen from left to right; storey: horizontal between the floors above and below.
+    """
+
+    kind: Literal["chevron", "rising", "falling", "storey"]
+    bays: Numbers
+    storeys: Numbers
+
+
+class DamperBetween(_Sized):
+    """A damper along the line between two nodes."""
+
+    kind: Literal["nodes"]
+    nodes: Annotated[tuple[str, str], Field(strict=False)]
+
+
+Device = Annotated[
+    Annotated[DamperRun, Tag("?kind=chevron")]
+    | Annotated[DamperRun, Tag("?kind=rising")]
+    | Annotated[DamperRun, Tag("?kind=falling")]
+    | Annotated[DamperRun, Tag("?kind=storey")]
+    | Annotated[DamperBetween, Tag("?kind=nodes")],
+    Discriminator(by_key("kind")),
+]
+
+
+class TunedMass(Model):
+    """A mass on a spring and dashpot on a floor (thesis Eqs. 2.26-2.28); frequency in Hz, damping of critical."""
+
+    kind: Literal["tuned_mass"]
+    floor: Annotated[int, Field(ge=1)]
+    mass: PositiveMass
+    frequency: PositiveFrequency
+    damping: Factor
+
+
+class TunedLiquid(Model):
+    """Water sloshing in rectangular tanks on a floor (thesis Eqs. 2.31-2.33), as an equivalent tuned mass.
+
+    `number` tanks of inner `length` along the frame and `width`, filled to `depth`; `damping` of the sloshing is a
+    share of critical.
+    """
+
+    kind: Literal["tuned_liquid"]
+    floor: Annotated[int, Field(ge=1)]
+    number: Count = 1
+    length: PositiveLength
+    width: PositiveLength
+    depth: PositiveLength
+    damping: PositiveRatio
+
+
+Attachment = Annotated[
+    Annotated[TunedMass, Tag("?kind=tuned_mass")] | Annotated[TunedLiquid, Tag("?kind=tuned_liquid")],
+    Discriminator(by_key("kind")),
+]
+
+
+class Dampers(Model):
+    """All dampers of the building; analyses with `dampers: false` leave them out."""
+
+    laws: dict[str, DamperLaw] = {}
+    devices: tuple[Device, ...] = ()
+    attachments: tuple[Attachment, ...] = ()

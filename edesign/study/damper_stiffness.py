@@ -1,0 +1,78 @@
+"""Natural modes of a frame with dampers: their stiffness at the frequency of the first mode."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.devices import Device
+from edesign.core import Modes
+from edesign.damper.harmonic import complex_stiffness
+from edesign.errors import InputError
+from edesign.project.analyses import ModalAnalysis
+from edesign.project.project import Project
+from edesign.study.recording import coordinate
+from edesign.study.structure import Structure
+
+SMALL_STRAIN = 1e-4
+SMALL_DEFORMATION = 1e-5  # m, of dampers without layers
+_AGREEMENT = 1e-9  # of two frequencies that follow each other
+_MOST_ROUNDS = 50
+
+
+def damped_modes(project: Project, structure: Structure, spec: ModalAnalysis) -> tuple[Modes, np.ndarray]:
+    """The modes of a frame whose dampers vibrate steadily in the first of them.
+
+    Returns:
+        The modes, and the complex stiffness of each device, N/m.
+
+    Raises:
+        InputError: both amplitudes are given, or a strain for dampers without layers.
+        AnalysisError: there are not so many modes, or the structure is unstable.
+    """
+    devices = structure.frame.devices
+    amplitudes = [_amplitude(project, spec, device) for device in devices]
+    frequency = float(structure.modes(1).omega[0]) / (2.0 * np.pi)
+    for _ in range(_MOST_ROUNDS):
+        found = np.array([device_stiffness(d, a, frequency) for d, a in zip(devices, amplitudes, strict=True)])
+        added = np.zeros(len(structure.frame.model.damper_names))
+        added[[device.number for device in devices]] = found.real
+        modes = structure.modes(spec.modes, added)
+        before, frequency = frequency, float(modes.omega[0]) / (2.0 * np.pi)
+        if abs(frequency - before) <= _AGREEMENT * frequency:
+            break
+    return modes, found
+
+
+def device_stiffness(device: Device, amplitude: float, frequency: float) -> complex:
+    """Complex stiffness of a device with its brace at an amplitude (m) of its deformation and a frequency (Hz)."""
+    scale = device.force_scale * device.deformation_scale
+    return scale * complex_stiffness(
+        device.values, amplitude * device.deformation_scale, frequency, device.brace / scale
+    )
+
+
+def store_damper_stiffness(group: Group, structure: Structure, modes: Modes, stiffness: np.ndarray) -> None:
+    """Add the dampers' stiffness and loss factor to a group."""
+    devices = structure.frame.devices
+    coordinate(group, "damper", [device.name for device in devices], "", "name of the damper")
+    label = "of the damper with its brace in steady vibration in the first mode"
+    group.add("damper_storage_stiffness", ("damper",), stiffness.real, "N/m", f"storage stiffness {label}")
+    group.add("damper_loss_factor", ("damper",), stiffness.imag / stiffness.real, "1", f"loss factor {label}")
+    group.attributes["damper_frequency_Hz"] = float(modes.omega[0]) / (2.0 * np.pi)
+
+
+def _amplitude(project: Project, spec: ModalAnalysis, device: Device) -> float:
+    i = next(i for i, item in enumerate(project.analyses) if item.name == spec.name)
+    where = f"{project.where('analyses', i)}: analyses[{i}]"
+    if spec.damper_strain is not None and spec.damper_deformation is not None:
+        raise InputError(f"{where}: give either `damper_strain` or `damper_deformation`, one of them")
+    if spec.damper_deformation is not None:
+        return spec.damper_deformation
+    if spec.damper_strain is not None:
+        if device.layer_thickness is None:
+            raise InputError(
+                f"{where}: damper_strain: the damper {device.name} has no layers; give `damper_deformation`"
+            )
+        return spec.damper_strain * device.layer_thickness
+    return SMALL_STRAIN * device.layer_thickness if device.layer_thickness is not None else SMALL_DEFORMATION

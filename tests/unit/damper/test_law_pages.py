@@ -1,0 +1,41 @@
+"""Every law has a page in docs/laws that names its parameters as they are, and a figure."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from edesign.damper.laws import LAWS
+from edesign.damper.parameters import practical_unit
+
+PAGES = Path(__file__).parents[3] / "docs" / "laws"
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_page_has_all_parameters(name: str) -> None:
+    law, text = LAWS[name], (PAGES / f"{name}.md").read_text(encoding="utf-8")
+    table = re.findall(r"^\| `(\w+)` \| (.+?) \| (.+?) \| (.+?) \| .+ \|$", text, re.M)
+    rows = {name: tuple(cells) for name, *cells in table}
+    for parameter in law.with_branches(1 if law.branch else 0):
+        default = "-" if parameter.default is None else f"{parameter.default:g}"
+        assert rows[parameter.name] == (practical_unit(parameter) or "-", parameter.allowed, default)
+    assert law.source in text
+    for part in ("Temperature:", "Integration:"):
+        assert f"\n{part}" in text
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_page_has_a_small_figure(name: str) -> None:
+    assert f"figures/{name}.svg" in (PAGES / f"{name}.md").read_text(encoding="utf-8")
+    figure = PAGES / "figures" / f"{name}.svg"
+    assert 2_000 < figure.stat().st_size < 60_000
+    assert "<dc:date>" not in figure.read_text(encoding="utf-8")
+
+
+def test_index_links_to_every_page() -> None:
+    index = (PAGES / "README.md").read_text(encoding="utf-8")
+    linked = set(re.findall(r"\]\((\w+)\.md\)", index))
+    assert linked == {page.stem for page in PAGES.glob("*.md")} - {"README"}
+    assert set(LAWS) < linked
