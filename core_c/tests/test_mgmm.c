@@ -62,12 +62,12 @@ static void check_power_through_reversal(void)
   free_rig(&r);
 }
 
-/* Constant velocities about that at which the power is rounded, v_rest = 1e-6 v_ref: v (v^2 + v_rest^2)^((alpha - 1)/2), which is |v|^alpha
+/* Constant velocities about that at which the power is rounded, v_rest = 1e-7 v_ref: v (v^2 + v_rest^2)^((alpha - 1)/2), which is |v|^alpha
  * sgn v where v is far above; and a slope that is finite at rest. */
 static void check_slow_motion(void)
 {
   rig r = with(1.585, 0.0, 0.0, 0.0, 0);
-  const double h = 0.01, v_rest = 1e-6 * 13.468, reached = -expm1(-h / TAU);
+  const double h = 0.01, v_rest = 1e-7 * 13.468, reached = -expm1(-h / TAU);
   for (double v = 1e-3 * v_rest; v < 1e7 * v_rest; v *= 3.0) {
     const double power = v * pow(v * v + v_rest * v_rest, 0.5 * (0.374 - 1.0)), expected = (1.585 * power + 0.0151 * v) * reached;
     memset(r.state, 0, sizeof r.state);

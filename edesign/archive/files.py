@@ -10,20 +10,32 @@ from pathlib import Path
 from edesign.errors import ArchiveError
 
 
+def check_folder(folder: Path) -> None:
+    """Check that files can be written into a folder, or that it can be made, without making it.
+
+    Raises:
+        ArchiveError: they cannot, or it cannot.
+    """
+    existing = folder
+    while not existing.exists() and existing != existing.parent:
+        existing = existing.parent
+    if not existing.is_dir():
+        raise ArchiveError(f"{folder}: {existing} is a file, and a folder is needed")
+    if not os.access(existing, os.W_OK | os.X_OK):
+        raise ArchiveError(f"{folder}: the folder {existing} cannot be written to")
+
+
 def make_folder(folder: Path) -> None:
     """Make a folder if it is not there.
 
     Raises:
-        ArchiveError: it cannot be made, or not be written to.
+        ArchiveError: it cannot be made.
     """
+    check_folder(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
-    except FileExistsError:
-        raise ArchiveError(f"{folder}: this is a file, and a folder is needed") from None
     except OSError as error:
         raise ArchiveError(f"{folder}: the folder cannot be made: {error.strerror}") from error
-    if not os.access(folder, os.W_OK | os.X_OK):
-        raise ArchiveError(f"{folder}: the folder cannot be written to")
 
 
 def write_text(text: str, path: Path) -> None:

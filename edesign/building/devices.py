@@ -75,8 +75,7 @@ class Attached:
 class _Place:
     name: str
     storey: int
-    index: int  # of its storey among the `count` of the run
-    count: int
+    index: int  # of its storey among those of the run
     terms: tuple[Term, ...]
     length: float  # of its brace
     cosine: float  # of the brace to the deformation
@@ -95,8 +94,7 @@ def add_devices(
         laws: by name.
 
     Raises:
-        InputError: a law or node does not exist, a list has another length than the storeys, or a size is given for
-            a law without prototype.
+        InputError: a place has no node because all that would end there is missing.
 
     Source: thesis Eqs. 5.18-5.21 (size), 5.10 with alpha_b = 2 cos^2 (chevron).
     """
@@ -104,13 +102,10 @@ def add_devices(
     devices = project.dampers.devices if project.dampers is not None else ()
     for i, run in enumerate(devices):
         where = f"{project.where('dampers', 'devices', i)}: dampers.devices[{i}]"
-        if run.law not in laws:
-            where = f"{project.where('dampers', 'devices', i, 'law')}: dampers.devices[{i}].law"
-            raise InputError(f"{where}: there is no damper law `{run.law}`{did_you_mean(run.law, laws)}")
         law = laws[run.law]
         for place in _places(project, run, nodes, where):
-            force_scale, deformation_scale, thickness = _scales(run, law, place, where)
-            brace = _brace(project, run, place, where)
+            force_scale, deformation_scale, thickness = _scales(run, law, place)
+            brace = _brace(project, run, place)
             name = _free(place.name, found)
             in_series = law.law, brace
             if law.law.law == "viscous_power" and brace > 0.0:  # the same, as one law with exact equations
@@ -150,9 +145,7 @@ def _places(project: Project, run: DamperRun | DamperBetween, nodes: Mapping[str
     if isinstance(run, DamperBetween):
         yield _between(project, run, nodes, where)
         return
-    storeys = run.storeys.numbers(1, frame.n_storeys)
-    for index, storey in enumerate(storeys):
-        at = (index, len(storeys))
+    for index, storey in enumerate(run.storeys.numbers(1, frame.n_storeys)):
         for bay in run.bays.numbers(1, frame.n_bays):
             left, right = frame.bay_lines(bay)
             corner = {
@@ -167,20 +160,20 @@ def _places(project: Project, run: DamperRun | DamperBetween, nodes: Mapping[str
             top: tuple[Term, ...] = ((0.5, top_left, UX), (0.5, top_right, UX))
             if run.kind == "storey":
                 terms = (*top, (-0.5, low_left, UX), (-0.5, low_right, UX))
-                yield _Place(name, storey, *at, terms, height, 1.0, 1)
+                yield _Place(name, storey, index, terms, height, 1.0, 1)
             elif run.kind == "chevron":
                 # the apex moves with the mean of the feet and tilts with their difference
                 tilt = 0.5 * height / (0.5 * width)
                 feet = ((-0.5, low_left, UX), (-0.5, low_right, UX), (-tilt, low_left, UY), (tilt, low_right, UY))
                 length = math.hypot(0.5 * width, height)
-                yield _Place(name, storey, *at, (*top, *feet), length, 0.5 * width / length, 2)
+                yield _Place(name, storey, index, (*top, *feet), length, 0.5 * width / length, 2)
             else:
                 length = math.hypot(width, height)
                 low, high = (low_left, top_right) if run.kind == "rising" else (low_right, top_left)
                 c = width / length * (1.0 if run.kind == "rising" else -1.0)
                 s = height / length
                 terms = ((c, high, UX), (s, high, UY), (-c, low, UX), (-s, low, UY))
-                yield _Place(name, storey, *at, terms, length, 1.0, 1)
+                yield _Place(name, storey, index, terms, length, 1.0, 1)
 
 
 def _between(project: Project, run: DamperBetween, nodes: Mapping[str, int], where: str) -> _Place:
@@ -188,13 +181,11 @@ def _between(project: Project, run: DamperBetween, nodes: Mapping[str, int], whe
     first, second = _node(nodes, start, where), _node(nodes, end, where)
     (x0, y0), (x1, y1) = project.frame.nodes[start], project.frame.nodes[end]
     length = math.hypot(x1 - x0, y1 - y0)
-    if length == 0.0:
-        raise InputError(f"{where}: nodes: a damper from `{start}` to itself")
     c, s = (x1 - x0) / length, (y1 - y0) / length
     terms = ((c, second, UX), (s, second, UY), (-c, first, UX), (-s, first, UY))
     levels = project.frame.y
     storey = next((i for i in range(1, len(levels)) if sorted((y0, y1)) == [levels[i - 1], levels[i]]), 0)
-    return _Place(f"N_{start}_{end}", storey, 0, 1, terms, length, 1.0, 1)
+    return _Place(f"N_{start}_{end}", storey, 0, terms, length, 1.0, 1)
 
 
 def _node(nodes: Mapping[str, int], name: str, where: str) -> int:
@@ -203,41 +194,26 @@ def _node(nodes: Mapping[str, int], name: str, where: str) -> int:
     return nodes[name]
 
 
-def _scales(
-    run: DamperRun | DamperBetween, law: DeviceLaw, place: _Place, where: str
-) -> tuple[float, float, float | None]:
+def _scales(run: DamperRun | DamperBetween, law: DeviceLaw, place: _Place) -> tuple[float, float, float | None]:
     """Factors on force and deformation, and the layers' thickness."""
-    given = {key for key in ("layers", "layer_area", "layer_thickness") if getattr(run, key) is not None}
     if law.layers is None or law.layer_area is None or law.layer_thickness is None:
-        if given:
-            keys = ", ".join(f"`{key}`" for key in sorted(given))
-            raise InputError(f"{where}: {keys}: the law `{run.law}` has no `prototype` whose size could be changed")
         return float(run.number), 1.0, None
     layers = run.layers if run.layers is not None else law.layers
-    area = law.layer_area if run.layer_area is None else _of_storey(run.layer_area, place, where, "layer_area")
+    area = law.layer_area if run.layer_area is None else _of_storey(run.layer_area, place)
     thickness = run.layer_thickness if run.layer_thickness is not None else law.layer_thickness
     force = run.number * layers * area / (law.layers * law.layer_area)
     return force, law.layer_thickness / thickness, thickness
 
 
-def _of_storey(values: float | tuple[float, ...], place: _Place, where: str, key: str) -> float:
-    if not isinstance(values, tuple):
-        return values
-    if len(values) != place.count:
-        raise InputError(f"{where}: {key}: {len(values)} values for {place.count} storeys; one for each is needed")
-    return values[place.index]
+def _of_storey(values: float | tuple[float, ...], place: _Place) -> float:
+    return values[place.index] if isinstance(values, tuple) else values
 
 
-def _brace(project: Project, run: DamperRun | DamperBetween, place: _Place, where: str) -> float:
+def _brace(project: Project, run: DamperRun | DamperBetween, place: _Place) -> float:
     """Stiffness in series, N/m; 0: rigid."""
     if isinstance(run.brace, BraceStiffness):
-        return _of_storey(run.brace.stiffness, place, where, "brace.stiffness")
+        return _of_storey(run.brace.stiffness, place)
     if not isinstance(run.brace, BraceSection):
         return 0.0
-    if run.kind == "storey":
-        raise InputError(f"{where}: brace: a damper between floors has no brace geometry; give its `stiffness`")
-    if run.brace.material not in project.materials:
-        hint = did_you_mean(run.brace.material, project.materials)
-        raise InputError(f"{where}: brace: there is no material `{run.brace.material}`{hint}")
     axial = project.materials[run.brace.material].E * cross_section(project, run.brace.section).area / place.length
     return place.braces * axial * place.cosine**2

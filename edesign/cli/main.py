@@ -1,4 +1,4 @@
-"""The command `edesign`: new, check, run, show, spectrum, match. Exit codes are listed in docs/command_line.md."""
+"""The command `edesign` and its parts. Exit codes are listed in docs/command_line.md."""
 
 from __future__ import annotations
 
@@ -13,12 +13,16 @@ from typing import Annotated
 import typer
 
 from edesign._version import __version__
+from edesign.cli.characterise import characterise
 from edesign.cli.check import check
+from edesign.cli.fit import fit
+from edesign.cli.laws import laws
 from edesign.cli.match import match
 from edesign.cli.new import new
 from edesign.cli.run import run
 from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
+from edesign.cli.test import test
 from edesign.errors import ArchiveError, EdesignError, Interrupted
 
 EPILOG = (
@@ -35,7 +39,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (new, check, run, show, spectrum, match):
+for command in (new, check, run, show, spectrum, match, laws, test, characterise, fit):
     app.command()(command)
 
 

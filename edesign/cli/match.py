@@ -61,11 +61,12 @@ def match(
 
     The spectrum is that of a project's `hazard`, or given by --ground, --a-gr and the like.
     """
+    from edesign.archive.files import check_folder, make_folder
     from edesign.cli.progress import listener
     from edesign.errors import AnalysisError, InputError
     from edesign.ground_motion.hazard import elastic_spectrum
     from edesign.ground_motion.matching import MatchOptions
-    from edesign.ground_motion.write import check_folder, make_folder, write_csv
+    from edesign.ground_motion.write import write_csv
     from edesign.project.units import TIME
     from edesign.report.record_figures import check_format, draw_records
     from edesign.report.record_tables import choice_table, record_tables

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from typing import Annotated, Any
 
@@ -11,35 +10,11 @@ from pydantic import BeforeValidator, Field, model_validator
 from edesign.damper.temperature import FerryShift, GammaT
 from edesign.errors import InputError
 from edesign.project.base import Model, refuse
+from edesign.project.temperature import Temperature
 from edesign.project.units import Factor, PositiveFactor
 
 _NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
-_TEMPERATURE = re.compile(rf"\s*({_NUMBER})\s*(degC|°C|K)\s*")
 _DIFFERENCE = re.compile(rf"\s*({_NUMBER})\s*(?:K|degC|°C)\s*")
-_ABSOLUTE_ZERO_C = -273.15
-
-
-def parse_temperature(value: Any) -> float:
-    """Read a temperature with its unit, `20 degC` or `293.15 K`.
-
-    Returns:
-        degC.
-
-    Raises:
-        PydanticCustomError: no number, no unit, another unit, or below absolute zero.
-    """
-    match = _TEMPERATURE.fullmatch(value) if isinstance(value, str) else None
-    if not match:
-        raise refuse(f"`{value}` is no temperature; write number and unit, `20 degC` or `293.15 K`")
-    number = float(match[1])
-    result = number + _ABSOLUTE_ZERO_C if match[2] == "K" else number
-    if not (math.isfinite(result) and result >= _ABSOLUTE_ZERO_C):
-        raise refuse(f"`{value}` is below absolute zero")
-    return round(result, 9)  # 293.15 K is 20 degC
-
-
-Temperature = Annotated[float, BeforeValidator(parse_temperature)]
-"""degC."""
 
 
 def _kelvin(value: Any) -> float:

@@ -6,6 +6,7 @@ from collections.abc import Collection
 from pathlib import Path
 
 from edesign.project.checks_actions import check_actions
+from edesign.project.checks_dampers import check_dampers
 from edesign.project.checks_frame import check_frame
 from edesign.project.checks_hazard import check_hazard
 from edesign.project.checks_outputs import check_outputs
@@ -45,6 +46,7 @@ def parse_project(text: str, path: Path | str = "project.yaml", profiles: Collec
         # cross checks need a whole project: they come in a second round, after the schema is satisfied
         check_frame(project, problems, profiles)
         check_actions(project, problems)
+        check_dampers(project, problems)
         check_hazard(project, problems)
         check_outputs(project, problems)
     elif problems.root.child("edesign_suite") and not problems.root.child("edesign"):

@@ -7,7 +7,7 @@ from functools import wraps
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
-from edesign.ground_motion.write import write_whole
+from edesign.archive.files import write_whole
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

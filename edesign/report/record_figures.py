@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.archive.files import make_folder
 from edesign.archive.reader import Archive, open_archive
 from edesign.errors import InputError
-from edesign.ground_motion.write import make_folder
 from edesign.project.problems import did_you_mean
 from edesign.report.figures import FORMATS, save
 from edesign.report.match_figure import match_figure

@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
+from edesign.archive.files import write_text
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
@@ -16,7 +17,6 @@ from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.ground_motion.sources import Found
-from edesign.ground_motion.write import write_text
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.figures import FORMATS, save
 from edesign.report.spectra_figure import spectra_figure

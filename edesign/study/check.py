@@ -20,6 +20,7 @@ from edesign.project.problems import keys_text
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords
 from edesign.study.advice import advice
+from edesign.study.dampers import law_warnings
 from edesign.study.history import check_motion
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import check_fits
@@ -106,17 +107,28 @@ def check_project(project: Project) -> dict[str, str]:
     others = find_recordings(project, [key for name in unused for key in references(project, name)])
     period = fundamental_period(project)
     notes = advice(project, period, [item.record for item in found.values()])
+    notes += law_warnings(project)
     notes += [f"record {name}: {doubt}" for name, item in found.items() for doubt in doubts(item.record)]
     return {
         "title": project.title,
         "frame": _frame(project),
         "members": _members(project),
+        **({"dampers": _dampers(project)} if project.dampers is not None else {}),
         "period": f"T1 = {period:.4f} s under gravity" if period is not None else "no masses",
         "records": _records(project, {**found, **others}),
         "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
         "archive": str(project.archive_path),
         **({"notes": "; ".join(notes)} if notes else {}),
     }
+
+
+def _dampers(project: Project) -> str:
+    """How many dampers there are of each law, and the tuned masses."""
+    frame = make_frame(project, dampers=True)
+    laws = Counter(device.law for device in frame.devices)
+    parts = [f"{_count(count, 'damper')} `{name}`" for name, count in laws.items()]
+    parts += [_count(len(frame.attached), "tuned mass")] if frame.attached else []
+    return ", ".join(parts) or "none"
 
 
 def _records(project: Project, found: Mapping[str, Found]) -> str:

@@ -27,7 +27,7 @@ def damped_modes(project: Project, structure: Structure, spec: ModalAnalysis) ->
         The modes, and the complex stiffness of each device, N/m.
 
     Raises:
-        InputError: both amplitudes are given, or a strain for dampers without layers.
+        InputError: a strain is given for dampers without layers.
         AnalysisError: there are not so many modes, or the structure is unstable.
     """
     devices = structure.frame.devices
@@ -65,8 +65,6 @@ def store_damper_stiffness(group: Group, structure: Structure, modes: Modes, sti
 def _amplitude(project: Project, spec: ModalAnalysis, device: Device) -> float:
     i = next(i for i, item in enumerate(project.analyses) if item.name == spec.name)
     where = f"{project.where('analyses', i)}: analyses[{i}]"
-    if spec.damper_strain is not None and spec.damper_deformation is not None:
-        raise InputError(f"{where}: give either `damper_strain` or `damper_deformation`, one of them")
     if spec.damper_deformation is not None:
         return spec.damper_deformation
     if spec.damper_strain is not None:

@@ -13,9 +13,12 @@ from edesign.damper.laws import law
 from edesign.damper.parameters import ParameterError, read_parameters
 from edesign.damper.temperature import at
 from edesign.damper.temperature_file import TemperatureLaw
+from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
 from edesign.project.dampers import DamperLaw, TunedMass
 from edesign.project.project import Project
+
+WATER = 1000.0  # kg/m3
 
 
 def device_laws(project: Project) -> dict[str, DeviceLaw]:
@@ -86,21 +89,15 @@ def _at(project: Project, keys: tuple[str, ...], error: object) -> InputError:
 
 
 def attachments(project: Project) -> list[Attached]:
-    """Tuned masses, and tuned liquid dampers as the tuned masses that they are equivalent to.
-
-    Raises:
-        InputError: there is no such floor, or the water is not shallow enough for its formula.
-    """
+    """Tuned masses, and tuned liquid dampers as the tuned masses that they are equivalent to."""
     found = []
     for i, item in enumerate(project.dampers.attachments if project.dampers is not None else ()):
-        where = f"{project.where('dampers', 'attachments', i)}: dampers.attachments[{i}]"
-        if item.floor > project.frame.n_storeys:
-            last = project.frame.n_storeys
-            raise InputError(f"{where}: there is no floor {item.floor}; floors are numbered 1 to {last}")
         if isinstance(item, TunedMass):
             mass, omega = item.mass, 2.0 * math.pi * item.frequency
         else:
-            raise InputError(f"{where}: tuned liquid dampers: not there yet")
+            water = WATER * item.number * item.length * item.width * item.depth
+            mass = water * sloshing_mass_ratio(item.length, item.depth)
+            omega = sloshing_frequency(item.length, item.depth)
         found.append(
             Attached(f"T_{item.floor}_{i + 1}", item.floor, mass, mass * omega**2, 2.0 * item.damping * mass * omega)
         )

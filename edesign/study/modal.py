@@ -9,8 +9,8 @@ from edesign.core import Modes
 from edesign.errors import AnalysisError
 from edesign.project.analyses import ModalAnalysis
 from edesign.project.project import Project
-from edesign.study.recording import coordinate
 from edesign.study.damper_stiffness import damped_modes, store_damper_stiffness
+from edesign.study.recording import coordinate
 from edesign.study.structure import Structure, make_structure
 
 _NEGLIGIBLE = 1e-6  # horizontal part of a mode that is a vertical one

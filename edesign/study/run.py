@@ -21,6 +21,7 @@ from edesign.ground_motion.sources import Found
 from edesign.project.project import Project
 from edesign.study import analyses
 from edesign.study.check import check_inputs
+from edesign.study.dampers import law_warnings
 from edesign.study.interrupt import stop_on_signals
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, match_options, project_motions
@@ -122,6 +123,9 @@ def run_project(
             run.note(writer.note)
         if writer.kept:
             run.note(f"continuing an interrupted run: {len(writer.kept)} of {len(plan)} analyses are reused")
+        if any(task.spec.dampers for task in plan):
+            for warning in law_warnings(project):
+                run.note(warning)
         for place in writer.kept:
             run.reuse(tasks[place])
         todo = [task for task in plan if task.path not in writer.kept]

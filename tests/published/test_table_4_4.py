@@ -1,4 +1,4 @@
-"""Thesis Table 4.4: gamma_T from sweeps at four temperatures, generated with Table 4.2 and Eqs. 4.34-4.36, and noise."""
+"""Thesis Table 4.4: gamma_T from sweeps at four temperatures, made by Table 4.2, Eqs. 4.34-4.36 and noise."""
 
 from __future__ import annotations
 

@@ -16,7 +16,9 @@ CHANNELS = (
 )
 
 
-def oscillator(law: LawValues, brace: float = 0.0, force_scale: float = 1.0, deformation_scale: float = 1.0) -> Analysis:
+def oscillator(
+    law: LawValues, brace: float = 0.0, force_scale: float = 1.0, deformation_scale: float = 1.0
+) -> Analysis:
     """A mass on a spring with a damper beside it."""
     model = Model()
     ground, mass = model.node("ground", 0.0, 0.0), model.node("mass", 1.0, 0.0)

@@ -12,9 +12,13 @@ import numpy as np
 import pytest
 from scipy.special import gamma as gamma_function
 
+from edesign.damper.damper import Damper
+from edesign.damper.laws import LAWS
+from edesign.damper.parameters import read_parameters
 from edesign.damper.properties import Properties, cycle_properties, properties
-from edesign.damper.signals import sweep_4_4
+from edesign.damper.signals import sine, sweep_4_4
 from edesign.damper.specimen import Specimen
+from edesign.damper.steady_state import predict
 from edesign.damper.test_record import DamperTest
 
 SPECIMEN = Specimen("prototype", 2, 0.0414, 0.012)
@@ -113,6 +117,18 @@ def test_a_force_that_relaxes_after_the_reversal(frequency: float) -> None:
     found = properties(DamperTest("t", t, u, K * u + relaxing), SPECIMEN)
     at_reversal = 0.2 * np.tanh(half / (2.0 * lag))
     assert found.G_storage == pytest.approx((1.0 + at_reversal) * MODULUS, rel=1e-3)
+
+
+@pytest.mark.parametrize(("strain", "frequency"), [(0.1, 0.25), (0.3, 1.0), (0.5, 4.0)])
+def test_mgmm_as_predicted_with_samples_at_the_reversals(strain: float, frequency: float) -> None:
+    """`steady_state.predict` needs no cycle finding or fit: its samples stand at the reversals of its own sine."""
+    law = LAWS["mgmm"]
+    damper = Damper(law, read_parameters(law, "thesis_table_4_2"))
+    t, u = sine(SPECIMEN.displacement(strain), frequency)
+    found = properties(DamperTest("t", t, u, damper.force(t, u)), SPECIMEN)
+    row = predict(damper, SPECIMEN, strain, frequency)
+    for name in ("G_storage", "G_eq", "loss_factor"):
+        assert getattr(found, name) == pytest.approx(float(getattr(row, name)[0]), rel=1e-3), name
 
 
 def test_friction_jumps_at_the_reversal() -> None:

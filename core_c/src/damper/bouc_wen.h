@@ -1,5 +1,5 @@
-/* The hysteretic variable of the Bouc-Wen laws (thesis Eq. 2.68), Y z' = A v - gamma |v| z |z|^(n-1) - beta v |z|^n, as its rate per
- * deformation: z' = slope v. */
+/* The hysteretic variable of the Bouc-Wen laws (thesis Eq. 2.68), Y z' = A v - gamma |v| z |z|^(n-1) - beta v |z|^n, as its rate
+ * per deformation: z' = slope v. */
 #ifndef ED_BOUC_WEN_H
 #define ED_BOUC_WEN_H
 

@@ -4,10 +4,10 @@
 
 #include "damper/law.h"
 
-/* As ed_law.step, for the total deformation of damper and brace; the state is the law's, then the damper's own deformation, the speed at
- * which the brace stretches, and from the last trial its two stretches with the own deformation and duration of that trial. `trial`
- * must hold the last trial's state, or a copy of `committed`: its stretches are the first guess. */
-enum { ED_BRACE_STATE = 6 };
+/* As ed_law.step, for the total deformation of damper and brace. The state is the law's, then the damper's own deformation, the speed at
+ * which the brace stretches, and what the last trial found: `trial` must hold the state of the last trial from `committed`, or a copy
+ * of `committed`; it makes the first guess. */
+enum { ED_BRACE_STATE = 14 };
 int ed_brace_step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2],
                   double *trial, ed_damper_force *out);
 

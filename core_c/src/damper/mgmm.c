@@ -30,7 +30,7 @@ typedef struct {
 /* Of what happened so many relaxation times ago nothing is left in double precision. */
 static const double FORGOTTEN = 40.0;
 /* Share of v_ref at which the power of the non-linear dashpot, whose slope at rest is infinite for alpha < 1, is rounded. */
-static const double REST = 1e-6;
+static const double REST = 1e-7;
 /* Pieces of quadrature: the powers of e by which the integrand may change over one, for 3 points (all together) and for 5 (each of
  * time, u_max and v_max); more by GROW for each power by which it has faded there. */
 static const double CHANGE_FEW = 0.1, CHANGE = 1.0, GROW = 0.35;
@@ -162,6 +162,56 @@ static int moves(const ed_path direction[2])
   return 0;
 }
 
+/* How many points Gauss' rule needs over a step in which nothing happens: no reversal, near neither, and no extreme grows, so that both
+ * moduli are constant. 0: something happens, or the step is long. */
+static int quiet_points(const constants *law, const double *memory, const ed_path *path)
+{
+  enum { MEAN = 3, FAR = 10 };
+  const double h = path->h, v0 = path->c[1], v1 = ed_path_v(path, h), bend = 0.75 * fabs(path->c[3]) * h * h;
+  const double low = fmin(v0, v1) - bend, high = fmax(v0, v1) + bend, both = fabs(v0 + v1), change = high - low;
+  const double u0 = path->c[0], u1 = ed_path_u(path, h);
+  if (h > 0.5 * law->tau || both < MEAN * change || both < 2e4 * law->power.rest || low < memory[SMALLEST_V] ||
+      high > memory[LARGEST_V] || fmin(u0, u1) < memory[SMALLEST_U] || fmax(u0, u1) > memory[LARGEST_U])
+    return 0;
+  return both >= FAR * change ? ED_POWER_FEW : ED_POWER_MANY;
+}
+
+static double constant_modulus(const ed_softening *law, double largest, double smallest)
+{
+  return law->a * exp(-ed_extremes_mean((ed_running){largest, smallest}) / law->reference) + law->b;
+}
+
+static int quiet_step(const constants *law, int points, const double *committed, const ed_path *path, const ed_path direction[2],
+                      int wanted, double *trial, ed_damper_force *out)
+{
+  const double *memory = committed + 1;
+  const double *point = points == ED_POWER_FEW ? law->power.few : law->power.many;
+  const double *weight = points == ED_POWER_FEW ? law->power.few_weight : law->power.many_weight;
+  const double h = path->h, time = h / law->tau, exponent = law->alpha - 1.0;
+  const double k = constant_modulus(&law->k_mod, memory[LARGEST_U], memory[SMALLEST_U]);
+  const double stiffness = law->relaxing * k, spring = law->k0 + (1.0 - law->relaxing) * k;
+  const double damping = law->c1 + constant_modulus(&law->c_mod, memory[LARGEST_V], memory[SMALLEST_V]);
+  double relaxing = committed[0] * exp(-time), slope[2] = {0.0}, chord[2] = {0.0};
+  for (int i = 0; i < points; i++) {
+    const double s = h * point[i], share = weight[i] * time * exp((point[i] - 1.0) * time);
+    const double v = ed_path_v(path, s), power = law->c_nl * pow(fabs(v), exponent);
+    relaxing += share * (stiffness * ed_path_u(path, s) + (damping + power) * v);
+    for (int j = 0; wanted && j < 2; j++) {
+      const double along = share * ed_path_v(&direction[j], s);
+      slope[j] += share * stiffness * ed_path_u(&direction[j], s) + (damping + law->alpha * power) * along;
+      chord[j] += power * along;
+    }
+  }
+  trial[0] = relaxing;
+  memcpy(trial + 1, memory, MEMORY * sizeof *trial);
+  out->force = spring * ed_path_u(path, h) + relaxing;
+  for (int j = 0; j < 2; j++) {
+    out->slope[j] = spring * (wanted ? ed_path_u(&direction[j], h) : 0.0) + slope[j];
+    out->chord[j] = exponent < 0.0 ? -exponent * chord[j] : 0.0;
+  }
+  return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
+}
+
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                 ed_damper_force *out)
 {
@@ -170,7 +220,9 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   const double *memory = committed + 1;
   if (!isfinite(path->c[0] + h * (path->c[1] + h * (path->c[2] + h * path->c[3]))))
     return ED_E_NOT_FINITE;
-  const int wanted = moves(direction);
+  const int wanted = moves(direction), points = quiet_points(law, memory, path);
+  if (points > 0)
+    return quiet_step(law, points, committed, path, direction, wanted, trial, out);
   ed_path velocity, along[2], velocity_along[2];
   step_sums sum = {.path = *path};
   ed_path_of_velocity(path, &velocity);

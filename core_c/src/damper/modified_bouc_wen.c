@@ -1,9 +1,10 @@
 /* Bouc-Wen with softening by the largest deformation, beside a power-law dashpot (thesis Eqs. 2.69 to 2.71; Karavasilis,
  * Blakeborough & Williams 2011): F = k (alpha u + (1 - alpha) Y z) + C |v|^alpha_d sgn v, k = k1 exp(-u_max/u_ref) + k2.
  *
- * With a brace k_b in series the own deformation u_d is a variable of its own. Its velocity w follows from the dashpot, which takes
- * what the brace gives beyond the hysteretic part: C |w|^alpha_d sgn w = k_b (u - u_d) - k (...); without dashpot from
- * k_b (v - w) = dF/du_d w. Memory: largest and smallest (own) deformation. */
+ * With a brace k_b in series the elongation of the brace, e = F / k_b, is a variable, so that errors are judged by the force; the own
+ * deformation is u - e. Its velocity w follows from the dashpot, which takes what the brace gives beyond the hysteretic part:
+ * C |w|^alpha_d sgn w = k_b e - k (...); without dashpot from k_b (v - w) = dF/d(u - e) w. Memory: largest and smallest (own)
+ * deformation. */
 #include "damper/bouc_wen.h"
 #include "damper/laws.h"
 #include "damper/running_extremes.h"
@@ -91,58 +92,48 @@ static void rigid_rate(const ed_damper *damper, double u, double v, const double
   out->y_y[0] = slope_z * v;
 }
 
-/* With brace: y = own deformation, z. */
+/* With brace: y = elongation of the brace, z. */
 static void braced_rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out)
 {
-  const double *p = damper->parameter, brace = damper->brace;
+  const double *p = damper->parameter, brace = damper->brace, x = u - y[0];
   const ed_bouc_wen_shape shape = shape_of(damper);
-  double w, w_u, w_v, w_x, w_z, slope, slope_z;
-  hysteretic part;
+  double way = ed_way(v), slope, slope_z, w, w_v = 0.0, w_e = 0.0, w_x, w_z;
+  hysteretic part = hysteretic_part(p, x, y[1], way, memory);
   if (p[C] > 0.0) {
-    double way = ed_way(v);
-    part = hysteretic_part(p, y[0], y[1], way, memory);
-    const double rest = brace * (u - y[0]) - part.force;
+    const double rest = brace * y[0] - part.force;
     if (fabs(rest) > no_way * brace * (fabs(u) + fabs(y[0])) && ed_way(rest) != way) {
       way = ed_way(rest);
-      part = hysteretic_part(p, y[0], y[1], way, memory);
+      part = hysteretic_part(p, x, y[1], way, memory);
     }
     const double power = 1.0 / p[ALPHA_D], size = fmax(fabs(rest) / p[C], NO_FORCE);
     const double lower = power == 1.0 ? 1.0 : pow(size, power - 1.0), w_rest = power * lower / p[C];
-    w = lower * rest / p[C];
-    w_u = w_rest * brace;
-    w_v = 0.0;
-    w_x = -w_rest * (brace + part.x);
-    w_z = -w_rest * part.z;
     ed_bouc_wen_slope(&shape, y[1], way, &slope, &slope_z);
-    out->force = brace * (u - y[0]);
-    out->force_u = brace;
-    out->force_y[0] = -brace;
-    out->force_y[1] = 0.0;
+    w = lower * rest / p[C];
+    w_e = w_rest * brace;
+    w_x = -w_rest * part.x;
+    w_z = -w_rest * part.z;
   } else {
-    part = hysteretic_part(p, y[0], y[1], ed_way(v), memory);
-    ed_bouc_wen_slope(&shape, y[1], ed_way(v), &slope, &slope_z);
+    ed_bouc_wen_slope(&shape, y[1], way, &slope, &slope_z);
     const double whole = brace + part.x + part.z * slope, share = whole > 0.0 ? brace / whole : NAN;
     const double per = -share * share / brace * v;
     w = share * v;
-    w_u = 0.0;
     w_v = share;
     w_x = per * (part.xx + part.xz * slope);
     w_z = per * (part.xz + part.z * slope_z);
-    out->force = part.force;
-    out->force_u = 0.0;
-    out->force_y[0] = part.x;
-    out->force_y[1] = part.z;
   }
-  out->force_v = 0.0;
-  out->y[0] = w;
-  out->y_u[0] = w_u;
-  out->y_v[0] = w_v;
-  out->y_y[0] = w_x;
-  out->y_y[1] = w_z;
+  out->force = brace * y[0];
+  out->force_u = out->force_v = 0.0;
+  out->force_y[0] = brace;
+  out->force_y[1] = 0.0;
+  out->y[0] = v - w;
+  out->y_u[0] = -w_x;
+  out->y_v[0] = 1.0 - w_v;
+  out->y_y[0] = w_x - w_e;
+  out->y_y[1] = -w_z;
   out->y[1] = slope * w;
-  out->y_u[1] = slope * w_u;
+  out->y_u[1] = slope * w_x;
   out->y_v[1] = slope * w_v;
-  out->y_y[2] = slope * w_x;
+  out->y_y[2] = slope * (w_e - w_x);
   out->y_y[3] = slope * w_z + slope_z * w;
 }
 
@@ -154,7 +145,7 @@ static void rate(const ed_damper *damper, double u, double v, const double *y, c
 static void remember(const ed_damper *damper, double u, double v, const double *y, double *memory)
 {
   (void)v;
-  const ed_running now = ed_extremes_with((ed_running){memory[0], memory[1]}, damper->brace > 0.0 ? y[0] : u);
+  const ed_running now = ed_extremes_with((ed_running){memory[0], memory[1]}, damper->brace > 0.0 ? u - y[0] : u);
   memory[0] = now.largest;
   memory[1] = now.smallest;
 }

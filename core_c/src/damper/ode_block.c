@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { NEWTON_STEPS = 30 };
+enum { NEWTON_STEPS = 80 };
 
 int ed_ode_turns_itself(const ed_damper *damper)
 {
@@ -51,6 +51,16 @@ int ed_ode_rate(const ed_ode_block *block, double t, const double *y, ed_damper_
   for (int i = 0; i < block->damper->n_ode; i++)
     sum += rate->y[i];
   return isfinite(sum);
+}
+
+int ed_ode_own_velocity(const ed_ode_block *block, ed_ode_work *work, double t, const double *y, double *velocity)
+{
+  double u, v;
+  ed_ode_motion(block, t, &u, &v);
+  if (!ed_ode_rate(block, t, y, &work->rate))
+    return 0;
+  *velocity = v - work->rate.y[0];
+  return 1;
 }
 
 /* Derivatives of rate and force to the memory, along its derivative to unknown k; in work->other.y and its force. */
@@ -146,10 +156,10 @@ static void solve(const ed_ode_block *block, const ed_ode_work *work, double *x)
 }
 
 /* Newton's method for one variable. Where the residual grows with z, as it does for all that decays, a root is kept between the
- * ends that were found to lie on its two sides. */
+ * ends that were found to lie on its two sides; when it does not come closer quickly, halfway between them. */
 static int solve_one(const ed_ode_block *block, ed_ode_work *work, double t, double gamma, double a, double weight, double *z)
 {
-  double low = -INFINITY, high = INFINITY;
+  double low = -INFINITY, high = INFINITY, previous = INFINITY;
   for (int i = 0; i < NEWTON_STEPS; i++) {
     if (!ed_ode_rate(block, t, z, &work->rate) || !factor(block, work, gamma) || work->matrix[0] < 0.0)
       return 0;
@@ -164,11 +174,9 @@ static int solve_one(const ed_ode_block *block, ed_ode_work *work, double t, dou
       *z = next;
       return isfinite(step);
     }
-    if (!(next > low && next < high)) {
+    if (!(next > low && next < high && step <= 0.5 * previous) && isfinite(high - low))
       next = 0.5 * (low + high);
-      if (!isfinite(next))
-        return 0;
-    }
+    previous = fabs(next - *z);
     *z = next;
   }
   return 0;

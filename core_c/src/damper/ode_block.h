@@ -40,8 +40,11 @@ typedef struct {
   int pivot[ED_MAX_ODE];
 } ed_ode_work;
 
-/* Whether the damper's own deformation is its first variable, so that its reversals are not those of the path. */
+/* Whether the damper's reversals are not those of the path: it has a brace of its own, whose elongation is its first variable, and
+ * remembers deformations. */
 int ed_ode_turns_itself(const ed_damper *damper);
+/* Its own velocity at instant t and y. 0: not finite. */
+int ed_ode_own_velocity(const ed_ode_block *block, ed_ode_work *work, double t, const double *y, double *velocity);
 
 /* Deformation and velocity at instant t, of the segment that was begun (block->way). */
 void ed_ode_motion(const ed_ode_block *block, double t, double *u, double *v);

@@ -16,7 +16,8 @@ typedef sunbooleantype ed_sun_boolean;
 
 /* Order 3, stiffly accurate and L-stable, stage order 2. At the tolerances in use higher orders cost the same, and their embedded
  * errors guide them worse past the kinks of these laws. */
-enum { METHOD = ARKODE_ESDIRK325L2SA_5_2_3, MOST_STEPS = 20000 };
+static const ARKODE_DIRKTableID method = ARKODE_ESDIRK325L2SA_5_2_3;
+enum { MOST_STEPS = 20000 };
 static const double newton_share = 1e-2; /* of the tolerance, in the last change of Newton's method */
 
 static const double sensitivity_share = 1000.0; /* of the tolerance: a tangent needs no more */
@@ -83,9 +84,10 @@ static int turns(double tau, N_Vector y, double *result, void *data)
     const ed_ode_block *block = &integrator->block[i];
     if (!ed_ode_turns_itself(block->damper))
       continue;
-    if (!ed_ode_rate(block, instant(integrator, tau), values + block->first, &integrator->work->rate))
+    double velocity;
+    if (!ed_ode_own_velocity(block, integrator->work, instant(integrator, tau), values + block->first, &velocity))
       return 1;
-    result[k++] = block->turn * integrator->work->rate.y[0] + block->turn_level;
+    result[k++] = block->turn * velocity + block->turn_level;
   }
   return 0;
 }
@@ -153,15 +155,16 @@ int ed_ode_integrator_new(ed_ode_integrator *integrator, SUNContext context, int
     n += block[i].damper->n_ode;
     turning += ed_ode_turns_itself(block[i].damper);
   }
-  *integrator = (ed_ode_integrator){.n_blocks = n_blocks, .n = n, .copies = copies, .tolerance = tolerance, .block = block,
-                                    .work = work, .scale = 1.0, .context = context};
+  *integrator = (ed_ode_integrator){.n_blocks = n_blocks, .n = n, .copies = copies, .tolerance = tolerance,
+                                    .block = block, .work = work, .scale = 1.0, .context = context};
   integrator->change = calloc((size_t)(n * copies) + 1, sizeof(double));
   integrator->weight = calloc((size_t)n + 1, sizeof(double));
   integrator->slope = calloc((size_t)n + 1, sizeof(double));
   integrator->found = calloc((size_t)n_blocks + 1, sizeof(int));
   integrator->y = N_VNew_Serial((sunindextype)(n * copies), context);
   integrator->stages = SUNNonlinSolNewEmpty(context);
-  if (!integrator->change || !integrator->weight || !integrator->slope || !integrator->found || !integrator->y || !integrator->stages)
+  if (!integrator->change || !integrator->weight || !integrator->slope || !integrator->found || !integrator->y ||
+      !integrator->stages)
     return ED_E_MEMORY;
   integrator->y->ops->nvwrmsnorm = largest;
   integrator->stages->content = integrator;
@@ -179,7 +182,7 @@ int ed_ode_integrator_new(ed_ode_integrator *integrator, SUNContext context, int
 #endif
   refused |= ARKStepSetUserData(arkode, integrator);
   refused |= ARKStepWFtolerances(arkode, weights);
-  refused |= ARKStepSetTableNum(arkode, METHOD, -1);
+  refused |= ARKStepSetTableNum(arkode, method, ARKODE_ERK_NONE);
   refused |= ARKStepSetNonlinearSolver(arkode, integrator->stages);
   refused |= ARKStepSetPredictorMethod(arkode, 0);
   refused |= ARKStepSetDeduceImplicitRhs(arkode, 1);
@@ -243,7 +246,8 @@ int ed_ode_integrator_begin(ed_ode_integrator *integrator, double t0, double t1)
   }
   if (integrator->n == 0)
     return ED_OK;
-  int refused = ARKStepReset(integrator->arkode, 0.0, integrator->y);
+  /* anew altogether: nothing may be left of what was computed before */
+  int refused = ARKStepReInit(integrator->arkode, NULL, right_hand_side, 0.0, integrator->y);
   refused |= ARKStepSetInitStep(integrator->arkode, first);
   return refused ? ED_E_STATE : ED_OK;
 }
@@ -253,8 +257,6 @@ int ed_ode_integrator_advance(ed_ode_integrator *integrator, double t, double *r
   double tau = 0.0;
   const double goal = (t - integrator->origin) / integrator->scale;
   *reached = t;
-  for (int i = 0; i < integrator->n_blocks; i++)
-    integrator->block[i].turned = 0;
   if (integrator->n == 0)
     return ED_OK;
   if (ARKStepSetStopTime(integrator->arkode, fmin(goal, 1.0)))
@@ -267,8 +269,8 @@ int ed_ode_integrator_advance(ed_ode_integrator *integrator, double t, double *r
     if (ARKStepGetRootInfo(integrator->arkode, integrator->found))
       return ED_E_STATE;
     for (int i = 0, k = 0; i < integrator->n_blocks; i++)
-      if (ed_ode_turns_itself(integrator->block[i].damper))
-        integrator->block[i].turned = integrator->found[k++] != 0;
+      if (ed_ode_turns_itself(integrator->block[i].damper) && integrator->found[k++])
+        integrator->block[i].turned = 1;
   }
   return ED_OK;
 }

@@ -1,5 +1,7 @@
 /* Differential equations of dampers, integrated by SUNDIALS (ARKODE) as one system, with sensitivities.
- * Used for devices whose law has `rate` but no exact step, and to check the exact steps of others. */
+ * Used for devices whose law has `rate` but no exact step, and to check the exact steps of others.
+ * A law with memory that takes a brace has the elongation of the brace as its first variable: where its own deformation reverses is
+ * found while integrating, and is an event like the reversals of the path. */
 #ifndef ED_ODE_SYSTEM_H
 #define ED_ODE_SYSTEM_H
 

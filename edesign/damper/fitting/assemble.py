@@ -38,7 +38,12 @@ def assemble(
     fewer = float(np.sqrt(max(outcome.residual.size / max(independent, 1.0), 1.0)))
     printed = robust if enough else {name: error * fewer for name, error in white.items()}
     at_bound = {name: values[name] for i, name in enumerate(coordinates.names) if i not in free}
-    doubts = [f"{name} ended at its bound {value:g}" for name, value in at_bound.items()]
+    doubts = [
+        f"{name} ended at its bound {value:g}"
+        if coordinates.is_bound(name, value)
+        else f"{name} ran off to {value:g}, the end of the search: more of it fits as well"
+        for name, value in at_bound.items()
+    ]
     doubts += doubts_of(names, values, printed, found)
     if setup.thermal.kind is None and len(setup.thermal.temperatures) > 1:
         low, high = setup.thermal.temperatures[0], setup.thermal.temperatures[-1]

@@ -122,6 +122,11 @@ class Coordinates:
             [_STEP if axis.logarithmic else _STEP * max(abs(v), 0.1) for axis, v in zip(self.axes, x, strict=True)]
         )
 
+    def is_bound(self, name: str, value: float) -> bool:
+        """Whether a value (SI) is at a bound of the law or the user, not at an end that the search has without one."""
+        axis = self.axes[self.names.index(name)]
+        return any(abs(value - bound) <= 2.0 * _INSIDE * max(1.0, abs(bound)) for bound in (axis.lower, axis.upper))
+
     def slopes(self, x: np.ndarray) -> np.ndarray:
         """Derivatives (n, n) of the free parameters (rows) to the coordinates (columns)."""
         matrix = np.empty((len(self.axes), len(self.axes)))

@@ -17,8 +17,8 @@ Progress = Callable[[str, int, int], None]
 SAME = 1e-3  # relative difference of costs of one and the same minimum
 FAILED = 10.0  # error, in measured forces, of parameters for which a law gives no force
 _NOTHING = 1e-12  # cost of data without noise
-_SEARCH_TOLERANCE = 1e-7
-_POLISH = 200  # iterations at most
+_SEARCH_TOLERANCE = 1e-5
+_POLISH = 100  # iterations at most
 _NEAR = 0.02  # of a bound, in coordinates, where it is tried whether the bound itself is as good
 _AS_GOOD = 1e-6  # relative cost
 

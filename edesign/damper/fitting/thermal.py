@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -52,8 +53,7 @@ class Thermal:
         if self.kind == "ferry":
             return FerryShift(values["p1"], values["p2"], self.reference_C)
         if self.kind == "gamma":
-            table = ((t, 1.0 if t == self.reference_C else values[gamma_name(t)]) for t in self.temperatures)
-            return GammaT(tuple(table))
+            return GammaT(tuple((t, self._gamma(values, t)) for t in self.temperatures))
         return None
 
     def at(self, law: Law, values: Mapping[str, float], temperature_C: float) -> dict[str, float]:
@@ -62,6 +62,13 @@ class Thermal:
         if self.kind is None or temperature_C == self.reference_C:
             return own
         return at(law, own, temperature_C, self.model(values))[0]
+
+    def _gamma(self, values: Mapping[str, float], temperature_C: float) -> float:
+        """gamma_T; exactly 1 only at the reference, which GammaT knows by that."""
+        if temperature_C == self.reference_C:
+            return 1.0
+        gamma = values[gamma_name(temperature_C)]
+        return gamma if gamma != 1.0 else math.nextafter(1.0, 2.0)
 
     @property
     def _names(self) -> frozenset[str]:

@@ -11,8 +11,9 @@ from pydantic import ValidationError
 
 from edesign.damper.laws import LAWS
 from edesign.damper.temperature import FerryShift, GammaT, at
-from edesign.damper.temperature_file import TemperatureLaw, parse_temperature
+from edesign.damper.temperature_file import TemperatureLaw
 from edesign.errors import InputError
+from edesign.project.temperature import parse_temperature
 
 MGMM = LAWS["mgmm"]
 

@@ -1,0 +1,237 @@
+"""Fits of laws in closed form: least squares, standard errors, bounds, doubts, bad input."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from fit_campaign import measured, motions
+
+from edesign.damper.fitting import cross_validate, fit_forces
+from edesign.damper.fitting.compare import compare_laws
+from edesign.damper.fitting.loading import Loading
+from edesign.damper.history import spline_velocity
+from edesign.damper.laws import LAWS
+from edesign.damper.nrms import nrms
+from edesign.damper.test_record import DamperTest
+from edesign.errors import InputError
+
+KELVIN, POWER = LAWS["kelvin_voigt"], LAWS["viscous_power"]
+K, C = 8e6, 0.4e6
+
+
+def kelvin_voigt(values: Mapping[str, float], loading: Loading) -> np.ndarray:
+    return values["k"] * loading.displacement + values["c"] * loading.velocity
+
+
+def power(values: Mapping[str, float], loading: Loading) -> np.ndarray:
+    return values["c"] * np.abs(loading.velocity) ** values["alpha"] * np.sign(loading.velocity)
+
+
+def histories_with(noise: float = 0.01, seed: int = 1, k: float = K, c: float = C) -> list[DamperTest]:
+    generator, found = np.random.default_rng(seed), []
+    for name, (time, u) in motions().items():
+        force = k * u + c * spline_velocity(time, u)
+        force = force + noise * np.max(np.abs(force)) * generator.standard_normal(force.size)
+        found.append(DamperTest(name, time, u, force))
+    return found
+
+
+def test_nrms_is_eq_4_28() -> None:
+    assert nrms([1.0, 2.0], [1.0, 1.0]) == pytest.approx(1.0 / 5.0, rel=1e-15)  # by the prediction, without a root
+    assert nrms([0.0, 0.0], [0.0, 0.0]) == 0.0
+    with pytest.raises(InputError, match="2 and 3"):
+        nrms([1.0, 2.0], [1.0, 2.0, 3.0])
+
+
+def test_a_linear_law_gives_the_normal_equations() -> None:
+    """F = k u + c v by least squares weighted with 1 / (rms^2 n) of each test; white-noise errors in closed form."""
+    tests = histories_with()
+    rows, force, noise = [], [], []
+    for test in tests:
+        f = test.measured_force()
+        weight = 1.0 / np.sqrt(np.mean(f**2) * f.size)
+        rows.append(weight * np.column_stack((test.displacement, spline_velocity(test.time, test.displacement))))
+        force.append(weight * f)
+    matrix = np.vstack(rows)
+    expected = np.linalg.lstsq(matrix / [1e-3, 1e-3], np.concatenate(force), rcond=None)[0] * 1e3
+    fit = fit_forces(KELVIN, tests, predict=kelvin_voigt)
+    assert [fit.values["k"], fit.values["c"]] == pytest.approx(expected.tolist(), rel=1e-7)
+    inverse, samples, meat = np.linalg.inv(matrix.T @ matrix), len(matrix), np.zeros((2, 2))
+    for row, f in zip(rows, force, strict=True):
+        noise.append(np.mean((f - row @ expected) ** 2) * samples / (samples - 2))
+        meat += noise[-1] * row.T @ row
+    errors = np.sqrt(np.diag(inverse @ meat @ inverse))
+    assert [fit.standard_error_white["k"], fit.standard_error_white["c"]] == pytest.approx(errors.tolist(), rel=1e-5)
+    assert fit.same_minimum == len(fit.starts) == 6
+    assert fit.at_bound == {} and fit.doubts == ()
+
+
+def test_a_power_law_is_recovered_by_a_callable() -> None:
+    found = []
+    for name, (time, u) in motions().items():
+        v = spline_velocity(time, u)
+        found.append(DamperTest(name, time, u, 300e3 * np.abs(v) ** 0.35 * np.sign(v)))
+    fit = fit_forces(POWER, found, predict=power)
+    assert fit.values["c"] == pytest.approx(300e3, rel=1e-6)
+    assert fit.values["alpha"] == pytest.approx(0.35, rel=1e-6)
+    assert fit.nrms_overall < 1e-12
+
+
+def test_robust_errors_cover_correlated_noise_and_white_ones_do_not() -> None:
+    """AR(1) noise of correlation 0.95 a sample: over many seeds the spread of the estimate is the standard error.
+
+    60 seeds tell a standard deviation to 1 / sqrt(120) = 9 %; three of these, and 10 % for blocks of finite length.
+    """
+    spread, robust, white = [], [], []
+    base = histories_with(0.0)
+    for seed in range(60):
+        generator, tests = np.random.default_rng(100 + seed), []
+        for test in base:
+            shocks, noise = generator.standard_normal(test.time.size), np.zeros(test.time.size)
+            for i in range(1, noise.size):
+                noise[i] = 0.95 * noise[i - 1] + shocks[i]
+            tests.append(replace(test, force=test.measured_force() + 500.0 * noise))
+        fit = fit_forces(KELVIN, tests, {"k": K, "c": C}, predict=kelvin_voigt, starts=1)
+        assert fit.error_kind == "robust"
+        spread.append(fit.values["k"])
+        robust.append(fit.standard_error_robust["k"])
+        white.append(fit.standard_error_white["k"])
+    true = float(np.std(spread, ddof=1))
+    assert np.sqrt(np.mean(np.square(robust))) == pytest.approx(true, rel=0.37)
+    assert np.mean(white) < 0.5 * true  # independent errors are assumed wrongly: far too sure
+
+
+def test_a_parameter_reaches_its_bound_and_says_so() -> None:
+    """Forces of a negative damping: the best allowed one is zero, exactly."""
+    fit = fit_forces(KELVIN, histories_with(c=-0.05 * C), predict=kelvin_voigt)
+    assert fit.values["c"] == 0.0
+    assert fit.at_bound == {"c": 0.0}
+    assert fit.free == ("k",)
+    assert "c ended at its bound 0" in fit.doubts
+
+
+def test_the_users_bound_holds_and_is_named() -> None:
+    fit = fit_forces(KELVIN, histories_with(), bounds={"k": (1e6, 7e6)}, predict=kelvin_voigt)
+    assert fit.values["k"] == pytest.approx(7e6, rel=1e-12)
+    assert fit.at_bound == {"k": pytest.approx(7e6)}
+
+
+def test_held_parameters_stay() -> None:
+    fit = fit_forces(KELVIN, histories_with(), fixed={"k": 7.5e6}, predict=kelvin_voigt)
+    assert fit.values["k"] == 7.5e6
+    assert fit.free == ("c",)
+    assert fit.held == {"k": "held by the user"}
+
+
+def test_what_cannot_be_told_apart_is_named() -> None:
+    """Friction: with N free beside mu only the product is told."""
+    tests = measured("friction", {"mu": 0.3, "N": 330e3, "k": 100e6})
+    fit = fit_forces(LAWS["friction"], tests, fit_also=["N"], starts=1)
+    assert any(doubt.startswith("mu and N: the data tell only combinations") for doubt in fit.doubts)
+    assert fit.values["mu"] * fit.values["N"] == pytest.approx(99e3, rel=0.01)
+    assert fit.standard_error["mu"] > 10.0 * fit.values["mu"]
+
+
+def test_robust_losses_set_outliers_aside() -> None:
+    tests = histories_with()
+    force = tests[0].measured_force().copy()
+    force[::20] += 5.0 * np.max(force)  # spikes
+    spoiled = [replace(tests[0], force=force), *tests[1:]]
+    errors = {}
+    for loss in ("linear", "soft_l1", "huber", "cauchy"):
+        fit = fit_forces(KELVIN, spoiled, predict=kelvin_voigt, loss=loss)
+        errors[loss] = abs(fit.values["k"] / K - 1.0)
+    assert max(errors["soft_l1"], errors["huber"], errors["cauchy"]) < 0.2 * errors["linear"]
+
+
+def test_weights_and_threads() -> None:
+    """A weight of w counts as w copies of the test; threads change nothing."""
+    tests = histories_with(0.05)
+    copies = [*tests, replace(tests[1], name="again"), replace(tests[1], name="and again")]
+    weighted = fit_forces(KELVIN, tests, weights={tests[1].name: 3.0}, predict=kelvin_voigt)
+    copied = fit_forces(KELVIN, copies, predict=kelvin_voigt)
+    assert weighted.values["k"] == pytest.approx(copied.values["k"], rel=1e-6)
+    one, two = (fit_forces(LAWS["zener"], tests, workers=workers) for workers in (1, 2))
+    assert one.values == two.values and one.standard_error == two.standard_error and one.starts == two.starts
+
+
+def test_cross_validation_leaves_out_what_it_predicts() -> None:
+    """The held-out error of a test is that of a fit to the others."""
+    tests = histories_with(0.05)
+    found = cross_validate(KELVIN, tests, predict=kelvin_voigt)
+    assert list(found.nrms) == [test.name for test in tests] and found.folds == len(tests)
+    others = fit_forces(KELVIN, tests[1:], predict=kelvin_voigt)
+    force = others.values["k"] * tests[0].displacement
+    force = force + others.values["c"] * spline_velocity(tests[0].time, tests[0].displacement)
+    assert found.nrms[tests[0].name] == pytest.approx(nrms(force, tests[0].measured_force()), rel=1e-6)
+    assert found.worst[1] == max(found.nrms.values())
+    assert cross_validate(KELVIN, tests, predict=kelvin_voigt, folds=2).folds == 2
+
+
+def test_the_law_that_made_the_data_suffices() -> None:
+    tests = measured("zener", {"k0": 5e6, "k1": 8e6, "c1": 0.8e6})
+    laws = [LAWS[name] for name in ("kelvin_voigt", "zener", "fractional_zener")]
+    found = compare_laws(laws, tests, starts=2)
+    assert found.sufficient.fit.law.name == "zener"
+    assert found.laws[0].bic > 100.0 and found.laws[1].bic == 0.0
+    samples = sum(test.time.size for test in tests)
+    assert 0.8 * samples < found.independent <= samples  # the noise is white
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ({"tests": []}, "needs `use: fit`"),
+        ({"force": None}, "has no force"),
+        ({"force": "constant"}, "throughout; nothing can be fitted"),
+        ({"start": {"q": 1.0}}, "has no parameter `q`"),
+        ({"start": {"k": -1.0}}, "start of `k`: -1 N/m is out of range"),
+        ({"start": {"k": 9e6}, "bounds": {"k": (1e6, 2e6)}}, "start of `k`: 9e[+]06 N/m is outside its bounds"),
+        ({"bounds": {"k": (2e6, 1e6)}}, "no range inside what the law allows"),
+        ({"bounds": {"k": (-2e6, 1e6)}}, "no range inside what the law allows"),
+        ({"fixed": ["k"], "bounds": {"k": (1e6, 2e6)}}, "bounds of `k`: it is not fitted"),
+        ({"fixed": ["k", "c"]}, "nothing is left to fit"),
+        ({"fixed": ["kk"]}, "fixed: law kelvin_voigt has no parameter `kk`; did you mean `k`"),
+        ({"loss": "square"}, "loss: `square` is unknown"),
+        ({"starts": 0}, "at least 1 is needed"),
+        ({"weights": {"nobody": 1.0}}, "there is no test `nobody`"),
+        ({"weights": {"random": 0.0}}, "greater than 0"),
+        ({"temperature": "gamma"}, "all tests are at 20 degC"),
+        ({"twice": True}, "two tests are called"),
+        ({"short": True}, "8 samples cannot carry|samples are too few"),
+    ],
+)
+def test_bad_input(change: dict[str, object], said: str) -> None:
+    options = dict(change)
+    tests = histories_with()
+    if "tests" in options:
+        tests = []
+        options.pop("tests")
+    if "force" in options:
+        force = options.pop("force")
+        tests[0] = replace(tests[0], force=None if force is None else np.full(tests[0].time.size, 3.0))
+    if options.pop("twice", False):
+        tests.append(tests[0])
+    if options.pop("short", False):
+        first = tests[0]
+        tests = [DamperTest("s", first.time[:5], first.displacement[10:15], first.measured_force()[:5])]
+    with pytest.raises(InputError, match=said):
+        fit_forces(KELVIN, tests, options.pop("start", None), predict=kelvin_voigt, **options)  # type: ignore[arg-type]
+
+
+def test_a_force_that_is_not_a_number_never_reaches_a_fit() -> None:
+    test = histories_with()[0]
+    force = test.measured_force().copy()
+    force[3] = np.nan
+    with pytest.raises(InputError, match="sample 4 is nan"):
+        replace(test, force=force)
+
+
+def test_more_parameters_than_the_data_carry() -> None:
+    test = histories_with()[0]
+    few = DamperTest("few", test.time[:12], test.displacement[20:32], test.measured_force()[20:32])
+    with pytest.raises(InputError, match="12 samples cannot carry 9 parameters"):
+        fit_forces(LAWS["mgmm"], [few])

@@ -1,0 +1,144 @@
+"""Damper laws that SUNDIALS integrates, against SciPy's Radau at 1e-10 with the equations written here anew.
+
+Between reversals of the deformation, found here as roots of its velocity, the equations are smooth; Radau starts anew
+at each.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from edesign.damper.damper import Damper
+from edesign.damper.laws import law
+
+END = 3.0  # s
+TIME = np.linspace(0.0, END, 601)
+State = np.ndarray
+
+
+def u(t: np.ndarray | float) -> np.ndarray | float:
+    """Deformation (m): grows, reverses inside and beyond earlier extremes."""
+    return 0.02 * np.sin(2 * np.pi * 0.8 * t) * (0.4 + 0.3 * t) + 0.004 * np.sin(2 * np.pi * 2.3 * t)
+
+
+def v(t: np.ndarray | float) -> np.ndarray | float:
+    """Its velocity (m/s)."""
+    a, b = 2 * np.pi * 0.8, 2 * np.pi * 2.3
+    return 0.02 * (a * np.cos(a * t) * (0.4 + 0.3 * t) + 0.3 * np.sin(a * t)) + 0.004 * b * np.cos(b * t)
+
+
+GRID = np.linspace(0.0, END, 20001)
+REVERSALS = [brentq(v, a, b, xtol=1e-14) for a, b in zip(GRID, GRID[1:], strict=False) if v(a) * v(b) < 0]
+
+
+def radau(rate: Callable[[float, State], State], y0: list[float]) -> np.ndarray:
+    """States (n, samples) at TIME."""
+    result = np.empty((len(y0), TIME.size))
+    result[:, 0] = y = np.array(y0)
+    edges = [0.0, *REVERSALS, END]
+    for start, stop in zip(edges, edges[1:], strict=False):
+        inside = (start < TIME) & (stop >= TIME)
+        at = np.append(TIME[inside], [stop] if stop < END else [])
+        found = solve_ivp(rate, (start, stop), y, "Radau", t_eval=at, rtol=1e-10, atol=1e-13)
+        assert found.success
+        result[:, inside], y = found.y[:, : np.count_nonzero(inside)], found.y[:, -1]
+    return result
+
+
+def extremes(t: float) -> float:
+    """u_max of thesis Eq. 2.71 at instant t: extremes lie at zero, at reversals or at t."""
+    values = [0.0, float(u(t)), *(float(u(r)) for r in REVERSALS if r < t)]
+    return 0.5 * (max(values) - min(values))
+
+
+BOUC_WEN = {"Y": 0.004, "alpha": 0.05, "A": 1.1, "beta": 0.3, "gamma": 0.6}
+
+
+def hysteresis(n: float) -> np.ndarray:
+    """z at TIME."""
+    p = BOUC_WEN
+
+    def rate(t: float, z: State) -> State:
+        w = float(v(t))
+        return (p["A"] * w - p["gamma"] * abs(w) * z * abs(z) ** (n - 1) - p["beta"] * w * abs(z) ** n) / p["Y"]
+
+    return radau(rate, [0.0])[0]
+
+
+def check(name: str, parameters: dict[str, float], expected: np.ndarray, brace: float = 0.0) -> None:
+    """1e-5 of the peak: ten times the relative tolerance, for what the kinks of the laws add."""
+    force = Damper(law(name), parameters, brace).force(TIME, u(TIME), v(TIME))
+    peak = np.max(np.abs(expected))
+    # the path between samples is the cubic through u and v: off by h^4/384 u'''' < 1e-9 m, or 1e-7 of Y
+    np.testing.assert_allclose(force, expected, atol=1e-5 * peak, rtol=0)
+
+
+def test_history_has_reversals_inside_and_beyond_extremes() -> None:
+    """Otherwise the other tests here would say little."""
+    assert len(REVERSALS) > 5
+    assert extremes(END) > 2 * extremes(REVERSALS[0])
+
+
+@pytest.mark.parametrize("n", [1.0, 2.0, 7.5])
+def test_bouc_wen(n: float) -> None:
+    """Thesis Eqs. 2.67 and 2.68."""
+    fy = 2e5
+    expected = BOUC_WEN["alpha"] * fy / BOUC_WEN["Y"] * u(TIME) + (1 - BOUC_WEN["alpha"]) * fy * hysteresis(n)
+    check("bouc_wen", {"Fy": fy, "n": n, **BOUC_WEN}, expected)
+
+
+@pytest.mark.parametrize("dashpot", [0.0, 4e4])
+def test_modified_bouc_wen(dashpot: float) -> None:
+    """Thesis Eqs. 2.69 to 2.71."""
+    k1, k2, u_ref, alpha_d = 3e7, 2e7, 0.015, 0.6
+    k = k1 * np.exp(-np.array([extremes(t) for t in TIME]) / u_ref) + k2
+    alpha, y = BOUC_WEN["alpha"], BOUC_WEN["Y"]
+    expected = k * (alpha * u(TIME) + (1 - alpha) * y * hysteresis(2.0))
+    expected += dashpot * np.abs(v(TIME)) ** alpha_d * np.sign(v(TIME))
+    own = {"k1": k1, "k2": k2, "u_ref": u_ref, "C": dashpot, "alpha_d": alpha_d}
+    check("modified_bouc_wen", {**own, **BOUC_WEN, "n": 2.0}, expected)
+
+
+@pytest.mark.parametrize("alpha", [0.3, 0.7, 1.6])
+def test_maxwell_power(alpha: float) -> None:
+    """A brace only joins the spring: 1/k + 1/k_b."""
+    c, k, brace = 4e5, 6e7, 1.5e8
+    joined = 1 / (1 / k + 1 / brace)
+
+    def rate(t: float, f: State) -> State:
+        return joined * (float(v(t)) - np.sign(f) * (np.abs(f) / c) ** (1 / alpha))
+
+    check("maxwell_power", {"c": c, "alpha": alpha, "k": k}, radau(rate, [0.0])[0], brace)
+
+
+def test_braced_modified_bouc_wen() -> None:
+    """The device's own deformation is integrated here too, its extremes as variables that grow with it."""
+    k1, k2, u_ref, dashpot, brace = 3e7, 2e7, 0.015, 6e5, 2e8
+    alpha, y = BOUC_WEN["alpha"], BOUC_WEN["Y"]
+    p = BOUC_WEN
+
+    def rate(t: float, s: State) -> State:
+        x, z, largest, smallest = s
+        k = k1 * np.exp(-0.5 * (max(largest, x) - min(smallest, x)) / u_ref) + k2
+        w = (brace * (float(u(t)) - x) - k * (alpha * x + (1 - alpha) * y * z)) / dashpot
+        grow = w if x >= largest - 1e-12 and w > 0 else 0.0
+        fall = w if x <= smallest + 1e-12 and w < 0 else 0.0
+        slope = p["A"] - (p["gamma"] * np.sign(w * z) + p["beta"]) * abs(z) ** 2
+        return np.array([w, slope * w / y, grow, fall])
+
+    time = TIME[: TIME.size // 2]
+    state, x = np.zeros(4), [0.0]
+    for start, stop in zip(time, time[1:], strict=False):  # short pieces: the switches fall inside some of them
+        state = solve_ivp(rate, (start, stop), state, "Radau", rtol=1e-8, atol=1e-12, max_step=1.25e-3).y[:, -1]
+        state[2], state[3] = max(state[2], state[0]), min(state[3], state[0])
+        x.append(state[0])
+    own = {"k1": k1, "k2": k2, "u_ref": u_ref, "C": dashpot, "alpha_d": 1.0}
+    force = Damper(law("modified_bouc_wen"), {**own, **p, "n": 2.0}, brace).force(time, u(time), v(time))
+    expected = brace * (u(time) - np.array(x))
+    # extremes here are those at the ends of the pieces and of the solver's steps, at worst w' dt^2 / 8 short
+    np.testing.assert_allclose(force, expected, atol=1e-4 * np.max(np.abs(expected)), rtol=0)
