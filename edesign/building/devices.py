@@ -7,11 +7,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 from edesign.building.named_section import cross_section
+from edesign.building.profiles import profile_names
 from edesign.core import LawValues, Model
 from edesign.errors import InputError
 from edesign.project import names
 from edesign.project.dampers import BraceSection, BraceStiffness, DamperBetween, DamperRun
-from edesign.project.problems import did_you_mean
+from edesign.project.problems import did_you_mean, keys_text
 from edesign.project.project import Project
 
 UX, UY = 0, 1
@@ -94,7 +95,8 @@ def add_devices(
         laws: by name.
 
     Raises:
-        InputError: a place has no node because all that would end there is missing.
+        InputError: a place has no node because all that would end there is missing, or the section of a brace does not
+            exist.
 
     Source: thesis Eqs. 5.18-5.21 (size), 5.10 with alpha_b = 2 cos^2 (chevron).
     """
@@ -105,7 +107,7 @@ def add_devices(
         law = laws[run.law]
         for place in _places(project, run, nodes, where):
             force_scale, deformation_scale, thickness = _scales(run, law, place)
-            brace = _brace(project, run, place)
+            brace = _brace(project, run, place, i)
             name = _free(place.name, found)
             in_series = law.law, brace
             if law.law.law == "viscous_power" and brace > 0.0:  # the same, as one law with exact equations
@@ -209,11 +211,17 @@ def _of_storey(values: float | tuple[float, ...], place: _Place) -> float:
     return values[place.index] if isinstance(values, tuple) else values
 
 
-def _brace(project: Project, run: DamperRun | DamperBetween, place: _Place) -> float:
+def _brace(project: Project, run: DamperRun | DamperBetween, place: _Place, device: int) -> float:
     """Stiffness in series, N/m; 0: rigid."""
     if isinstance(run.brace, BraceStiffness):
         return _of_storey(run.brace.stiffness, place)
     if not isinstance(run.brace, BraceSection):
         return 0.0
-    axial = project.materials[run.brace.material].E * cross_section(project, run.brace.section).area / place.length
+    name = run.brace.section
+    known = [*project.sections, *profile_names()]
+    if name not in known:
+        keys = ("dampers", "devices", device, "brace", "section")
+        message = f"there is no section `{name}`{did_you_mean(name, known)}"
+        raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {message}")
+    axial = project.materials[run.brace.material].E * cross_section(project, name).area / place.length
     return place.braces * axial * place.cosine**2

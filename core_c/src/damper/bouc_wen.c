@@ -18,8 +18,7 @@ const char *ed_bouc_wen_refused(const ed_bouc_wen_shape *shape, double *value, c
     return "Y";
   if (!((*value = shape->A) > 0.0))
     return "A";
-  *allowed = "at least zero";
-  if (!((*value = shape->gamma) >= 0.0))
+  if (!((*value = shape->gamma) > 0.0))
     return "gamma";
   *allowed = "at least -gamma: below it z grows without bound";
   if (!((*value = shape->beta) + shape->gamma >= 0.0))

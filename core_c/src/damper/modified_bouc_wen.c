@@ -1,8 +1,8 @@
 /* Bouc-Wen with softening by the largest deformation, beside a power-law dashpot (thesis Eqs. 2.69 to 2.71; Karavasilis,
  * Blakeborough & Williams 2011): F = k (alpha u + (1 - alpha) Y z) + C |v|^alpha_d sgn v, k = k1 exp(-u_max/u_ref) + k2.
  *
- * With a brace k_b in series the elongation of the brace, e = F / k_b, is a variable, so that errors are judged by the force; the own
- * deformation is u - e. Its velocity w follows from the dashpot, which takes what the brace gives beyond the hysteretic part:
+ * With a brace k_b in series the elongation of the brace, e = F / k_b, is a variable, so that errors are judged by the force; the
+ * own deformation is u - e. Its velocity w follows from the dashpot, which takes what the brace gives beyond the hysteretic part:
  * C |w|^alpha_d sgn w = k_b e - k (...); without dashpot from k_b (v - w) = dF/d(u - e) w. Memory: largest and smallest (own)
  * deformation. */
 #include "damper/bouc_wen.h"
@@ -15,6 +15,7 @@ enum { K1, K2, U_REF, Y, ALPHA, A, BETA, GAMMA, N, C, ALPHA_D, PARAMETERS };
 /* For alpha_d < 1 the slope of the dashpot's force is infinite at rest. Below this speed the force is the chord from the origin, as
  * in viscous_power.c. For alpha_d > 1 the slope of its speed is infinite at no force: below this share of C it is held. */
 static const double AT_REST = 1e-9, NO_FORCE = 1e-16;
+static const double rounding = 1e-10; /* of the extremes: so near to one it grows */
 static const double no_way = 1e-12; /* of the brace's force: which way the device goes is then told by the whole */
 
 static ed_bouc_wen_shape shape_of(const ed_damper *damper)
@@ -60,7 +61,8 @@ static hysteretic hysteretic_part(const double *p, double x, double z, double wa
   const ed_running before = {memory[0], memory[1]}, now = ed_extremes_with(before, x);
   const double soft = p[K1] * exp(-ed_extremes_mean(now) / p[U_REF]), k = soft + p[K2];
   /* while an extreme grows, u_max changes by half of what the deformation does */
-  const double growth = x >= now.largest && way > 0.0 ? 0.5 : x <= now.smallest && way < 0.0 ? -0.5 : 0.0;
+  const double near = rounding * (now.largest - now.smallest);
+  const double growth = x >= now.largest - near && way > 0.0 ? 0.5 : x <= now.smallest + near && way < 0.0 ? -0.5 : 0.0;
   const double per = -growth / p[U_REF], part = p[ALPHA] * x + (1.0 - p[ALPHA]) * p[Y] * z, f = (1.0 - p[ALPHA]) * p[Y];
   return (hysteretic){.force = k * part,
                       .x = k * p[ALPHA] + per * soft * part,
@@ -121,10 +123,18 @@ static void braced_rate(const ed_damper *damper, double u, double v, const doubl
     w_x = per * (part.xx + part.xz * slope);
     w_z = per * (part.xz + part.z * slope_z);
   }
-  out->force = brace * y[0];
-  out->force_u = out->force_v = 0.0;
-  out->force_y[0] = brace;
-  out->force_y[1] = 0.0;
+  out->force_v = 0.0;
+  if (p[C] > 0.0) {
+    out->force = brace * y[0];
+    out->force_u = out->force_y[1] = 0.0;
+    out->force_y[0] = brace;
+  } else { /* brace and device carry the same: of the two variables z alone tells the force, to second order in the error of e */
+    const double share = brace / (brace + part.x);
+    out->force = brace * y[0] + share * (part.force - brace * y[0]);
+    out->force_u = share * part.x;
+    out->force_y[0] = 0.0;
+    out->force_y[1] = share * part.z;
+  }
   out->y[0] = v - w;
   out->y_u[0] = -w_x;
   out->y_v[0] = 1.0 - w_v;

@@ -27,8 +27,8 @@ typedef struct {
   double reach[ED_ODE_DIRECTIONS];         /* largest derivative of the deformation to the unknowns */
   double next;               /* instant of its next event */
   double way;                /* sign of the velocity in this segment: at its ends, where v = 0, rounding must not choose */
-  double turn, turn_level;   /* direction of its own deformation (+1, -1), and what counts as none */
-  int turned;                /* it has just turned */
+  double turn, turn_level;   /* direction of its own velocity (+1, -1), and how much of it is none */
+  int turned;                /* it has turned at the end of the last segment */
 } ed_ode_block;
 
 /* Room for the work on one block at a time. */

@@ -11,8 +11,8 @@ static int sign(double x)
   return (x > 0.0) - (x < 0.0);
 }
 
-/* Signs of velocity and acceleration just behind the beginning (side 0) or just before the end (1) of an interval; a turn at the very
- * edge, which rounding puts to either side, belongs to the sample there. */
+/* Signs of velocity and acceleration just behind the beginning (side 0) or just before the end (1) of an interval; a turn at the
+ * very edge, which rounding puts to either side, belongs to the sample there. */
 static void senses(const ed_path *path, int side, int sense[2])
 {
   const double apart = ed_ode_instants_apart(path), end = side ? path->h : 0.0;
@@ -81,14 +81,12 @@ int ed_ode_system_history(ed_ode_system *system, double *state, int n, const dou
   block->memory = state + damper->n_ode;
   block->moved = block->turned = 0;
   block->way = 0.0;
-  block->turn_level = 0.0;
-  ed_ode_look_which_way(block, system->work, t, y);
   if (!ed_ode_force(block, system->work, t, y, 0, &out))
     return ED_E_NOT_FINITE;
   force[0] = out.force;
   for (*done = 1; *done < n;) {
     const double stop = next_of_samples(damper, &samples, block->memory, t, &interval);
-    int status = ed_ode_integrator_begin(integrator, t, stop);
+    int status = ed_ode_begin(system, integrator, t, stop);
     while (status == ED_OK && t < stop && !block->turned) {
       const int sample = time[*done] <= stop;
       status = ed_ode_go(system, integrator, sample ? time[*done] : stop, &t);
@@ -105,8 +103,6 @@ int ed_ode_system_history(ed_ode_system *system, double *state, int n, const dou
     if (++segments > ED_MOST_SEGMENTS + 10 * n)
       return ED_E_NOT_CONVERGED;
     ed_ode_remember(block, system->work, t, y, 0, 0);
-    ed_ode_look_which_way(block, system->work, t, y);
-    block->turned = 0;
     while (interval > 0 && time[interval] > t)
       interval--;
   }

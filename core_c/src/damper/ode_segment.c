@@ -29,13 +29,31 @@ double ed_ode_next_event(const ed_damper *damper, const ed_path *path, const dou
   return next < path->h - ed_ode_instants_apart(path) ? next : INFINITY;
 }
 
-void ed_ode_look_which_way(ed_ode_block *block, ed_ode_work *work, double t, const double *y)
+/* Which way a block goes at t that turns itself. Where it has none, just after a turn of the path or of its own, the path tells. */
+static void look_which_way(ed_ode_block *block, ed_ode_work *work, double t, double stop, const double *y)
 {
-  double speed;
-  if (!ed_ode_turns_itself(block->damper) || !ed_ode_own_velocity(block, work, t, y, &speed))
-    return;
-  block->turn = block->turned ? -block->turn : speed < 0.0 ? -1.0 : 1.0;
-  block->turn_level = 1e-12 * fmax(fabs(speed), block->turn_level * 1e12);
+  double speed = 0.0, u, v;
+  ed_ode_own_velocity(block, work, t, y, &speed);
+  ed_ode_motion(block, 0.5 * (t + stop), &u, &v);
+  block->turn_level = 1e-12 * fmax(fabs(v), fabs(speed));
+  if (block->turned)
+    block->turn = -block->turn;
+  else if (fabs(speed) > block->turn_level)
+    block->turn = speed > 0.0 ? 1.0 : -1.0;
+  else
+    block->turn = block->way < 0.0 ? -1.0 : 1.0;
+  block->turned = 0;
+}
+
+int ed_ode_begin(ed_ode_system *system, ed_ode_integrator *integrator, double t, double stop)
+{
+  const int status = ed_ode_integrator_begin(integrator, t, stop);
+  for (int i = 0; status == ED_OK && i < system->n; i++) {
+    ed_ode_block *block = &system->block[i];
+    if (ed_ode_turns_itself(block->damper))
+      look_which_way(block, system->work, t, stop, ed_ode_variables(integrator) + block->first);
+  }
+  return status;
 }
 
 /* A block that turns has been led past its turn by one smooth step: goes there again, and stops. */

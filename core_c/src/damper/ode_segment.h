@@ -23,9 +23,9 @@ struct ed_ode_system {
 double ed_ode_instants_apart(const ed_path *path);
 /* The first event of a damper on a path behind `from`; infinity: none. */
 double ed_ode_next_event(const ed_damper *damper, const ed_path *path, const double *memory, double from);
-/* Which way a block goes at t that turns itself. */
-void ed_ode_look_which_way(ed_ode_block *block, ed_ode_work *work, double t, const double *y);
-/* Goes on to `stop` in the segment that was begun, or to where a block turns. t: now, and where that led. */
+/* Begins a segment at t that ends at `stop`. */
+int ed_ode_begin(ed_ode_system *system, ed_ode_integrator *integrator, double t, double stop);
+/* Goes on to `stop` in it, or to where a block turns. t: now, and where that led. */
 int ed_ode_go(ed_ode_system *system, ed_ode_integrator *integrator, double stop, double *t);
 
 #endif

@@ -120,10 +120,8 @@ int ed_ode_system_step(ed_ode_system *system, const double *const *committed, co
     memcpy(block->memory, committed[i] + damper->n_ode, (size_t)damper->n_memory * sizeof *y);
     block->moved = block->turned = 0;
     block->way = 0.0;
-    block->turn_level = 0.0;
     block->next = ed_ode_next_event(damper, block->path, block->memory, 0.0);
     look_at_directions(block);
-    ed_ode_look_which_way(block, system->work, 0.0, y + block->first);
   }
   for (int segments = 0; t < h; segments++) {
     double stop = h;
@@ -131,7 +129,7 @@ int ed_ode_system_step(ed_ode_system *system, const double *const *committed, co
       stop = fmin(stop, system->block[i].next);
     if (segments >= ED_MOST_SEGMENTS * n)
       return ED_E_NOT_CONVERGED;
-    int status = ed_ode_integrator_begin(integrator, t, stop);
+    int status = ed_ode_begin(system, integrator, t, stop);
     if (status == ED_OK)
       status = ed_ode_go(system, integrator, stop, &t);
     if (status != ED_OK)
@@ -144,9 +142,7 @@ int ed_ode_system_step(ed_ode_system *system, const double *const *committed, co
         continue;
       ed_ode_remember(block, system->work, t, y + block->first, stride, 1);
       block->next = ed_ode_next_event(block->damper, block->path, block->memory, t);
-      ed_ode_look_which_way(block, system->work, t, y + block->first);
-      block->turned = 0;
-    }
+      }
   }
   for (int i = 0; i < n; i++) {
     ed_ode_block *block = &system->block[i];

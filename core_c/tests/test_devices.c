@@ -1,0 +1,168 @@
+/* Dampers in a frame: equivalent links, tries that leave nothing behind, halved steps, saved states, refusals. */
+#include "checks.h"
+#include "edcore.h"
+#include "frame.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { N = 150 };
+static const double DT = 0.02, STIFF = 4e6;
+static const frame_options FRAME = {.bays = 1, .storeys = 2, .points = 5, .geometry = ED_P_DELTA};
+static const double MGMM[] = {515e3, 15.1e3, 107e3, 21e3, 0.374, 3741e3, 3613e3, 7.966e-3, 902e3, 190e3, 13.468e-3, 0.0};
+static const double BOUC_WEN[] = {40e3, 5e-3, 0.05, 1.0, 0.5, 0.5, 1.0};
+
+/* Between the floors of a storey. */
+static int damper(ed_model *model, int storey, int law, int n, const double *parameters, double brace)
+{
+  const int node[] = {frame_node(FRAME, 0, storey), frame_node(FRAME, 0, storey - 1)}, degree[] = {0, 0};
+  const double coefficient[] = {1.0, -1.0};
+  return ed_model_damper(model, "damper", law, n, parameters, brace, 1.0, 1.0, 2, node, degree, coefficient);
+}
+
+static ed_model *damped_frame(double brace)
+{
+  ed_model *model = frame_model(FRAME);
+  CHECK_INT(damper(model, 1, ED_LAW_MGMM, 12, MGMM, brace), 0);
+  CHECK_INT(damper(model, 2, ED_LAW_BOUC_WEN, 7, BOUC_WEN, brace), 1);
+  return model;
+}
+
+static ed_analysis *under_gravity(const ed_model *model)
+{
+  ed_analysis *a = frame_analysis(model);
+  CHECK_STATUS(ed_static_begin(a, GRAVITY, 1.0, 2), ED_OK);
+  CHECK_STATUS(run_to_end(a, 2), ED_OK);
+  CHECK_STATUS(ed_install_dampers(a), ED_OK);
+  return a;
+}
+
+static double *state_of(const ed_analysis *a)
+{
+  double *state = malloc((size_t)ed_state_size(a) * sizeof *state);
+  ed_state_get(a, state);
+  return state;
+}
+
+/* A spring as a damper is a spring as a link. */
+static void check_link(void)
+{
+  static const double spring[] = {STIFF, 0.0};
+  double ground[N + 1], moved[2];
+  ground_motion(N, DT, 6.0, ground);
+  for (int as_link = 0; as_link < 2; as_link++) {
+    ed_model *model = frame_model(FRAME);
+    if (as_link) {
+      const int top = frame_node(FRAME, 0, 1), foot = ed_model_node(model, "foot", 0.0, 3.5);
+      ed_model_fix(model, foot, 1, 1, 1);
+      CHECK(ed_model_link(model, "spring", foot, top, STIFF, 0.0, 0.0, 0.0) >= 0);
+    } else
+      damper(model, 1, ED_LAW_KELVIN_VOIGT, 2, spring, 0.0);
+    ed_analysis *a = frame_analysis(model);
+    CHECK_STATUS(ed_install_dampers(a), ED_OK); /* both from the unloaded frame */
+    CHECK_STATUS(ed_set(a, ED_TOLERANCE, 1e-10), ED_OK);
+    const int channel = add_channel(a, ED_DISPLACEMENT, frame_node(FRAME, 0, 2), 0);
+    CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+    CHECK_STATUS(run_to_end(a, N), ED_OK);
+    double most[2], when[2], least[2], since[2], last[2];
+    ed_extremes(a, most, when, least, since, last);
+    moved[as_link] = last[channel];
+    ed_run_end(a);
+    ed_analysis_free(a);
+    ed_model_free(model);
+  }
+  CHECK_NEAR(moved[0], moved[1], 1e-8 * fabs(moved[1])); /* equilibrium to 1e-10 of the forces */
+}
+
+/* Tries that are given up, and the same run in one analysis or taken up from a saved state. */
+static void check_tries(double brace)
+{
+  double ground[N + 1];
+  ground_motion(N, DT, 6.0, ground);
+  ed_model *model = damped_frame(brace);
+  ed_analysis *straight = under_gravity(model), *hesitant = under_gravity(model);
+  CHECK_STATUS(ed_history_begin(straight, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(ed_history_begin(hesitant, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  for (int i = 0; i < N; i++) {
+    CHECK_STATUS(ed_run_advance(straight, 1), ED_OK);
+    CHECK_STATUS(ed_try_and_revert(hesitant, i % 2 ? 1.0 : 0.25), ED_OK);
+    CHECK_STATUS(ed_run_advance(hesitant, 1), ED_OK);
+  }
+  double *one = state_of(straight), *other = state_of(hesitant);
+  CHECK_SAME(other, one, ed_state_size(straight));
+  ed_statistics statistics;
+  ed_run_end(straight);
+  ed_get_statistics(straight, &statistics);
+  CHECK_NEAR(statistics.energy_error, 0.0, 5e-3); /* fibres that yield within steps of 0.02 s; of the same size without dampers */
+  free(one);
+  free(other);
+  ed_analysis_free(straight);
+  ed_analysis_free(hesitant);
+  ed_model_free(model);
+}
+
+/* A state that is saved and set again goes on as if nothing had been. */
+static void check_saved(void)
+{
+  double ground[N + 1];
+  ground_motion(N, DT, 6.0, ground);
+  ed_model *model = damped_frame(30e6);
+  ed_analysis *a = under_gravity(model), *b = under_gravity(model);
+  CHECK_STATUS(ed_set(a, ED_REUSE_FACTORS, 0), ED_OK); /* factors of an earlier step are no part of the state */
+  CHECK_STATUS(ed_set(b, ED_REUSE_FACTORS, 0), ED_OK);
+  CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(run_to_end(a, N), ED_OK);
+  ed_run_end(a);
+  double *saved = state_of(a);
+  CHECK_STATUS(ed_state_set(b, saved), ED_OK);
+  double *set = state_of(b);
+  CHECK_SAME(set, saved, ed_state_size(a));
+  for (int i = 0; i < 2; i++) {
+    ed_analysis *each = i ? b : a;
+    CHECK_STATUS(ed_history_begin(each, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+    CHECK_STATUS(run_to_end(each, N), ED_OK);
+    ed_run_end(each);
+    ed_state_get(each, i ? set : saved);
+  }
+  CHECK_SAME(set, saved, ed_state_size(a));
+  free(saved);
+  free(set);
+  ed_analysis_free(a);
+  ed_analysis_free(b);
+  ed_model_free(model);
+}
+
+static void check_refusals(void)
+{
+  ed_model *model = frame_model(FRAME);
+  const int node[] = {1, 99}, degree[] = {0, 0};
+  const double coefficient[] = {1.0, -1.0}, negative[] = {-1.0, 0.0}, spring[] = {1.0, 0.0};
+  CHECK_STATUS(damper(model, 1, ED_LAW_KELVIN_VOIGT, 2, negative, 0.0), ED_E_ARGUMENT);
+  CHECK_CONTAINS(ed_model_message(model), "damper damper: k = -1 is not allowed");
+  CHECK_STATUS(damper(model, 1, ED_LAW_KELVIN_VOIGT, 2, spring, -5.0), ED_E_ARGUMENT);
+  CHECK_CONTAINS(ed_model_message(model), "brace");
+  CHECK_STATUS(damper(model, 1, 77, 2, spring, 0.0), ED_E_ID);
+  CHECK_STATUS(damper(model, 1, ED_LAW_KELVIN_VOIGT, 5, negative, 0.0), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_model_damper(model, "x", ED_LAW_KELVIN_VOIGT, 2, spring, 0.0, 1.0, 1.0, 2, node, degree, coefficient), ED_E_ID);
+  CHECK_STATUS(ed_model_damper(model, "x", ED_LAW_KELVIN_VOIGT, 2, spring, 0.0, 0.0, 1.0, 1, node, degree, coefficient), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_model_damper(model, "x", ED_LAW_KELVIN_VOIGT, 2, spring, 0.0, 1.0, 1.0, 13, node, degree, coefficient), ED_E_ARGUMENT);
+  CHECK_INT(damper(model, 1, ED_LAW_KELVIN_VOIGT, 2, spring, 0.0), 0); /* what was refused left nothing behind */
+  ed_analysis *a = frame_analysis(model);
+  const int kind[] = {ED_DAMPER_FORCE}, object[] = {1}, component[] = {0};
+  CHECK_STATUS(ed_channel(a, 1, coefficient, kind, object, component, 0), ED_E_ID);
+  CHECK_STATUS(ed_static_begin(a, GRAVITY, 1.0, 1), ED_OK);
+  CHECK_STATUS(ed_install_dampers(a), ED_E_STATE);
+  ed_analysis_free(a);
+  ed_model_free(model);
+}
+
+int main(void)
+{
+  check_link();
+  check_tries(0.0);
+  check_tries(30e6);
+  check_saved();
+  check_refusals();
+  return checks_end("dampers in a frame");
+}

@@ -1,0 +1,332 @@
+"""Whatever is wrong with dampers is told with its place, key and value, what is allowed, and the nearest name.
+
+Both `edesign check` and `edesign run` refuse it before anything runs. `«` marks the place that must be named.
+"""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+from cases.small_frame import RECORD, TEXT
+
+from edesign.building.project_file import load_project
+from edesign.cli.main import main
+from edesign.study.dampers import law_warnings
+from edesign.study.structure import make_frame
+
+Capture = pytest.CaptureFixture[str]
+
+DAMPERS = """\
+dampers:
+  laws:
+    tested:
+      type: mgmm
+      parameters: thesis_table_4_2
+      temperature: 25 degC
+      temperature_law: {gamma_T: {20 degC: 1, 35 degC: 0.82}}
+      prototype: {layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}
+    oil:
+      type: viscous_power
+      parameters: {c: 300 kN*(s/m)^0.35, alpha: 0.35}
+  devices:
+    - {kind: chevron, bays: 1, storeys: 1-2, law: tested, layer_area: [0.2 m^2, 0.1 m^2],
+       brace: {stiffness: [90 kN/mm, 60 kN/mm]}}
+    - {kind: rising, bays: 1, storeys: 2, law: oil, number: 2, brace: {section: HEB100, material: S275}}
+    - {kind: nodes, nodes: [A0, B1], law: oil}
+    - {kind: storey, bays: 1, storeys: 1, law: oil}
+  attachments:
+    - {kind: tuned_mass, floor: 2, mass: 2 t, frequency: 1.5 Hz, damping: 8 %}
+    - {kind: tuned_liquid, floor: 1, length: 2 m, width: 1 m, depth: 0.3 m, damping: 3 %}
+"""
+WHOLE = TEXT.replace("damping: {kind", DAMPERS + "damping: {kind").replace(
+    "modes: 2}", "modes: 2, damper_deformation: 5 mm}"
+)
+OIL = "parameters: {c: 300 kN*(s/m)^0.35, alpha: 0.35}"
+SHIFT = "temperature_law: {gamma_T: {20 degC: 1, 35 degC: 0.82}}"
+AREAS, STIFFNESSES = "[0.2 m^2, 0.1 m^2]", "stiffness: [90 kN/mm, 60 kN/mm]"
+BRACE = "brace: {section: HEB100, material: S275}"
+
+# old text, new text, key, parts of the message: value seen, what is allowed, nearest name
+WRONG = {
+    # laws
+    "unknown law type": ("type: mgmm", "type: «mgm", "laws.tested.type", ["`mgm`", "did you mean `mgmm`?", "bouc_wen"]),
+    "unknown parameter": (
+        OIL,
+        "parameters: {c: 300 kN*(s/m)^0.35, alpha: 0.35, alfa: «0.3}",
+        "laws.oil.parameters.alfa",
+        ["did you mean `alpha`?", "there are: c, alpha"],
+    ),
+    "wrong unit": (
+        OIL,
+        "parameters: {c: «300 kN/mm, alpha: 0.35}",
+        "laws.oil.parameters.c",
+        ["`300 kN/mm` is a force per length", "for example `1 kN*(s/mm)^0.35`"],
+    ),
+    "exponent of the unit is not that of the law": (
+        OIL,
+        "parameters: {c: «300 kN*(s/m)^0.4, alpha: 0.35}",
+        "laws.oil.parameters.c",
+        ["`300 kN*(s/m)^0.4`", "alpha = 0.35 here"],
+    ),
+    "bare number": (OIL, "parameters: {c: «300, alpha: 0.35}", "laws.oil.parameters.c", ["`300` needs a unit"]),
+    "alpha out of bounds": (
+        OIL,
+        "parameters: {c: 300 kN*(s/m)^0.35, alpha: «2.5}",
+        "laws.oil.parameters.alpha",
+        ["`2.5` is out of range", "greater than 0 and at most 2"],
+    ),
+    "negative coefficient": (
+        OIL,
+        "parameters: «{c: -300 kN*(s/m)^0.35, alpha: 0.35}",
+        "laws.oil.parameters",
+        ["c = -300000", "greater than 0 is allowed"],
+    ),
+    "missing parameter": (OIL, "parameters: «{alpha: 0.35}", "laws.oil.parameters", ["`c`", "is missing"]),
+    "unknown set": (
+        "parameters: thesis_table_4_2",
+        "parameters: «thesis_table_4_3",
+        "laws.tested.parameters",
+        ["`thesis_table_4_3`", "did you mean `thesis_table_4_2`?"],
+    ),
+    "set of another law": (OIL, "parameters: «thesis_table_4_2", "laws.oil.parameters", ["of law mgmm"]),
+    "temperature without unit": (
+        "temperature: 25 degC",
+        "temperature: «25",
+        "laws.tested.temperature",
+        ["`25` is no temperature", "`20 degC` or `293.15 K`"],
+    ),
+    "temperature in another unit": (
+        "temperature: 25 degC",
+        "temperature: «25 F",
+        "laws.tested.temperature",
+        ["`25 F` is no temperature"],
+    ),
+    "two temperature laws": (
+        SHIFT,
+        "temperature_law: «{gamma_T: {20 degC: 1, 35 degC: 0.82}, ferry: {p1: 1, p2: 50 K, reference: 20 degC}}",
+        "laws.tested.temperature_law",
+        ["one of `gamma_T` and `ferry`"],
+    ),
+    "unknown temperature law": (
+        SHIFT,
+        "temperature_law: {«gama_T: {20 degC: 1, 35 degC: 0.82}}",
+        "laws.tested.temperature_law.gama_T",
+        ["unknown key", "did you mean `gamma_T`?", "`ferry`"],
+    ),
+    "gamma_T without unit": (
+        SHIFT,
+        "temperature_law: {gamma_T: {20: «1, 35 degC: 0.82}}",
+        "laws.tested.temperature_law.gamma_T.20",
+        ["`20` is no temperature"],
+    ),
+    "negative gamma_T": (
+        SHIFT,
+        "temperature_law: {gamma_T: {20 degC: 1, 35 degC: «-0.82}}",
+        "laws.tested.temperature_law.gamma_T.35 degC",
+        ["`-0.82` is out of range", "greater than 0"],
+    ),
+    "temperature law of other laws": (
+        SHIFT,
+        "temperature_law: «{ferry: {p1: 1, p2: 50 K, reference: 20 degC}}",
+        "laws.tested.temperature_law",
+        ["not made for law mgmm", "zener"],
+    ),
+    "temperature law without temperature": (
+        "      temperature: 25 degC\n      temperature_law:",
+        "      «temperature_law:",
+        "laws.tested.temperature_law",
+        ["needs the `temperature`"],
+    ),
+    "temperature out of reach": (
+        "temperature: 25 degC",
+        "temperature: «120 degC",
+        "laws.tested.temperature",
+        ["gamma_T at 120 degC", "must be greater than 0"],
+    ),
+    # devices
+    "unknown kind": (
+        "kind: rising",
+        "kind: «risng",
+        "devices[1].kind",
+        ["`risng`", "did you mean `rising`?", "`nodes`"],
+    ),
+    "unknown device law": (
+        "storeys: 2, law: oil",
+        "storeys: 2, law: «oils",
+        "devices[1].law",
+        ["`oils`", "did you mean `oil`?", "`tested`"],
+    ),
+    "storey outside": (
+        "storeys: 1-2, law",
+        "storeys: «1-3, law",
+        "devices[0].storeys",
+        ["no storey 3", "numbered 1 to 2"],
+    ),
+    "bay outside": ("rising, bays: 1", "rising, bays: [1, «2]", "devices[1].bays[1]", ["no bay 2", "1 to 1"]),
+    "too many areas": (AREAS, "«[0.2 m^2, 0.1 m^2, 0.1 m^2]", "devices[0].layer_area", ["3 values for 2 storeys"]),
+    "too few brace stiffnesses": (
+        STIFFNESSES,
+        "stiffness: «[90 kN/mm]",
+        "devices[0].brace.stiffness",
+        ["1 value for 2 storeys", "one for each"],
+    ),
+    "list at one place": (
+        "[A0, B1], law: oil",
+        "[A0, B1], law: oil, brace: {stiffness: «[1 kN/mm, 2 kN/mm]}",
+        "devices[2].brace.stiffness",
+        ["2 values for 1 storey;"],
+    ),
+    "one wrong unit in a list": (
+        STIFFNESSES,
+        "stiffness: [90 kN/mm, «60 kN]",
+        "devices[0].brace.stiffness[1]",
+        ["`60 kN` is a force", "`120 kN/mm`"],
+    ),
+    "size without prototype": (
+        "law: oil, number: 2",
+        "law: oil, number: 2, «layers: 4",
+        "devices[1].layers",
+        ["`oil` has no `prototype`"],
+    ),
+    "none of them": ("number: 2", "number: «0", "devices[1].number", ["`0` is out of range", "at least 1"]),
+    "word for a brace": (BRACE, "brace: «stiff", "devices[1].brace", ["`stiff`", "allowed: `rigid`"]),
+    "half a brace": (BRACE, "«brace: {section: HEB100}", "devices[1].brace.material", ["missing"]),
+    "brace section of a storey damper": (
+        "storeys: 1, law: oil}",
+        "storeys: 1, law: oil, brace: «{section: HEB120, material: S275}}",
+        "devices[3].brace",
+        ["give the `stiffness`"],
+    ),
+    "unknown section": (
+        BRACE,
+        "brace: {section: «HEB105, material: S275}",
+        "devices[1].brace.section",
+        ["`HEB105`", "did you mean `HEB100`?"],
+    ),
+    "unknown material": (
+        BRACE,
+        "brace: {section: HEB100, material: «S257}",
+        "devices[1].brace.material",
+        ["`S257`", "did you mean `S275`?"],
+    ),
+    "unknown node": ("[A0, B1]", "[A0, «B3]", "devices[2].nodes[1]", ["no node `B3`", "`A0` to `B2`"]),
+    "node to itself": ("[A0, B1]", "«[B1, B1]", "devices[2].nodes", ["from `B1` to itself"]),
+    "three nodes": ("[A0, B1]", "«[A0, B1, A1]", "devices[2].nodes", ["2 are needed"]),
+    # attachments
+    "unknown attachment": (
+        "kind: tuned_mass",
+        "kind: «tuned_mas",
+        "attachments[0].kind",
+        ["`tuned_mas`", "did you mean `tuned_mass`?"],
+    ),
+    "floor outside": ("floor: 2", "floor: «3", "attachments[0].floor", ["no floor 3", "numbered 1 to 2"]),
+    "floor zero": ("floor: 2", "floor: «0", "attachments[0].floor", ["`0` is out of range"]),
+    "weight for mass": ("mass: 2 t", "mass: «2 kN", "attachments[0].mass", ["`2 kN` is a force", "`29.5 t`"]),
+    "depth of nothing": ("depth: 0.3 m", "depth: «0 m", "attachments[1].depth", ["`0 m`", "greater than zero"]),
+    # the block
+    "misspelt list": ("devices:\n", "«device:\n", "device", ["unknown key", "did you mean `devices`?"]),
+}
+# of analyses: key from the root
+ANALYSES = {
+    "both amplitudes": (
+        "damper_deformation: 5 mm",
+        "damper_strain: 30 %, «damper_deformation: 5 mm",
+        "analyses[0].damper_deformation",
+        ["`damper_strain` or `damper_deformation`"],
+    ),
+    "strain of dampers without layers": (
+        "damper_deformation: 5 mm",
+        "«damper_strain: 30 %",
+        "analyses[0].damper_strain",
+        ["`oil` has no `prototype`", "give `damper_deformation`"],
+    ),
+    "amplitude without dampers": (
+        "damper_deformation: 5 mm",
+        "«damper_deformation: 5 mm, dampers: false",
+        "analyses[0].damper_deformation",
+        ["no dampers"],
+    ),
+    "neither with nor without": (
+        "damper_deformation: 5 mm",
+        "dampers: «maybe",
+        "analyses[0].dampers",
+        ["`true` or `false`", "`maybe`"],
+    ),
+    "word for the block": (DAMPERS, "dampers: «maybe\n", "dampers", ["a mapping", "`maybe`"]),
+}
+CASES = {name: (old, new, f"dampers.{key}", said) for name, (old, new, key, said) in WRONG.items()} | ANALYSES
+
+
+def written(folder: Path, *changes: tuple[str, str]) -> tuple[Path, str]:
+    """Write the project with changes; its path, and `file:line:column` of the mark."""
+    text = WHOLE
+    for old, new in changes:
+        assert text.count(old) == 1, f"{old!r} must stand in the project once"
+        text = text.replace(old, new)
+    at = text.find("«")
+    path = folder / "project.yaml"
+    path.write_text(text.replace("«", ""), encoding="utf-8")
+    (folder / "motion.AT2").write_text(RECORD, encoding="utf-8")
+    return path, f"{path}:{text.count(chr(10), 0, at) + 1}:{at - text.rfind(chr(10), 0, at)}"
+
+
+@pytest.mark.parametrize(("old", "new", "key", "said"), CASES.values(), ids=CASES.keys())
+def test_a_wrong_damper_is_refused_where_it_is_wrong(
+    tmp_path: Path, capsys: Capture, old: str, new: str, key: str, said: list[str]
+) -> None:
+    path, place = written(tmp_path, (old, new))
+    heard = []
+    for verb in ("check", "run"):
+        assert main([verb, str(path)]) == 2
+        output, errors = capsys.readouterr()
+        assert output == "" and "Traceback" not in errors
+        heard.append(errors)
+    assert heard[0] == heard[1]
+    assert heard[0].startswith(f"edesign: {place}: {key}: ")
+    assert heard[0].count("\n") == 1, heard[0]  # one message
+    assert [part for part in said if part not in heard[0]] == []
+    assert sorted(item.name for item in tmp_path.iterdir()) == ["motion.AT2", "project.yaml"]
+
+
+def test_the_project_is_right_before_it_is_made_wrong(tmp_path: Path, capsys: Capture) -> None:
+    path, _ = written(tmp_path)
+    assert main(["check", str(path)]) == 0
+    assert "2 dampers `tested`, 3 dampers `oil`, 2 tuned mass" in capsys.readouterr().out
+    assert main(["run", str(path), "-q"]) == 0
+    names = [device.name for device in make_frame(load_project(path), dampers=True).devices]
+    assert names == ["V_1_1", "V_1_2", "R_1_2", "N_A0_B1", "S_1_1"]
+
+
+def test_several_wrong_parameters_are_told_each_with_its_place(tmp_path: Path, capsys: Capture) -> None:
+    path, _ = written(tmp_path, (OIL, "parameters: {c: 300 kN*(s/m)^0.35, alpha: 2.5, beta: 1}"))
+    assert main(["check", str(path)]) == 2
+    first, second = capsys.readouterr().err.removeprefix("edesign: ").splitlines()
+    line = (
+        path.read_text(encoding="utf-8")
+        .splitlines()
+        .index("      parameters: {c: 300 kN*(s/m)^0.35, alpha: 2.5, beta: 1}")
+    )
+    assert first.startswith(f"{path}:{line + 1}:") and "dampers.laws.oil.parameters.beta: " in first
+    assert second.startswith(f"{path}:{line + 1}:") and "dampers.laws.oil.parameters.alpha: `2.5`" in second
+
+
+def test_a_place_without_a_node_is_told(tmp_path: Path, capsys: Capture) -> None:
+    """Line B ends at floor 1: the chevron of storey 2 has nowhere to hold on the right."""
+    path, place = written(
+        tmp_path,
+        ("  columns: [", "  missing: {columns: [{lines: B, storeys: 2}], beams: [{floors: 2}]}\n  columns: ["),
+        ("    - {kind: chevron", "    - «{kind: chevron"),
+        ("modes: 2,", "modes: 1,"),
+    )
+    assert main(["check", str(path)]) == 2
+    assert capsys.readouterr().err.startswith(f"edesign: {place}: dampers.devices[0]: there is no node `B2`")
+
+
+def test_a_doubtful_temperature_is_a_note(tmp_path: Path, capsys: Capture) -> None:
+    path, _ = written(tmp_path, ("temperature: 25 degC", "temperature: 40 degC"))
+    assert main(["check", str(path)]) == 0
+    assert (
+        "damper law tested: gamma_T at 40 degC is 0.76 on a straight line beyond its table" in capsys.readouterr().out
+    )
+    assert len(law_warnings(load_project(path))) == 1
