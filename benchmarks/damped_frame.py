@@ -1,7 +1,8 @@
-"""Cost of dampers in a frame: the thesis' 10-storey frame bare, with 20 MGMM dampers, and with 20 in series with braces.
+"""Cost of dampers in a frame: the thesis' 10-storey frame bare, with 20 MGMM dampers, and with braces in series.
 
-The dampers have the sizes of thesis Table 5.7 (chevrons in bays 1 and 3), the braces 7 times the storey stiffness. CPU time of
-the integration loop a step of 0.01 s, median of several runs, in one thread, nothing kept; the bar is 2 times the bare frame.
+The dampers have the sizes of thesis Table 5.7 (chevrons in bays 1 and 3), the braces 7 times the storey stiffness. CPU
+time of the integration loop a step of 0.01 s, median of several runs, in one thread, nothing kept; the bar is 2 times
+the bare frame.
 
 Usage: python -m benchmarks.damped_frame [--repeats N] [--scale FACTOR]
 """
@@ -85,7 +86,9 @@ def main() -> None:
     """Print the table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--repeats", type=int, default=5)
-    parser.add_argument("--scale", type=float, default=1.5, help="of El Centro 180, 0.281 g; 1.5: its peak is that of EC8's DBE")
+    parser.add_argument(
+        "--scale", type=float, default=1.5, help="of El Centro 180, 0.281 g; 1.5: its peak is that of EC8's DBE"
+    )
     options = parser.parse_args()
     rigid, braced = damped_project(False), damped_project(True)
     record = next(iter(find_recordings(rigid, references(rigid, "el_centro")).values())).record

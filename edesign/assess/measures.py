@@ -18,6 +18,9 @@ MEASURES = (
     "beam_plastic_rotation_rad",
     "column_plastic_rotation_rad",
     "column_axial_force_N",
+    "damper_strain",
+    "damper_deformation_m",
+    "damper_force_N",
 )
 """Names of all response measures; the unit ends the name, ratios have none."""
 
@@ -28,7 +31,7 @@ def response_measures(group: Group) -> dict[str, float | None]:
     All are absolute values, the largest over time and over floors, storeys, members and member ends. Displacements are
     relative to the ground, the acceleration is total. Residual values are means over the last fundamental period of a
     history, so that what is left of the free vibration does not count. Rotations are plastic rotations of member ends;
-    the axial force is of columns, gravity included.
+    the axial force is of columns, gravity included; the strain of dampers is the shear of their layers.
 
     Args:
         group: results of one analysis, as archived.
@@ -51,6 +54,9 @@ def response_measures(group: Group) -> dict[str, float | None]:
     found["beam_plastic_rotation_rad"] = _largest(peak(group, "beam_plastic_rotation"))
     found["column_plastic_rotation_rad"] = _largest(peak(group, "column_plastic_rotation"))
     found["column_axial_force_N"] = _largest(peak(group, "column_axial_force"))
+    found["damper_strain"] = _largest(peak(group, "damper_strain"))
+    found["damper_deformation_m"] = _largest(peak(group, "damper_deformation"))
+    found["damper_force_N"] = _largest(peak(group, "damper_force"))
     return found
 
 

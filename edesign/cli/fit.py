@@ -97,7 +97,7 @@ def fit(
         results.append(_fit(item, given, begin, own, cross_validate, folds, quiet))
     if output is not None:
         for result in results:
-            _write(result, given.title, output if alone else output / result.fit.law.name)
+            _write(result, given, output if alone else output / result.fit.law.name)
     if json_output:
         found = [_json(result) for result in results]
         typer.echo(json.dumps(found[0] if alone else found, indent=1, allow_nan=False))
@@ -149,12 +149,12 @@ def _json(result: _Result) -> dict[str, Any]:
     return found
 
 
-def _write(result: _Result, title: str, folder: Path) -> None:
+def _write(result: _Result, given: FitInput, folder: Path) -> None:
     from edesign.archive.files import make_folder, write_text
     from edesign.damper.fitting.write import law_yaml
 
     make_folder(folder)
-    write_text(law_yaml(result.fit, title), folder / "law.yaml")
+    write_text(law_yaml(result.fit, given.title, given.specimen), folder / "law.yaml")
     write_text(json.dumps(_json(result), indent=1, allow_nan=False) + "\n", folder / "fit.json")
 
 

@@ -68,6 +68,14 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
             problems.append((parameter.name, error.message()))
         except KeyError:
             pass  # the exponent of its unit is missing or wrong, which is told there
+    if set(values) <= set(known):  # else the one that is missing is likely the one that is misspelt
+        missing = [p for p in known.values() if p.default is None and p.name not in values]
+        problems += [(p.name, f"this parameter ({p.meaning}) is missing") for p in missing]
+    problems += [
+        (p.name, f"{found[p.name]:g} {p.unit} is out of range: {p.allowed} is allowed")
+        for p in given
+        if p.name in found and not p.allows(found[p.name])
+    ]
     if problems:
         raise ParameterError(law, problems)
     return law.complete(found)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.project.analyses import ModalAnalysis
 from edesign.project.checks_frame import Selections
-from edesign.project.dampers import BraceSection, BraceStiffness, DamperBetween, DamperRun, Device
+from edesign.project.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun, Device
 from edesign.project.problems import Keys, Problems, did_you_mean, listed, unknown_name
 from edesign.project.project import Project
 
@@ -20,6 +20,8 @@ def check_dampers(project: Project, problems: Problems) -> None:
         if law.temperature_law is not None and law.temperature is None:
             message = "a temperature law needs the `temperature` of the dampers"
             problems.at_key(("dampers", "laws", name, "temperature_law"), message)
+    for name, law in project.dampers.laws.items():
+        _law(problems, ("dampers", "laws", name), law)
     for i, device in enumerate(project.dampers.devices):
         _device(project, problems, ("dampers", "devices", i), device)
     for i, item in enumerate(project.dampers.attachments):
@@ -47,12 +49,24 @@ def _amplitude(project: Project, problems: Problems, keys: Keys, analysis: Modal
             problems.at_key((*keys, "damper_strain"), message)
 
 
+def _law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
+    """A law stands in the project or in a file."""
+    if law.file is None:
+        for key in ("type", "parameters"):
+            if getattr(law, key) is None:
+                problems.under(keys, key, "this key is missing (or `file`, a law file)")
+        return
+    for key in ("type", "parameters", "temperature_law", "standard_errors", "tested"):
+        if getattr(law, key) is not None:
+            problems.at_key((*keys, key), f"the law file `{law.file}` says this; leave one of them out")
+
+
 def _device(project: Project, problems: Problems, keys: Keys, device: Device) -> None:
     assert project.dampers is not None
     laws = project.dampers.laws
     if device.law not in laws:
         problems.at_value((*keys, "law"), unknown_name("damper law", device.law, laws))
-    elif laws[device.law].prototype is None:
+    elif laws[device.law].prototype is None and laws[device.law].file is None:
         for key in ("layers", "layer_area", "layer_thickness"):
             if getattr(device, key) is not None:
                 message = f"the law `{device.law}` has no `prototype` whose size could be changed"

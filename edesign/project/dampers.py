@@ -31,18 +31,27 @@ class Prototype(Model):
     layer_thickness: PositiveLength
 
 
-class DamperLaw(Model):
-    """A law with its parameters, at a temperature (degC; None: that of the parameters).
+class LawDescription(Model):
+    """A law with its parameters, as a project and a law file (of `edesign fit`) give it.
 
     `parameters` are read by the law itself: a mapping of values with units, or the name of a published set; so is
-    `temperature_law`.
+    `temperature_law`. `standard_errors` and `tested` come from a fit: how sure the parameters are, and the range of the
+    tests.
     """
 
-    type: str
-    parameters: str | dict[str, Any]
-    temperature: Temperature | None = None
+    type: str | None = None
+    parameters: str | dict[str, Any] | None = None
     temperature_law: dict[str, Any] | None = None
     prototype: Prototype | None = None
+    standard_errors: dict[str, Any] | None = None
+    tested: dict[str, str] | None = None
+
+
+class DamperLaw(LawDescription):
+    """A law of the project at a temperature (degC; None: that of the parameters); `file` is a law file."""
+
+    file: Annotated[str, Field(min_length=1)] | None = None
+    temperature: Temperature | None = None
 
 
 class BraceStiffness(Model):

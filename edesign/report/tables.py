@@ -9,6 +9,7 @@ from typing import Any
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
+from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
 from edesign.report.record_tables import tables_of
 from edesign.report.summary import entry, find, planned, results
 from edesign.report.table import Table, number, seconds, whole
@@ -49,7 +50,7 @@ def overview(archive: str | os.PathLike[str]) -> list[Table]:
         entries = [entry(name, group) for name, group in groups.items()]
         tables = [_heading(opened), *tables_of(opened), analyses_table(entries)]
         tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
-        tables += [measures_table(entries), statistics_table(entries)]
+        tables += [measures_table(entries), dampers_table(groups), statistics_table(entries)]
         return [table for table in tables if table.rows or table.notes]
 
 
@@ -66,8 +67,10 @@ def details(archive: str | os.PathLike[str], name: str) -> list[Table]:
         tables = [
             analyses_table(entries),
             periods_table(name, group),
+            damper_stiffness_table(name, group),
             measures_table(entries),
             profile_table(name, group),
+            each_damper_table(name, group),
         ]
         tables += [statistics_table(entries), fallbacks_table(name, group)]
         return [table for table in tables if table.rows or table.notes]

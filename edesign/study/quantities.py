@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.building.devices import Device
 from edesign.building.frame import FrameModel, Member
 from edesign.core import Response
 from edesign.project import names
@@ -165,19 +166,17 @@ def dampers(frame: FrameModel, history: bool) -> list[Quantity]:
     if not numbers:
         return []
     shape = (len(numbers),)
-    parts = (
-        ("damper_force", "damper_force", 0, "N", "force of the damper, positive with its deformation"),
-        ("damper_deformation", "damper_deformation", 1, "m", "deformation of the damper without its brace"),
-    )
-    found = [
-        Quantity(name, ("damper",), shape, tuple(((1.0, kind, n, at),) for n in numbers), unit, label, history)
-        for name, kind, at, unit, label in parts
-    ]
+    forces = tuple(((1.0, "damper_force", n, 0),) for n in numbers)
+    own = tuple(_own_deformation(device) for device in frame.devices)
+    label = "force of the damper, positive with its deformation"
+    found = [Quantity("damper_force", ("damper",), shape, forces, "N", label, history)]
+    label = "deformation of the damper without its brace"
+    found.append(Quantity("damper_deformation", ("damper",), shape, own, "m", label, history))
     thicknesses = [device.layer_thickness for device in frame.devices]
     if any(thicknesses):
         cells = tuple(
-            ((1.0 / thickness, "damper_deformation", n, 1),) if thickness else ()
-            for n, thickness in zip(numbers, thicknesses, strict=True)
+            tuple((factor / thickness, kind, n, at) for factor, kind, n, at in terms) if thickness else ()
+            for terms, thickness in zip(own, thicknesses, strict=True)
         )
         label = "shear strain of the damper's layers"
         found.append(Quantity("damper_strain", ("damper",), shape, cells, "1", label, keep=("max", "min")))
@@ -190,9 +189,15 @@ def dampers(frame: FrameModel, history: bool) -> list[Quantity]:
             top = {frame.nodes[name] for name in frame.floor_nodes(device.storey)}
             across = sum(c for c, node, degree in device.terms if node in top and degree == 0)
             storeys[device.storey - 1] += ((across, "damper_force", device.number, 0),)
-    label = "horizontal force of the storey's dampers on the floor above"
+    label = "horizontal force of the storey's dampers, positive as the storey's shear"
     found.append(Quantity("storey_damper_force", ("storey",), (len(storeys),), tuple(storeys), "N", label, history))
     return found
+
+
+def _own_deformation(device: Device) -> Terms:
+    """Deformation of a damper without what its brace takes."""
+    terms: Terms = ((1.0, "damper_deformation", device.number, 0),)
+    return (*terms, (-1.0 / device.brace, "damper_force", device.number, 0)) if device.brace > 0.0 else terms
 
 
 def _floor_means(frame: FrameModel, kind: str) -> tuple[Terms, ...]:

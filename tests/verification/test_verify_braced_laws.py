@@ -1,4 +1,4 @@
-"""Dampers with a brace in series: k_b (u - x) = F(x), x the damper's own deformation, against solutions without edesign.
+"""Dampers with a brace in series, k_b (u - x) = F(x) with their own deformation x, against solutions without edesign.
 
 References: scipy's DOP853 and Radau, a Runge-Kutta method with small steps where extremes are remembered, return
 mapping and Masing's rule by hand, and laws whose brace only changes their parameters. Maxwell's power law and the
@@ -22,7 +22,7 @@ from edesign.damper.laws import LAWS
 Array = np.ndarray
 BRACE = 60e6  # N/m, about seven times the dampers
 DURATION = 1.6  # s
-MOTION = Motion(8e-3, 11, DURATION)
+MOTION = Motion(12e-3, 11, DURATION)
 RATES = (100, 200, 400)  # samples a second; frames take steps of 0.01 s or less
 
 
@@ -70,10 +70,12 @@ def test_zener() -> None:
     def rate(t: float, q: Array) -> Array:
         return (p["k1"] * BRACE / stiff * MOTION.v(t) - p["k1"] / p["c1"] * q) / (1.0 + p["k1"] / stiff)
 
-    fine = solve_ivp(rate, (0.0, DURATION), [0.0], "DOP853", rtol=1e-11, atol=1e-4, dense_output=True).sol
+    fine = solve_ivp(
+        rate, (0.0, DURATION), [0.0], "DOP853", rtol=1e-11, atol=1e-4, max_step=0.01, dense_output=True
+    ).sol
     found = errors("zener", lambda t: BRACE * (MOTION.u(t) - (BRACE * MOTION.u(t) - fine(t)[0]) / stiff))
     assert found[0] < 1e-5
-    np.testing.assert_allclose(order(found), 3.0, atol=0.4)
+    np.testing.assert_allclose(order(found), 3.0, atol=0.2)
 
 
 def test_fractional_zener() -> None:
@@ -83,8 +85,8 @@ def test_fractional_zener() -> None:
     values = (p["k0"] / r, (p["a"] + p["b"] * p["k0"] / BRACE) / r, p["b"], p["alpha"])
     soft = CoreDamper("fractional_zener", values)
     found = errors("fractional_zener", lambda t: soft.force(t, MOTION.u(t), MOTION.v(t)))
-    print(found, order(found))
-    assert found[0] < 1e-4
+    assert order(found)[0] > 2.0
+    assert found[0] < 1e-4 and found[-1] < 2e-5  # two sums of exponentials stand for the power of time, 1e-5 each
 
 
 @pytest.fixture(scope="module")
@@ -133,8 +135,9 @@ def braced_mgmm() -> tuple[Array, Array]:
 def test_mgmm(braced_mgmm: tuple[Array, Array]) -> None:
     t, exact = braced_mgmm
     found = errors("mgmm", lambda at: exact[np.rint(at / t[1]).astype(int)])
-    print(found, order(found))
-    assert found[0] < 1e-3
+    # |v|^alpha where the damper stops and the softening where it goes on further are kinks: between order 1 and 2
+    assert found[0] < 6e-4 and found[-1] < 1e-4
+    assert np.all(order(found) > 0.8)
 
 
 def test_asymptote() -> None:
@@ -178,8 +181,8 @@ def test_asymptote() -> None:
         return BRACE * (MOTION.u(t) - x)
 
     found = errors("asymptote", exact)
-    print(found, order(found))
-    assert found[0] < 1e-3
+    assert found[0] < 5e-4 and found[-1] < 2e-5  # the tangent jumps where the damper turns inside a step
+    assert np.log2(found[0] / found[-1]) > 4.0
 
 
 # ---- laws that do not: exact at every turn of the path
@@ -216,18 +219,14 @@ def test_bouc_wen() -> None:
     assert errors("bouc_wen", exact)[-1] < 1e-5
 
 
-def returned(k: float, fy: float, b: float, t: Array) -> Array:
-    """Return mapping of spring k, slider and kinematic hardening in series with the brace, at every turn and sample."""
-    k = k * BRACE / (k + BRACE) if BRACE else k
-    raise NotImplementedError
-
-
 @pytest.mark.parametrize(
     ("name", "k", "fy", "b"), [("elastic_plastic", 50e6, 100e3, 0.03), ("friction", 100e6, 0.3 * 330e3, 0.0)]
 )
 def test_plastic(name: str, k: float, fy: float, b: float) -> None:
-    """Return mapping (Simo & Hughes 1998, 1.4) of slider, kinematic hardening b k / (1 - b), and both springs in series:
-    exact over a monotone way, so taken at every turn and sample."""
+    """Return mapping (Simo & Hughes 1998, 1.4) of slider, kinematic hardening b k / (1 - b) and both springs in series.
+
+    It is exact over a monotone way, so it is taken at every turn and sample.
+    """
     together, hardening = k * BRACE / (k + BRACE), b * k / (1.0 - b)
 
     def exact(t: Array) -> Array:
@@ -241,7 +240,6 @@ def test_plastic(name: str, k: float, fy: float, b: float) -> None:
         return np.array(values)[np.searchsorted(every, t)]
 
     found = errors(name, exact)
-    print(found)
     assert found[-1] < 1e-7
 
 
@@ -258,33 +256,49 @@ def test_ramberg_osgood() -> None:
 
         return float(np.sign(u) * brentq(missing, 0.0, p["k"] * abs(u), xtol=1e-6, rtol=1e-14))
 
+    omega = 4.0 * np.pi
     t = times(400)
-    turn = np.arange(1, 7) * 0.25  # s, of a sine of 2 Hz whose amplitude jumps where it is zero ... grows evenly
-    del turn
-    raise NotImplementedError
+    u, v = 6e-3 * t * np.sin(omega * t), 6e-3 * (np.sin(omega * t) + omega * t * np.cos(omega * t))
+    expected, turn = np.array([skeleton(now) for now in u]), 0.0
+    for i in np.arange(1, t.size):
+        if v[i - 1] * v[i] <= 0.0 and i > 1:  # tan(omega t) = -omega t
+            at = brentq(lambda t: np.sin(omega * t) + omega * t * np.cos(omega * t), t[i - 1], t[i], xtol=1e-15)
+            turn = 6e-3 * at * np.sin(omega * at)
+        if turn != 0.0 and u[i] * np.sign(turn) > -abs(turn):
+            expected[i] = skeleton(turn) - 2.0 * skeleton(0.5 * (turn - u[i]))
+    found = damper("ramberg_osgood").force(t, u, v)
+    peak = np.max(np.abs(expected))
+    assert peak > 1.2 * p["Fy"]  # well beyond the elastic part
+    np.testing.assert_allclose(found, expected, atol=1e-6 * peak, rtol=0)  # the cubic at the turns
 
 
 # ---- tangents
 
 
+ODE_LAWS = ("maxwell_power", "bouc_wen", "modified_bouc_wen")  # with a brace SUNDIALS integrates them
+
+
 @pytest.mark.parametrize("name", LAWS)
 def test_tangent(name: str) -> None:
-    """Central differences of the force at the end of a step, to the deformation and to the velocity there, from a state
-    in the middle of a motion."""
+    """Central differences of the force at the end of a step, to the deformation and to the velocity there, from states
+    in the middle of a motion; as shares of the brace's stiffness."""
     one = damper(name)
     h = 0.005
-    t = np.arange(0.0, 0.9, h)
-    state = one.start()
-    checked = 0
-    for before, after in zip(t[:-1], t[1:], strict=True):
-        start = float(MOTION.u(before)), float(MOTION.v(before))
-        end = float(MOTION.u(after)), float(MOTION.v(after))
+    d = 1e-7 if name in ODE_LAWS else 1e-9  # m; these carry their tolerance of 1e-10 of the force
+    state, checked = one.start(), 0
+    for step in range(round(0.9 / h)):
+        start, end = ((float(MOTION.u(t)), float(MOTION.v(t))) for t in (step * h, (step + 1) * h))
         following, _, slope = one.step(state, h, start, end)
-        if checked < 12 and before > 0.3 and round(before / h) % 9 == 0:
+        if step > 50 and step % 9 == 0:
             checked += 1
-            du, dv = 1e-7, 1e-7 / h
-            by_u = [one.step(state, h, start, (end[0] + d, end[1]), tolerance=1e-10)[1] for d in (-du, du)]
-            by_v = [one.step(state, h, start, (end[0], end[1] + d), tolerance=1e-10)[1] for d in (-dv, dv)]
-            found = (by_u[1] - by_u[0]) / (2.0 * du), (by_v[1] - by_v[0]) / (2.0 * dv)
-            print(name, before, slope[0] / found[0] - 1, (slope[1] - found[1]) / (found[0] * h))
+
+            def at(du: float, dv: float, state: Array = state, start=start, end=end) -> float:  # type: ignore[no-untyped-def]
+                return one.step(state, h, start, (end[0] + du, end[1] + dv), tolerance=1e-10)[1]
+
+            by_u = (at(d, 0.0) - at(-d, 0.0)) / (2.0 * d)
+            by_v = (at(0.0, d / h) - at(0.0, -d / h)) / (2.0 * d / h)
+            # where |v|^alpha or a new extreme lies near, the difference itself is off by 1e-4 of the force's slope
+            assert slope[0] == pytest.approx(by_u, abs=1e-4 * BRACE), step
+            assert slope[1] == pytest.approx(by_v, abs=1e-4 * BRACE * h), step
         state = following
+    assert checked >= 12

@@ -15,6 +15,7 @@ from edesign.core import Analysis, Channel, CoreDamper, Elastic, Model
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
 from edesign.project import Project, parse_project
+from edesign.study.damper_stiffness import device_stiffness
 from edesign.study.dampers import device_laws
 from edesign.study.structure import make_frame
 
@@ -264,3 +265,19 @@ def test_size_scales_force_by_area_and_deformation_by_thickness() -> None:
         assert peak > 1e3
         # the same steps on the same numbers; where v changes its sign |v|^alpha magnifies its last digit
         assert np.max(np.abs(response.values[f"force {name}"] - expected)) < 1e-8 * peak, name
+
+
+@pytest.mark.parametrize("alpha", [0.1, 0.35, 1.0])
+def test_a_braced_power_dashpot_in_modes(alpha: float) -> None:
+    """alpha = 1: 1 / (1/k_b + 1/(i omega c)); below, the force stays under that of a rigid brace, c (omega u)^alpha."""
+    device = "{kind: storey, bays: 1, storeys: 1, law: oil, number: 2, brace: {stiffness: 20 kN/mm}}"
+    oil = f"    oil: {{type: viscous_power, parameters: {{c: 30 kN*(s/m)^alpha, alpha: {alpha}}}}}\n"
+    text = FRAME.replace("@device@", device).replace("@diaphragms@", "all").replace("  devices:", oil + "  devices:")
+    (one,) = make_frame(parse_project(text, "project.yaml", profile_names()), dampers=True).devices
+    omega, amplitude = 2.0 * np.pi, 0.01
+    found = device_stiffness(one, amplitude, 1.0)
+    loss = 2 * 30e3 * (omega * amplitude) ** alpha / amplitude  # of a power dashpot: at most 4/pi of the force
+    if alpha == 1.0:
+        assert found == pytest.approx(1.0 / (1.0 / 20e6 + 1.0 / (1j * omega * 60e3)), rel=1e-4)
+    else:
+        assert 0.5 * loss < found.imag < 4.0 / np.pi * loss and 0.0 < found.real < loss

@@ -82,6 +82,7 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   damper->n_derived = sizeof(way) / sizeof(double);
   find_way(p, (way *)damper->derived);
   damper->n_memory = N_MEMORY;
+  damper->rate_independent = p[C] == 0.0;
   return ED_OK;
 }
 
@@ -113,12 +114,12 @@ static double approach(const ed_damper *damper, const double *memory, const ed_m
   double rise, rise_r;
   const double gone = s * (way_to(damper, motion->u, &rise) - way_to(damper, memory[U_REVERSAL], &rise_r));
   const double z = kappa * gone / distance, base = 1.0 + bend * z;
-  const double share = exp(bend > 0.0 ? -log1p(bend * z) / bend : -z); /* e / e0 */
+  const double fading = bend > 0.0 ? -log1p(bend * z) / bend : -z, share = exp(fading); /* e / e0 */
   const double by_way = kappa * share / base;                          /* kappa (e/e0)^n */
   const double by_reversal = share * (1.0 + z / base);
   for (int j = 0; j < 2; j++)
     slope[j] = by_way * (rise * motion->slope[j] - rise_r * u_moves[j]) + by_reversal * w_moves[j];
-  return s * (p[F0] - distance * share);
+  return memory[W_REVERSAL] - s * distance * expm1(fading); /* f0 less the distance would be rounding alone where the way is short */
 }
 
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,

@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_ITERATIONS = 40 };
+enum { MOST_ITERATIONS = 40, MOST_HALVINGS = 8 };
 static const double TOLERANCE = 1e-9; /* of the forces that balance: a hundredth of what a frame asks of its own balance */
 static const double BETWEEN_TRIALS = 1e-3;
 
@@ -22,18 +22,19 @@ static double largest(double a, double b)
 
 static const double THIRD = 1.0 / 3.0;
 
-/* The parabola through u0, ua at h/3 and ub at h. */
-static void parabola(ed_path *path, double h, double u0, double ua, double ub)
+/* The parabola from u0 through u0 + a at h/3 and u0 + b at h. Changes, as short steps leave nothing of velocities from differences of
+ * deformations but rounding. */
+static void parabola(ed_path *path, double h, double u0, double a, double b)
 {
   path->h = h;
   path->c[0] = u0;
-  path->c[1] = (-8.0 * u0 + 9.0 * ua - ub) / (2.0 * h);
-  path->c[2] = (6.0 * u0 - 9.0 * ua + 3.0 * ub) / (2.0 * h * h);
+  path->c[1] = (9.0 * a - b) / (2.0 * h);
+  path->c[2] = (3.0 * b - 9.0 * a) / (2.0 * h * h);
   path->c[3] = 0.0;
 }
 
 typedef struct {
-  double a, b;                       /* own deformation at h/3 and h */
+  double a, b;                       /* own deformation at h/3 and h, less that at 0 */
   double residual[2], size, slope[2][2], chord[2][2];
   ed_damper_force end;
 } ed_stage;
@@ -54,9 +55,10 @@ static int evaluate(const ed_damper *d, const double *committed, double h, const
     status = d->law->step(d, committed, &whole, direction, trial, &stage->end);
   if (status != ED_OK)
     return status;
-  stage->residual[0] = at_third.force - kb * (total[0] - stage->a);
-  stage->residual[1] = stage->end.force - kb * (total[1] - stage->b);
-  stage->size = fabs(at_third.force) + fabs(stage->end.force) + kb * (fabs(total[0]) + fabs(total[1]) + fabs(stage->a) + fabs(stage->b));
+  stage->residual[0] = at_third.force - kb * (total[0] - u0 - stage->a);
+  stage->residual[1] = stage->end.force - kb * (total[1] - u0 - stage->b);
+  stage->size = fabs(at_third.force) + fabs(stage->end.force) +
+                kb * (fabs(total[0]) + fabs(total[1]) + fabs(u0 + stage->a) + fabs(u0 + stage->b));
   stage->slope[0][0] = at_third.slope[0] + kb;
   stage->slope[0][1] = at_third.slope[1];
   stage->slope[1][0] = stage->end.slope[0];
@@ -69,7 +71,7 @@ static int evaluate(const ed_damper *d, const double *committed, double h, const
 }
 
 /* x of slope x = right; 0: singular */
-static int solve(double slope[2][2], double right0, double right1, double x[2])
+static int solve(const double slope[2][2], double right0, double right1, double x[2])
 {
   const double determinant = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
   x[0] = (slope[1][1] * right0 - slope[0][1] * right1) / determinant;
@@ -84,9 +86,9 @@ enum { STRETCHING = 1, FROM, DURATION, OWN, TOTAL = OWN + 2, SLOPE = TOTAL + 2, 
  * deformation is now. Returns by how much the latter moved the damper, or 0. */
 static double guess(const double *committed, const double *last, const ed_path *path, const double total[2], double kb, ed_stage *stage)
 {
-  const double h = path->h, u0 = committed[0], stretched = path->c[0] - u0;
-  stage->a = total[0] - stretched - THIRD * h * committed[STRETCHING];
-  stage->b = total[1] - stretched - h * committed[STRETCHING];
+  const double h = path->h, u0 = committed[0];
+  stage->a = total[0] - path->c[0] - THIRD * h * committed[STRETCHING];
+  stage->b = total[1] - path->c[0] - h * committed[STRETCHING];
   if (last[FROM] != u0 || last[DURATION] != h)
     return 0.0;
   double slope[2][2], move[2];
@@ -109,6 +111,37 @@ static void leave(const ed_stage *stage, const double total[2], double u0, doubl
   memcpy(last + RESIDUAL, stage->residual, sizeof stage->residual);
 }
 
+static double unbalance(const ed_stage *stage)
+{
+  return fabs(stage->residual[0]) + fabs(stage->residual[1]);
+}
+
+/* Moves the stage towards balance by tangents, where they do not bring it much nearer by chords, then by shorter steps along the tangents;
+ * takes the best of what was tried. */
+static int improve(const ed_damper *d, const double *committed, double h, const double total[2], ed_stage *stage, double *trial)
+{
+  const ed_stage before = *stage;
+  int status = ED_E_NOT_CONVERGED, tried = 0, last_is_best = 0;
+  for (int attempt = 0; attempt < 2 + MOST_HALVINGS; attempt++) {
+    const double part = attempt < 2 ? 1.0 : ldexp(1.0, 1 - attempt), enough = attempt < 2 ? 0.5 : 1.0 - 0.25 * part;
+    double move[2];
+    if (!solve(attempt == 1 ? before.chord : before.slope, -before.residual[0], -before.residual[1], move))
+      continue;
+    ed_stage next = {.a = before.a + part * move[0], .b = before.b + part * move[1]};
+    const int found = evaluate(d, committed, h, total, &next, trial);
+    last_is_best = found == ED_OK && (!tried || unbalance(&next) < unbalance(stage));
+    if (last_is_best)
+      *stage = next;
+    tried |= found == ED_OK;
+    status = found;
+    if (found == ED_OK && unbalance(&next) <= enough * unbalance(&before))
+      break;
+  }
+  if (!tried || last_is_best)
+    return tried ? ED_OK : status;
+  return evaluate(d, committed, h, total, stage, trial); /* `trial` is that of the stage */
+}
+
 static int viscous(const ed_damper *d, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                    ed_damper_force *out)
 {
@@ -123,30 +156,19 @@ static int viscous(const ed_damper *d, const double *committed, const ed_path *p
   for (int i = 0;; i++) {
     if (status != ED_OK)
       return status;
-    const double before = fabs(stage.residual[0]) + fabs(stage.residual[1]);
-    if (before <= largest(TOLERANCE * stage.size, rest))
+    if (unbalance(&stage) <= largest(TOLERANCE * stage.size, rest))
       break;
     if (i == MOST_ITERATIONS)
       return ED_E_NOT_CONVERGED;
-    ed_stage next;
-    for (int chord = 0; chord < 2; chord++) { /* with chords where tangents do not bring it nearer */
-      double move[2];
-      if (!solve(chord ? stage.chord : stage.slope, -stage.residual[0], -stage.residual[1], move))
-        return ED_E_NOT_CONVERGED;
-      next = (ed_stage){.a = stage.a + move[0], .b = stage.b + move[1]};
-      status = evaluate(d, committed, h, total, &next, trial);
-      if (status == ED_OK && fabs(next.residual[0]) + fabs(next.residual[1]) <= 0.5 * before)
-        break;
-    }
-    stage = next;
+    status = improve(d, committed, h, total, &stage, trial);
   }
   double rest_of[2] = {0.0};
   if (!solve(stage.slope, -stage.residual[0], -stage.residual[1], rest_of))
     return ED_E_NOT_CONVERGED;
   leave(&stage, total, u0, h, trial + own);
-  trial[own] = stage.b;
-  trial[own + STRETCHING] = ed_path_v(path, h) - (4.0 * u0 - 9.0 * stage.a + 5.0 * stage.b) / (2.0 * h);
-  out->force = kb * (total[1] - stage.b - rest_of[1]);
+  trial[own] = u0 + stage.b;
+  trial[own + STRETCHING] = ed_path_v(path, h) - (5.0 * stage.b - 9.0 * stage.a) / (2.0 * h);
+  out->force = kb * (total[1] - u0 - stage.b - rest_of[1]);
   for (int i = 0; i < 2; i++) {
     const double of_third = ed_path_u(&direction[i], THIRD * h), of_end = ed_path_u(&direction[i], h);
     double moved[2];
@@ -241,6 +263,6 @@ static int hysteretic(const ed_damper *d, const double *committed, const ed_path
 int ed_brace_step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2],
                   double *trial, ed_damper_force *out)
 {
-  return damper->law->rate_independent ? hysteretic(damper, committed, path, direction, trial, out)
+  return damper->rate_independent ? hysteretic(damper, committed, path, direction, trial, out)
                                        : viscous(damper, committed, path, direction, trial, out);
 }

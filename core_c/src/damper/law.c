@@ -65,6 +65,7 @@ int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double
     }
   damper->n_parameters = n_parameters;
   damper->brace = brace;
+  damper->rate_independent = damper->law->rate_independent;
   memcpy(damper->parameter, parameters, (size_t)n_parameters * sizeof *parameters);
   const int status = damper->law->prepare(damper, message);
   if (status != ED_OK)

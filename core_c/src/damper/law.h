@@ -44,6 +44,7 @@ struct ed_damper {
   int n_ode, n_memory;
   int diagonal_ode;
   double brace;         /* stiffness in series; 0: none (rigid) */
+  int rate_independent; /* as its law, unless `prepare` finds that its parameters make it so */
 };
 
 struct ed_law {

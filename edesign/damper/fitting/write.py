@@ -11,18 +11,25 @@ import yaml
 from edesign.damper.fitting.fit import Fit, mean_nrms
 from edesign.damper.fitting.thermal import gamma_name
 from edesign.damper.parameters import practical_unit, write_parameters
+from edesign.damper.specimen import Specimen
 
 _DIGITS = 9
 _ERROR_DIGITS = 3
 
 
-def law_yaml(fit: Fit, title: str = "") -> str:
-    """The fitted law: type, parameters with units, temperature law, standard errors, and the range that was tested."""
+def law_yaml(fit: Fit, title: str = "", specimen: Specimen | None = None) -> str:
+    """The fitted law as a law file, with the specimen, standard errors and the range that was tested."""
     parameters = {name: _text(*number) for name, number in practical(fit).items() if name in fit.values}
     data: dict[str, Any] = {"type": fit.law.name, "parameters": parameters}
     thermal = _temperature(fit)
     if thermal:
-        data["temperature"] = thermal
+        data["temperature_law"] = thermal
+    if specimen is not None:
+        data["prototype"] = {
+            "layers": specimen.layers,
+            "layer_area": f"{1e6 * specimen.layer_area:.12g} mm^2",
+            "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
+        }
     data["standard_errors"] = practical_errors(fit, fit.standard_error)
     data["tested"] = tested(fit)
     head = f"# {fit.law.title}, fitted to {len(fit.nrms)} {_counted(fit)}" + (f" of {title}" if title else "")

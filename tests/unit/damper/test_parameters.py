@@ -86,7 +86,7 @@ def test_hertz_as_circular_frequency() -> None:
         ({"k": "8 kNmm/", "c": "1 kN*s/m"}, "unknown unit"),
         ({"k": "8,5 kN/mm", "c": "1 kN*s/m"}, "decimals stand behind a point"),
         ({"k": "8 kN/mm", "c": True}, "with its unit is needed"),
-        ({"k": "8 kN/mm"}, "parameter `c` .* is missing"),
+        ({"k": "8 kN/mm"}, "parameter `c`: this parameter .* is missing"),
         ({"k": "-8 kN/mm", "c": "1 kN*s/m"}, "at least 0 is allowed"),
     ],
 )

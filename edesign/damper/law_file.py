@@ -1,0 +1,132 @@
+"""Law files: a damper law with its parameters, as `edesign fit` writes it and projects use it."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from pydantic import ValidationError
+
+from edesign.core import CoreError
+from edesign.core.damper import CoreDamper
+from edesign.damper.law import Law
+from edesign.damper.laws import law
+from edesign.damper.parameters import ParameterError, read_parameters
+from edesign.damper.temperature import FerryShift, GammaT, at
+from edesign.damper.temperature_file import TemperatureLaw
+from edesign.errors import InputError
+from edesign.project.dampers import LawDescription
+from edesign.project.explain import explain
+from edesign.project.problems import Keys, Problems, ProjectError, keys_text
+from edesign.project.yaml_file import check_model, read_yaml_text
+from edesign.project.yaml_nodes import Node, find
+
+_WHAT = "law file"
+_RANGE_C = re.compile(r"\s*(-?[0-9.]+)(?:\s*to\s*(-?[0-9.]+))?\s*degC\s*")
+
+
+@dataclass(frozen=True)
+class Source:
+    """Where a description of a law stands, for messages.
+
+    Attributes:
+        path: of the file.
+        root: the YAML tree of the file.
+        keys: of the description in it; () in a law file.
+    """
+
+    path: Path
+    root: Node
+    keys: Keys = ()
+
+    def refuse(self, keys: Keys, message: object) -> InputError:
+        """An error at a key of the description."""
+        whole = (*self.keys, *keys)
+        mark = find(self.root, whole).mark
+        return InputError(f"{self.path}:{mark.line}:{mark.column}: {keys_text(whole)}: {message}")
+
+
+def read_law_file(path: Path) -> tuple[LawDescription, Source]:
+    """Read a law file.
+
+    Raises:
+        InputError: it cannot be read, or is wrong; the message has file, line, column and key.
+    """
+    description, problems = check_model(read_yaml_text(path, _WHAT), LawDescription, _WHAT, "type: mgmm")
+    if description is not None:
+        for key in ("type", "parameters"):
+            if getattr(description, key) is None:
+                problems.under((), key, "this key is missing")
+    if description is None or problems.found:
+        raise ProjectError(path, problems.found)
+    return description, Source(path, problems.root)
+
+
+def resolve(
+    described: LawDescription, source: Source, temperature_C: float | None
+) -> tuple[Law, dict[str, float], tuple[str, ...]]:
+    """The law and its parameters at a temperature.
+
+    Args:
+        described: has type and parameters.
+        source: for messages.
+        temperature_C: degC; None: that of the parameters.
+
+    Returns:
+        The law, its parameters (SI), and warnings: a temperature outside the range of tests or tables names that range.
+
+    Raises:
+        InputError: no such law, wrong parameters, or no parameters at this temperature.
+    """
+    try:
+        chosen = law(described.type or "")
+    except InputError as error:
+        raise source.refuse(("type",), error) from error
+    try:
+        values = read_parameters(chosen, described.parameters or {})
+    except ParameterError as error:
+        lines = [str(source.refuse(("parameters", name), message)) for name, message in error.problems]
+        raise InputError("\n".join(lines)) from error
+    except InputError as error:
+        raise source.refuse(("parameters",), error) from error
+    warnings: tuple[str, ...] = ()
+    if temperature_C is not None:
+        change = _temperature_law(described, source)
+        try:
+            values, warnings = at(chosen, values, temperature_C, change)
+        except InputError as error:
+            culprit = "temperature_law" if change is not None and chosen.name not in change.laws else "temperature"
+            raise source.refuse((culprit,), error) from error
+        warnings += _outside_tests(described, temperature_C)
+    try:
+        CoreDamper(chosen.name, list(values.values()))
+    except CoreError as error:
+        raise source.refuse(("parameters",), error) from error
+    return chosen, values, warnings
+
+
+def _outside_tests(described: LawDescription, temperature_C: float) -> tuple[str, ...]:
+    match = _RANGE_C.fullmatch((described.tested or {}).get("temperature", ""))
+    if not match:
+        return ()
+    low, high = float(match[1]), float(match[2] or match[1])
+    if low <= temperature_C <= high:
+        return ()
+    return (f"it was tested at {low:g} to {high:g} degC and is used at {temperature_C:g} degC",)
+
+
+def _temperature_law(described: LawDescription, source: Source) -> GammaT | FerryShift | None:
+    if described.temperature_law is None:
+        return None
+    try:
+        return TemperatureLaw.model_validate(described.temperature_law).model()
+    except ValidationError as error:
+        whole = (*source.keys, "temperature_law")
+        problems = Problems(find(source.root, whole))
+        explain(error, TemperatureLaw, problems)
+        lines = [
+            f"{source.path}:{p.mark.line}:{p.mark.column}: {keys_text(whole)}{'.' if p.keys_text else ': '}{p}"
+            for p in problems.found
+        ]
+        raise InputError("\n".join(lines)) from error

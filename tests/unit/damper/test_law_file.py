@@ -1,0 +1,100 @@
+"""Law files: what `edesign fit` writes, a project uses as it is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from edesign.damper.law_file import read_law_file, resolve
+from edesign.errors import InputError
+from edesign.project.loader import parse_project
+from edesign.study.dampers import device_laws, law_warnings
+from edesign.study.structure import make_frame
+
+LAW = """# a law file
+type: zener
+parameters: {k0: 2 kN/mm, k1: 5 kN/mm, c1: 0.1 kN*s/mm}
+temperature_law:
+  ferry: {p1: 2, p2: 50 K, reference: 20 degC}
+prototype: {layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}
+standard_errors: {k0: 0.01 kN/mm}
+tested: {shear_strain: 10 to 50 %, frequency: 0.25 to 4 Hz, temperature: 20 to 30 degC}
+"""
+
+PROJECT = """
+edesign: 1
+title: one storey
+frame:
+  bays: [6 m]
+  storeys: [3 m]
+  columns: [{storeys: all, section: HEB200, material: steel}]
+  beams: [{floors: all, section: IPE300, material: steel}]
+materials: {steel: {law: elastic, E: 210 GPa}}
+dampers:
+  laws:
+    rubber: {file: law.yaml, temperature: 35 degC}
+  devices: [{kind: storey, bays: 1, storeys: 1, law: rubber, layer_thickness: 24 mm}]
+analyses: [{name: gravity, kind: gravity}]
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    (tmp_path / "law.yaml").write_text(LAW, encoding="utf-8")
+    return tmp_path
+
+
+def test_a_law_file_is_read_with_its_size_and_its_range(folder):
+    described, source = read_law_file(folder / "law.yaml")
+    law, values, warnings = resolve(described, source, 20.0)
+    assert law.name == "zener"
+    assert values == pytest.approx({"k0": 2e6, "k1": 5e6, "c1": 1e5})
+    assert warnings == ()
+
+
+def test_a_project_uses_it_as_it_is_and_warns_outside_its_tests(folder):
+    project = parse_project(PROJECT, folder / "project.yaml")
+    assert device_laws(project)["rubber"].layer_thickness == 0.012
+    (device,) = make_frame(project, dampers=True).devices
+    assert device.deformation_scale == 0.5
+    assert law_warnings(project) == ["damper law rubber: it was tested at 20 to 30 degC and is used at 35 degC"]
+
+
+@pytest.mark.parametrize(
+    ("changed", "part"),
+    [
+        (LAW.replace("zener", "zenner"), "law.yaml:2:7: type: there is no damper law `zenner`; did you mean `zener`?"),
+        (LAW.replace("2 kN/mm", "2 kN"), "law.yaml:3:18: parameters.k0: "),
+        (LAW.replace("type: zener\n", ""), "type: this key is missing"),
+        (LAW + "colour: red\n", "colour"),
+        (LAW.replace("p2: 50 K", "p2: 50"), "temperature_law.ferry.p2"),
+        ("", "the law file is empty"),
+    ],
+)
+def test_what_is_wrong_in_a_law_file_is_told_with_its_place(folder, changed, part):
+    (folder / "law.yaml").write_text(changed, encoding="utf-8")
+    with pytest.raises(InputError) as error:
+        device_laws(parse_project(PROJECT, folder / "project.yaml"))
+    assert part in str(error.value)
+
+
+def test_a_missing_file_is_told_at_the_project(folder):
+    project = parse_project(PROJECT.replace("law.yaml", "lost.yaml"), folder / "project.yaml")
+    with pytest.raises(InputError, match=r"project.yaml:12:20: dampers.laws.rubber.file: .*lost.yaml"):
+        device_laws(project)
+
+
+def test_a_law_stands_in_the_file_or_in_the_project(folder):
+    both = PROJECT.replace("file: law.yaml,", "file: law.yaml, type: zener,")
+    with pytest.raises(InputError, match="the law file `law.yaml` says this; leave one of them out"):
+        parse_project(both, folder / "project.yaml")
+    neither = PROJECT.replace("file: law.yaml, ", "")
+    with pytest.raises(InputError, match="this key is missing"):
+        parse_project(neither, folder / "project.yaml")
+
+
+def test_a_size_needs_a_prototype(folder):
+    (folder / "law.yaml").write_text(LAW.replace(LAW.splitlines()[5] + "\n", ""), encoding="utf-8")
+    with pytest.raises(InputError, match="the law `rubber` has no `prototype`"):
+        make_frame(parse_project(PROJECT, folder / "project.yaml"), dampers=True)
