@@ -16,7 +16,7 @@ STAMPS := $(VENV)/stamps
 PIP    := $(PY) -m pip --disable-pip-version-check --no-input -qq
 SAY    := @echo edesign:
 
-CORE_SOURCES := $(wildcard core_c/src/*/*.c core_c/src/*/*.h core_c/include/*.h) edesign/core/build.py
+CORE_SOURCES := $(wildcard core_c/src/*/*.c core_c/src/*/*.h core_c/include/*.h) core_c/libraries.sh edesign/core/build.py
 
 # An environment whose Python has gone, or that was copied here from another directory, is made anew.
 VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PWD" ] && echo yes)
@@ -28,7 +28,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 help:
 	@echo "make run       set up, analyse $(PROJECT), print the summary"
 	@echo "make test      set up, then lint, types, import layers, C tests with sanitizers, Python tests"
-	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio"
+	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio; cost of dampers"
 	@echo "make memcheck  C tests under valgrind"
 	@echo "make setup     only the set-up of run;  make test-setup: only that of the tests"
 	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
@@ -92,6 +92,8 @@ bench: test-setup
 	@$(PY) -m benchmarks.run
 	@$(PY) -m benchmarks.spectra
 	@$(PY) -m benchmarks.matching
+	@$(PY) -m benchmarks.damper_laws
+	@$(PY) -m benchmarks.damped_frame
 
 test: test-setup lint types layers ctest pytest
 

@@ -87,3 +87,25 @@ void ground_motion(int n, double dt, double peak, double *acceleration)
     acceleration[i] = peak * fmin(1.0, t) * (0.6 * sin(5.1 * t) + 0.3 * sin(11.7 * t + 1.0) + 0.1 * sin(31.0 * t));
   }
 }
+
+void add_dampers(ed_model *model, frame_options o)
+{
+  static const double parameters[][12] = {
+      [ED_LAW_KELVIN_VOIGT] = {2e5, 3e3}, [ED_LAW_ZENER] = {1e5, 2e5, 1e4}, [ED_LAW_GENERALISED_MAXWELL] = {1e5, 1e5, 1e4, 2e5, 3e3},
+      [ED_LAW_FRACTIONAL_KELVIN] = {1e5, 0.2, 0.5}, [ED_LAW_FRACTIONAL_ZENER] = {1e5, 0.1, 0.5, 0.6}, [ED_LAW_VISCOUS] = {3e3},
+      [ED_LAW_VISCOUS_POWER] = {3e3, 0.5}, [ED_LAW_MAXWELL] = {5e3, 0.2}, [ED_LAW_MAXWELL_POWER] = {5e3, 0.5, 1e5},
+      [ED_LAW_FRACTIONAL_MAXWELL] = {5e3, 0.2, 0.6}, [ED_LAW_FRICTION] = {0.3, 2e3, 1e5}, [ED_LAW_ELASTIC_PLASTIC] = {1e5, 5e2, 0.02},
+      [ED_LAW_RAMBERG_OSGOOD] = {1e5, 5e2, 0.1, 8.0}, [ED_LAW_BOUC_WEN] = {500.0, 5e-3, 0.05, 1.0, 0.5, 0.5, 1.0},
+      [ED_LAW_MODIFIED_BOUC_WEN] = {1e5, 2e4, 0.01, 5e-3, 0.05, 1.0, 0.5, 0.5, 1.0, 2e3, 0.5},
+      [ED_LAW_ASYMPTOTE] = {500.0, 1e5, 1e5, 0.0, 2.0, 1.5, 1e3}, [ED_LAW_LINEARISED] = {1e5, 0.2, 10.0},
+      [ED_LAW_MGMM] = {5e4, 1.5e3, 1e4, 2e3, 0.4, 3e5, 3e5, 8e-3, 9e4, 2e4, 13e-3, 0.0}};
+  static const int count[] = {2, 3, 5, 3, 4, 1, 2, 2, 3, 3, 3, 3, 4, 7, 11, 7, 3, 12};
+  const int degree[] = {0, 0};
+  const double coefficient[] = {1.0, -1.0};
+  for (int storey = 1; storey <= 2; storey++)
+    for (int law = ED_LAW_KELVIN_VOIGT; law <= ED_LAW_MGMM; law++) {
+      const int node[] = {frame_node(o, 0, storey), frame_node(o, 0, storey - 1)};
+      CHECK(ed_model_damper(model, "damper", law, count[law], parameters[law], storey == 2 ? 5e5 : 0.0, 1.0, 1.0, 2, node, degree,
+                            coefficient) >= 0);
+    }
+}

@@ -22,6 +22,8 @@ ed_analysis *frame_analysis(const ed_model *model);
 int run_to_end(ed_analysis *analysis, int steps);
 /* Channel with one term. */
 int add_channel(ed_analysis *analysis, int kind, int object, int component);
+/* A small damper of every law between the floors of the lower two storeys, those of the second with a brace. */
+void add_dampers(ed_model *model, frame_options options);
 /* n+1 samples of a motion of several frequencies that fades in. */
 void ground_motion(int n, double dt, double peak, double *acceleration);
 /* Newmark's constant average acceleration. */

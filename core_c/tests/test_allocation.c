@@ -107,6 +107,24 @@ static void check_runs(int damping)
   ed_model_free(model);
 }
 
+/* Nor do dampers, of any law, with a brace or without, nor SUNDIALS for them. */
+static void check_dampers(void)
+{
+  static double ground[N + 1];
+  ground_motion(N, 0.01, 9.0, ground);
+  ed_model *model = frame_model(FRAME);
+  add_dampers(model, FRAME);
+  ed_analysis *analysis = frame_analysis(model);
+  CHECK_STATUS(ed_install_dampers(analysis), ED_OK);
+  CHECK_STATUS(ed_static_begin(analysis, GRAVITY, 1.0, 5), ED_OK);
+  CHECK_INT(calls_while(analysis, 5), 0);
+  ed_run_end(analysis);
+  CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_INT(calls_while(analysis, N), 0);
+  ed_analysis_free(analysis);
+  ed_model_free(model);
+}
+
 /* Steps that need the ladder allocate nothing either. */
 static void check_ladder(void)
 {
@@ -132,6 +150,7 @@ int main(void)
   check_counter();
   check_runs(ED_STIFFNESS_INITIAL);
   check_runs(ED_STIFFNESS_CURRENT);
+  check_dampers();
   check_ladder();
   return checks_end("allocation inside a step");
 }

@@ -45,6 +45,20 @@ static void check_elastic_plastic(void)
   free_rig(&other);
 }
 
+/* A step that turns twice and ends beyond where it turned first; elastic, and yielding at its end. */
+static void check_two_turns(void)
+{
+  const double k = 10.0, fy = 2.0, b = 0.1, kb = 15.0, soft = k * kb / (k + kb), after = b * k * kb / (b * k + kb);
+  const double braced[] = {k, fy, b}, softer[] = {soft, fy, after / soft};
+  for (double size = 0.1; size < 2.0; size += 0.1) {
+    rig one = new_rig(ED_LAW_ELASTIC_PLASTIC, 3, braced, kb), other = new_rig(ED_LAW_ELASTIC_PLASTIC, 3, softer, 0.0);
+    one.v = other.v = size; /* u = size (s - 2.1 s^2 + 1.4 s^3), by way of 0.154 and 0.146 to 0.3 of size */
+    CHECK_NEAR(move(&one, 1.0, 0.3 * size, size), move(&other, 1.0, 0.3 * size, size), 1e-7);
+    free_rig(&one);
+    free_rig(&other);
+  }
+}
+
 /* Tangents, with reversals inside the step and without. */
 static void check_tangents(void)
 {
@@ -86,10 +100,69 @@ static void check_guess(void)
   free_rig(&r);
 }
 
+/* A linear device is moved by a step so short that its deformation differs only in the last digits: the dashpot gives what the brace
+ * takes, kb (u - u_d), from a deformation already there. */
+static void check_short_steps(void)
+{
+  const double k = 1e6, c = 1e7, kb = 5e4, speed = 0.5;
+  const double kelvin[] = {k, c};
+  rig r = new_rig(ED_LAW_KELVIN_VOIGT, 2, kelvin, kb);
+  const double held = move(&r, 1e8, 0.1, 0.0);
+  CHECK_NEAR(held, 0.1 * k * kb / (k + kb), 1e-6 * held);
+  r.v = speed;
+  for (double h = 1e-3; h > 1e-13; h *= 0.1) {
+    const double before = r.u, rise = kb * speed * h; /* the dashpot has not moved yet */
+    rig other = r;
+    CHECK_NEAR(move(&other, h, before + speed * h, speed) - held, rise, 1e-2 * rise + 1e-8 * held);
+  }
+  free_rig(&r);
+}
+
+/* MGMM behind a brace softer than itself, a millimetre or more in a hundredth of a second: tangents alone went round in circles. Every
+ * step balances: the own deformation is u - F / kb, and the law alone along it ends at the same force when the steps are fine. */
+static void check_sudden(void)
+{
+  static const double mgmm[] = {515e3, 15.1e3, 107e3, 21e3, 0.708, 3741e3, 3613e3, 7.966e-3, 902e3, 190e3, 13.468e-3, 0.0};
+  static const double braces[] = {11.6e3, 115e3, 537e3};
+  for (int b = 0; b < 3; b++)
+    for (double size = 1e-3; size < 0.2; size *= 10.0) {
+      double last[2] = {0.0};
+      for (int fine = 0; fine < 2; fine++) {
+        rig r = new_rig(ED_LAW_MGMM, 12, mgmm, braces[b]);
+        for (int i = 0; i < 20; i++) {
+          const int parts = fine ? 16 : 1;
+          const double from = r.u, rise = i % 3 == 2 ? size : 0.0;
+          for (int j = 1; j <= parts; j++) {
+            const double x = (double)j / parts; /* the cubic from rest to rest, in pieces */
+            last[fine] = move(&r, 0.01 / parts, from + rise * x * x * (3.0 - 2.0 * x), rise * 6.0 * x * (1.0 - x) / 0.01);
+          }
+        }
+        free_rig(&r);
+      }
+      CHECK_NEAR(last[0], last[1], 0.01 * fabs(last[1])); /* one step against sixteen, of a method of order 3 */
+    }
+}
+
+/* The law with asymptotes without dashpot, behind a brace, moved so little that it is a spring k1 (1 + kappa): a thousand million times
+ * less than f0, the force keeps its digits. */
+static void check_little(void)
+{
+  const double f0 = 5e4, k1 = 5e6, kappa = 0.4, kb = 3e7, k = k1 * (1.0 + kappa);
+  const double asymptote[] = {f0, k1, 0.0, 0.0, kappa, 1.4, 0.0};
+  rig r = new_rig(ED_LAW_ASYMPTOTE, 7, asymptote, kb);
+  for (double u = 1e-13; u < 1e-9; u *= 3.0)
+    CHECK_NEAR(move_to(&r, u), u * k * kb / (k + kb), 1e-6 * u * k);
+  free_rig(&r);
+}
+
 int main(void)
 {
+  check_short_steps();
+  check_sudden();
+  check_little();
   check_maxwell();
   check_elastic_plastic();
+  check_two_turns();
   check_tangents();
   check_guess();
   return checks_end("braces");

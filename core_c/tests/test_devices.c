@@ -133,6 +133,84 @@ static void check_saved(void)
   ed_model_free(model);
 }
 
+/* A mass on a spring, with a damper beside it; pattern 0: 1 N on the mass. */
+enum { MASS_NODE = 1 };
+static ed_model *oscillator(double mass, double k, int law, int n, const double *parameters)
+{
+  ed_model *model = ed_model_new();
+  const int foot = ed_model_node(model, "foot", 0.0, 0.0), top = ed_model_node(model, "top", 1.0, 0.0), degree = 0;
+  const double one = 1.0;
+  ed_model_fix(model, foot, 1, 1, 1);
+  ed_model_fix(model, top, 0, 1, 1);
+  ed_model_mass(model, top, mass, 0.0, 0.0);
+  ed_model_link(model, "spring", foot, top, k, 0.0, 0.0, 0.0);
+  ed_model_pattern(model);
+  ed_model_nodal_load(model, 0, top, 1.0, 0.0, 0.0);
+  CHECK_INT(ed_model_damper(model, "damper", law, n, parameters, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 0);
+  return model;
+}
+
+/* Free vibration from an initial velocity by HHT, whose first step takes its share of the dashpot's force at the start: against the
+ * recursion m a1 + (1 - af)(c v1 + k u1) + af (c v0 + k u0) = 0 (Hilber, Hughes & Taylor 1977) written out. */
+static void check_hht(void)
+{
+  enum { STEPS = 60 };
+  const double m = 1e4, k = 1e6, kelvin[] = {1e6, 3e4}, dt = 0.02, start = 0.3, af = 0.2, am = 0.0;
+  const double parameters[] = {am, af, 0.5 + af, 0.25 * (1.0 + af) * (1.0 + af)}, g = parameters[2], b = parameters[3];
+  const double still[STEPS + 1] = {0.0}, all = k + kelvin[0], c = kelvin[1];
+  double u = 0.0, v = start, acceleration = -c * v / m;
+  for (int i = 0; i < STEPS; i++) {
+    const double u_known = u + dt * v + dt * dt * (0.5 - b) * acceleration, v_known = v + dt * (1.0 - g) * acceleration;
+    const double next = -((1.0 - af) * (all * u_known + c * v_known) + af * (all * u + c * v)) /
+                        (m + (1.0 - af) * (all * b * dt * dt + c * g * dt));
+    u = u_known + b * dt * dt * next;
+    v = v_known + g * dt * next;
+    acceleration = next;
+  }
+  ed_model *model = oscillator(m, k, ED_LAW_KELVIN_VOIGT, 2, kelvin);
+  ed_analysis *a = frame_analysis(model);
+  CHECK_STATUS(ed_install_dampers(a), ED_OK);
+  CHECK_STATUS(ed_set(a, ED_TOLERANCE, 1e-12), ED_OK);
+  CHECK_STATUS(ed_initial_velocity(a, &start), ED_OK);
+  const int channel = add_channel(a, ED_DISPLACEMENT, MASS_NODE, 0);
+  CHECK_STATUS(ed_history_begin(a, STEPS, dt, still, NULL, ED_GENERALISED_ALPHA, parameters), ED_OK);
+  CHECK_STATUS(run_to_end(a, STEPS), ED_OK);
+  double most, when, least, since, last;
+  ed_extremes(a, &most, &when, &least, &since, &last);
+  CHECK_INT(channel, 0);
+  /* of the undamped amplitude; the dashpot's first force is that after 1e-6 of a step, which stretches the spring by as much */
+  CHECK_NEAR(last, u, 1e-8 * start * sqrt(m / all));
+  ed_analysis_free(a);
+  ed_model_free(model);
+}
+
+/* A load after a history that ended in motion: static steps start from rest, the dampers relax. */
+static void check_static_after(void)
+{
+  static const double kelvin[] = {1e6, 3e4}, zener[] = {1e6, 2e6, 1e5};
+  const double k = 1e6, load = 2e3;
+  double ground[N + 1];
+  ground_motion(N, DT, 6.0, ground);
+  for (int law = ED_LAW_KELVIN_VOIGT; law <= ED_LAW_ZENER; law++) {
+    ed_model *model = oscillator(1e4, k, law, law == ED_LAW_ZENER ? 3 : 2, law == ED_LAW_ZENER ? zener : kelvin);
+    ed_analysis *a = frame_analysis(model);
+    CHECK_STATUS(ed_install_dampers(a), ED_OK);
+    add_channel(a, ED_DISPLACEMENT, MASS_NODE, 0);
+    add_channel(a, ED_VELOCITY, MASS_NODE, 0);
+    CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+    CHECK_STATUS(run_to_end(a, N), ED_OK);
+    ed_run_end(a);
+    CHECK_STATUS(ed_static_begin(a, 0, load, 2), ED_OK);
+    CHECK_STATUS(run_to_end(a, 2), ED_OK);
+    double most[2], when[2], least[2], since[2], last[2];
+    ed_extremes(a, most, when, least, since, last);
+    CHECK(fabs(last[1]) > 1e-3); /* as the history left it */
+    CHECK_NEAR(last[0], load / (k + 1e6), 1e-6 * load / k);
+    ed_analysis_free(a);
+    ed_model_free(model);
+  }
+}
+
 static void check_refusals(void)
 {
   ed_model *model = frame_model(FRAME);
@@ -163,6 +241,8 @@ int main(void)
   check_tries(0.0);
   check_tries(30e6);
   check_saved();
+  check_hht();
+  check_static_after();
   check_refusals();
   return checks_end("dampers in a frame");
 }

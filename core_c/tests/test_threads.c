@@ -35,6 +35,8 @@ static void *run(void *argument)
     j->status = ed_run_advance(analysis, 2);
   ed_run_end(analysis);
   if (j->status == ED_OK)
+    j->status = ed_install_dampers(analysis);
+  if (j->status == ED_OK)
     j->status = ed_history_begin(analysis, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION);
   if (j->status == ED_OK) {
     ed_run_buffers(analysis, 1, NULL, j->displacement, j->energy);
@@ -45,11 +47,13 @@ static void *run(void *argument)
   return NULL;
 }
 
-int main(void)
+static void check_frame(int damped)
 {
   static job together[THREADS], alone[THREADS];
   pthread_t thread[THREADS];
   ed_model *model = frame_model(FRAME);
+  if (damped)
+    add_dampers(model, FRAME);
   for (int i = 0; i < THREADS; i++) {
     together[i].model = alone[i].model = model;
     together[i].peak = alone[i].peak = 9.0 + i;
@@ -66,6 +70,14 @@ int main(void)
     CHECK(alone[i].energy[N * ED_N_ENERGY + ED_HYSTERETIC] > 0.0);
   }
   CHECK(memcmp(alone[0].displacement, alone[1].displacement, sizeof alone[0].displacement) != 0);
+  for (int i = 0; damped && i < THREADS; i++)
+    CHECK(alone[i].energy[N * ED_N_ENERGY + ED_DAMPERS] > 0.0);
   ed_model_free(model);
+}
+
+int main(void)
+{
+  check_frame(0);
+  check_frame(1);
   return checks_end("two threads");
 }

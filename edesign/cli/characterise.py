@@ -42,8 +42,9 @@ def characterise(
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:
     """Find storage, equivalent and loss modulus and loss factor of each test with a steady amplitude."""
+    from edesign.archive.files import check_folder
     from edesign.damper.properties import Properties, checked_range, cycle_properties, properties
-    from edesign.damper.property_table import from_properties, write_property_table
+    from edesign.damper.property_table import from_properties, usable, write_property_table
     from edesign.report.damper_figures import draw_tests
     from edesign.report.damper_tables import cycles_table, properties_data, properties_table
     from edesign.report.record_figures import check_format
@@ -52,6 +53,9 @@ def characterise(
     check_format(figure_format)
     asked = _cycles(cycles)
     checked_range(asked)
+    for folder in (output.parent if output else None, figures):
+        if folder is not None:
+            check_folder(folder)
     campaign = _campaign(inputs, layers, layer_area, layer_thickness, temperature)
     found: dict[str, Properties] = {}
     notes, each = [], {}
@@ -67,6 +71,8 @@ def characterise(
                 notes.append(str(error))
     if not found and not each:
         raise InputError("\n".join(notes))
+    rows, left_out = usable(found)
+    notes += left_out
     if as_json:
         data = {**properties_data(found, each), "notes": notes}
         typer.echo(json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False))
@@ -78,7 +84,7 @@ def characterise(
         )
         tables = [properties_table(title, found, notes)]
         print_tables([*tables, *(cycles_table(name, columns) for name, columns in each.items())])
-    table = from_properties(list(found.values()), str(output or inputs[0])) if found else None
+    table = from_properties(rows, str(output or inputs[0])) if rows else None
     if output is not None:
         if table is None:
             raise InputError(f"{output}: there are no properties to write\n" + "\n".join(notes))
@@ -101,7 +107,7 @@ def _campaign(
     from pydantic_core import PydanticCustomError
 
     from edesign.cli.hazard_options import quantity
-    from edesign.damper.campaign import Campaign, load_campaign
+    from edesign.damper.campaign import Campaign, load_campaign, short_names
     from edesign.damper.read_test import read_test
     from edesign.damper.specimen import Specimen
     from edesign.damper.test_files import parse_temperature
@@ -128,9 +134,11 @@ def _campaign(
     specimen = Specimen(
         "specimen", layers, quantity(area, AREA, "--layer-area"), quantity(thickness, LENGTH, "--layer-thickness")
     )
-    names = [path.stem for path in inputs]
+    for i, path in enumerate(inputs):
+        if path in inputs[:i]:
+            raise InputError(f"{path}: the file is named twice")
     tests = tuple(
-        read_test(path, temperature_C=celsius, name=path.stem if names.count(path.stem) == 1 else str(path))
-        for path in inputs
+        read_test(path, temperature_C=celsius, name=name)
+        for path, name in zip(inputs, short_names(inputs), strict=True)
     )
     return Campaign(specimen, None, tests, inputs[0])

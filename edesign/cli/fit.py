@@ -67,7 +67,7 @@ def fit(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
 ) -> None:
     """Fit damper laws to measured forces or properties; say how sure the parameters are, and which law suffices."""
-    from edesign.archive.files import make_folder
+    from edesign.archive.files import check_folder, make_folder
     from edesign.cli import fit_inputs as read
     from edesign.damper.fitting import compare
     from edesign.errors import InputError
@@ -79,9 +79,18 @@ def fit(
     check_format(figure_format)
     if folds is not None and not cross_validate:
         raise InputError("--folds: only with --cross-validate")
+    for name in free or []:
+        if name in {text.partition("=")[0].strip() for text in fix or []}:
+            raise InputError(f"--free {name}: it is held by --fix; leave one of them out")
     given = read.read_input(source, against, read.read_specimen(layers, layer_area, layer_thickness))
     if given.table is not None and (cross_validate or figures is not None):
         raise InputError("--cross-validate, --figures: only with forces, not with properties")
+    for folder in (output, figures):
+        if folder is not None:
+            check_folder(folder)  # rather than after a long fit
+    if not quiet:
+        for note in given.notes:
+            typer.echo(f"note: not fitted to: {note}", err=True)
     laws = read.read_laws(law or [], given.law)
     alone = len(laws) == 1
     options: dict[str, Any] = {"starts": starts, "seed": seed, "loss": loss, "workers": workers}
@@ -95,9 +104,6 @@ def fit(
             "branches": branches if item.branch else 1,
         }
         results.append(_fit(item, given, begin, own, cross_validate, folds, quiet))
-    if output is not None:
-        for result in results:
-            _write(result, given, output if alone else output / result.fit.law.name)
     if json_output:
         found = [_json(result) for result in results]
         typer.echo(json.dumps(found[0] if alone else found, indent=1, allow_nan=False))
@@ -105,6 +111,9 @@ def fit(
         fits, outs = [result.fit for result in results], [result.held_out for result in results]
         comparison = compare.comparison(fits, outs) if cross_validate or not alone else None
         print_tables(tables_of(fits, comparison, [result.validated for result in results]))
+    if output is not None:
+        for result in results:
+            _write(result, given, output if alone else output / result.fit.law.name)
     if figures is not None:
         make_folder(figures)
         draw_fits([result.fit for result in results], [*given.tests, *given.validation], figures, figure_format)
@@ -134,7 +143,14 @@ def _fit(
     if given.table is not None:
         return _Result(fit_properties(law, given.table, given.specimen, begin, progress=progress, **options), None, {})
     found = fit_forces(law, given.tests, begin, specimen=given.specimen, progress=progress, **options)
-    held_out = cross_validate(law, given.tests, begin, folds=folds, whole=found, **options) if out else None
+    low, high = found.tested.temperature_C
+    for test in () if quiet else given.validation:
+        if not low <= test.temperature_C <= high:
+            span = f"{low:g} degC" if low == high else f"{low:g} to {high:g} degC"
+            typer.echo(f"note: test {test.name} is at {test.temperature_C:g} degC, those fitted at {span}", err=True)
+    held_out = None
+    if out:
+        held_out = cross_validate(law, given.tests, begin, folds=folds, whole=found, told=progress, **options)
     return _Result(found, held_out, prediction_errors(found, given.validation) if given.validation else {})
 
 

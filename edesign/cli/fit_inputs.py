@@ -32,6 +32,7 @@ class FitInput:
         tests: to fit to; () for a property table.
         validation: tests to compare with only.
         table: properties; None when forces are fitted.
+        notes: on tests that have no properties.
     """
 
     against: str
@@ -41,6 +42,7 @@ class FitInput:
     tests: tuple[DamperTest, ...]
     validation: tuple[DamperTest, ...]
     table: PropertyTable | None
+    notes: tuple[str, ...] = ()
 
 
 def read_input(path: Path, against: str | None, specimen: Specimen | None) -> FitInput:
@@ -50,8 +52,7 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
         InputError: the file cannot be read, nothing in it can be fitted to, or an option does not go with it.
     """
     from edesign.damper.campaign import load_campaign
-    from edesign.damper.properties import properties
-    from edesign.damper.property_table import from_properties, read_property_table
+    from edesign.damper.property_table import read_property_table
     from edesign.project.problems import did_you_mean
 
     if against is not None and against not in AGAINST:
@@ -69,9 +70,27 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
     if not tests:
         raise InputError(f"{path}: no test has `use: fit`, so there is nothing to fit to")
     if against == "properties":
-        table = from_properties([properties(test, campaign.specimen) for test in tests], str(path))
-        return FitInput("properties", title, campaign.specimen, campaign.law, (), (), table)
+        table, notes = _properties(tests, campaign.specimen, path)
+        return FitInput("properties", title, campaign.specimen, campaign.law, (), (), table, notes)
     return FitInput("forces", title, campaign.specimen, campaign.law, tests, campaign.used_for("validate"), None)
+
+
+def _properties(tests: Sequence[DamperTest], specimen: Specimen, path: Path) -> tuple[PropertyTable, tuple[str, ...]]:
+    """Properties of the tests that have them, and notes on the others, such as sweeps."""
+    from edesign.damper.properties import properties
+    from edesign.damper.property_table import from_properties, usable
+
+    found, notes = {}, []
+    for test in tests:
+        try:
+            found[test.name] = properties(test, specimen)
+        except InputError as error:
+            notes.append(str(error))
+    rows, left_out = usable(found)
+    notes += left_out
+    if not rows:
+        raise InputError("\n".join(notes))
+    return from_properties(rows, str(path)), tuple(notes)
 
 
 def read_specimen(layers: int | None, area: str | None, thickness: str | None) -> Specimen | None:
@@ -123,7 +142,10 @@ def read_starts(law: Law, given: Sequence[str], choice: LawChoice | None, alone:
 
     values: dict[str, float] = {}
     if not given and choice is not None and choice.type == law.name and choice.parameters is not None:
-        return read_parameters(law, choice.parameters)
+        try:
+            return read_parameters(law, choice.parameters)
+        except InputError as error:
+            raise InputError(f"law of the campaign: {error} (or `--start data`)") from None
     pairs = [text for text in given if "=" in text]
     for text in given:
         if "=" in text or text == "data":
@@ -158,8 +180,12 @@ def read_values(law: Law, pairs: Sequence[str], option: str, alone: bool) -> dic
     from edesign.damper.fitting.scales import exponent_in
     from edesign.damper.parameters import ParameterError, read_parameters, write_parameters
 
-    texts = dict(pair.split("=", 1) for pair in pairs)
-    texts = {name.strip(): text.strip() for name, text in texts.items()}
+    texts: dict[str, str] = {}
+    for pair in pairs:
+        name, _, text = pair.partition("=")
+        if name.strip() in texts:
+            raise InputError(f"{option} {name.strip()}: the parameter is named twice")
+        texts[name.strip()] = text.strip()
     parameters = {p.name: p for p in law.all_parameters(dict.fromkeys(texts, 0.0))}
     for name in list(texts):
         if name not in parameters:

@@ -23,12 +23,13 @@ def test(
 
     Written are TEST.csv (time, displacement, force), campaign.yaml, and properties.csv of the steady sines.
     """
+    from edesign.archive.files import check_folder
     from edesign.cli.damper_progress import reporter
     from edesign.cli.progress import listener
     from edesign.damper.campaign import CAMPAIGN_FILE
     from edesign.damper.programme import run_programme
     from edesign.damper.programme_file import load_programme
-    from edesign.damper.property_table import from_properties
+    from edesign.damper.property_table import from_properties, usable
     from edesign.errors import InputError
     from edesign.report.damper_figures import draw_tests
     from edesign.report.damper_tables import properties_table
@@ -42,6 +43,9 @@ def test(
         raise InputError(
             f"{folder / CAMPAIGN_FILE}: there is a campaign already; choose another --output, or --overwrite"
         )
+    for place in (folder, figures):
+        if place is not None:
+            check_folder(place)
     with listener(quiet) as listen:
         run = run_programme(plan, folder, reporter(listen, "virtual tests"))
     if not quiet:
@@ -49,7 +53,8 @@ def test(
         print_tables([properties_table(title, run.properties, [f"note: {text}" for text in run.warnings])])
         typer.echo(f"campaign: {run.campaign.path}")
     if figures is not None:
-        table = from_properties(list(run.properties.values())) if run.properties else None
+        rows = usable(run.properties)[0]
+        table = from_properties(rows) if rows else None
         draw_tests(run.campaign, table, figures, figure_format)
 
 

@@ -20,11 +20,12 @@ from edesign.damper.test_files import (
     SpecimenBlock,
     Temperature,
     Text,
+    check_law,
     check_one,
     check_specimen,
 )
 from edesign.damper.test_record import DamperTest, Use
-from edesign.errors import InputError
+from edesign.errors import ArchiveError, InputError
 from edesign.project.base import Model
 from edesign.project.problems import FileProblems, Problems
 from edesign.project.yaml_file import check_model, read_yaml_text
@@ -102,6 +103,7 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
     if file is None:
         raise CampaignError(path, problems.found)
     check_specimen(file.specimen, problems)
+    check_law(file.law, problems, complete=False)
     for i, entry in enumerate(file.tests):
         keys = ("tests", i)
         check_one(entry, "temperature", "temperature_C", keys, problems, required=False)
@@ -160,11 +162,19 @@ def write_campaign(
         if names.count(name) > 1:
             raise InputError(f"campaign {folder}: two tests are called {name}; their files would be one")
     make_folder(folder)
+    path = folder / CAMPAIGN_FILE
+    _remove(path)  # one that is replaced must not name tests of two campaigns if this is interrupted
     for test in tests:
         write_test(folder / f"{test.name}.csv", test)
-    path = folder / CAMPAIGN_FILE
     write_text(_text(specimen, tests, law, title), path)
     return Campaign(specimen, law, tuple(tests), path, title)
+
+
+def _remove(path: Path) -> None:
+    try:
+        path.unlink(missing_ok=True)
+    except OSError as error:
+        raise ArchiveError(f"{path}: cannot be replaced: {error.strerror}") from error
 
 
 def _text(specimen: Specimen, tests: Sequence[DamperTest], law: LawChoice | None, title: str) -> str:
@@ -200,13 +210,18 @@ def _rounded(value: float) -> float | int:
     return int(number) if number == int(number) and abs(number) < 1e15 else number
 
 
-def _names(file: CampaignFile) -> list[str]:
-    """Names of the tests: file names without ending, or with folders where these are needed to tell them apart."""
-    short = [Path(entry.file).stem for entry in file.tests]
+def short_names(paths: Sequence[Path]) -> list[str]:
+    """A name for each of several files: its own without ending; with folders, then ending, if others have that."""
+    short, longer = [path.stem for path in paths], [str(path.with_suffix("")) for path in paths]
     return [
-        name if short.count(name) == 1 else str(Path(entry.file).with_suffix(""))
-        for name, entry in zip(short, file.tests, strict=True)
+        name if short.count(name) == 1 else long if longer.count(long) == 1 else str(path)
+        for name, long, path in zip(short, longer, paths, strict=True)
     ]
+
+
+def _names(file: CampaignFile) -> list[str]:
+    """Names of the tests: file names, with ending and folders where these are needed to tell them apart."""
+    return short_names([Path(entry.file) for entry in file.tests])
 
 
 def _check_twins(file: CampaignFile, problems: Problems) -> None:

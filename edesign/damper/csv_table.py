@@ -51,8 +51,14 @@ def read_csv_table(path: Path, what: str, example: str) -> CsvTable:
         raise InputError(f"{path}: the {what} is empty; its first line is like `{example}`")
     delimiter = next((sign for sign in ",;\t" if sign in lines[0]), ",")
     headers = tuple(cell.strip().strip('"').strip() for cell in lines[0].split(delimiter))
+    if len(headers) == 1 and len(headers[0].split()) > 2:
+        raise InputError(f"{path}:{numbers[0]}: there is one column; commas, semicolons or tabs stand between columns")
     if any(_is_number(cell) for cell in headers):
         raise InputError(f"{path}:{numbers[0]}: headers are missing; the first line is like `{example}`")
+    if "" in headers:
+        raise InputError(
+            f"{path}:{numbers[0]}: column {headers.index('') + 1} has no header (a `{delimiter}` too many?)"
+        )
     numbers, header_line, lines = numbers[1:], numbers[0], lines[1:]
     if not lines:
         raise InputError(f"{path}:{header_line}: there is no row below the headers")
@@ -62,7 +68,7 @@ def read_csv_table(path: Path, what: str, example: str) -> CsvTable:
     except ValueError:
         good = False
     if not good:  # the slow way, which knows the place
-        rows = np.array([_row(path, headers, n, line.split(delimiter)) for n, line in zip(numbers, lines, strict=True)])
+        rows = np.array([_row(path, headers, n, line, delimiter) for n, line in zip(numbers, lines, strict=True)])
     return CsvTable(path, header_line, headers, rows, np.array(numbers))
 
 
@@ -83,9 +89,13 @@ def _kept(path: Path, what: str) -> tuple[list[int], list[str]]:
     return [i for i, _ in kept], [line for _, line in kept]
 
 
-def _row(path: Path, headers: tuple[str, ...], line: int, cells: list[str]) -> list[float]:
+def _row(path: Path, headers: tuple[str, ...], line: int, row: str, delimiter: str) -> list[float]:
+    cells = row.split(delimiter)
     if len(cells) != len(headers):
-        raise InputError(f"{path}:{line}: {len(cells)} cells; the headers name {len(headers)} columns")
+        hint = ""
+        if delimiter == "," and len(cells) > len(headers):
+            hint = "; if these are decimal commas, write points"
+        raise InputError(f"{path}:{line}: {len(cells)} cells; the headers name {len(headers)} columns{hint}")
     values = []
     for i, (header, cell) in enumerate(zip(headers, cells, strict=True), 1):
         text = cell.strip().strip('"').strip()
@@ -106,4 +116,4 @@ def _is_number(cell: str) -> bool:
         float(cell)
     except ValueError:
         return False
-    return True
+    return "_" not in cell  # which Python allows between digits

@@ -13,7 +13,7 @@ from edesign.core.damper import CoreDamper
 from edesign.damper.law import Law
 from edesign.damper.laws import law
 from edesign.damper.parameters import ParameterError, read_parameters
-from edesign.damper.temperature import FerryShift, GammaT, at
+from edesign.damper.temperature import REFERENCE_C, FerryShift, GammaT, at
 from edesign.damper.temperature_file import TemperatureLaw
 from edesign.errors import InputError
 from edesign.project.dampers import LawDescription
@@ -93,8 +93,10 @@ def resolve(
     warnings: tuple[str, ...] = ()
     if temperature_C is not None:
         change = _temperature_law(described, source)
+        low, high = _tested_C(described) or (REFERENCE_C, REFERENCE_C)
+        held_at = min(max(temperature_C, low), high)  # one set of parameters holds for all tests
         try:
-            values, warnings = at(chosen, values, temperature_C, change)
+            values, warnings = at(chosen, values, temperature_C, change, held_at)
         except InputError as error:
             culprit = "temperature_law" if change is not None and chosen.name not in change.laws else "temperature"
             raise source.refuse((culprit,), error) from error
@@ -106,14 +108,19 @@ def resolve(
     return chosen, values, warnings
 
 
-def _outside_tests(described: LawDescription, temperature_C: float) -> tuple[str, ...]:
+def _tested_C(described: LawDescription) -> tuple[float, float] | None:
+    """Lowest and highest temperature of the tests, degC."""
     match = _RANGE_C.fullmatch((described.tested or {}).get("temperature", ""))
-    if not match:
+    return (float(match[1]), float(match[2] or match[1])) if match else None
+
+
+def _outside_tests(described: LawDescription, temperature_C: float) -> tuple[str, ...]:
+    tested = _tested_C(described)
+    if tested is None or tested[0] <= temperature_C <= tested[1]:
         return ()
-    low, high = float(match[1]), float(match[2] or match[1])
-    if low <= temperature_C <= high:
-        return ()
-    return (f"it was tested at {low:g} to {high:g} degC and is used at {temperature_C:g} degC",)
+    low, high = tested
+    span = f"{low:g} degC" if low == high else f"{low:g} to {high:g} degC"
+    return (f"it was tested at {span} and is used at {temperature_C:g} degC",)
 
 
 def _temperature_law(described: LawDescription, source: Source) -> GammaT | FerryShift | None:

@@ -16,7 +16,7 @@ from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
 from edesign.damper.programme_file import Programme, RandomTest, RecordTest, SineTest, SweepTest
 from edesign.damper.properties import CYCLES, Properties, properties
-from edesign.damper.property_table import from_properties, write_property_table
+from edesign.damper.property_table import from_properties, usable, write_property_table
 from edesign.damper.read_test import read_displacement
 from edesign.damper.specimen import Specimen
 from edesign.damper.temperature import at
@@ -58,7 +58,8 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
     """
     folder = Path(folder)
     specimen, law = programme.specimen.specimen, law_of(programme.law.type)
-    values = _parameters(programme)
+    assert programme.law.parameters is not None  # checked by load_programme
+    values = read_parameters(law, programme.law.parameters)
     planned = list(planned_tests(programme, specimen))
     tests, found = [], {}
     warnings: dict[str, None] = {}
@@ -84,8 +85,12 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
     title = programme.title or f"Virtual tests of {law.title}"
     campaign = write_campaign(folder, specimen, tests, programme.law.choice, title)
     path = folder / PROPERTIES_FILE
-    if found:
-        write_property_table(from_properties(list(found.values()), str(path)), path)
+    rows, notes = usable(found)
+    warnings.update(dict.fromkeys(notes))
+    if rows:
+        write_property_table(from_properties(rows, str(path)), path)
+    else:
+        path.unlink(missing_ok=True)  # of a campaign that was replaced
     return ProgrammeRun(campaign, found, tuple(warnings))
 
 
@@ -111,9 +116,12 @@ def planned_tests(
                 what.append(f"{100.0 * specimen.strain(displacement):.4g}pct")
             if frequency is not None:
                 what.append(f"{frequency:g}Hz")
-            time, u = _history(plan, displacement, frequency, programme)
             title = plan.title or " ".join(what).replace("pct", " %").replace("Hz", " Hz")
             name = f"{number:03d}_{'_'.join([*what, f'{celsius:g}C'])}"
+            try:
+                time, u = _history(plan, displacement, frequency, programme)
+            except InputError as error:
+                raise InputError(f"{programme.path}: test {name}: {error}") from error
             yield plan, DamperTest(name, time, u, None, celsius, None, title, plan.use)
 
 
@@ -135,15 +143,6 @@ def _history(
     if isinstance(plan, SineTest):
         return signals.sine(displacement, frequency, plan.cycles, plan.ramp_up, plan.ramp_down, rate)
     return signals.sweep_4_4(displacement, frequency, plan.blend, rate)
-
-
-def _parameters(programme: Programme) -> dict[str, float]:
-    given = programme.law.parameters
-    assert given is not None  # checked by load_programme
-    try:
-        return read_parameters(law_of(programme.law.type), given)
-    except InputError as error:
-        raise InputError(f"{programme.path}: {error}") from error
 
 
 def _measured(force: np.ndarray, programme: Programme, index: int) -> np.ndarray:

@@ -14,6 +14,7 @@ from edesign.damper.test_files import (
     LawBlock,
     SpecimenBlock,
     Text,
+    check_law,
     check_one,
     check_specimen,
     parse_celsius,
@@ -31,6 +32,8 @@ from edesign.project.units import (
 )
 from edesign.project.yaml_file import check_model, read_yaml_text
 
+LARGEST_STRAIN = 10.0  # no elastomer shears so far: `50` is meant as `50 %`
+MOST_TESTS = 1000  # of one entry
 _WHAT, _BEGINS = "programme file", "specimen:"
 
 
@@ -70,7 +73,9 @@ def _several(parse: Callable[[Any], float]) -> BeforeValidator:
 
 Frequency = Annotated[float, BeforeValidator(parse_frequency)]
 Frequencies = Annotated[tuple[float, ...], _several(parse_frequency)]
-Strains = Annotated[tuple[float, ...], _several(lambda value: parse_ratio(value, 0.0, math.inf, low_allowed=False))]
+Strains = Annotated[
+    tuple[float, ...], _several(lambda value: parse_ratio(value, 0.0, LARGEST_STRAIN, low_allowed=False))
+]
 Displacements = Annotated[tuple[float, ...], _several(lambda value: parse_quantity(value, LENGTH, "positive"))]
 Temperatures = Annotated[tuple[float, ...], _several(parse_temperature)]
 CelsiusList = Annotated[tuple[float, ...], _several(parse_celsius)]
@@ -175,6 +180,7 @@ def load_programme(path: Path | str) -> Programme:
     check_specimen(programme.specimen, problems)
     if programme.law.parameters is None:
         problems.under(("law",), "parameters", "this key is missing")
+    check_law(programme.law, problems, complete=True)
     for i, test in enumerate(programme.tests):
         _check_test(test, i, path, problems)
     if problems.found:
@@ -191,6 +197,10 @@ def _check_test(test: _Test, i: int, path: Path, problems: Problems) -> None:
         ramp = getattr(test, key, 0.0)
         if (2.0 * ramp) % 1.0 != 0.0:
             problems.at_value((*keys, key), f"`{ramp:g}`: a multiple of half a cycle is needed")
+    lists = (test.strain, test.displacement, test.celsius, getattr(test, "frequency", None))
+    count = math.prod(len(values) for values in lists if values)
+    if count > MOST_TESTS:
+        problems.at_value(keys, f"these are {count} tests; at most {MOST_TESTS} are possible")
     if isinstance(test, RandomTest) and test.band[0] >= test.band[1]:
         problems.at_value((*keys, "band"), f"{test.band[0]:g} Hz is not below {test.band[1]:g} Hz")
     if isinstance(test, RecordTest) and not (path.parent / test.file).is_file():

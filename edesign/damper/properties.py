@@ -30,7 +30,7 @@ class Properties:
         G_storage: G', Pa.
         G_eq: equivalent shear modulus, Pa.
         G_loss: G'' = n G', Pa.
-        loss_factor: n.
+        loss_factor: n; inf if nothing is stored.
         cycles: first and last of the cycles, from 1 at the first of full amplitude.
     """
 
@@ -82,22 +82,22 @@ def properties(test: DamperTest, specimen: Specimen, cycles: tuple[int, int] = C
     Source: thesis 3.3, Eqs. 3.1-3.4.
     """
     first, last = checked_range(cycles)
-    force = test.measured_force()
+    force = test.varying_force()
     blocks = find_blocks(test.time, test.displacement)
     longest = max(blocks, key=lambda block: block.cycles, default=None)
     if longest is None or longest.cycles < last:
         raise InputError(_too_few(test, 0 if longest is None else longest.cycles, first, last))
     part = Block(longest.bounds[first - 1 : last + 1], longest.amplitude, longest.rising)
     values = _Loops(test, force, specimen).of(part)
-    storage, equivalent, factor = (float(np.mean(values[name])) for name in ("G_storage", "G_eq", "loss_factor"))
+    storage, equivalent, loss = (float(np.mean(values[name])) for name in ("G_storage", "G_eq", "G_loss"))
     return Properties(
         float(np.mean(values["strain"])),
         float(part.cycles / (part.bounds[-1] - part.bounds[0])),
         test.temperature_C,
         storage,
         equivalent,
-        factor * storage,
-        factor,
+        loss,
+        _factor(loss, storage),
         (first, last),
     )
 
@@ -112,7 +112,7 @@ def cycle_properties(test: DamperTest, specimen: Specimen) -> CycleProperties:
     Raises:
         InputError: no force, or no two half cycles of one amplitude in succession.
     """
-    force = test.measured_force()
+    force = test.varying_force()
     blocks = find_blocks(test.time, test.displacement)
     if not blocks:
         raise InputError(f"{test.where}: there is no full cycle: no two half cycles of one amplitude in succession")
@@ -148,6 +148,11 @@ def _too_few(test: DamperTest, found: int, first: int, last: int) -> str:
     return f"{text}; ask for cycles {max(1, found - (last - first))} to {found}" if found >= few else text
 
 
+def _factor(loss: float, storage: float) -> float:
+    """Loss factor; inf of a device that stores nothing."""
+    return loss / storage if storage != 0.0 else float("inf")
+
+
 class _Loops:
     """Loops of one test."""
 
@@ -180,15 +185,15 @@ class _Loops:
         storage = (at_high - at_low) / span
         dissipated = float(self.work(end) - self.work(start))
         amplitude = 0.5 * span
-        factor = dissipated / (2.0 * np.pi * 0.5 * storage * amplitude**2)
+        loss = dissipated / (np.pi * amplitude**2)  # = n G' with n = ED / (2 pi ES), ES = G' amplitude^2 / 2
         return {
             "start": start,
             "strain": amplitude,
             "frequency": 1.0 / (end - start),
             "G_storage": storage,
             "G_eq": (largest + smallest) / span,
-            "G_loss": factor * storage,
-            "loss_factor": factor,
+            "G_loss": loss,
+            "loss_factor": _factor(loss, storage),
         }
 
     def _extreme(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -178,6 +178,26 @@ class PropertyTable:
         return Interpolated(found[..., 0], found[..., 1], found[..., 2], inside)
 
 
+def usable(found: Mapping[str, Properties]) -> tuple[list[Properties], list[str]]:
+    """Rows that can stand in a table, and notes on those that cannot: of dampers that store or dissipate nothing.
+
+    Args:
+        found: properties by name of the test.
+    """
+    rows, notes = [], []
+    for name, row in found.items():
+        # stiffness or loss below rounding is none
+        if row.G_storage > _ROUNDING * row.G_eq > 0.0 and _ROUNDING < row.loss_factor < 1.0 / _ROUNDING:
+            rows.append(row)
+            continue
+        hint = "; is the sign of force or displacement reversed?" if row.G_storage < -0.5 * row.G_eq else ""
+        notes.append(
+            f"{name}: left out of the table of properties, where all are above zero: G' = {1e-6 * row.G_storage:.4g} "
+            f"MPa, n = {row.loss_factor:.4g}{hint}"
+        )
+    return rows, notes
+
+
 def from_properties(rows: Sequence[Properties], source: str = "property table") -> PropertyTable:
     """The table of properties of several tests."""
     columns = {name: np.array([getattr(row, name) for row in rows]) for name, _ in COLUMNS.values()}
@@ -196,6 +216,8 @@ def read_property_table(path: Path | str) -> PropertyTable:
     for i, header in enumerate(table.headers):
         if header not in COLUMNS:
             hint = did_you_mean(header, COLUMNS)
+            if header.lower().startswith(("time", "displacement", "force")):
+                hint = "; this is the file of a test, not a table of properties: name it in a campaign file"
             raise InputError(f"{table.where(i)}: the column is unknown{hint} (allowed: {', '.join(COLUMNS)})")
         name, factor = COLUMNS[header]
         if name in columns:

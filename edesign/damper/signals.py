@@ -18,6 +18,10 @@ from edesign.errors import InputError
 SAMPLING_RATE = 1000.0
 """Hz."""
 
+MOST_SAMPLES = 10_000_000
+LEAST_PER_CYCLE = 12
+"""Samples: from fewer no properties can be told, and the splines between them miss the peaks."""
+
 SWEEP_4_4 = tuple(
     (cycles, share / 6.0)
     for cycles, share in (
@@ -57,6 +61,7 @@ def sine(
     Source: thesis 3.2, Fig. 3.5; FEMA 356, 9.3.8.
     """
     _positive(amplitude=amplitude, frequency=frequency, sampling_rate=sampling_rate)
+    _sampled(frequency, sampling_rate)
     if cycles < 1 or int(cycles) != cycles:
         raise InputError(f"cycles: a whole number of at least 1 is needed, not {cycles:g}")
     for name, ramp in (("ramp_up", ramp_up), ("ramp_down", ramp_down)):
@@ -97,6 +102,7 @@ def sweep(
     Source: thesis 4.4, after Dorka & Garcia.
     """
     _positive(maximum=maximum, frequency=frequency, sampling_rate=sampling_rate)
+    _sampled(frequency, sampling_rate)
     if not blocks:
         raise InputError("blocks: at least one is needed")
     for cycles, share in blocks:
@@ -194,6 +200,7 @@ def from_record(
     if not (np.isfinite(given).all() and np.isfinite(u).all()) or np.any(np.diff(given) <= 0.0):
         raise InputError("record: times must ascend, and all numbers be finite")
     duration = float(given[-1] - given[0])
+    _possible(duration, sampling_rate)
     t = np.arange(math.floor(duration * sampling_rate * (1.0 + 1e-12)) + 1) / sampling_rate
     sampled = np.asarray(CubicSpline(given - given[0], u)(np.minimum(t, duration)), dtype=float)
     if peak is not None:
@@ -218,7 +225,24 @@ def _corners(ramp_up: float, cycles: float, ramp_down: float) -> tuple[list[floa
 
 def _times(duration: float, sampling_rate: float) -> np.ndarray:
     """Samples from 0 that reach the end of the duration (the last may lie after it by a part of a sample)."""
+    _possible(duration, sampling_rate)
     return np.arange(math.ceil(duration * sampling_rate * (1.0 - 1e-12)) + 1) / sampling_rate
+
+
+def _possible(duration: float, sampling_rate: float) -> None:
+    count = duration * sampling_rate
+    if not count <= MOST_SAMPLES:
+        raise InputError(
+            f"{duration:g} s with {sampling_rate:g} Hz are {count:.3g} samples; at most {MOST_SAMPLES} are possible"
+        )
+
+
+def _sampled(frequency: float, sampling_rate: float) -> None:
+    if sampling_rate < LEAST_PER_CYCLE * frequency:
+        raise InputError(
+            f"frequency: {frequency:g} Hz has {sampling_rate / frequency:.3g} samples a cycle at a sampling rate of "
+            f"{sampling_rate:g} Hz; at least {LEAST_PER_CYCLE} are needed"
+        )
 
 
 def _smooth(x: np.ndarray) -> np.ndarray:

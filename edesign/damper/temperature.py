@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 from edesign.damper.law import Law
@@ -95,6 +95,12 @@ class GammaT:
                 f"goes from {t0:g} to {self.range_C[1]:g} degC"
             )
         return gamma
+
+    def about(self, reference_C: float) -> GammaT:
+        """The same change with temperature for parameters that hold at another one: gamma_T / gamma_T there."""
+        gamma = self.gamma(reference_C)
+        rows = {temperature: value / gamma for temperature, value in self.table} | {reference_C: 1.0}
+        return replace(self, table=tuple(sorted(rows.items())))
 
     def shifted(self, law: Law, values: Mapping[str, float], temperature_C: float) -> Result:
         """MGMM parameters at a temperature: Eqs. 4.34-4.36 have the form of Eqs. 4.24-4.29 with these."""
@@ -190,7 +196,11 @@ class FerryShift:
 
 
 def at(
-    law: Law, values: Mapping[str, float], temperature_C: float, model: TemperatureModel | None = None
+    law: Law,
+    values: Mapping[str, float],
+    temperature_C: float,
+    model: TemperatureModel | None = None,
+    reference_C: float = REFERENCE_C,
 ) -> tuple[dict[str, float], tuple[str, ...]]:
     """Parameters of a law at a temperature.
 
@@ -199,6 +209,7 @@ def at(
         values: parameters by name at the reference temperature, SI units.
         temperature_C: degC.
         model: how they change; None: the table of the thesis for the MGMM, no change for other laws.
+        reference_C: at which the values hold, degC; a model knows its own.
 
     Returns:
         All parameters at that temperature, SI units; warnings.
@@ -211,14 +222,14 @@ def at(
         raise InputError(f"{temperature_C:g} degC is no temperature")
     warnings: tuple[str, ...] = ()
     if model is None:
-        if temperature_C == REFERENCE_C:
+        if temperature_C == reference_C:
             return complete, ()
         if law.name not in GammaT().laws:
             return complete, (
-                f"law {law.name} has no temperature law here: parameters of {REFERENCE_C:g} degC are taken at "
+                f"law {law.name} has no temperature law here: parameters of {reference_C:g} degC are taken at "
                 f"{temperature_C:g} degC",
             )
-        model = GammaT()
+        model = GammaT() if reference_C == REFERENCE_C else GammaT().about(reference_C)
         warnings = (f"no temperature law is given: gamma_T of thesis Table 4.4 is taken at {temperature_C:g} degC",)
     if law.name not in model.laws:
         allowed = ", ".join(name for name in LAWS if name in model.laws)

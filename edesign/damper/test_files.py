@@ -10,8 +10,12 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field
 
+from edesign.core import CoreError
+from edesign.core.damper import CoreDamper
 from edesign.damper.laws import LAWS
+from edesign.damper.parameters import ParameterError, read_parameters
 from edesign.damper.specimen import Specimen
+from edesign.errors import InputError
 from edesign.project.base import Model, refuse
 from edesign.project.problems import Keys, Problems, did_you_mean, listed
 from edesign.project.units import PositiveArea, PositiveLength
@@ -57,6 +61,8 @@ Celsius = Annotated[float, BeforeValidator(parse_celsius)]
 
 
 def _law_name(value: Any) -> Any:
+    if not isinstance(value, str):
+        raise refuse("the name of a damper law is needed, for example `mgmm`")
     if value not in LAWS:
         raise refuse(
             f"there is no damper law `{value}`{did_you_mean(str(value), LAWS)} (there are: {listed(LAWS, 30)})"
@@ -117,6 +123,32 @@ def check_specimen(block: SpecimenBlock, problems: Problems) -> None:
     """Check that area and thickness are there, once each."""
     for key, suffix in (("layer_area", "mm2"), ("layer_thickness", "mm")):
         check_one(block, key, f"{key}_{suffix}", ("specimen",), problems)
+
+
+def check_law(block: LawBlock | None, problems: Problems, complete: bool) -> None:
+    """Check the parameters of a law, if there are any.
+
+    Args:
+        block: of a file in which it stands as `law`.
+        problems: of the file.
+        complete: whether a parameter that is missing is a problem.
+    """
+    if block is None or block.parameters is None:
+        return
+    keys: Keys = ("law", "parameters")
+    law = LAWS[block.type]
+    try:
+        values = read_parameters(law, block.parameters)
+        CoreDamper(law.name, list(values.values()))  # what no parameter alone can tell
+    except ParameterError as error:
+        for name, message in error.problems:
+            given = isinstance(block.parameters, dict) and name in block.parameters
+            if given:
+                problems.at_value((*keys, name), message)
+            elif complete:
+                problems.under(keys, name, message)
+    except (InputError, CoreError) as error:
+        problems.at_value(keys, str(error))
 
 
 def check_one(block: Model, key: str, plain: str, keys: Keys, problems: Problems, required: bool = True) -> None:

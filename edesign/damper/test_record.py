@@ -11,6 +11,9 @@ from edesign.errors import InputError
 
 Use = Literal["fit", "validate"]
 FEWEST = 3  # samples
+LARGEST = 1e15  # of any number in SI units: beyond it squares overflow in sums, and no test has been made
+SMALLEST = 1e-12  # m, of a motion
+_CONSTANT = 1e-9  # relative
 
 
 @dataclass(frozen=True)
@@ -57,8 +60,11 @@ class DamperTest:
             raise InputError(
                 f"{self.where}: sample {at + 1}: the time {self.time[at]:g} s is not after {self.time[at - 1]:g} s"
             )
-        if np.ptp(self.displacement) == 0.0:
+        span = float(np.ptp(self.displacement))
+        if span == 0.0:
             raise InputError(f"{self.where}: the displacement is {self.displacement[0]:g} m throughout; nothing moved")
+        if span < SMALLEST:
+            raise InputError(f"{self.where}: the displacement changes by {span:g} m only; is its unit right?")
 
     def _checked(self, name: str, values: np.ndarray) -> np.ndarray:
         array = np.array(values, dtype=float)
@@ -68,6 +74,9 @@ class DamperTest:
         if not finite.all():
             at = int(np.argmin(finite))
             raise InputError(f"{self.where}: {name}: sample {at + 1} is {array[at]:g}, not a finite number")
+        if np.max(np.abs(array), initial=0.0) > LARGEST:
+            at = int(np.argmax(np.abs(array)))
+            raise InputError(f"{self.where}: {name}: sample {at + 1} is {array[at]:g} in SI units; is its unit right?")
         array.setflags(write=False)
         return array
 
@@ -90,6 +99,17 @@ class DamperTest:
         if self.force is None:
             raise InputError(f"{self.where}: the test has no force; a column such as `force_kN` is needed")
         return self.force
+
+    def varying_force(self) -> np.ndarray:
+        """Measured force (n,) N that is not the same throughout.
+
+        Raises:
+            InputError: it was not measured, or does not change.
+        """
+        force = self.measured_force()
+        if np.ptp(force) <= _CONSTANT * np.max(np.abs(force)):
+            raise InputError(f"{self.where}: the force is {force[0]:g} N throughout; was the load cell connected?")
+        return force
 
     def with_force(self, force: np.ndarray) -> DamperTest:
         """The same test with another force (n,) N."""

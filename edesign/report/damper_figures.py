@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MARKS = "osv^Dphd*X"
+STEADY = 3  # cycles of one amplitude
 MANY = 40  # cycles; more are drawn thinner
 
 
@@ -55,7 +56,8 @@ def draw_tests(
 def test_figure(test: DamperTest, specimen: Specimen) -> Figure:
     """Draw displacement and force over time, and the loops of stress and strain, as Figs. 3.7 and 4.2 of the thesis.
 
-    The last full cycle of the longest block of one amplitude is drawn heavier.
+    The last full cycle of the longest block of one amplitude is drawn heavier; not of fewer than three, which agree by
+    chance in a random history.
     """
     figure, axes = new_figure(2, 2, 7.6, 3.6)
     force = test.measured_force()
@@ -77,14 +79,15 @@ def test_figure(test: DamperTest, specimen: Specimen) -> Figure:
     blocks = find_blocks(test.time, test.displacement)
     cycles = sum(block.cycles for block in blocks)
     right.plot(strain, stress, color=BEFORE, lw=0.4 if cycles < MANY else 0.2)
-    if blocks:
-        longest = max(blocks, key=lambda block: block.cycles)
+    longest = max(blocks, key=lambda block: block.cycles, default=None)
+    if longest is not None and longest.cycles >= STEADY:
         first, last = np.searchsorted(test.time, longest.bounds[-2:])
         part = slice(first, last + 1)
         right.plot(strain[part], stress[part], color=AFTER, lw=1.1, label=f"cycle {longest.cycles} of {longest.cycles}")
         right.legend(loc="upper left")
     right.set_xlabel("shear strain (%)")
     right.set_ylabel("shear stress (MPa)")
+    figure.align_ylabels([axes[0][0], axes[1][0]])
     figure.suptitle(f"{test.label}, {test.temperature_C:g} °C", fontsize=9.0, x=0.01, ha="left")
     return figure
 
@@ -105,10 +108,10 @@ def properties_figure(table: PropertyTable, temperature_C: float) -> Figure:
     strains = table.levels[1]
     level = np.argmin(np.abs(table.strain[:, None] - strains), axis=1)
     quantities = (
-        (axes[0][0], 1e-6 * table.G_storage, "storage modulus G' (MPa)"),
-        (axes[0][1], 1e-6 * table.G_eq, "equivalent modulus $G_{eq}$ (MPa)"),
-        (axes[1][0], 1e-6 * table.G_loss, "loss modulus G'' (MPa)"),
-        (axes[1][1], table.loss_factor, "loss factor n"),
+        (axes[0][0], 1e-6 * table.G_storage, "storage modulus $G'$ (MPa)"),
+        (axes[0][1], 1e-6 * table.G_eq, "equivalent modulus $G_\\mathrm{eq}$ (MPa)"),
+        (axes[1][0], 1e-6 * table.G_loss, "loss modulus $G''$ (MPa)"),
+        (axes[1][1], table.loss_factor, "loss factor $n$"),
     )
     for axis, values, label in quantities:
         for i, strain in enumerate(strains):
@@ -124,7 +127,9 @@ def properties_figure(table: PropertyTable, temperature_C: float) -> Figure:
                 label=f"{100 * strain:.3g} %",
             )
         logarithmic(axis)
-        axis.set_xticks(table.levels[2], minor=False)
+        axis.set_xticks(table.levels[2], [f"{frequency:.3g}" for frequency in table.levels[2]])  # measured ones too
+        if len(table.levels[2]) == 1:
+            axis.set_xlim(0.5 * table.levels[2][0], 2.0 * table.levels[2][0])
         axis.set_ylim(bottom=0.0)
         axis.set_ylabel(label)
     for axis in axes[1]:

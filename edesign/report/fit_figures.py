@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.damper.fitting import Fit
+from edesign.damper.nrms import nrms
 from edesign.report.figures import AFTER, BEFORE, new_figure, save, styled
+from edesign.report.table import number
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,26 +23,29 @@ ERROR = "#c0392b"
 
 
 @styled
-def fit_figure(test: DamperTest, predicted: np.ndarray, title: str) -> Figure:
+def fit_figure(test: DamperTest, predicted: np.ndarray, law: str, title: str) -> Figure:
     """Draw a test's loop, measured and predicted, and the force over time with the error, as thesis Figs. 4.3 to 4.8.
 
     Args:
         test: with measured force.
         predicted: force (n,), N.
+        law: its name.
         title: above the axes.
     """
-    figure, ((loop, history),) = new_figure(1, 2, 8.2, 3.4)
+    figure, ((loop, history),) = new_figure(1, 2, 8.2, 3.6)
     measured = test.measured_force()
-    for force, color, label in ((measured, BEFORE, "measured"), (predicted, AFTER, "fitted")):
+    for force, color, label in ((measured, BEFORE, "measured"), (predicted, AFTER, law)):
         loop.plot(1e3 * test.displacement, 1e-3 * force, color=color, lw=0.8, label=label)
         history.plot(test.time, 1e-3 * force, color=color, lw=0.8)
-    history.plot(test.time, 1e-3 * (predicted - measured), color=ERROR, lw=0.5, label="fitted - measured")
+    error = 1e-3 * (predicted - measured)
+    history.plot(test.time, error, color=ERROR, lw=0.5, label=f"{law} \u2212 measured")
     loop.set_xlabel("displacement (mm)")
     loop.set_ylabel("force (kN)")
-    loop.set_title(title, loc="left")
-    loop.legend(loc="upper left")
     history.set_xlabel("time (s)")
-    history.legend(loc="upper right")
+    history.set_xlim(float(test.time[0]), float(test.time[-1]))
+    figure.suptitle(title, fontsize=9.0, x=0.01, ha="left")
+    lines = [*loop.get_lines(), history.get_lines()[-1]]
+    figure.legend(handles=lines, loc="outside lower center", ncols=3)  # beside the curves, which fill the axes
     return figure
 
 
@@ -63,9 +68,11 @@ def draw_fits(fits: Sequence[Fit], tests: Sequence[DamperTest], folder: Path, su
     for fit in fits:
         for test in tests:
             predicted = fit.damper(test.temperature_C).force(test.time, test.displacement)
-            kind = "" if test.name in fit.nrms else ", not fitted"
+            kind = "" if test.name in fit.nrms else "; not fitted"
+            error = number(nrms(predicted, test.measured_force()), 3, 1e-2)
+            title = f"{fit.law.name}: {test.label}, {test.temperature_C:g} °C, NRMS {error} %{kind}"
             path = folder / f"{_file_name(f'{fit.law.name}_{test.name}')}.{suffix}"
-            save(fit_figure(test, predicted, f"{fit.law.name}: {test.label}{kind}"), path)
+            save(fit_figure(test, predicted, fit.law.name, title), path)
             paths.append(path)
     return paths
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from edesign.damper.fitting import Comparison, CrossValidation, Fit
 from edesign.damper.fitting.fit import mean_nrms
 from edesign.damper.fitting.write import practical, practical_errors, tested
-from edesign.report.table import Table
+from edesign.report.table import Table, number
 
 DIGITS = 4
 ERROR_KINDS = {
@@ -37,8 +37,8 @@ def parameter_table(fit: Fit) -> Table:
     table = Table(f"{fit.law.name}: {fit.law.title}", columns)
     white = practical_errors(fit, fit.standard_error_white)
     printed = practical_errors(fit, fit.standard_error)
-    for name, (number, unit) in practical(fit).items():
-        row = [name, f"{number:.{DIGITS}g}", unit]
+    for name, (value, unit) in practical(fit).items():
+        row = [name, f"{value:.{DIGITS}g}", unit]
         if name in fit.standard_error:
             share = fit.standard_error[name] / abs(fit.all_values[name]) if fit.all_values[name] else math.inf
             row += [_bare(printed[name]), _bare(white[name]), f"{100.0 * share:.2g} %"]
@@ -116,4 +116,4 @@ def _bare(text: str | float) -> str:
 
 
 def _percent(value: float) -> str:
-    return f"{100.0 * value:.{DIGITS}g}"
+    return number(value, DIGITS, 1e-2)

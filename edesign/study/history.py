@@ -162,7 +162,11 @@ def integrator(integration: Integration) -> Integrator:
 
 
 def _damp(project: Project, structure: Structure) -> float:
-    """Apply gravity and damping; return the fundamental period under gravity in s."""
+    """Apply gravity and damping; return the fundamental period under gravity in s.
+
+    Inherent damping is that of the modes of the frame alone: tuned masses would split the first of them.
+    """
+    alone = make_structure(project) if structure.frame.attached else structure
     damping = project.damping
     count = 0
     if isinstance(damping, RayleighDamping):
@@ -172,17 +176,22 @@ def _damp(project: Project, structure: Structure) -> float:
     modes: Modes | None = None
     initial = isinstance(damping, (RayleighDamping, ModalDamping)) and damping.state == "initial"
     if initial:
-        modes = structure.modes(count)
+        modes = alone.modes(count)
     structure.apply_gravity()
+    if alone is not structure:
+        alone.apply_gravity()
     structure.install_dampers()
-    under_gravity = structure.modes(max(1, 0 if initial else count))
+    under_gravity = alone.modes(max(1, 0 if initial else count))
     modes = modes or under_gravity
     if isinstance(damping, RayleighDamping):
         first, second = (float(modes.omega[number - 1]) for number in damping.modes)
         a0, a1 = rayleigh_coefficients(first, second, damping.ratio)
         structure.analysis.rayleigh(a0, a1, damping.stiffness)
     elif isinstance(damping, ModalDamping):
-        structure.analysis.modal_damping(modes, damping.ratio)
+        # tuned masses have the last equations
+        more = structure.analysis.n_equations - modes.equations.shape[1]
+        padded = replace(modes, equations=np.pad(modes.equations, ((0, 0), (0, more))))
+        structure.analysis.modal_damping(padded, damping.ratio)
     return float(under_gravity.period[0])
 
 

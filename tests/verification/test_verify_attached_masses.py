@@ -16,6 +16,7 @@ from scipy.optimize import brentq
 from edesign.building.profiles import profile_names
 from edesign.core import Channel, Newmark
 from edesign.project import parse_project
+from edesign.study.history import _damp
 from edesign.study.structure import Structure, make_structure
 
 E, INERTIA, HEIGHT, MASS = 210e9, 1e-4, 4.0, 40e3  # Pa, m4, m, kg a floor
@@ -172,3 +173,31 @@ def test_a_tuned_liquid_damper_is_its_first_sloshing_mode() -> None:
     found, expected = (run(one, motion(), 0.02) for one in (made, same))
     assert np.max(np.abs(found - expected)) < 1e-9 * np.max(np.abs(expected))
     assert np.max(np.abs(expected[:, 1] - expected[:, 0])) > 1.5 * np.max(np.abs(expected[:, 0]))  # it does slosh
+
+
+def test_modal_damping_is_that_of_the_frame_alone() -> None:
+    """Chopra 2012, Eq. 11.4.5 with the two modes of the frame; the tuned mass has its own damping and no other."""
+    m_d, omega, zeta, ratio = 4e3, 2.0 * math.pi * 0.9, 0.12, 0.05
+    k_d, c_d = m_d * omega**2, 2.0 * zeta * m_d * omega
+    frame = STIFFNESS * np.array([[2.0, -1.0], [-1.0, 1.0]])
+    squares, shapes = scipy.linalg.eigh(frame, MASS * np.eye(2))  # shapes of generalised mass 1
+    modal = sum(
+        2.0 * ratio * math.sqrt(w) * np.outer(MASS * s, MASS * s) for w, s in zip(squares, shapes.T, strict=True)
+    )
+    across = np.array([0.0, -1.0, 1.0])
+    stiffness, damping = k_d * np.outer(across, across), c_d * np.outer(across, across)
+    stiffness[:2, :2] += frame
+    damping[:2, :2] += modal
+    dt = 0.005
+    given = motion()
+    ground = np.interp(np.arange((given.size - 1) * 4 + 1) / 4, np.arange(given.size), given)
+    expected = exact(np.array([MASS, MASS, m_d]), damping, stiffness, ground, dt)
+    attachment = "{kind: tuned_mass, floor: 2, mass: 4 t, frequency: 0.9 Hz, damping: 12 %}"
+    text = FRAME.replace("@attachment@", attachment).replace("@storeys@", "2")
+    text += "damping: {kind: modal, ratio: 5 %, modes: 2}\nintegration: {method: newmark}\n"
+    project = parse_project(text, "project.yaml", profile_names())
+    made = make_structure(project, dampers=True)
+    _damp(project, made)
+    found = run(made, ground, dt)
+    error = np.max(np.abs(found - expected), axis=0) / np.max(np.abs(expected), axis=0)
+    assert np.max(error) < 3e-3  # average acceleration at 200 steps a period of the second mode

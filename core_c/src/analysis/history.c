@@ -74,7 +74,9 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
   int status = ed_start_devices(a);
   if (status != ED_OK) {
     ed_run_end(a);
-    return ed_fail(a, status, "damper %s: no state was found at the start", a->model->devices[a->failed_device].name);
+    char name[2 * ED_NAME];
+    ed_name_damper(a, name, sizeof name);
+    return ed_fail(a, status, "%s: no state was found at the start", name);
   }
   ed_freeze_damping(a, 0);
   ed_damping_force(a, a->trial.v, a->trial.damping);

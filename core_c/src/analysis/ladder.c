@@ -90,8 +90,10 @@ static void explain(ed_analysis *a, int status)
   else if (a->run.kind == ED_RUN_STATIC)
     advice = ". Try a smaller step, or a pushover if the load exceeds the capacity";
   const char *abscissa = a->run.kind == ED_RUN_HISTORY ? "time" : a->run.kind == ED_RUN_STATIC ? "load factor" : "displacement";
-  if (status == ED_E_DAMPER)
-    snprintf(where, sizeof where, ", damper %s", a->model->devices[a->failed_device].name);
+  if (status == ED_E_DAMPER) {
+    memcpy(where, ", ", 3);
+    ed_name_damper(a, where + 2, (int)sizeof where - 2);
+  }
   ed_fail(a, status,
           "%s: step %d, %s %.6g, after %d halvings of the step; largest unbalance at %s%s; relative residuals %s%s%s%s",
           ed_status_text(status), a->run.done + 1, abscissa, a->committed.head->time, a->halvings,

@@ -237,10 +237,11 @@ static int hysteretic(const ed_damper *d, const double *committed, const ed_path
   const double kb = d->brace, u0 = committed[own], end = ed_path_u(path, path->h);
   double at[2], start = path->c[0], turn = 0.0, turned[2] = {0.0}, found;
   const int reversals = ed_path_reversals(path, at);
-  /* Two reversals in one step: the way between them is left out, which only a step far too long would notice. */
-  const int one = reversals > 0;
+  /* Two reversals in one step: the way between them is left out, which only a step far too long would notice. What then goes on beyond
+   * the first has not turned there. */
+  const double at_turn = reversals > 0 ? ed_path_u(path, at[0]) : start;
+  const int one = (end - at_turn) * (at_turn - start) < 0.0;
   if (one) {
-    const double at_turn = ed_path_u(path, at[0]);
     const int status = meet(d, committed, u0, NULL, start, at_turn, &turn, trial, out);
     if (status != ED_OK)
       return status;

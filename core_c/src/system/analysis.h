@@ -132,7 +132,8 @@ struct ed_analysis {
   double duration;               /* of the present attempt */
   double velocity_factor;        /* dv/du of the present attempt */
   double damper_tolerance;
-  int failed_device;
+  int failed_device;             /* -1: one of those by ODE, which are solved together */
+  int device_status;             /* why */
 
   /* damping */
   double rayleigh_mass, rayleigh_stiffness;
@@ -204,6 +205,7 @@ int ed_device_block_size(const ed_device *device);
 int ed_devices_allocate(ed_analysis *a);
 void ed_devices_free(ed_analysis *a);
 int ed_update_devices(ed_analysis *a);            /* trial u, v -> states and forces */
+void ed_name_damper(const ed_analysis *a, char *buffer, int size); /* that failed, and why */
 void ed_add_device_forces(ed_analysis *a);        /* into the resisting forces over all degrees */
 void ed_add_device_tangent(const ed_analysis *a, double k, double velocity, double *matrix);
 int ed_installed(const ed_analysis *a);

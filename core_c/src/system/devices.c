@@ -7,6 +7,7 @@
 #include "system/analysis.h"
 
 #include <math.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -84,15 +85,17 @@ static double along(const ed_analysis *a, const ed_device *device, const double 
   return sum;
 }
 
-/* The law's path over this step, from the degrees. */
+/* The law's path over this step, from the degrees. A static step goes slowly from rest to rest, also after a history that ended in
+ * motion: its velocities would lead far away in so long a time. */
 static void set_path(ed_analysis *a, int i)
 {
   const ed_device *device = &a->model->devices[i];
+  const int slow = a->run.kind != ED_RUN_HISTORY;
   const double *before = block_of(a, &a->committed, i);
   double *now = block_of(a, &a->trial, i);
-  const double scale = device->deformation_scale, v0 = along(a, device, a->committed.v);
+  const double scale = device->deformation_scale, v0 = slow ? 0.0 : along(a, device, a->committed.v);
   now[DEFORMATION] = along(a, device, a->trial.u) - now[OFFSET];
-  const double velocity = along(a, device, a->trial.v);
+  const double velocity = slow ? 0.0 : along(a, device, a->trial.v);
   a->device_swings[i] = velocity * now[VELOCITY] < 0.25 * now[VELOCITY] * now[VELOCITY];
   now[VELOCITY] = velocity;
   ed_path_hermite(&a->device_path[i], a->duration, scale * before[DEFORMATION], scale * v0, scale * now[DEFORMATION],
@@ -128,6 +131,13 @@ static int update_by_ode(ed_analysis *a)
   return status;
 }
 
+static int fail(ed_analysis *a, int device, int status)
+{
+  a->failed_device = device;
+  a->device_status = status;
+  return ED_E_DAMPER;
+}
+
 int ed_update_devices(ed_analysis *a)
 {
   const int n = a->model->n_devices;
@@ -142,17 +152,21 @@ int ed_update_devices(ed_analysis *a)
     set_path(a, i);
     const int status = ed_damper_advance(&device->damper, NULL, block_of(a, &a->committed, i) + LAW_STATE, &a->device_path[i],
                                          a->direction, block_of(a, &a->trial, i) + LAW_STATE, &out);
-    if (status != ED_OK) {
-      a->failed_device = i;
-      return ED_E_DAMPER;
-    }
+    if (status != ED_OK)
+      return fail(a, i, status);
     take(a, i, &out);
   }
-  if (a->n_by_ode > 0 && update_by_ode(a) != ED_OK) {
-    a->failed_device = a->device_by_ode[0];
-    return ED_E_DAMPER;
-  }
-  return ED_OK;
+  const int status = a->n_by_ode > 0 ? update_by_ode(a) : ED_OK;
+  return status == ED_OK ? ED_OK : fail(a, a->n_by_ode > 1 ? -1 : a->device_by_ode[0], status);
+}
+
+void ed_name_damper(const ed_analysis *a, char *buffer, int size)
+{
+  const char *cause = a->device_status == ED_E_NOT_FINITE ? "a number is not finite" : "it did not converge";
+  if (a->failed_device >= 0)
+    snprintf(buffer, (size_t)size, "damper %s (%s)", a->model->devices[a->failed_device].name, cause);
+  else
+    snprintf(buffer, (size_t)size, "one of the %d dampers that SUNDIALS integrates (%s)", a->n_by_ode, cause);
 }
 
 void ed_add_device_forces(ed_analysis *a)
@@ -222,9 +236,9 @@ int ed_start_devices(ed_analysis *a)
 {
   if (!ed_installed(a))
     return ED_OK;
-  double speed = 0.0;
+  double speed = 0.0; /* now, or where the last run ended */
   for (int i = 0; i < a->model->n_devices; i++)
-    speed += fabs(along(a, &a->model->devices[i], a->committed.v));
+    speed += fabs(along(a, &a->model->devices[i], a->committed.v)) + fabs(block_of(a, &a->committed, i)[VELOCITY]);
   if (speed == 0.0)
     return ED_OK;
   a->duration = 1e-6 * a->run.dt;
@@ -235,6 +249,7 @@ int ed_start_devices(ed_analysis *a)
   for (int i = 0; status == ED_OK && i < a->model->n_devices; i++)
     block_of(a, &a->committed, i)[FORCE] = block_of(a, &a->trial, i)[FORCE];
   ed_revert(a);
+  memcpy(a->committed.resisting, a->trial.resisting, (size_t)a->n * sizeof(double)); /* of which the first step takes its share */
   return status;
 }
 

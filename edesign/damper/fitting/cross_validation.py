@@ -11,6 +11,7 @@ import numpy as np
 from edesign.damper.fitting.fit import Fit
 from edesign.damper.fitting.forces import core_predict, fit_forces
 from edesign.damper.fitting.loading import Predict, prepare
+from edesign.damper.fitting.solve import Progress
 from edesign.damper.law import Law
 from edesign.damper.nrms import nrms
 from edesign.errors import InputError
@@ -60,6 +61,7 @@ def cross_validate(
     folds: int | None = None,
     whole: Fit | None = None,
     predict: Predict | None = None,
+    told: Progress | None = None,
     **options: Any,
 ) -> CrossValidation:
     """Leave tests out in turn, fit to the others, predict those left out.
@@ -71,6 +73,7 @@ def cross_validate(
         folds: parts of the tests that are left out in turn, test i in part i modulo `folds`; None: each test alone.
         whole: the fit to all tests, whose values are then the start: folds differ by little, and one descent does.
         predict: as of fit_forces.
+        told: of every fold that is done.
         options: of fit_forces.
 
     Raises:
@@ -89,5 +92,11 @@ def cross_validate(
     for fold in range(count):
         kept = [test for i, test in enumerate(tests) if i % count != fold]
         out = [test for i, test in enumerate(tests) if i % count == fold]
-        errors |= prediction_errors(fit_forces(law, kept, begin, predict=predict, **options), out, predict)
+        try:
+            found = fit_forces(law, kept, begin, predict=predict, **options)
+        except InputError as error:
+            raise InputError(f"cross-validation without {', '.join(test.name for test in out)}: {error}") from error
+        errors |= prediction_errors(found, out, predict)
+        if told is not None:
+            told("held out", fold + 1, count)
     return CrossValidation({test.name: errors[test.name] for test in tests}, count)

@@ -4,12 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
+from edesign.damper.fitting.loading import Loading
 from edesign.damper.fitting.uncertainty import Uncertainty
 
 CORRELATED = 0.98
 _SHARE = 0.5  # of a parameter's variance in loose combinations, for it to be named
 _TOLD = 0.05  # standard error / value, up to which correlation does no harm
 _UNSURE = 0.5  # standard error / value
+_MISFIT = 0.5  # rms error / rms of the force, mean over the tests
+_REVERSED = 0.05  # of force times motion, in sums, over that of their sizes
 
 
 def doubts_of(
@@ -44,6 +49,34 @@ def doubts_of(
         if name not in loose and errors[name] > _UNSURE * abs(values[name]):
             said.append(f"{name}: the standard error is {_ratio(errors[name], values[name])} of the value")
     return said
+
+
+def reversed_doubts(loadings: Sequence[Loading]) -> list[str]:
+    """Doubts about tests in which a damper gives energy, or pushes the way it is pushed."""
+    said = []
+    for loading in loadings:
+        sizes = [loading.velocity, loading.displacement - loading.displacement[0]]
+        shares = [
+            float(np.dot(loading.force, x) / max(np.dot(np.abs(loading.force), np.abs(x)), 1e-300)) for x in sizes
+        ]
+        if min(shares) < -_REVERSED and max(shares) < _REVERSED:
+            said.append(
+                f"test {loading.name}: the device gives energy instead of taking it: is the sign of force or "
+                "displacement reversed?"
+            )
+    return said
+
+
+def misfit_doubts(rms_error: Mapping[str, float]) -> list[str]:
+    """Doubts about a law that does not follow the tests.
+
+    Args:
+        rms_error: of each test, of the rms of its force.
+    """
+    mean = sum(rms_error.values()) / len(rms_error)
+    return (
+        [f"the law does not follow the tests: its error is {100.0 * mean:.3g} % of the force"] if mean > _MISFIT else []
+    )
 
 
 def start_doubts(costs: Sequence[float], same: int, converged: bool) -> list[str]:

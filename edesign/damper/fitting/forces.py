@@ -12,6 +12,7 @@ import numpy as np
 from edesign.damper.damper import Damper
 from edesign.damper.fitting.assemble import assemble
 from edesign.damper.fitting.coordinates import Bounds
+from edesign.damper.fitting.doubts import misfit_doubts, reversed_doubts
 from edesign.damper.fitting.fit import Fit, Tested
 from edesign.damper.fitting.independence import independent_errors
 from edesign.damper.fitting.loading import Loading, Predict, prepare, scales_of
@@ -102,7 +103,12 @@ def fit_forces(
     coarse, full = _residual(setup, slim, force), _residual(setup, loadings, force)
     coordinates = setup.coordinates
     first = coordinates.at(coordinates.start)
-    force(setup.thermal.at(law, coordinates.values(first), loadings[0].temperature_C), loadings[0])  # errors are told
+    try:
+        force(setup.thermal.at(law, coordinates.values(first), loadings[0].temperature_C), loadings[0])
+    except AnalysisError as error:
+        if start or fixed:
+            raise InputError(f"law {law.name} gives no force with the values to start from: {error}") from error
+        raise
     candidates = [first, *linear_start(law, coordinates, observed, seed), *spread(coordinates, SCREENED * starts, seed)]
     outcome = solve(coordinates, coarse, full, candidates, starts, loss, workers, progress, setup.canonical)
     tests_of, blocks = blocks_of(loadings)
@@ -121,7 +127,8 @@ def fit_forces(
         tested=_tested(loadings, specimen),
         independent=independent_errors(p - a.force for p, a in zip(predicted, loadings, strict=True)),
     )
-    return replace(found, seconds=time.perf_counter() - begun)
+    doubts = (*reversed_doubts(loadings), *misfit_doubts(found.rms_error), *found.doubts)
+    return replace(found, doubts=doubts, seconds=time.perf_counter() - begun)
 
 
 def core_predict(law: Law) -> Predict:

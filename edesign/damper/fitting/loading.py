@@ -105,11 +105,9 @@ def scales_of(loadings: Sequence[Loading]) -> Scales:
 
 
 def _loading(test: DamperTest, weight: float) -> Loading:
-    force = test.measured_force()
+    force = test.varying_force()
     if test.time.size < _LEAST_SAMPLES:
         raise InputError(f"{test.where}: {test.time.size} samples are too few; at least {_LEAST_SAMPLES} are needed")
-    if np.ptp(force) <= 1e-9 * np.max(np.abs(force)):
-        raise InputError(f"{test.where}: the force is {force[0]:g} N throughout; nothing can be fitted to that")
     u, velocity = test.displacement, spline_velocity(test.time, test.displacement)
     frequency = float(np.sqrt(np.mean(velocity**2) / np.mean(u**2)) / (2.0 * np.pi))
     return Loading(test.name, test.time, u, velocity, force, float(test.temperature_C), frequency, weight)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
+from threading import Event
 from typing import Literal, TypeVar
 
 import numpy as np
@@ -123,9 +124,22 @@ def descend(
     return Descent(found.x, float(found.cost), int(found.njev), count, found.status > 0)
 
 
-def in_threads(work: Callable[[T], R], items: Iterable[T], workers: int) -> Sequence[R]:
-    """Results in the order of the items, whatever the number of threads."""
+def in_threads(work: Callable[[T], R], items: Iterable[T], workers: int, stop: Event | None = None) -> Sequence[R]:
+    """Results in the order of the items, whatever the number of threads.
+
+    Args:
+        work: on an item.
+        items: to work on.
+        workers: threads.
+        stop: set if this is interrupted, so that work that asks for it can end early.
+    """
     if workers <= 1:
         return [work(item) for item in items]
     with ThreadPoolExecutor(workers) as pool:
-        return list(pool.map(work, items))
+        try:
+            return list(pool.map(work, items))
+        except BaseException:
+            if stop is not None:
+                stop.set()
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise

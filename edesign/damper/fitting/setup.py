@@ -19,6 +19,8 @@ from edesign.damper.law import Law, Parameter
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean
 
+_FRACTION = 0.1  # of a parameter that must exceed another, where the other one starts
+
 
 @dataclass(frozen=True)
 class Setup:
@@ -103,11 +105,27 @@ def set_up(
     reasons = {name: why_held(law, name) or "a choice" for name in holds}
     reasons |= {name: "held by the user" for name in fixed}
     values = _within(values, bounds, begin, known)
+    values = _apart(values, ABOVE.get(law.name, {}), begin)
     free = [name for name in values if name not in reasons]
     if not free:
         raise InputError(f"all parameters of law {law.name} are held; nothing is left to fit")
     coordinates = Coordinates(parameters, free, values, observed.scales, bounds, ABOVE.get(law.name))
     return Setup(law, parameters, coordinates, reasons, heat)
+
+
+def _apart(values: dict[str, float], above: Mapping[str, str], begin: Mapping[str, float]) -> dict[str, float]:
+    """Starts from the data moved where one parameter must exceed another; those the user gave are refused."""
+    found = dict(values)
+    for name, other in above.items():
+        if found[name] > found[other]:
+            continue
+        if name in begin and other in begin:
+            raise InputError(f"start of `{name}`: {found[name]:g} is not above {other} = {found[other]:g}")
+        if name in begin:
+            found[other] = _FRACTION * found[name]
+        else:
+            found[name] = found[other] / _FRACTION
+    return found
 
 
 def _within(

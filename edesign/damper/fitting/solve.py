@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from threading import Event
 
 import numpy as np
 
@@ -21,6 +22,10 @@ _SEARCH_TOLERANCE = 1e-5
 _POLISH = 100  # iterations at most
 _NEAR = 0.02  # of a bound, in coordinates, where it is tried whether the bound itself is as good
 _AS_GOOD = 1e-6  # relative cost
+
+
+class Stopped(Exception):
+    """Ends a search in another thread when the fit is interrupted."""
 
 
 @dataclass(frozen=True)
@@ -81,7 +86,14 @@ def solve(
         AnalysisError: the law gives no force for any candidate.
     """
     tell = progress or (lambda what, done, of: None)
-    search = Problem(coarse, coordinates.lower, coordinates.upper, coordinates.steps)
+    stop = Event()
+
+    def unless_stopped(x: np.ndarray) -> np.ndarray:
+        if stop.is_set():
+            raise Stopped
+        return coarse(x)
+
+    search = Problem(unless_stopped, coordinates.lower, coordinates.upper, coordinates.steps)
     screened = in_threads(lambda x: float(np.sum(coarse(x) ** 2)), candidates, workers)
     rest = sorted(range(1, len(candidates)), key=lambda i: screened[i])
     chosen = [candidates[0], *(candidates[i] for i in rest[: max(starts, 1) - 1])]
@@ -96,7 +108,8 @@ def solve(
         tell("starts", done, len(chosen))
         return found
 
-    descents = list(in_threads(one, chosen, workers))
+    descents = list(in_threads(one, chosen, workers, stop))
+    tell("polish", 0, 1)
     best = min(descents, key=lambda descent: descent.cost)
     same = sum(descent.cost <= best.cost * (1.0 + SAME) + _NOTHING for descent in descents)
     polish = Problem(full, coordinates.lower, coordinates.upper, coordinates.steps)
@@ -106,6 +119,7 @@ def solve(
     free = tuple(i for i in range(last.x.size) if i not in fixed)
     residual = full(last.x)
     jacobian = _part(polish, last.x, free).jacobian(last.x[list(free)], None, workers)
+    tell("polish", 1, 1)
     return Outcome(
         last.x,
         free,

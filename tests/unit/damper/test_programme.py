@@ -126,10 +126,9 @@ def test_wrong_programmes(tmp_path: Path, text: str, said: str) -> None:
 
 
 def test_a_wrong_parameter_names_the_file(tmp_path: Path) -> None:
-    programme = load_programme(write(tmp_path, HEAD.replace("k: 7 kN/mm", "k: 7 kN") + SINES))
-    with pytest.raises(InputError, match=r"programme.yaml: law kelvin_voigt: parameter `k`"):
-        run_programme(programme, tmp_path / "out")
-    assert not (tmp_path / "out").exists()
+    path = write(tmp_path, HEAD.replace("k: 7 kN/mm", "k: 7 kN") + SINES)
+    with pytest.raises(InputError, match=r"programme.yaml:\d+:\d+: law.parameters.k: `7 kN` is a force"):
+        load_programme(path)
 
 
 @pytest.fixture
