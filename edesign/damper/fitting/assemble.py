@@ -8,6 +8,7 @@ import numpy as np
 
 from edesign.damper.fitting.doubts import doubts_of, start_doubts
 from edesign.damper.fitting.fit import Fit, Tested
+from edesign.damper.fitting.identifiable import LIMITED_BY
 from edesign.damper.fitting.setup import Setup
 from edesign.damper.fitting.solve import Outcome
 from edesign.damper.fitting.uncertainty import uncertainty
@@ -41,8 +42,13 @@ def assemble(
     doubts = [
         f"{name} ended at its bound {value:g}"
         if coordinates.is_bound(name, value)
-        else f"{name} ran off to {value:g}, the end of the search: more of it fits as well"
+        else f"{name} ran off to {value:g}, the end of the search: what lies beyond fits as well"
         for name, value in at_bound.items()
+    ]
+    doubts += [
+        f"{name} is left with nothing beside {other}, which is held above zero: start from {other} = 0"
+        for name, other in LIMITED_BY.get(law.name, {}).items()
+        if name in at_bound and other in setup.held and values[other] > 0.0
     ]
     doubts += doubts_of(names, values, printed, found)
     if setup.thermal.kind is None and len(setup.thermal.temperatures) > 1:

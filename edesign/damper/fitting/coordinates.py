@@ -125,7 +125,13 @@ class Coordinates:
     def is_bound(self, name: str, value: float) -> bool:
         """Whether a value (SI) is at a bound of the law or the user, not at an end that the search has without one."""
         axis = self.axes[self.names.index(name)]
-        return any(abs(value - bound) <= 2.0 * _INSIDE * max(1.0, abs(bound)) for bound in (axis.lower, axis.upper))
+        scale = self._scale(axis, self.start)
+        return any(
+            math.isfinite(bound)
+            and (bound > 0.0 or not axis.logarithmic)
+            and abs(value - bound) <= 2.0 * _INSIDE * max(scale, abs(bound))
+            for bound in (axis.lower, axis.upper)
+        )
 
     def slopes(self, x: np.ndarray) -> np.ndarray:
         """Derivatives (n, n) of the free parameters (rows) to the coordinates (columns)."""

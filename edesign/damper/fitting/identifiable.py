@@ -43,6 +43,10 @@ HELD: dict[str, dict[str, Held]] = {
 """Parameters held by default, by law. Values that a start gives are kept: held is a value, not zero."""
 
 
+LIMITED_BY = {"mgmm": {"c1": "c_b", "k_b": "k0"}}
+"""Parameters that shrink to nothing where data want less than what another one, held above zero, gives already."""
+
+
 def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, force: float) -> dict[str, float]:
     """Values of the parameters that are not fitted by default.
 

@@ -32,7 +32,7 @@ def law_yaml(fit: Fit, title: str = "", specimen: Specimen | None = None) -> str
         }
     data["standard_errors"] = practical_errors(fit, fit.standard_error)
     data["tested"] = tested(fit)
-    head = f"# {fit.law.title}, fitted to {len(fit.nrms)} {_counted(fit)}" + (f" of {title}" if title else "")
+    head = f"# {fit.law.title}, fitted to {_counted(fit)}" + (f" of {title}" if title else "")
     lines = [head, f"# NRMS (thesis Eq. 4.28) {100.0 * fit.nrms_overall:.4g} %; standard errors: {fit.error_kind}"]
     lines += [f"# {name}: held; {why}" for name, why in fit.held.items() if name in fit.values and why != "a choice"]
     lines += [f"# {doubt}" for doubt in fit.doubts]
@@ -129,7 +129,7 @@ def _span(low: float, high: float, unit: str) -> str:
 
 
 def _counted(fit: Fit) -> str:
-    return "tests" if fit.against == "forces" else "properties"
+    return f"{len(fit.nrms)} tests" if fit.against == "forces" else f"{fit.samples} properties"
 
 
 def _finite(values: Mapping[str, float]) -> dict[str, float | None]:
