@@ -49,9 +49,7 @@ def timed(run: Callable[[], float], repeats: int) -> Timing:
     return Timing(1e3 * middle, (max(values) - min(values)) / middle, repeats)
 
 
-def core_run(
-    frame: PeerFrame, seconds: float | None, keep: list[Response] | None = None, pga: float = PGA
-) -> float:
+def core_run(frame: PeerFrame, seconds: float | None, keep: list[Response] | None = None, pga: float = PGA) -> float:
     """CPU seconds a step of edesign."""
     acceleration, dt = el_centro(pga)
     count = acceleration.size if seconds is None else round(seconds / dt) + 1

@@ -110,7 +110,7 @@ def _campaign(
     from edesign.damper.campaign import Campaign, load_campaign, short_names
     from edesign.damper.read_test import read_test
     from edesign.damper.specimen import Specimen
-    from edesign.damper.test_files import parse_temperature
+    from edesign.project.temperature import parse_temperature
     from edesign.project.units import AREA, LENGTH
 
     options = {"--layers": layers, "--layer-area": area, "--layer-thickness": thickness}

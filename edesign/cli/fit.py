@@ -104,16 +104,18 @@ def fit(
             "branches": branches if item.branch else 1,
         }
         results.append(_fit(item, given, begin, own, cross_validate, folds, quiet))
-    if json_output:
-        found = [_json(result) for result in results]
-        typer.echo(json.dumps(found[0] if alone else found, indent=1, allow_nan=False))
-    elif not quiet:
-        fits, outs = [result.fit for result in results], [result.held_out for result in results]
-        comparison = compare.comparison(fits, outs) if cross_validate or not alone else None
-        print_tables(tables_of(fits, comparison, [result.validated for result in results]))
-    if output is not None:
-        for result in results:
-            _write(result, given, output if alone else output / result.fit.law.name)
+    try:
+        if output is not None:
+            for result in results:
+                _write(result, given, output if alone else output / result.fit.law.name)
+    finally:  # a full disk does not take the result of a long fit with it
+        if json_output:
+            found = [_json(result) for result in results]
+            typer.echo(json.dumps(found[0] if alone else found, indent=1, allow_nan=False))
+        elif not quiet:
+            fits, outs = [result.fit for result in results], [result.held_out for result in results]
+            comparison = compare.comparison(fits, outs) if cross_validate or not alone else None
+            print_tables(tables_of(fits, comparison, [result.validated for result in results]))
     if figures is not None:
         make_folder(figures)
         draw_fits([result.fit for result in results], [*given.tests, *given.validation], figures, figure_format)

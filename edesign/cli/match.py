@@ -68,7 +68,7 @@ def match(
     from edesign.ground_motion.matching import MatchOptions
     from edesign.ground_motion.write import write_csv
     from edesign.project.units import TIME
-    from edesign.report.record_figures import check_format, draw_records
+    from edesign.report.record_figures import check_format, draw_figures
     from edesign.report.record_tables import choice_table, record_tables
     from edesign.report.text import print_tables
     from edesign.study.match import choose_recordings, match_recordings
@@ -109,7 +109,7 @@ def match(
             if not motion.failure:
                 write_csv(motion.record, csv / f"{motion.name}.csv")
     if figures is not None:
-        draw_records(summary.archive, figures, figure_format)
+        draw_figures(summary.archive, figures, figure_format)
     if summary.failed:
         reasons = "".join(f"\n  {motion.failure}" for motion in summary.failed)
         raise AnalysisError(f"{len(summary.failed)} of {len(summary.motions)} recordings could not be fitted{reasons}")

@@ -16,12 +16,12 @@ def show(
         str | None, typer.Option("--analysis", "-n", metavar="NAME", help="Details of one analysis only.")
     ] = None,
     figures: Annotated[
-        Path | None, typer.Option("--figures", metavar="DIR", help="Draw the records and their spectra.")
+        Path | None, typer.Option("--figures", metavar="DIR", help="Draw records, their spectra, and loops of dampers.")
     ] = None,
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:
     """Print the records and analyses of an archive, response measures and statistics."""
-    from edesign.report.record_figures import check_format, draw_records
+    from edesign.report.record_figures import check_format, draw_figures
     from edesign.report.summary import summarise
     from edesign.report.tables import details, overview
     from edesign.report.text import print_tables
@@ -33,5 +33,6 @@ def show(
         print_tables(details(archive, analysis))
     else:
         print_tables(overview(archive))
-    if figures is not None:
-        draw_records(archive, figures, figure_format)
+    if figures is not None and not draw_figures(archive, figures, figure_format):
+        nothing = "nothing to draw: no record is fitted or of a suite, and no history of dampers was kept"
+        typer.echo(nothing, err=True)

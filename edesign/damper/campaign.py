@@ -18,7 +18,6 @@ from edesign.damper.test_files import (
     LawBlock,
     LawChoice,
     SpecimenBlock,
-    Temperature,
     Text,
     check_law,
     check_one,
@@ -28,6 +27,7 @@ from edesign.damper.test_record import DamperTest, Use
 from edesign.errors import ArchiveError, InputError
 from edesign.project.base import Model
 from edesign.project.problems import FileProblems, Problems
+from edesign.project.temperature import Temperature
 from edesign.project.yaml_file import check_model, read_yaml_text
 
 CAMPAIGN_FILE = "campaign.yaml"

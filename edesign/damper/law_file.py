@@ -64,7 +64,7 @@ def read_law_file(path: Path) -> tuple[LawDescription, Source]:
 
 
 def resolve(
-    described: LawDescription, source: Source, temperature_C: float | None
+    described: LawDescription, source: Source, temperature_C: float | None, asked: Source | None = None
 ) -> tuple[Law, dict[str, float], tuple[str, ...]]:
     """The law and its parameters at a temperature.
 
@@ -72,6 +72,7 @@ def resolve(
         described: has type and parameters.
         source: for messages.
         temperature_C: degC; None: that of the parameters.
+        asked: where the temperature is asked for; None: where the law stands.
 
     Returns:
         The law, its parameters (SI), and warnings: a temperature outside the range of tests or tables names that range.
@@ -99,7 +100,8 @@ def resolve(
             values, warnings = at(chosen, values, temperature_C, change, held_at)
         except InputError as error:
             culprit = "temperature_law" if change is not None and chosen.name not in change.laws else "temperature"
-            raise source.refuse((culprit,), error) from error
+            place = source if culprit == "temperature_law" else asked or source
+            raise place.refuse((culprit,), error) from error
         warnings += _outside_tests(described, temperature_C)
     try:
         CoreDamper(chosen.name, list(values.values()))

@@ -18,11 +18,11 @@ from edesign.damper.test_files import (
     check_one,
     check_specimen,
     parse_celsius,
-    parse_temperature,
 )
 from edesign.damper.test_record import Use
 from edesign.project.base import Model, by_key, refuse
 from edesign.project.problems import FileProblems, Problems
+from edesign.project.temperature import parse_temperature
 from edesign.project.units import (
     FREQUENCY,
     LENGTH,

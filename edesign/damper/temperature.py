@@ -92,7 +92,7 @@ class GammaT:
         if not gamma > 0.0:
             raise InputError(
                 f"gamma_T at {temperature_C:g} degC would be {gamma:.3g}, but must be greater than 0; the table "
-                f"goes from {t0:g} to {self.range_C[1]:g} degC"
+                f"goes from {self.range_C[0]:g} to {self.range_C[1]:g} degC"
             )
         return gamma
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any
@@ -18,25 +16,11 @@ from edesign.damper.specimen import Specimen
 from edesign.errors import InputError
 from edesign.project.base import Model, refuse
 from edesign.project.problems import Keys, Problems, did_you_mean, listed
+from edesign.project.temperature import parse_temperature
 from edesign.project.units import PositiveArea, PositiveLength
 
 Text = Annotated[str, Field(min_length=1)]
 Positive = Annotated[float, Field(gt=0.0)]
-
-ABSOLUTE_ZERO_C = -273.15
-_TEMPERATURE = re.compile(r"\s*([-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?)\s*(degC|°C|C|K)\s*")
-
-
-def parse_temperature(value: Any) -> float:
-    """Read a temperature such as `20 degC`; degC.
-
-    Raises:
-        PydanticCustomError: no number, or no unit of temperature.
-    """
-    match = _TEMPERATURE.fullmatch(str(value)) if not isinstance(value, bool) else None
-    if not match:
-        raise refuse(f"`{value}` is no temperature; write number and unit, for example `20 degC`")
-    return _possible(float(match[1]) + (ABSOLUTE_ZERO_C if match[2] == "K" else 0.0))
 
 
 def parse_celsius(value: Any) -> float:
@@ -47,16 +31,9 @@ def parse_celsius(value: Any) -> float:
     """
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         raise refuse(f"`{value}` is no plain number of degC; `temperature: 20 degC` takes a unit")
-    return _possible(float(value))
+    return parse_temperature(f"{value!r} degC")
 
 
-def _possible(celsius: float) -> float:
-    if not (math.isfinite(celsius) and celsius > ABSOLUTE_ZERO_C):
-        raise refuse(f"{celsius:g} degC is no temperature: it must be above {ABSOLUTE_ZERO_C:g} degC")
-    return celsius
-
-
-Temperature = Annotated[float, BeforeValidator(parse_temperature)]
 Celsius = Annotated[float, BeforeValidator(parse_celsius)]
 
 

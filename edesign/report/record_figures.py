@@ -1,9 +1,10 @@
-"""All figures of the records of an archive, as files."""
+"""All figures of an archive, as files: its records, and the dampers of its histories."""
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -14,6 +15,7 @@ from edesign.archive.files import make_folder
 from edesign.archive.reader import Archive, open_archive
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean
+from edesign.report.damper_loops import damper_figures
 from edesign.report.figures import FORMATS, save
 from edesign.report.match_figure import match_figure
 from edesign.report.spectra_figure import spectra_figure
@@ -34,8 +36,8 @@ def check_format(name: str) -> str:
     return name
 
 
-def draw_records(archive: str | os.PathLike[str], folder: Path, figure_format: str = "svg") -> tuple[Path, ...]:
-    """Draw the records of an archive: of each suite the spectra before and after, of each fitted record its histories.
+def draw_figures(archive: str | os.PathLike[str], folder: Path, figure_format: str = "svg") -> tuple[Path, ...]:
+    """Draw spectra of suites, histories of fitted records, and loops of the dampers of histories.
 
     Args:
         archive: complete or partial, of `edesign match` or `edesign run`.
@@ -43,17 +45,19 @@ def draw_records(archive: str | os.PathLike[str], folder: Path, figure_format: s
         figure_format: svg, png or pdf.
 
     Returns:
-        The files, SUITE_before, SUITE_after, SUITE_mean and RECORD with their suffix.
+        The files: SUITE_before, SUITE_after, SUITE_mean, RECORD, ANALYSIS_dampers with their suffix; none where there
+        is nothing of all this.
 
     Raises:
         ArchiveError: the archive cannot be read, or a figure cannot be written.
         InputError: the format is unknown.
     """
     suffix = check_format(figure_format)
-    make_folder(folder)
-    written = []
+    written: list[Path] = []
     with open_archive(archive) as opened:
-        for name, figure in _figures(opened):
+        for name, figure in chain(_figures(opened), damper_figures(opened)):
+            if not written:
+                make_folder(folder)
             written.append(folder / f"{name}.{suffix}")
             save(figure, written[-1])
     return tuple(written)

@@ -40,7 +40,7 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     assert project.dampers is not None
     spec = project.dampers.laws[name]
     described: LawDescription = spec
-    source = Source(project.path, parse(project.text)[0], ("dampers", "laws", name))
+    source = asked = Source(project.path, parse(project.text)[0], ("dampers", "laws", name))
     if spec.file is not None:
         try:
             described, source = read_law_file(project.folder / spec.file)
@@ -48,7 +48,7 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
             if (project.folder / spec.file).is_file():
                 raise
             raise source.refuse(("file",), error) from error
-    chosen, values, warnings = resolve(described, source, spec.temperature)
+    chosen, values, warnings = resolve(described, source, spec.temperature, asked)
     numbers = LawValues(chosen.name, tuple(values.values()))
     prototype = spec.prototype or described.prototype
     if prototype is None:

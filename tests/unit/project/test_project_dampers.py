@@ -82,7 +82,12 @@ WRONG = {
         "laws.oil.parameters.c",
         ["-300000", "greater than 0 is allowed"],
     ),
-    "missing parameter": (OIL, "parameters: «{alpha: 0.35}", "laws.oil.parameters.c", ["damping coefficient", "is missing"]),
+    "missing parameter": (
+        OIL,
+        "parameters: «{alpha: 0.35}",
+        "laws.oil.parameters.c",
+        ["damping coefficient", "is missing"],
+    ),
     "unknown set": (
         "parameters: thesis_table_4_2",
         "parameters: «thesis_table_4_3",
