@@ -87,7 +87,8 @@ def test_all_kinds_of_test(tmp_path: Path) -> None:
     text = HEAD + (
         "sampling_rate: 500 Hz\ntests:\n"
         "  - {type: sweep, displacement: 6 mm, frequency: 2 Hz, temperature_C: 20}\n"
-        "  - {type: random, strain: 10 %, level: rms, band: [0.1 Hz, 4 Hz], duration: 8 s, seed: 1, temperature: 20 degC}\n"
+        "  - {type: random, strain: 10 %, level: rms, band: [0.1 Hz, 4 Hz], duration: 8 s, seed: 1,\n"
+        "     temperature: 20 degC}\n"
         "  - {type: record, file: quake.csv, displacement: 5 mm, temperature_C: 20, title: quake, use: validate}\n"
         "  - {type: record, file: quake.csv, temperature_C: 20}\n"
         "  - {type: sine, strain: 10 %, frequency: 2 Hz, cycles: 3, temperature_C: 20}\n"
