@@ -26,12 +26,14 @@ class DeviceLaw:
     Attributes:
         law: for the core.
         layers, layer_area (m2), layer_thickness (m): of the prototype; None: the law has no size of its own.
+        tested_strain: largest shear strain of the tests that it comes from; None: not known.
     """
 
     law: LawValues
     layers: int | None = None
     layer_area: float | None = None
     layer_thickness: float | None = None
+    tested_strain: float | None = None
 
 
 @dataclass(frozen=True)
@@ -47,6 +49,7 @@ class Device:
         layer_thickness: m, for the shear strain; None: the law has no layers.
         force_scale, deformation_scale: F = force_scale * law(deformation_scale * u).
         brace: N/m; 0: rigid.
+        tested_strain: of its law.
     """
 
     name: str
@@ -59,6 +62,7 @@ class Device:
     force_scale: float
     deformation_scale: float
     brace: float
+    tested_strain: float | None = None
 
 
 @dataclass(frozen=True)
@@ -116,7 +120,7 @@ def add_devices(
             number = model.damper(
                 name, values, place.terms, brace if series > 0.0 else 0.0, force_scale, deformation_scale
             )
-            scales = (force_scale, deformation_scale, brace)
+            scales = (force_scale, deformation_scale, brace, law.tested_strain)
             found.append(Device(name, number, run.law, law.law, place.storey, place.terms, thickness, *scales))
     return tuple(found)
 

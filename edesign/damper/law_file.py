@@ -12,7 +12,7 @@ from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.law import Law
 from edesign.damper.laws import law
-from edesign.damper.parameters import ParameterError, read_parameters
+from edesign.damper.parameters import PARAMETER_SETS, ParameterError, read_parameters
 from edesign.damper.temperature import REFERENCE_C, FerryShift, GammaT, at
 from edesign.damper.temperature_file import TemperatureLaw
 from edesign.errors import InputError
@@ -23,6 +23,7 @@ from edesign.project.yaml_file import check_model, read_yaml_text
 from edesign.project.yaml_nodes import Node, find
 
 _WHAT = "law file"
+_RANGE_PERCENT = re.compile(r"\s*([0-9.]+)(?:\s*to\s*([0-9.]+))?\s*%\s*")
 _RANGE_C = re.compile(r"\s*(-?[0-9.]+)(?:\s*to\s*(-?[0-9.]+))?\s*degC\s*")
 
 
@@ -108,6 +109,15 @@ def resolve(
     except CoreError as error:
         raise source.refuse(("parameters",), error) from error
     return chosen, values, warnings
+
+
+def strain_of_tests(described: LawDescription) -> float | None:
+    """Largest shear strain of the tests that the parameters come from; None: not known."""
+    ranges = described.tested or {}
+    if isinstance(described.parameters, str):
+        ranges = {**PARAMETER_SETS[described.parameters].tested, **ranges}
+    match = _RANGE_PERCENT.fullmatch(ranges.get("shear_strain", ""))
+    return float(match[2] or match[1]) / 100.0 if match else None
 
 
 def _tested_C(described: LawDescription) -> tuple[float, float] | None:

@@ -21,6 +21,7 @@ class ParameterSet:
         source: where they are printed.
         temperature: at which they hold, e.g. "20 degC".
         device: whose they are.
+        tested: range of the tests for people, as in law files.
         notes: what to know before use.
     """
 
@@ -30,6 +31,7 @@ class ParameterSet:
     source: str
     temperature: str
     device: str
+    tested: Mapping[str, str]
     notes: tuple[str, ...]
 
 
@@ -62,6 +64,7 @@ def _read() -> dict[str, ParameterSet]:
             source=entry["source"],
             temperature=entry["temperature"],
             device=entry["device"],
+            tested=entry["tested"],
             notes=tuple(entry["notes"]),
         )
         for name, entry in root.plain().items()

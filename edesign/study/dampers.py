@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
-from edesign.building.devices import Attached, DeviceLaw
+import numpy as np
+
+from edesign.building.devices import Attached, Device, DeviceLaw
 from edesign.core import LawValues
-from edesign.damper.law_file import Source, read_law_file, resolve
+from edesign.damper.law_file import Source, read_law_file, resolve, strain_of_tests
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
 from edesign.project.dampers import LawDescription, TunedMass
@@ -53,7 +56,30 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     prototype = spec.prototype or described.prototype
     if prototype is None:
         return DeviceLaw(numbers), warnings
-    return DeviceLaw(numbers, prototype.layers, prototype.layer_area, prototype.layer_thickness), warnings
+    size = (prototype.layers, prototype.layer_area, prototype.layer_thickness)
+    return DeviceLaw(numbers, *size, strain_of_tests(described)), warnings
+
+
+def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[str]:
+    """Dampers that strained beyond the tests of their law, a line for each law.
+
+    Args:
+        devices: of the frame.
+        strain: (n_devices,) largest shear strain of each.
+    """
+    beyond: dict[tuple[str, float], list[int]] = {}
+    for i, device in enumerate(devices):
+        if device.tested_strain is not None and strain[i] > device.tested_strain:
+            beyond.setdefault((device.law, device.tested_strain), []).append(i)
+    found = []
+    for (name, tested), places in beyond.items():
+        most = max(places, key=lambda i: strain[i])
+        count = "1 damper strains" if len(places) == 1 else f"{len(places)} dampers strain"
+        found.append(
+            f"law {name}: {count} beyond its tests, which went to {100.0 * tested:g} %: "
+            f"{devices[most].name} to {100.0 * strain[most]:.3g} %"
+        )
+    return found
 
 
 def attachments(project: Project) -> list[Attached]:

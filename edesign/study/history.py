@@ -18,6 +18,7 @@ from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.project import Project
 from edesign.study import quantities as q
+from edesign.study.dampers import strain_warnings
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, level_factor, project_motions
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
@@ -90,6 +91,9 @@ def run_history(
     group.add("ground_acceleration", ("time",), samples, "m/s^2", "ground acceleration as applied")
     store(group, [_kept(displacements, floors), _kept(drift, storeys), *others], response, "time", every)
     q.store_drift_extremes(group, frame, drifts, response)
+    if "damper_strain_max" in group.variables:
+        strain = np.maximum(group.variables["damper_strain_max"].values, -group.variables["damper_strain_min"].values)
+        group.attributes["damper_warnings"] = strain_warnings(frame.devices, strain)
     _store_energy(group, response, every, "energy" in wanted)
     if response.status == "completed":
         roof = residual(displacements.values(response)[:, -1], ground.time_step, period)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from edesign.damper.law_file import read_law_file, resolve
+from edesign.damper.law_file import read_law_file, resolve, strain_of_tests
 from edesign.errors import InputError
+from edesign.project.dampers import LawDescription
 from edesign.project.loader import parse_project
-from edesign.study.dampers import device_laws, law_warnings
+from edesign.study.dampers import device_laws, law_warnings, strain_warnings
 from edesign.study.structure import make_frame
 
 LAW = """# a law file
@@ -98,3 +100,17 @@ def test_a_size_needs_a_prototype(folder):
     (folder / "law.yaml").write_text(LAW.replace(LAW.splitlines()[5] + "\n", ""), encoding="utf-8")
     with pytest.raises(InputError, match="the law `rubber` has no `prototype`"):
         make_frame(parse_project(PROJECT, folder / "project.yaml"), dampers=True)
+
+
+def test_strains_beyond_the_tests_are_told(folder):
+    project = parse_project(PROJECT, folder / "project.yaml")
+    devices = make_frame(project, dampers=True).devices
+    assert devices[0].tested_strain == 0.5
+    assert strain_warnings(devices, np.array([0.5])) == []
+    (warning,) = strain_warnings(devices, np.array([0.62]))
+    assert warning == "law rubber: 1 damper strains beyond its tests, which went to 50 %: S_1_1 to 62 %"
+
+
+def test_published_parameters_know_their_tests():
+    assert strain_of_tests(LawDescription(type="mgmm", parameters="thesis_table_4_2")) == 0.5
+    assert strain_of_tests(LawDescription(type="mgmm", parameters={})) is None
