@@ -66,7 +66,7 @@ def test_a_table_too_small_is_refused() -> None:
 
 
 def test_the_mgmm_comes_nearer_to_table_a_1_than_table_4_2_does() -> None:
-    """Table 4.2 with 12 mm misses G' of Table A.1 by 7.6 % rms (docs/thesis_damper_tables.md); refitted it must be less."""
+    """Table 4.2 with 12 mm misses G' of Table A.1 by 7.6 % rms (test_table_a1.py); refitted it must be less."""
     rows = read_property_table(TABLE_A)
     cold = np.abs(rows.temperature_C - 20.0) < 0.5
     names = ("temperature_C", "strain", "frequency", "G_storage", "G_eq", "loss_factor")
