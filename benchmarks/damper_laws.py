@@ -9,14 +9,13 @@ Usage: python -m benchmarks.damper_laws [--repeats N] [--ode]
 from __future__ import annotations
 
 import argparse
-import statistics
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
+from benchmarks.timing import cpu_seconds
 from edesign.core.damper import CoreDamper, Method
 from edesign.core.errors import CoreError
 from edesign.damper.damper import Damper
@@ -30,18 +29,6 @@ from damper_motions import Motion  # noqa: E402
 AMPLITUDE, DURATION, RATE = 8e-3, 60.0, 1000.0
 BAR = 0.1
 """Seconds for a history."""
-
-
-def cpu_seconds(call: Callable[[], object], repeats: int) -> tuple[float, float]:
-    """Median CPU time after a first call, and its spread."""
-    call()
-    values = []
-    for _ in range(repeats):
-        start = time.process_time()
-        call()
-        values.append(time.process_time() - start)
-    middle = statistics.median(values)
-    return middle, (max(values) - min(values)) / middle
 
 
 def history(core: CoreDamper, motion: Motion, method: Method) -> Callable[[], np.ndarray]:

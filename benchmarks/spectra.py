@@ -12,8 +12,6 @@ from __future__ import annotations
 
 import argparse
 import os
-import statistics
-import time
 import warnings
 from collections.abc import Callable
 from pathlib import Path
@@ -24,6 +22,7 @@ import numpy as np  # noqa: E402
 from numpy.typing import NDArray  # noqa: E402
 
 from benchmarks.peers.scipy_spectrum import noise_motion, reference_spectra  # noqa: E402
+from benchmarks.timing import cpu_seconds
 from edesign.errors import InputError  # noqa: E402
 from edesign.ground_motion.at2 import read_at2  # noqa: E402
 from edesign.ground_motion.csv_record import read_csv  # noqa: E402
@@ -76,18 +75,6 @@ def peers() -> dict[str, Program]:
     return found
 
 
-def cpu_milliseconds(call: Callable[[], object], repeats: int) -> tuple[float, float]:
-    """Median CPU time after a first call, and its spread, of the process and all its threads."""
-    call()
-    values = []
-    for _ in range(repeats):
-        start = time.process_time()
-        call()
-        values.append(time.process_time() - start)
-    middle = statistics.median(values)
-    return 1e3 * middle, (max(values) - min(values)) / middle
-
-
 def el_centro_or_none() -> tuple[Array, float] | None:
     """The record, if the package that carries it is installed."""
     from benchmarks.records import el_centro
@@ -115,13 +102,13 @@ def side_by_side(repeats: int) -> None:
     base = 0.0
     for name, program in programs.items():
         count = max(21, repeats) if name == ours else repeats
-        middle, spread = cpu_milliseconds(lambda p=program: p(motion, STEP, PERIODS), count)  # type: ignore[misc]
+        middle, spread = cpu_seconds(lambda p=program: p(motion, STEP, PERIODS), count)  # type: ignore[misc]
         base = base or middle
         errors = []
         for (a, dt), reference in zip(cases, exact, strict=True):
             error = np.abs(program(a, dt, PERIODS) / reference - 1.0)
             errors.append(f"{100 * np.max(error):7.3f} % ({PERIODS[np.argmax(error)]:.3f} s)")
-        line = f"{name:36s}{middle:7.2f} ms{100 * spread:6.0f} %{middle / base:8.1f}"
+        line = f"{name:36s}{1e3 * middle:7.2f} ms{100 * spread:6.0f} %{middle / base:8.1f}"
         print(f"{line}   {'  '.join(errors)}")
 
 
@@ -136,8 +123,8 @@ def own_figures(repeats: int) -> None:
         "rotated_spectra, 180 directions": lambda: rotated_spectra(motion, other, STEP, PERIODS),
     }
     for name, call in calls.items():
-        middle, spread = cpu_milliseconds(call, repeats)
-        print(f"  {name:34s}{middle:7.2f} ms{100 * spread:6.0f} %")
+        middle, spread = cpu_seconds(call, repeats)
+        print(f"  {name:34s}{1e3 * middle:7.2f} ms{100 * spread:6.0f} %")
 
 
 def on_records(folder: Path, damping: float) -> None:

@@ -2,7 +2,8 @@
  * prescribed displacements and ground acceleration; response spectra of ground acceleration.
  *
  * Conventions
- *   Units      any consistent set (edesign uses m, N, kg, s). No tolerance depends on it.
+ *   Units      any consistent set (edesign uses m, N, kg, s). No tolerance depends on it; of the
+ *              dampers, fractional laws resolve 1e-4 to 2e3 s, and viscous power laws are linear below 1e-9 m/s.
  *   Degrees    three a node: 0 ux, 1 uy, 2 rz (anticlockwise). y points upwards.
  *   Elements   local x runs from end i to end j, local y 90 degrees anticlockwise of it.
  *   Sections   strain at depth y is e0 - y*kappa; axial force and strain are positive in tension.

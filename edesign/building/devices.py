@@ -110,29 +110,15 @@ def add_devices(
         where = f"{project.where('dampers', 'devices', i)}: dampers.devices[{i}]"
         law = laws[run.law]
         if law.layers is None and (run.layers or run.layer_area or run.layer_thickness):
-            where = f"{project.where('dampers', 'devices', i)}: dampers.devices[{i}]"
             raise InputError(f"{where}: the law `{run.law}` has no `prototype` whose size could be changed")
         for place in _places(project, run, nodes, where):
             force_scale, deformation_scale, thickness = _scales(run, law, place)
             brace = _brace(project, run, place, i)
             name = _free(place.name, found)
-            values, series = with_brace(law.law, brace / (force_scale * deformation_scale))
-            number = model.damper(
-                name, values, place.terms, brace if series > 0.0 else 0.0, force_scale, deformation_scale
-            )
+            number = model.damper(name, law.law, place.terms, brace, force_scale, deformation_scale)
             scales = (force_scale, deformation_scale, brace, law.tested_strain)
             found.append(Device(name, number, run.law, law.law, place.storey, place.terms, thickness, *scales))
     return tuple(found)
-
-
-def with_brace(law: LawValues, brace: float) -> tuple[LawValues, float]:
-    """A law and the brace in series with it (N/m, at the size of the law), as the core takes them best.
-
-    A dashpot with a power of the velocity and a spring are one law of the core, whose equations are smooth at rest.
-    """
-    if law.law == "viscous_power" and brace > 0.0:
-        return LawValues("maxwell_power", (*law.values, brace)), 0.0
-    return law, brace
 
 
 def add_attachment(model: Model, attached: Attached, node: int, x: float, y: float) -> int:

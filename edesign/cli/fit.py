@@ -71,9 +71,9 @@ def fit(
     from edesign.cli import fit_inputs as read
     from edesign.damper.fitting import compare
     from edesign.errors import InputError
+    from edesign.report.archive_figures import check_format
     from edesign.report.fit_figures import draw_fits
     from edesign.report.fit_tables import tables_of
-    from edesign.report.record_figures import check_format
     from edesign.report.text import print_tables
 
     check_format(figure_format)

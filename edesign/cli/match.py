@@ -68,7 +68,7 @@ def match(
     from edesign.ground_motion.matching import MatchOptions
     from edesign.ground_motion.write import write_csv
     from edesign.project.units import TIME
-    from edesign.report.record_figures import check_format, draw_figures
+    from edesign.report.archive_figures import check_format, draw_figures
     from edesign.report.record_tables import choice_table, record_tables
     from edesign.report.text import print_tables
     from edesign.study.match import choose_recordings, match_recordings

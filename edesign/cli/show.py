@@ -21,7 +21,7 @@ def show(
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:
     """Print the records and analyses of an archive, response measures and statistics."""
-    from edesign.report.record_figures import check_format, draw_figures
+    from edesign.report.archive_figures import check_format, draw_figures
     from edesign.report.summary import summarise
     from edesign.report.tables import details, overview
     from edesign.report.text import print_tables

@@ -31,9 +31,9 @@ def test(
     from edesign.damper.programme_file import load_programme
     from edesign.damper.property_table import from_properties, usable
     from edesign.errors import InputError
+    from edesign.report.archive_figures import check_format
     from edesign.report.damper_figures import draw_tests
     from edesign.report.damper_tables import properties_table
-    from edesign.report.record_figures import check_format
     from edesign.report.text import print_tables
 
     check_format(figure_format)

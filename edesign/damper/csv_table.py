@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.project.file_bytes import read_file
 
 
 @dataclass(frozen=True)
@@ -74,14 +75,7 @@ def read_csv_table(path: Path, what: str, example: str) -> CsvTable:
 
 def _kept(path: Path, what: str) -> tuple[list[int], list[str]]:
     """Numbers and text of the lines that are neither blank nor comments."""
-    try:
-        data = path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"{path}: there is no such {what}") from None
-    except IsADirectoryError:
-        raise InputError(f"{path}: this is a folder, not a {what}") from None
-    except OSError as error:
-        raise InputError(f"{path}: the {what} cannot be read: {error.strerror}") from None
+    data = read_file(path, what)
     if b"\0" in data:
         raise InputError(f"{path}: this is not a text file in UTF-8")
     lines = data.decode("utf-8-sig", errors="replace").splitlines()

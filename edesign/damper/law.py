@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from functools import cached_property
 
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean
@@ -74,11 +73,6 @@ class Law:
     rate_dependent: bool
     branch: tuple[Parameter, ...] = ()
     most_branches: int = 16
-
-    @cached_property
-    def required(self) -> tuple[str, ...]:
-        """Names of the parameters that must be given, without branches."""
-        return tuple(parameter.name for parameter in self.parameters if parameter.default is None)
 
     def with_branches(self, count: int) -> tuple[Parameter, ...]:
         """All parameters in the order of the core, with those of `count` branches."""

@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 
 from edesign.errors import InputError
+from edesign.project.file_bytes import read_file
 
 
 def read_lines(path: Path) -> list[str]:
@@ -14,14 +15,7 @@ def read_lines(path: Path) -> list[str]:
     Raises:
         InputError: missing, a folder, unreadable, empty, or not text.
     """
-    try:
-        data = path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"{path}: there is no such record file") from None
-    except IsADirectoryError:
-        raise InputError(f"{path}: this is a folder, not a record file") from None
-    except OSError as error:
-        raise InputError(f"{path}: the record cannot be read: {error.strerror}") from None
+    data = read_file(path, "record file")
     if not data.strip():
         raise InputError(f"{path}: the file is empty")
     if b"\0" in data:

@@ -22,7 +22,7 @@ from edesign.project.materials import Material
 from edesign.project.outputs import Outputs
 from edesign.project.records import FileRecord, Record, SuiteRecords
 from edesign.project.sections import Fibres, Section
-from edesign.project.yaml_nodes import Node, find
+from edesign.project.yaml_nodes import Node, find, parse
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]
 
@@ -65,6 +65,11 @@ class Project(Model):
     def text(self) -> str:
         """The exact text of the file."""
         return self._text
+
+    @property
+    def root(self) -> Node:
+        """The YAML tree of the file, for messages with places in it."""
+        return self._root if self._root is not None else parse(self._text)[0]
 
     @property
     def checksum(self) -> str:

@@ -9,6 +9,7 @@ from pydantic import BaseModel, ValidationError
 
 from edesign.errors import InputError
 from edesign.project.explain import explain
+from edesign.project.file_bytes import read_file
 from edesign.project.problems import Problem, Problems
 from edesign.project.yaml_nodes import Mark, parse
 
@@ -25,14 +26,7 @@ def read_yaml_text(path: Path, what: str) -> str:
     Raises:
         InputError: missing, a folder, unreadable, or not UTF-8.
     """
-    try:
-        data = path.read_bytes()
-    except FileNotFoundError:
-        raise InputError(f"{path}: there is no such {what}") from None
-    except IsADirectoryError:
-        raise InputError(f"{path}: this is a folder; name the {what} in it") from None
-    except OSError as error:
-        raise InputError(f"{path}: the {what} cannot be read: {error.strerror}") from None
+    data = read_file(path, what)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -1,22 +1,14 @@
-"""All figures of an archive, as files: its records, and the dampers of its histories."""
+"""Figures of the records of an archive."""
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
-from itertools import chain
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.archive.files import make_folder
-from edesign.archive.reader import Archive, open_archive
-from edesign.errors import InputError
-from edesign.project.problems import did_you_mean
-from edesign.report.damper_loops import damper_figures
-from edesign.report.figures import FORMATS, save
+from edesign.archive.reader import Archive
 from edesign.report.match_figure import match_figure
 from edesign.report.spectra_figure import spectra_figure
 from edesign.study.record_results import RECORDS
@@ -25,45 +17,8 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def check_format(name: str) -> str:
-    """Return the format of figures if it is one.
-
-    Raises:
-        InputError: it is none of `FORMATS`.
-    """
-    if name not in FORMATS:
-        raise InputError(f"--format: `{name}` is unknown{did_you_mean(name, FORMATS)} (allowed: {', '.join(FORMATS)})")
-    return name
-
-
-def draw_figures(archive: str | os.PathLike[str], folder: Path, figure_format: str = "svg") -> tuple[Path, ...]:
-    """Draw spectra of suites, histories of fitted records, and loops of the dampers of histories.
-
-    Args:
-        archive: complete or partial, of `edesign match` or `edesign run`.
-        folder: where the files go; made if it does not exist.
-        figure_format: svg, png or pdf.
-
-    Returns:
-        The files: SUITE_before, SUITE_after, SUITE_mean, RECORD, ANALYSIS_dampers with their suffix; none where there
-        is nothing of all this.
-
-    Raises:
-        ArchiveError: the archive cannot be read, or a figure cannot be written.
-        InputError: the format is unknown.
-    """
-    suffix = check_format(figure_format)
-    written: list[Path] = []
-    with open_archive(archive) as opened:
-        for name, figure in chain(_figures(opened), damper_figures(opened)):
-            if not written:
-                make_folder(folder)
-            written.append(folder / f"{name}.{suffix}")
-            save(figure, written[-1])
-    return tuple(written)
-
-
-def _figures(archive: Archive) -> Iterator[tuple[str, Figure]]:
+def record_figures(archive: Archive) -> Iterator[tuple[str, Figure]]:
+    """Spectra of each suite, and histories of each fitted record, by file name."""
     for name in archive.names(RECORDS):
         place = f"{RECORDS}/{name}"
         if not archive.group_attributes(place).get("suite"):

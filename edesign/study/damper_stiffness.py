@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.devices import Device, with_brace
+from edesign.building.devices import Device
 from edesign.core import Modes
 from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
@@ -47,8 +47,8 @@ def damped_modes(project: Project, structure: Structure, spec: ModalAnalysis) ->
 def device_stiffness(device: Device, amplitude: float, frequency: float) -> complex:
     """Complex stiffness of a device with its brace at an amplitude (m) of its deformation and a frequency (Hz)."""
     scale = device.force_scale * device.deformation_scale
-    values, brace = with_brace(device.values, device.brace / scale)
-    return scale * complex_stiffness(values, amplitude * device.deformation_scale, frequency, brace)
+    amplitude *= device.deformation_scale
+    return scale * complex_stiffness(device.values, amplitude, frequency, device.brace / scale)
 
 
 def store_damper_stiffness(group: Group, structure: Structure, modes: Modes, stiffness: np.ndarray) -> None:

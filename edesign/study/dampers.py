@@ -14,7 +14,6 @@ from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
 from edesign.project.dampers import LawDescription, TunedMass
 from edesign.project.project import Project
-from edesign.project.yaml_nodes import parse
 
 WATER = 1000.0  # kg/m3
 
@@ -43,7 +42,7 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     assert project.dampers is not None
     spec = project.dampers.laws[name]
     described: LawDescription = spec
-    source = asked = Source(project.path, parse(project.text)[0], ("dampers", "laws", name))
+    source = asked = Source(project.path, project.root, ("dampers", "laws", name))
     if spec.file is not None:
         try:
             described, source = read_law_file(project.folder / spec.file)

@@ -11,7 +11,6 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.devices import Device
 from edesign.building.frame import FrameModel, Member
 from edesign.core import Response
 from edesign.project import names
@@ -167,7 +166,7 @@ def dampers(frame: FrameModel, history: bool) -> list[Quantity]:
         return []
     shape = (len(numbers),)
     forces = tuple(((1.0, "damper_force", n, 0),) for n in numbers)
-    own = tuple(_own_deformation(device) for device in frame.devices)
+    own = tuple(((1.0, "damper_deformation", n, 1),) for n in numbers)
     label = "force of the damper, positive with its deformation"
     found = [Quantity("damper_force", ("damper",), shape, forces, "N", label, history)]
     label = "deformation of the damper without its brace"
@@ -175,8 +174,8 @@ def dampers(frame: FrameModel, history: bool) -> list[Quantity]:
     thicknesses = [device.layer_thickness for device in frame.devices]
     if any(thicknesses):
         cells = tuple(
-            tuple((factor / thickness, kind, n, at) for factor, kind, n, at in terms) if thickness else ()
-            for terms, thickness in zip(own, thicknesses, strict=True)
+            ((1.0 / thickness, "damper_deformation", n, 1),) if thickness else ()
+            for n, thickness in zip(numbers, thicknesses, strict=True)
         )
         label = "shear strain of the damper's layers"
         found.append(Quantity("damper_strain", ("damper",), shape, cells, "1", label, keep=("max", "min")))
@@ -192,12 +191,6 @@ def dampers(frame: FrameModel, history: bool) -> list[Quantity]:
     label = "horizontal force of the storey's dampers, positive as the storey's shear"
     found.append(Quantity("storey_damper_force", ("storey",), (len(storeys),), tuple(storeys), "N", label, history))
     return found
-
-
-def _own_deformation(device: Device) -> Terms:
-    """Deformation of a damper without what its brace takes."""
-    terms: Terms = ((1.0, "damper_deformation", device.number, 0),)
-    return (*terms, (-1.0 / device.brace, "damper_force", device.number, 0)) if device.brace > 0.0 else terms
 
 
 def _floor_means(frame: FrameModel, kind: str) -> tuple[Terms, ...]:

@@ -162,8 +162,10 @@ def test_noise_of_one_per_cent_does_not_bias(frequency: float, rate: float, scat
         assert abs(np.mean(errors)) < max(4.0 * np.std(errors) / np.sqrt(12.0), 2.5e-4), name
 
 
-def test_noise_on_a_nonlinear_loop() -> None:
-    """The largest force of a sharp loop is where the fit gives way to the noise: stated bias below 0.6 %."""
+@pytest.mark.parametrize(("rate", "largest_bias"), [(1000.0, 3e-3), (100.0, 2e-2)])
+def test_noise_on_a_nonlinear_loop(rate: float, largest_bias: float) -> None:
+    """The largest force of a sharp loop is where the fit gives way to the noise: G_eq is 1.3 % high at 100 samples a
+    cycle (docs/damper_tests.md, `python -m benchmarks.property_accuracy`)."""
     alpha, w = 0.374, 2.0 * np.pi
     c = 0.3 * K * AMPLITUDE / (w * AMPLITUDE) ** alpha
     phase = np.linspace(0.0, 2.0 * np.pi, 400_001)
@@ -172,9 +174,9 @@ def test_noise_on_a_nonlinear_loop() -> None:
     def force(u: np.ndarray, v: np.ndarray) -> np.ndarray:
         return K * u + c * np.abs(v) ** alpha * np.sign(v)
 
-    found = [run(force, 1.0, 1000.0, noise=0.01, seed=seed) for seed in range(6)]
+    found = [run(force, 1.0, rate, noise=0.01, seed=seed) for seed in range(6)]
     assert np.mean([row.G_storage for row in found]) == pytest.approx(MODULUS, rel=3e-3)
-    assert np.mean([row.G_eq for row in found]) == pytest.approx(largest * MODULUS, rel=6e-3)
+    assert np.mean([row.G_eq for row in found]) == pytest.approx(largest * MODULUS, rel=largest_bias)
 
 
 def test_each_cycle_of_a_sweep() -> None:

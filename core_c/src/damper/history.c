@@ -88,6 +88,7 @@ static int exact_history(const ed_damper *damper, double *state, double *trial, 
   ed_damper_force out = {0};
   for (int i = *done; i < n; i++) {
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
+    memcpy(trial, state, (size_t)ed_damper_state_size(damper) * sizeof *trial); /* no guess from an older step */
     const int status = ed_damper_advance(damper, NULL, state, &path, none, trial, &out);
     if (status != ED_OK)
       return status;

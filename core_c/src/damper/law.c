@@ -67,7 +67,12 @@ int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double
   damper->brace = brace;
   damper->rate_independent = damper->law->rate_independent;
   memcpy(damper->parameter, parameters, (size_t)n_parameters * sizeof *parameters);
-  const int status = damper->law->prepare(damper, message);
+  int status = damper->law->prepare(damper, message);
+  if (status == ED_OK && brace > 0.0 && damper->law->with_brace) {
+    ed_damper_clear(damper);
+    damper->law->with_brace(damper);
+    status = damper->law->prepare(damper, message);
+  }
   if (status != ED_OK)
     ed_damper_clear(damper);
   return status;

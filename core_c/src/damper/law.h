@@ -29,7 +29,7 @@ typedef struct {
   double force_y[ED_MAX_ODE];
   double y[ED_MAX_ODE];                       /* dy/dt */
   double y_u[ED_MAX_ODE], y_v[ED_MAX_ODE];
-  double y_y[ED_MAX_ODE * ED_MAX_ODE];        /* row by row, n_ode wide; only the diagonal when diagonal_ode is set */
+  double y_y[ED_MAX_ODE * ED_MAX_ODE];        /* row by row, n_ode wide; only the diagonal, n_ode values, when diagonal_ode is set */
 } ed_damper_rate;
 
 typedef struct ed_law ed_law;
@@ -52,6 +52,8 @@ struct ed_law {
   int least_parameters, most_parameters;
   int rate_independent;  /* the force depends on the order of deformations alone, not on their speed */
   int takes_brace;       /* `rate` itself puts brace > 0 in series; exact steps leave that to brace.c */
+  /* Turns a damper with a brace into one of the law that both are together, and that takes the brace itself. NULL: there is none. */
+  void (*with_brace)(ed_damper *damper);
   /* Checks the parameters; sets n_ode, n_memory, diagonal_ode and `derived`. On ED_E_ARGUMENT `message` says parameter, value
    * seen, what is allowed. Also ED_E_MEMORY. */
   int (*prepare)(ed_damper *damper, char message[ED_DAMPER_MESSAGE]);

@@ -4,7 +4,7 @@
 
 #include "damper/law.h"
 
-/* prony.c */
+/* viscoelastic.c, fractional.c */
 extern const ed_law ed_kelvin_voigt, ed_zener, ed_generalised_maxwell, ed_viscous, ed_maxwell, ed_linearised;
 extern const ed_law ed_fractional_kelvin, ed_fractional_zener, ed_fractional_maxwell;
 extern const ed_law ed_viscous_power;      /* viscous_power.c */

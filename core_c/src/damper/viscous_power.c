@@ -40,5 +40,13 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   return isfinite(out->force) && isfinite(out->slope[0]) && isfinite(out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
 }
 
+/* With a spring in series: equations that are smooth at rest, where an equilibrium of both by iteration is not. */
+static void with_brace(ed_damper *damper)
+{
+  damper->law = &ed_maxwell_power;
+  damper->parameter[2] = INFINITY; /* no spring but the brace */
+  damper->n_parameters = 3;
+}
+
 const ed_law ed_viscous_power = {
-    .name = "viscous_power", .least_parameters = 2, .most_parameters = 2, .prepare = prepare, .step = step};
+    .name = "viscous_power", .least_parameters = 2, .most_parameters = 2, .with_brace = with_brace, .prepare = prepare, .step = step};

@@ -117,17 +117,18 @@ struct ed_analysis {
   ed_factored backed;            /* of ed_backup */
   double factor_price;           /* of a factorisation, in iterations */
 
-  /* dampers; arrays per device, of those without exact step where `ode` is in the name */
+  /* dampers; arrays per device */
   ed_ode_system *ode_system;
   int n_by_ode, *device_by_ode;  /* which */
   int *device_scatter;           /* n_terms x n_terms a device, into values */
-  ed_path *device_path, *device_ode_path, (*device_direction)[2], direction[2];
-  ed_damper_force *device_out;
+  ed_path *device_path, (*device_direction)[2]; /* of those by ODE */
+  ed_path direction[2];
+  ed_damper_force *device_out;   /* of those by ODE */
   double (*device_slope)[2];     /* dF/du, dF/dv at the trial state */
   double (*device_chord)[2];     /* what comes to them where an iteration swings */
   int *device_swings;            /* its velocity fell or turned in the last iteration */
   int swinging;                  /* this attempt does not settle with tangents alone */
-  const double **device_old;
+  const double **device_old;     /* of those by ODE */
   double **device_new;
   double duration;               /* of the present attempt */
   double velocity_factor;        /* dv/du of the present attempt */

@@ -28,7 +28,6 @@ static int allocate(ed_analysis *a, int n)
 {
   const size_t count = (size_t)n;
   a->device_path = calloc(count, sizeof *a->device_path);
-  a->device_ode_path = calloc(count, sizeof *a->device_ode_path);
   a->device_direction = calloc(count, sizeof *a->device_direction);
   a->device_out = calloc(count, sizeof *a->device_out);
   a->device_slope = calloc(count, sizeof *a->device_slope);
@@ -37,7 +36,7 @@ static int allocate(ed_analysis *a, int n)
   a->device_old = calloc(count, sizeof *a->device_old);
   a->device_new = calloc(count, sizeof *a->device_new);
   a->device_by_ode = calloc(count, sizeof *a->device_by_ode);
-  return a->device_path && a->device_ode_path && a->device_direction && a->device_out && a->device_slope && a->device_old && a->device_new &&
+  return a->device_path && a->device_direction && a->device_out && a->device_slope && a->device_old && a->device_new &&
                  a->device_by_ode && a->device_chord && a->device_swings
              ? ED_OK
              : ED_E_MEMORY;
@@ -68,7 +67,7 @@ void ed_devices_free(ed_analysis *a)
 {
   ed_ode_system_free(a->ode_system);
   void *blocks[] = {a->device_block, a->device_path, a->device_direction, a->device_out, a->device_slope,
-                    a->device_old,   a->device_new,  a->device_by_ode,    a->device_scatter,  a->device_ode_path,
+                    a->device_old,   a->device_new,  a->device_by_ode,    a->device_scatter,
                     a->device_chord, a->device_swings};
   for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
     free(blocks[i]);
@@ -87,7 +86,7 @@ static double along(const ed_analysis *a, const ed_device *device, const double 
 
 /* The law's path over this step, from the degrees. A static step goes slowly from rest to rest, also after a history that ended in
  * motion: its velocities would lead far away in so long a time. */
-static void set_path(ed_analysis *a, int i)
+static void set_path(ed_analysis *a, int i, ed_path *path)
 {
   const ed_device *device = &a->model->devices[i];
   const int slow = a->run.kind != ED_RUN_HISTORY;
@@ -98,7 +97,7 @@ static void set_path(ed_analysis *a, int i)
   const double velocity = slow ? 0.0 : along(a, device, a->trial.v);
   a->device_swings[i] = velocity * now[VELOCITY] < 0.25 * now[VELOCITY] * now[VELOCITY];
   now[VELOCITY] = velocity;
-  ed_path_hermite(&a->device_path[i], a->duration, scale * before[DEFORMATION], scale * v0, scale * now[DEFORMATION],
+  ed_path_hermite(path, a->duration, scale * before[DEFORMATION], scale * v0, scale * now[DEFORMATION],
                   scale * now[VELOCITY]);
 }
 
@@ -116,15 +115,13 @@ static int update_by_ode(ed_analysis *a)
 {
   for (int k = 0; k < a->n_by_ode; k++) {
     const int i = a->device_by_ode[k];
-    set_path(a, i);
+    set_path(a, i, &a->device_path[k]);
     a->device_old[k] = block_of(a, &a->committed, i) + LAW_STATE;
     a->device_new[k] = block_of(a, &a->trial, i) + LAW_STATE;
-    /* the system wants its own paths side by side */
-    a->device_ode_path[k] = a->device_path[i];
     memcpy(a->device_direction[k], a->direction, sizeof a->direction);
     memset(&a->device_out[k], 0, sizeof a->device_out[k]);
   }
-  const int status = ed_ode_system_step(a->ode_system, a->device_old, a->device_ode_path,
+  const int status = ed_ode_system_step(a->ode_system, a->device_old, a->device_path,
                                         (const ed_path(*)[2])a->device_direction, a->device_new, a->device_out);
   for (int k = 0; status == ED_OK && k < a->n_by_ode; k++)
     take(a, a->device_by_ode[k], &a->device_out[k]);
@@ -140,17 +137,17 @@ static int fail(ed_analysis *a, int device, int status)
 
 int ed_update_devices(ed_analysis *a)
 {
-  const int n = a->model->n_devices;
-  if (n == 0 || block_of(a, &a->trial, 0)[INSTALLED] == 0.0)
+  if (!ed_installed(a))
     return ED_OK;
   ed_path_hermite_directions(a->direction, a->duration);
-  for (int i = 0; i < n; i++) {
+  for (int i = 0; i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
     if (!ed_damper_has_exact_step(&device->damper))
       continue;
     ed_damper_force out = {0};
-    set_path(a, i);
-    const int status = ed_damper_advance(&device->damper, NULL, block_of(a, &a->committed, i) + LAW_STATE, &a->device_path[i],
+    ed_path path;
+    set_path(a, i, &path);
+    const int status = ed_damper_advance(&device->damper, NULL, block_of(a, &a->committed, i) + LAW_STATE, &path,
                                          a->direction, block_of(a, &a->trial, i) + LAW_STATE, &out);
     if (status != ED_OK)
       return fail(a, i, status);

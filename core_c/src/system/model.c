@@ -25,6 +25,16 @@ void *ed_model_grown(void *array, int count, size_t size)
   return realloc(array, capacity * size);
 }
 
+#define APPEND(model, array, count)                                               \
+  do {                                                                               \
+    void *room = ed_model_grown((model)->array, (model)->count, sizeof *(model)->array); \
+    if (!room)                                                                       \
+      return ed_model_refuse(model, ED_E_MEMORY, "out of memory");                   \
+    (model)->array = room;                                                           \
+    memset(&(model)->array[(model)->count], 0, sizeof *(model)->array);              \
+    (model)->count++;                                                                \
+  } while (0)
+
 ed_model *ed_model_new(void)
 {
   return calloc(1, sizeof(ed_model));
@@ -69,7 +79,7 @@ int ed_model_material(ed_model *model, int law, int n, const double *p)
     return ed_model_refuse(model, ED_E_ARGUMENT, "material: R0 > 0, 0 <= cR1 < 1 and cR2 > 0 are needed");
   if (model->n_sections)
     return ed_model_refuse(model, ED_E_STATE, "material: declare all materials before the first section");
-  ED_APPEND(model, materials, n_materials);
+  APPEND(model, materials, n_materials);
   ed_steel *steel = &model->materials[model->n_materials - 1];
   steel->law = law;
   steel->E = p[0];
@@ -88,7 +98,7 @@ int ed_model_elastic_section(ed_model *model, double EA, double EI)
 {
   if (!(EA > 0.0 && EI > 0.0 && isfinite(EA) && isfinite(EI)))
     return ed_model_refuse(model, ED_E_ARGUMENT, "section: EA %g and EI %g must be positive", EA, EI);
-  ED_APPEND(model, sections, n_sections);
+  APPEND(model, sections, n_sections);
   ed_section_elastic(&model->sections[model->n_sections - 1], EA, EI);
   return model->n_sections - 1;
 }
@@ -103,7 +113,7 @@ int ed_model_fibre_section(ed_model *model, int n, const double *y, const double
     if (material[i] < 0 || material[i] >= model->n_materials)
       return ed_model_refuse(model, ED_E_ID, "section: fibre %d has no material %d", i + 1, material[i]);
   }
-  ED_APPEND(model, sections, n_sections);
+  APPEND(model, sections, n_sections);
   ed_section *section = &model->sections[model->n_sections - 1];
   if (!ed_section_from_fibres(section, n, y, area, material, model->materials)) {
     model->n_sections--;
@@ -131,7 +141,7 @@ int ed_model_node(ed_model *model, const char *name, double x, double y)
 {
   if (!isfinite(x) || !isfinite(y))
     return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: coordinates are not finite numbers", name ? name : "");
-  ED_APPEND(model, nodes, n_nodes);
+  APPEND(model, nodes, n_nodes);
   ed_node *node = &model->nodes[model->n_nodes - 1];
   ed_copy_name(node->name, name);
   node->x = x;
@@ -203,7 +213,7 @@ static int member(ed_model *model, const char *name, ed_element_kind kind, int i
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s has no length (nodes %s and %s)", name ? name : "", a->name, b->name);
   if (geometry < ED_LINEAR || geometry > ED_COROTATIONAL)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: unknown geometry %d", name ? name : "", geometry);
-  ED_APPEND(model, members, n_members);
+  APPEND(model, members, n_members);
   ed_member *m = &model->members[model->n_members - 1];
   ed_copy_name(m->name, name);
   m->kind = kind;
@@ -290,7 +300,7 @@ int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, doubl
     return ED_E_ID;
   if (!isfinite(fx + fy + mz))
     return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: a load is not a finite number", model->nodes[node].name);
-  ED_APPEND(model, nodal_loads, n_nodal_loads);
+  APPEND(model, nodal_loads, n_nodal_loads);
   model->nodal_loads[model->n_nodal_loads - 1] = (ed_nodal_load){pattern, node, {fx, fy, mz}};
   return ED_OK;
 }
@@ -306,7 +316,7 @@ static int member_load(ed_model *model, int pattern, int element, double positio
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is no beam-column and takes no load", m->name);
   if (!isfinite(axial + transverse))
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: a load is not a finite number", m->name);
-  ED_APPEND(model, member_loads, n_member_loads);
+  APPEND(model, member_loads, n_member_loads);
   model->member_loads[model->n_member_loads - 1] = (ed_member_load){pattern, element, position, axial, transverse};
   m->loaded = 1;
   return ED_OK;

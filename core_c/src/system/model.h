@@ -76,14 +76,4 @@ int ed_model_refuse(ed_model *model, int status, const char *format, ...);
 void *ed_model_grown(void *array, int count, size_t size);
 void ed_copy_name(char *to, const char *from); /* ED_NAME characters, cut short if need be */
 
-#define ED_APPEND(model, array, count)                                               \
-  do {                                                                               \
-    void *room = ed_model_grown((model)->array, (model)->count, sizeof *(model)->array); \
-    if (!room)                                                                       \
-      return ed_model_refuse(model, ED_E_MEMORY, "out of memory");                   \
-    (model)->array = room;                                                           \
-    memset(&(model)->array[(model)->count], 0, sizeof *(model)->array);              \
-    (model)->count++;                                                                \
-  } while (0)
-
 #endif
