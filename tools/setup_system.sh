@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Make sure that what pip cannot install is there: a C compiler, SuiteSparse and SUNDIALS with headers, Python >= 3.11
-# with headers and venv; for the tests also the sanitizers' libraries and, if it can be had, valgrind.
+# with headers and venv; for the tests also the sanitizers' libraries and, if they can be had, valgrind and chromium.
 #
 #   setup_system.sh run | test | memcheck
 #
@@ -101,7 +101,14 @@ END
         lack "valgrind" valgrind
         [[ "$mode" == memcheck ]] || hard=$((hard - 1))
     fi
+    if [[ "$mode" == test && "$(uname)" == Linux ]] && ! has_browser; then
+        lack "chromium" chromium
+        hard=$((hard - 1))
+    fi
 }
+
+# The chromium of Ubuntu is a stub of a snap, which cannot read the folders of tests; they look for others themselves.
+has_browser() { command -v chromium || command -v google-chrome || grep -s '^ID=ubuntu' /etc/os-release; } >/dev/null
 
 apt_install() {
     local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300) version names=() name
@@ -121,6 +128,11 @@ apt_install() {
     done
     say "installing ${names[*]} (apt)"
     "${apt[@]}" install --no-install-recommends "${names[@]}" </dev/null >>"$scratch/apt.log" 2>&1 && return 0
+    if [[ " ${names[*]} " == *" chromium "* ]]; then  # not every system with apt has it
+        mapfile -t names < <(printf '%s\n' "${names[@]}" | grep -v '^chromium$')
+        [[ ${#names[@]} == 0 ]] && return 1
+        "${apt[@]}" install --no-install-recommends "${names[@]}" </dev/null >>"$scratch/apt.log" 2>&1 && return 0
+    fi
     say "apt could not install them; its last lines:"
     tail -n 8 "$scratch/apt.log" >&2
     return 1
@@ -163,5 +175,7 @@ if [[ $hard -gt 0 ]]; then
     explain
     exit 1
 fi
-[[ ${#missing[@]} == 0 ]] || say "valgrind is not here and cannot be installed; only 'make memcheck' needs it"
+for name in ${missing[@]+"${missing[@]}"}; do
+    say "$name is not here and cannot be installed; what needs it is skipped, or 'make memcheck' stops"
+done
 echo "$python"

@@ -22,6 +22,7 @@ extern "C" {
 /* One list yields the enum and the texts: name, value, text. Below zero: error. */
 #define ED_STATUS_LIST(X) \
   X(ED_OK, 0, "ok") \
+  X(ED_LIMIT, 1, "a limit of a channel was exceeded") \
   X(ED_E_MEMORY, -1, "out of memory") \
   X(ED_E_ARGUMENT, -2, "invalid argument") \
   X(ED_E_ID, -3, "no object with this id") \
@@ -155,7 +156,9 @@ enum {
 };
 int ed_channel(ed_analysis *analysis, int n_terms, const double *coefficient, const int *kind, const int *object,
                const int *component, int keep_history);
-void ed_clear_channels(ed_analysis *analysis);
+/* A run ends with ED_LIMIT at the end of the step in which the magnitude of a channel exceeds its limit (> 0). */
+int ed_channel_limit(ed_analysis *analysis, int channel, double limit);
+void ed_clear_channels(ed_analysis *analysis); /* and their limits */
 /* Extremes since the run began: n_channels each. */
 void ed_extremes(const ed_analysis *analysis, double *maximum, double *time_of_maximum, double *minimum,
                  double *time_of_minimum, double *last);
@@ -174,10 +177,13 @@ enum { ED_NEWMARK = 0, ED_GENERALISED_ALPHA = 1 };
 int ed_history_begin(ed_analysis *analysis, int n, double dt, const double *ground_x, const double *ground_y, int method,
                      const double *parameters);
 void ed_run_buffers(ed_analysis *analysis, int every, double *abscissa, double *values, double *energy);
-/* Returns ED_OK while all went well, an error when the run cannot go on (the last good state stands). */
+/* Returns ED_OK while all went well, ED_LIMIT when a channel has exceeded its limit (the step stands, it is the last), an error when
+ * the run cannot go on (the last good state stands). */
 int ed_run_advance(ed_analysis *analysis, int max_steps);
 int ed_run_steps_done(const ed_analysis *analysis);
 int ed_run_rows(const ed_analysis *analysis);
+/* The channel whose limit has ended the run (of several the one furthest beyond its own), -1: none; its value, and the time. */
+int ed_run_limit(const ed_analysis *analysis, double *value, double *time);
 void ed_run_end(ed_analysis *analysis);
 /* Free vibration: initial velocities of the equations (n), before ed_history_begin. */
 int ed_initial_velocity(ed_analysis *analysis, const double *velocity);

@@ -12,7 +12,7 @@ import h5py
 
 from edesign.archive.attributes import decode
 from edesign.archive.dataset import Group
-from edesign.archive.hdf5 import LIBRARY_VERSIONS, read_attributes, write_group
+from edesign.archive.hdf5 import LIBRARY_VERSIONS, read_attributes, read_group, write_group
 from edesign.archive.transaction import TransactionFile
 from edesign.errors import ArchiveError
 
@@ -116,6 +116,14 @@ class ArchiveWriter:
         except BaseException:
             self.close()
             raise
+
+    def has(self, path: str) -> bool:
+        """Whether a group was written at a path, or is reused."""
+        return path in self._open_file()
+
+    def read(self, path: str) -> Group:
+        """Read back a group that was written or is reused."""
+        return read_group(self._open_file()[path])
 
     def finish(self, attributes: Mapping[str, object] | None = None) -> Path:
         """Mark the archive complete, give it its final name, and return the path.

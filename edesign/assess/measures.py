@@ -2,27 +2,73 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Collection
+from dataclasses import dataclass
+from typing import Literal
+
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak, residual
+from edesign.project.measures import MEASURE_KINDS
 
-MEASURES = (
-    "roof_displacement_m",
-    "residual_roof_displacement_m",
-    "roof_drift",
-    "interstorey_drift",
-    "residual_interstorey_drift",
-    "base_shear_N",
-    "roof_acceleration_m_s2",
-    "beam_plastic_rotation_rad",
-    "column_plastic_rotation_rad",
-    "column_axial_force_N",
-    "damper_strain",
-    "damper_deformation_m",
-    "damper_force_N",
-)
+MEASURES = tuple(MEASURE_KINDS)
 """Names of all response measures; the unit ends the name, ratios have none."""
+
+Where = Literal["roof", "first storey", "anywhere"]
+
+
+@dataclass(frozen=True)
+class Located:
+    """A measure with the place where it occurs.
+
+    Attributes:
+        value: in SI.
+        storey: number of the storey, or of the floor above it; None where there is none.
+        member: name of the column, beam or damper, "" where there is none.
+    """
+
+    value: float
+    storey: int | None = None
+    member: str = ""
+
+
+@dataclass(frozen=True)
+class _Source:
+    """Where a measure is taken from: the extremes or the residual of a quantity, and at which of its components."""
+
+    quantity: str
+    of: Callable[[Group, str], np.ndarray | None] = peak
+    at: Where = "anywhere"
+
+
+_SOURCES = {
+    "roof_displacement_m": _Source("floor_displacement", at="roof"),
+    "residual_roof_displacement_m": _Source("roof_displacement", residual),
+    "roof_drift": _Source("floor_displacement", at="roof"),
+    "interstorey_drift": _Source("storey_drift"),
+    "residual_interstorey_drift": _Source("storey_drift", residual),
+    "base_shear_N": _Source("base_shear"),
+    "column_base_shear_N": _Source("storey_shear", at="first storey"),
+    "roof_acceleration_m_s2": _Source("floor_acceleration", at="roof"),
+    "beam_plastic_rotation_rad": _Source("beam_plastic_rotation"),
+    "column_plastic_rotation_rad": _Source("column_plastic_rotation"),
+    "column_axial_force_N": _Source("column_axial_force"),
+    "damper_strain": _Source("damper_strain"),
+    "damper_deformation_m": _Source("damper_deformation"),
+    "damper_force_N": _Source("damper_force"),
+}
+
+_DIMENSIONS = {  # of the components of a measure that may be selected by storey or by name
+    "interstorey_drift": "storey",
+    "residual_interstorey_drift": "storey",
+    "beam_plastic_rotation_rad": "beam",
+    "column_plastic_rotation_rad": "column",
+    "column_axial_force_N": "column",
+    "damper_strain": "damper",
+    "damper_deformation_m": "damper",
+    "damper_force_N": "damper",
+}
 
 
 def response_measures(group: Group) -> dict[str, float | None]:
@@ -31,7 +77,9 @@ def response_measures(group: Group) -> dict[str, float | None]:
     All are absolute values, the largest over time and over floors, storeys, members and member ends. Displacements are
     relative to the ground, the acceleration is total. Residual values are means over the last fundamental period of a
     history, so that what is left of the free vibration does not count. Rotations are plastic rotations of member ends;
-    the axial force is of columns, gravity included; the strain of dampers is the shear of their layers.
+    the axial force is of columns, gravity included; the strain of dampers is the shear of their layers. The base shear
+    is that of the reactions, with what dampers bring into the supports; the one of columns is the shear of the columns
+    and braces of storey 1.
 
     Args:
         group: results of one analysis, as archived.
@@ -40,30 +88,78 @@ def response_measures(group: Group) -> dict[str, float | None]:
         One value in SI for each name of MEASURES; None where it does not apply: everything of a modal analysis, the
         acceleration of a static one, residual values of anything but a completed history.
     """
-    floors, storeys = peak(group, "floor_displacement"), peak(group, "storey_drift")
-    height = group.attributes.get("height")
-    roof = _last(floors)
-    found: dict[str, float | None] = dict.fromkeys(MEASURES)
-    found["roof_displacement_m"] = roof
-    found["residual_roof_displacement_m"] = _largest(residual(group, "roof_displacement"))
-    found["roof_drift"] = roof / float(height) if roof is not None and height else None
-    found["interstorey_drift"] = _largest(storeys)
-    found["residual_interstorey_drift"] = _largest(residual(group, "storey_drift"))
-    found["base_shear_N"] = _largest(peak(group, "base_shear"))
-    found["roof_acceleration_m_s2"] = _last(peak(group, "floor_acceleration"))
-    found["beam_plastic_rotation_rad"] = _largest(peak(group, "beam_plastic_rotation"))
-    found["column_plastic_rotation_rad"] = _largest(peak(group, "column_plastic_rotation"))
-    found["column_axial_force_N"] = _largest(peak(group, "column_axial_force"))
-    found["damper_strain"] = _largest(peak(group, "damper_strain"))
-    found["damper_deformation_m"] = _largest(peak(group, "damper_deformation"))
-    found["damper_force_N"] = _largest(peak(group, "damper_force"))
-    return found
+    found = {measure: located_measure(group, measure) for measure in MEASURES}
+    return {measure: None if place is None else place.value for measure, place in found.items()}
 
 
-def _largest(values: np.ndarray | None) -> float | None:
-    return None if values is None or values.size == 0 else float(np.max(values))
+def located_measure(
+    group: Group, measure: str, storeys: Collection[int] | None = None, members: Collection[str] | None = None
+) -> Located | None:
+    """Compute one response measure, over all of the frame or a part of it, and say where it occurs.
+
+    Args:
+        group: results of one analysis, as archived.
+        measure: a name of MEASURES.
+        storeys: only drifts of these storeys, only columns and dampers in them and beams at their floors; None: all.
+        members: only these columns, beams or dampers; None: all.
+
+    Returns:
+        The measure; None where it does not apply (see `response_measures`) or nothing is selected. A measure of the
+        whole frame, such as a base shear, knows no selection.
+    """
+    source = _SOURCES[measure]
+    values = source.of(group, source.quantity)
+    if values is None or values.size == 0:
+        return None
+    if source.at == "roof":
+        value = float(values[-1])  # floors are stored from the bottom to the top
+        if measure == "roof_drift":
+            height = group.attributes.get("height")
+            return Located(value / float(height), len(values)) if height else None
+        return Located(value, len(values))
+    if source.at == "first storey":
+        return Located(float(values[0]), 1)
+    dimension = _DIMENSIONS.get(measure)
+    if dimension is None:
+        return Located(float(np.max(values)))
+    return _largest(group, dimension, values, storeys, members)
 
 
-def _last(values: np.ndarray | None) -> float | None:
-    """The value of the roof: floors are stored from the bottom to the top."""
-    return None if values is None or values.size == 0 else float(values[-1])
+def component_storeys(group: Group, dimension: str) -> list[int]:
+    """Return the storey of each component of a dimension ("storey", "column", "beam", "damper"); 0: of none.
+
+    A beam counts with the storey below its floor.
+    """
+    labels = _labels(group, dimension)
+    if dimension == "storey":
+        return [int(label) for label in labels]
+    if dimension == "damper":
+        stored = group.variables.get("damper_storey")
+        return [0] * len(labels) if stored is None else [int(storey) for storey in stored.values]
+    return [int(label.rpartition("_")[2]) for label in labels]  # C_A_3, B_1_3
+
+
+def _largest(
+    group: Group,
+    dimension: str,
+    values: np.ndarray,
+    storeys: Collection[int] | None,
+    members: Collection[str] | None,
+) -> Located | None:
+    each = values.reshape(values.shape[0], -1).max(axis=1)  # the ends of a member are its columns
+    of_storey = component_storeys(group, dimension) if dimension in group.coords else [0] * len(each)
+    labels = _labels(group, dimension) if dimension in group.coords else [""] * len(each)
+    chosen = [
+        at
+        for at in range(len(each))
+        if (storeys is None or of_storey[at] in storeys)
+        and (members is None or dimension == "storey" or labels[at] in members)
+    ]
+    if not chosen:
+        return None
+    worst = max(chosen, key=lambda at: each[at])
+    return Located(float(each[worst]), of_storey[worst] or None, "" if dimension == "storey" else labels[worst])
+
+
+def _labels(group: Group, dimension: str) -> list[str]:
+    return [str(value) for value in group.coords[dimension].values]

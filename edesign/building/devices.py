@@ -27,6 +27,7 @@ class DeviceLaw:
         law: for the core.
         layers, layer_area (m2), layer_thickness (m): of the prototype; None: the law has no size of its own.
         tested_strain: largest shear strain of the tests that it comes from; None: not known.
+        property_factor: on all forces.
     """
 
     law: LawValues
@@ -34,6 +35,7 @@ class DeviceLaw:
     layer_area: float | None = None
     layer_thickness: float | None = None
     tested_strain: float | None = None
+    property_factor: float = 1.0
 
 
 @dataclass(frozen=True)
@@ -201,12 +203,12 @@ def _node(nodes: Mapping[str, int], name: str, where: str) -> int:
 def _scales(run: DamperRun | DamperBetween, law: DeviceLaw, place: _Place) -> tuple[float, float, float | None]:
     """Factors on force and deformation, and the layers' thickness."""
     if law.layers is None or law.layer_area is None or law.layer_thickness is None:
-        return float(run.number), 1.0, None
+        return run.number * law.property_factor, 1.0, None
     layers = run.layers if run.layers is not None else law.layers
     area = law.layer_area if run.layer_area is None else _of_storey(run.layer_area, place)
     thickness = run.layer_thickness if run.layer_thickness is not None else law.layer_thickness
     force = run.number * layers * area / (law.layers * law.layer_area)
-    return force, law.layer_thickness / thickness, thickness
+    return law.property_factor * force, law.layer_thickness / thickness, thickness
 
 
 def _of_storey(values: float | tuple[float, ...], place: _Place) -> float:

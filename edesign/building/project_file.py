@@ -1,12 +1,13 @@
-"""Reading a project file with the catalogue of sections at hand."""
+"""Reading a project or study file with the catalogue of sections at hand."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
 from edesign.building.profiles import profile_names
-from edesign.project import loader
+from edesign.project import loader, study_loader
 from edesign.project.project import Project
+from edesign.project.study import Study
 
 
 def load_project(path: Path | str) -> Project:
@@ -22,3 +23,8 @@ def load_project(path: Path | str) -> Project:
         InputError: the file cannot be read, or is wrong; the message lists all problems with file, line and column.
     """
     return loader.load_project(path, profile_names())
+
+
+def load_study(path: Path | str) -> Study:
+    """Read and check a study file and its project; otherwise as `load_project`."""
+    return study_loader.load_study(path, profile_names())

@@ -1,4 +1,4 @@
-"""`edesign check`: read a project, build its frame, and run nothing."""
+"""`edesign check`: read a project or study, build its frame, and run nothing."""
 
 from __future__ import annotations
 
@@ -8,11 +8,13 @@ from typing import Annotated
 import typer
 
 
-def check(project: Annotated[Path, typer.Argument(help="The project file.", show_default=False)]) -> None:
-    """Check a project file, its records and its frame; print a summary."""
-    from edesign.building.project_file import load_project
-    from edesign.study.check import check_project
+def check(project: Annotated[Path, typer.Argument(help="The project or study file.", show_default=False)]) -> None:
+    """Check a project or study file, its records and its frame; print a summary."""
+    from edesign.building.project_file import load_project, load_study
+    from edesign.project.study_loader import is_study
+    from edesign.study.check import check_project, check_study
 
-    for label, text in check_project(load_project(project)).items():
+    found = check_study(load_study(project)) if is_study(project) else check_project(load_project(project))
+    for label, text in found.items():
         typer.echo(f"{label + ':':<11} {text}")
     typer.echo("ok")

@@ -15,10 +15,12 @@ import typer
 from edesign._version import __version__
 from edesign.cli.characterise import characterise
 from edesign.cli.check import check
+from edesign.cli.compare import compare
 from edesign.cli.fit import fit
 from edesign.cli.laws import laws
 from edesign.cli.match import match
 from edesign.cli.new import new
+from edesign.cli.report import report
 from edesign.cli.run import run
 from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
@@ -39,7 +41,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (new, check, run, show, spectrum, match, laws, test, characterise, fit):
+for command in (new, check, run, show, compare, report, spectrum, match, laws, test, characterise, fit):
     app.command()(command)
 
 

@@ -1,4 +1,4 @@
-"""Progress of a run: a bar on a terminal, plain lines elsewhere."""
+"""Progress of a run: bars on a terminal, plain lines elsewhere."""
 
 from __future__ import annotations
 
@@ -8,10 +8,11 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from edesign.study.progress import Listener, Progress, silent
+from edesign.study.progress import Listener, Progress, Tally, silent
 
 LINE_EVERY = 0.1  # of an analysis, where no bar can be shown
 LINE_AFTER = 2.0  # s: quicker analyses have lines at their start and end only
+TOLD_FROM = 1.0  # s: less that is left is not worth telling
 
 
 @contextmanager
@@ -20,7 +21,7 @@ def listener(quiet: bool = False) -> Iterator[Listener]:
     if quiet:
         yield silent
     elif sys.stderr.isatty():
-        with _bar() as listen:
+        with _bars() as listen:
             yield listen
     else:
         yield PlainLines()
@@ -32,13 +33,17 @@ class PlainLines:
     def __init__(self) -> None:
         self._told: dict[str, int] = {}
         self._began: dict[str, float] = {}
+        self._tally = Tally()
 
     def __call__(self, report: Progress) -> None:
         """Print the report if it is worth a line."""
+        self._tally(report)
         text = describe(report)
         now = time.monotonic()
         if report.event == "start":
             self._began[report.analysis] = now
+        if report.event == "end" and report.index:
+            text += remaining(self._tally.left, ", about ")
         if report.event == "advance":
             if now - self._began.get(report.analysis, now) < LINE_AFTER:
                 return
@@ -66,14 +71,35 @@ def describe(report: Progress) -> str:
         return f"{place(report)}{report.analysis}"
     if report.event == "reuse":
         return f"{place(report)}{report.analysis}: reused"
-    return f"{place(report)}{report.analysis}: {report.message} ({report.seconds:.2f} s)"
+    return f"{place(report)}{report.analysis}: {report.message} ({duration(report.seconds)})"
+
+
+def duration(seconds: float) -> str:
+    """Return a time with the digits that matter: 0.042 s, 1.2 s, 25 s, 2 min 5 s, 1 h 20 min."""
+    if seconds < 9.95:
+        return f"{seconds:.2g} s"
+    whole = round(seconds)
+    if whole < 100:
+        return f"{whole} s"
+    if whole < 3600:
+        return f"{whole // 60} min {whole % 60} s"
+    return f"{whole // 3600} h {whole % 3600 // 60} min"
+
+
+def remaining(seconds: float | None, before: str = "") -> str:
+    """Return the estimate of what is left, such as "25 s left"; "" if there is none or it is not worth telling."""
+    if seconds is None or seconds < TOLD_FROM:
+        return ""
+    step = 1 if seconds < 10 else 5 if seconds < 120 else 60  # s: no more digits than an estimate has
+    return f"{before}{duration(step * round(seconds / step))} left".replace(" min 0 s", " min")
 
 
 @contextmanager
-def _bar() -> Iterator[Listener]:
+def _bars() -> Iterator[Listener]:
+    """A bar for the run if it has several analyses, and one for each that is running."""
     from rich.console import Console
     from rich.markup import escape
-    from rich.progress import BarColumn, TaskID, TaskProgressColumn, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+    from rich.progress import BarColumn, TaskID, TaskProgressColumn, TextColumn, TimeElapsedColumn
     from rich.progress import Progress as Bars
 
     console = Console(stderr=True)
@@ -82,19 +108,28 @@ def _bar() -> Iterator[Listener]:
         BarColumn(),
         TaskProgressColumn(),
         TimeElapsedColumn(),
-        TimeRemainingColumn(),
+        TextColumn("{task.fields[left]}"),
     )
     with Bars(*columns, console=console, transient=True) as bars:
         tasks: dict[str, TaskID] = {}
+        tally = Tally()
+        overall: list[TaskID] = []
 
         def listen(report: Progress) -> None:
+            tally(report)
+            if tally.count > 1 and not overall:
+                overall.append(bars.add_task("", total=1.0, left=""))
             if report.event == "start":
-                tasks[report.analysis] = bars.add_task(escape(describe(report)), total=1.0)
+                tasks[report.analysis] = bars.add_task(escape(describe(report)), total=1.0, left="")
             elif report.event == "advance" and report.analysis in tasks:
                 bars.update(tasks[report.analysis], completed=report.fraction)
             else:
                 if report.analysis in tasks:
                     bars.remove_task(tasks.pop(report.analysis))
                 console.print(escape(describe(report)), highlight=False)
+            for task in overall:
+                done = f"{tally.done}/{tally.count} analyses"
+                left = remaining(tally.left, "about ")
+                bars.update(task, description=done, completed=tally.fraction, left=left)
 
         yield listen

@@ -1,4 +1,4 @@
-"""`edesign run`: the analyses of a project into an archive."""
+"""`edesign run`: the analyses of a project or study into an archive."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import typer
 
 
 def run(
-    project: Annotated[Path, typer.Argument(help="The project file.", show_default=False)],
+    project: Annotated[Path, typer.Argument(help="The project or study file.", show_default=False)],
     archive: Annotated[
-        Path | None, typer.Option("--archive", "-a", help="Where to write; by default what the project says.")
+        Path | None, typer.Option("--archive", "-a", help="Where to write; by default what the file says.")
     ] = None,
     only: Annotated[
         list[str] | None,
@@ -19,24 +19,42 @@ def run(
             "--only", "-o", metavar="NAME", help="Run this analysis only; may be repeated. Written to its own archive."
         ),
     ] = None,
+    folder: Annotated[
+        list[Path] | None,
+        typer.Option("--folder", metavar="DIR", help="More folders with your recordings of suites; may be repeated."),
+    ] = None,
     fresh: Annotated[bool, typer.Option("--fresh", help="Discard the results of an interrupted run.")] = False,
     workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Analyses that run at the same time.")] = 1,
+    backend: Annotated[
+        str, typer.Option("--backend", "-b", help="What runs the analyses: serial, threads, or dask.")
+    ] = "threads",
+    scheduler: Annotated[
+        str | None,
+        typer.Option("--scheduler", metavar="ADDRESS", help="Of a dask cluster: tcp://host:8786; it implies dask."),
+    ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
-    """Run the analyses of a project, archive them, and print a summary.
+    """Run the analyses of a project or study, archive them, and print a summary.
 
     A run that was interrupted goes on where it stopped when it is called again.
     """
-    from edesign.building.project_file import load_project
+    from edesign.building.project_file import load_project, load_study
     from edesign.cli.progress import listener
     from edesign.errors import AnalysisError
+    from edesign.ground_motion.project_records import with_folders
+    from edesign.project.study_loader import is_study
     from edesign.report.tables import overview
     from edesign.report.text import print_tables
-    from edesign.study.run import run_project
+    from edesign.study.run import run_project, run_study
 
-    loaded = load_project(project)
+    backend = "dask" if scheduler is not None else backend
     with listener(quiet) as listen:
-        summary = run_project(loaded, archive, listen, workers, only or (), fresh)
+        how = (archive, listen, workers, only or (), fresh, backend, scheduler)
+        if is_study(project):
+            study = load_study(project)
+            summary = run_study(study.of(with_folders(study.base, folder or [])), *how)
+        else:
+            summary = run_project(with_folders(load_project(project), folder or []), *how)
     if not quiet:
         print_tables(overview(summary.archive))
         typer.echo(f"archive: {summary.archive} ({summary.seconds:.1f} s)")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time as clock
 from collections import Counter
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,7 @@ from edesign.core.errors import CoreError, status_name
 from edesign.core.integrators import Integrator, Newmark
 from edesign.core.model import Model
 from edesign.core.modes import Modes, natural_modes
-from edesign.core.response import ENERGIES, KINDS, RUNGS, Channel, Response
+from edesign.core.response import ENERGIES, KINDS, RUNGS, Channel, Passed, Response
 
 DEGREES = {"ux": 0, "uy": 1, "rz": 2}
 STIFFNESS = {
@@ -34,6 +34,7 @@ SETTINGS = {
     "energy": lib.ED_ENERGY,
 }
 AVERAGE_ACCELERATION = Newmark()
+NO_LIMITS: Mapping[str, float] = {}
 _PIECE = 0.2  # seconds of computing between looks at the stop flag
 
 
@@ -198,6 +199,7 @@ class Analysis:
         vertical: ArrayLike | None = None,
         progress: Callable[[int, int], None] | None = None,
         stop: Callable[[], bool] | None = None,
+        limits: Mapping[str, float] = NO_LIMITS,
     ) -> Response:
         """Time history under ground acceleration.
 
@@ -208,9 +210,14 @@ class Analysis:
             vertical: (nt,) m/s2 along y.
             progress: called with (steps done, steps) now and then.
             stop: asked now and then; True ends the run with status "interrupted".
+            limits: by name of a channel; the run ends with status "limit" in the step in which its magnitude passes it.
 
         Returns:
             Response; status "failed" with the reason when equilibrium was lost (what was computed before is in it).
+
+        Raises:
+            ValueError: a limit belongs to no channel.
+            CoreError: a limit is not positive.
         """
         ground = np.ascontiguousarray(ground_acceleration, dtype=float)
         other = None if vertical is None else np.ascontiguousarray(vertical, dtype=float)
@@ -219,7 +226,7 @@ class Analysis:
         kind, parameters = method.parameters()
         steps = ground.size - 1
         self._check(lib.ed_history_begin(self._c, steps, dt, _doubles(ground), _doubles(other), kind, parameters))
-        return self._run(steps, channels, every, progress, stop)
+        return self._run(steps, channels, every, progress, stop, limits)
 
     def _add_channels(self, channels: Sequence[Channel]) -> None:
         repeated = {name for name, count in Counter(c.name for c in channels).items() if count > 1}
@@ -240,6 +247,14 @@ class Analysis:
                 message = ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace")
                 raise CoreError(status_name(status), f"channel {channel.name}: {message}")
 
+    def _set_limits(self, channels: Sequence[Channel], limits: Mapping[str, float]) -> None:
+        number = {channel.name: i for i, channel in enumerate(channels)}
+        unknown = [name for name in limits if name not in number]
+        if unknown:
+            raise ValueError(f"limits of channels that are not recorded: {', '.join(unknown)}")
+        for name, limit in limits.items():
+            self._check(lib.ed_channel_limit(self._c, number[name], float(limit)))
+
     def _run(
         self,
         steps: int,
@@ -247,10 +262,12 @@ class Analysis:
         every: int,
         progress: Callable[[int, int], None] | None,
         stop: Callable[[], bool] | None,
+        limits: Mapping[str, float] = NO_LIMITS,
     ) -> Response:
         try:
             lib.ed_clear_channels(self._c)
             self._add_channels(channels)
+            self._set_limits(channels, limits)
             return self._advance(steps, channels, every, progress, stop)
         finally:
             lib.ed_run_end(self._c)
@@ -270,6 +287,7 @@ class Analysis:
         lib.ed_run_buffers(self._c, every, _doubles(abscissa), _doubles(values.ravel()), _doubles(energy.ravel()))
         before = self._statistics()
         status, reason, done, piece = "completed", "", 0, 1
+        passed: Passed | None = None
         cpu = 0.0
         while done < steps:
             wall, start = clock.perf_counter(), clock.thread_time()
@@ -279,6 +297,10 @@ class Analysis:
             done = int(lib.ed_run_steps_done(self._c))
             if result < 0:
                 status, reason = "failed", ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace")
+                break
+            if result == lib.ED_LIMIT:
+                passed = self._passed(channels)
+                status, reason = "limit", f"{passed.channel} reached {passed.value:.6g} at {passed.time:.6g} s"
                 break
             if progress is not None:
                 progress(done, steps)
@@ -311,7 +333,13 @@ class Analysis:
             energy={name: energy[:n, i].copy() for i, name in enumerate(ENERGIES)},
             events=events,
             statistics=statistics,
+            passed=passed,
         )
+
+    def _passed(self, channels: Sequence[Channel]) -> Passed:
+        value, time = ffi.new("double *"), ffi.new("double *")
+        channel = int(lib.ed_run_limit(self._c, value, time))
+        return Passed(channels[channel].name, value[0], time[0])
 
     def _statistics(self) -> dict[str, float]:
         s = ffi.new("ed_statistics *")

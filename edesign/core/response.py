@@ -56,12 +56,21 @@ class Channel:
     history: bool = True
 
 
+@dataclass(frozen=True)
+class Passed:
+    """The channel that ended a run beyond its limit, its value, and when (s)."""
+
+    channel: str
+    value: float
+    time: float
+
+
 @dataclass
 class Response:
     """Result of a run.
 
     Attributes:
-        status: "completed", "failed" or "interrupted".
+        status: "completed", "failed", "interrupted" or "limit".
         reason: why it did not complete, "" otherwise.
         time: (nt,) s; load factor in load control, controlled displacement (m) in displacement control.
         values: (nt,) of every channel with history.
@@ -69,6 +78,7 @@ class Response:
         energy: (nt,) J of each of ENERGIES.
         events: rungs of the failure ladder that were used: time, step, rung, halvings, success, iterations.
         statistics: counts, worst relative unbalance, energy error relative to the largest input, CPU seconds.
+        passed: the limit that ended the run, if the status is "limit".
     """
 
     status: str
@@ -83,6 +93,7 @@ class Response:
     energy: dict[str, np.ndarray]
     events: list[dict[str, object]] = field(default_factory=list)
     statistics: dict[str, float] = field(default_factory=dict)
+    passed: Passed | None = None
 
     def peak(self, name: str) -> float:
         """Largest magnitude of a channel."""

@@ -5,7 +5,7 @@ A reference is the name of a record under `records`, or SUITE/ID for one recordi
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib import metadata
 from pathlib import Path
@@ -64,6 +64,27 @@ def find_recordings(project: Project, wanted: Iterable[str]) -> dict[str, Found]
         except InputError as error:
             raise InputError(f"{project.where('records', name)}: records.{name}: {error}") from error
     return {reference: found[reference] for reference in wanted}
+
+
+def with_folders(project: Project, folders: Sequence[Path]) -> Project:
+    """The project with more folders in which the recordings of its suites are looked for, after its own.
+
+    Raises:
+        InputError: a folder does not exist, or the project has no suite.
+    """
+    if not folders:
+        return project
+    for folder in folders:
+        if not folder.is_dir():
+            raise InputError(f"--folder: there is no folder {folder}")
+    if not any(isinstance(spec, SuiteRecords) for spec in project.records.values()):
+        raise InputError(f"--folder: {project.path} has no suite of recordings")
+    more = tuple(str(folder.resolve()) for folder in folders)
+    records = {
+        name: spec.model_copy(update={"folders": (*spec.folders, *more)}) if isinstance(spec, SuiteRecords) else spec
+        for name, spec in project.records.items()
+    }
+    return project.model_copy(update={"records": records})
 
 
 def _spec(project: Project, name: str) -> FileRecord | StructdynRecord | FemaP695Record | SuiteRecords:

@@ -57,7 +57,8 @@ class HistoryAnalysis(_Analysis):
     """The response to a record under gravity.
 
     The record is scaled to the peak `pga` (m/s2), or by `scale`; without both it is used as recorded.
-    `free_vibration` (s) is added after its end. `level` is a free label of the hazard level.
+    `free_vibration` (s) is added after its end. `level` is a free label of the hazard level. With `collapse_drift` the
+    history ends as collapsed when the drift ratio of a storey passes it.
     """
 
     kind: Literal["history"]
@@ -66,6 +67,7 @@ class HistoryAnalysis(_Analysis):
     scale: PositiveFactor | None = None
     free_vibration: Duration = 0.0
     level: Label = ""
+    collapse_drift: PositiveRatio | None = None
 
 
 Analysis = Annotated[

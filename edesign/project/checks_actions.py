@@ -17,8 +17,14 @@ from edesign.project.records import AccelerationUnit, FemaP695Record, FileRecord
 UNITS = get_args(AccelerationUnit)
 
 
-def check_actions(project: Project, problems: Problems) -> None:
-    """Check what acts on the frame and what is to be analysed; `project` has no schema problems."""
+def check_actions(project: Project, problems: Problems, files: bool = True) -> None:
+    """Check what acts on the frame and what is to be analysed; `project` has no schema problems.
+
+    Args:
+        project: as read.
+        problems: collects what is wrong.
+        files: whether the files of the records must be there.
+    """
     check = Selections(project.frame, problems)
     for i, load in enumerate(project.loads.beams):
         check.standing_beams(("loads", "beams", i), load)
@@ -27,6 +33,8 @@ def check_actions(project: Project, problems: Problems) -> None:
     _masses(project, problems, check)
     _damping(project, problems)
     _records(project, problems)
+    if files:
+        _record_files(project, problems)
     _analyses(project, problems)
 
 
@@ -64,22 +72,28 @@ def _records(project: Project, problems: Problems) -> None:
         keys: Keys = ("records", name)
         _matching(project, record.match, (*keys, "match"), problems)
         if isinstance(record, SuiteRecords):
-            _file(project, record.suite, (*keys, "suite"), problems)
             for i, wanted in enumerate(record.only or ()):
                 if wanted in (record.only or ())[:i]:
                     problems.at_value((*keys, "only", i), f"`{wanted}` stands here twice; a recording is taken once")
-            for i, folder in enumerate(record.folders):
-                if not (project.folder / folder).is_dir():
-                    message = (
-                        f"there is no folder `{project.folder / folder}` (the path is relative to the project file)"
-                    )
-                    problems.at_value((*keys, "folders", i), message)
             continue
         _processing(record.processing, (*keys, "processing"), problems)
         if not isinstance(record, FemaP695Record):
             _format(record, keys, problems)
-            if isinstance(record, FileRecord):
-                _file(project, record.file, (*keys, "file"), problems)
+
+
+def _record_files(project: Project, problems: Problems) -> None:
+    for name, record in project.records.items():
+        keys: Keys = ("records", name)
+        if isinstance(record, FileRecord):
+            _file(project, record.file, (*keys, "file"), problems)
+        if not isinstance(record, SuiteRecords):
+            continue
+        _file(project, record.suite, (*keys, "suite"), problems)
+        for i, folder in enumerate(record.folders):
+            path = project.folder / folder
+            if not path.is_dir():
+                message = f"there is no folder `{path}` (the path is relative to the project file)"
+                problems.at_value((*keys, "folders", i), message)
 
 
 def _file(project: Project, name: str, keys: Keys, problems: Problems) -> None:

@@ -19,7 +19,7 @@ def check_outputs(project: Project, problems: Problems) -> None:
             problems.at_value(("outputs", "histories", i), f"`{kind}` comes twice")
     for i, member in enumerate(outputs.members):
         keys: Keys = ("outputs", "members", i)
-        if _member(project, problems, keys, member) and member in outputs.members[:i]:
+        if check_member(project, problems, keys, member) and member in outputs.members[:i]:
             problems.at_value(keys, f"`{member}` comes twice")
     for i, section in enumerate(outputs.sections):
         _points(project, problems, ("outputs", "sections", i), section)
@@ -41,7 +41,8 @@ def layers_at_most(project: Project, section: str) -> int | None:
     return 2 * fibres.flange_thickness + fibres.web_height
 
 
-def _member(project: Project, problems: Problems, keys: Keys, member: str) -> bool:
+def check_member(project: Project, problems: Problems, keys: Keys, member: str) -> bool:
+    """Check that a member exists; returns whether it does."""
     known = project.frame.members
     if member in known:
         return True
@@ -53,7 +54,7 @@ def _member(project: Project, problems: Problems, keys: Keys, member: str) -> bo
 
 def _points(project: Project, problems: Problems, keys: Keys, asked: SectionOutput | FibreOutput) -> bool:
     """The member exists, has integration points, and has those that are asked for."""
-    if not _member(project, problems, (*keys, "member"), asked.member):
+    if not check_member(project, problems, (*keys, "member"), asked.member):
         return False
     run = project.frame.members[asked.member]
     if isinstance(run, BraceRun):

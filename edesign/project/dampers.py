@@ -12,6 +12,7 @@ from edesign.project.temperature import Temperature
 from edesign.project.units import (
     Factor,
     PositiveArea,
+    PositiveFactor,
     PositiveFrequency,
     PositiveLength,
     PositiveMass,
@@ -48,10 +49,14 @@ class LawDescription(Model):
 
 
 class DamperLaw(LawDescription):
-    """A law of the project at a temperature (degC; None: that of the parameters); `file` is a law file."""
+    """A law of the project at a temperature (degC; None: that of the parameters); `file` is a law file.
+
+    `property_factor` multiplies all forces: a property modification factor of EN 15129 or ASCE 7.
+    """
 
     file: Annotated[str, Field(min_length=1)] | None = None
     temperature: Temperature | None = None
+    property_factor: PositiveFactor = 1.0
 
 
 class BraceStiffness(Model):

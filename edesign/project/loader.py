@@ -36,8 +36,15 @@ def load_project(path: Path | str, profiles: Collection[str] | None = None) -> P
     return parse_project(read_yaml_text(path, _WHAT), path, profiles)
 
 
-def parse_project(text: str, path: Path | str = "project.yaml", profiles: Collection[str] | None = None) -> Project:
-    """Check the text of a project file that (supposedly) stands at `path`; otherwise as `load_project`."""
+def parse_project(
+    text: str, path: Path | str = "project.yaml", profiles: Collection[str] | None = None, files: bool = True
+) -> Project:
+    """Check the text of a project file that (supposedly) stands at `path`; otherwise as `load_project`.
+
+    Args:
+        text, path, profiles: of the file.
+        files: whether the files that it names must be there.
+    """
     path = Path(path)
     hint = "; `edesign new` writes one that runs"
     project, problems = check_model(text, Project, _WHAT, "edesign: 1", hint)
@@ -45,7 +52,7 @@ def parse_project(text: str, path: Path | str = "project.yaml", profiles: Collec
         project._path, project._text, project._root = path, text, problems.root
         # cross checks need a whole project: they come in a second round, after the schema is satisfied
         check_frame(project, problems, profiles)
-        check_actions(project, problems)
+        check_actions(project, problems, files)
         check_dampers(project, problems)
         check_hazard(project, problems)
         check_outputs(project, problems)

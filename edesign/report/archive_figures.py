@@ -1,18 +1,52 @@
-"""All figures of an archive, as files: its records, and the dampers of its histories."""
+"""All figures of an archive, in the order of a report, and as files."""
 
 from __future__ import annotations
 
 import os
+from collections.abc import Iterator
 from itertools import chain
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from edesign.archive.files import make_folder
-from edesign.archive.reader import open_archive
+from edesign.archive.reader import Archive, open_archive
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean
+from edesign.report.axial_figures import axial_figures
 from edesign.report.damper_loops import damper_figures
+from edesign.report.design_figures import design_figures
+from edesign.report.energy_figures import energy_figures
 from edesign.report.figures import FORMATS, save
+from edesign.report.frame_figures import frame_figures
+from edesign.report.mode_figures import mode_figures
+from edesign.report.moment_rotation_figures import moment_rotation_figures
+from edesign.report.profile_figures import profile_figures
 from edesign.report.record_figures import record_figures
+from edesign.report.response_figures import response_figures
+from edesign.report.temperature_figures import temperature_figures
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+FIGURES = (
+    record_figures,
+    mode_figures,
+    design_figures,
+    profile_figures,
+    frame_figures,
+    axial_figures,
+    response_figures,
+    energy_figures,
+    moment_rotation_figures,
+    damper_figures,
+    temperature_figures,
+)
+"""Each gives (name of the file, caption, figure) for what an archive has of its subject."""
+
+
+def all_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """All figures of an archive: name of the file, caption, figure."""
+    return chain.from_iterable(figures(archive) for figures in FIGURES)
 
 
 def check_format(name: str) -> str:
@@ -27,7 +61,7 @@ def check_format(name: str) -> str:
 
 
 def draw_figures(archive: str | os.PathLike[str], folder: Path, figure_format: str = "svg") -> tuple[Path, ...]:
-    """Draw spectra of suites, histories of fitted records, and loops of the dampers of histories.
+    """Draw all figures of an archive into files.
 
     Args:
         archive: complete or partial, of `edesign match` or `edesign run`.
@@ -35,17 +69,16 @@ def draw_figures(archive: str | os.PathLike[str], folder: Path, figure_format: s
         figure_format: svg, png or pdf.
 
     Returns:
-        The files: SUITE_before, SUITE_after, SUITE_mean, RECORD, ANALYSIS_dampers with their suffix; none where there
-        is nothing of all this.
+        The files, named as `all_figures` says, with their suffix; none where there is nothing to draw.
 
     Raises:
         ArchiveError: the archive cannot be read, or a figure cannot be written.
-        InputError: the format is unknown.
+        InputError: the format is unknown, or the archive's project cannot be read by this version.
     """
     suffix = check_format(figure_format)
     written: list[Path] = []
     with open_archive(archive) as opened:
-        for name, figure in chain(record_figures(opened), damper_figures(opened)):
+        for name, _, figure in all_figures(opened):
             if not written:
                 make_folder(folder)
             written.append(folder / f"{name}.{suffix}")

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import wraps
+from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
 
@@ -17,6 +19,12 @@ P = ParamSpec("P")
 FORMATS = ("svg", "png", "pdf")
 BEFORE, AFTER, TARGET, MEAN = "#8a8f98", "#1f5fa8", "#c0392b", "#111111"
 """Colours that stay apart in grey print and for colour-blind readers."""
+
+VARIANTS = ("#d9822b", AFTER, "#3aa08f", "#7b3f98", "#5a5f66")
+"""Of the variants of a structure, in their order; of a sixth the first again."""
+
+RECORDS = "#b4bac3"
+"""Of each of many records."""
 
 _STYLE: Any = {
     "font.size": 8.0,
@@ -73,6 +81,53 @@ def save(figure: Figure, path: Path) -> None:
     metadata = {"Date": None} if suffix == ".svg" else {"CreationDate": None} if suffix == ".pdf" else None
     with matplotlib.rc_context(_STYLE):
         write_whole(path, lambda partial: figure.savefig(partial, dpi=160, metadata=metadata))
+
+
+def svg_text(figure: Figure, prefix: str) -> str:
+    """Return a figure as an <svg> element for a page.
+
+    Args:
+        figure: as drawn by a `styled` function.
+        prefix: of all ids in it, so that those of several figures of a page differ.
+    """
+    import matplotlib
+
+    text = StringIO()
+    with matplotlib.rc_context(_STYLE):
+        figure.savefig(text, format="svg", metadata={"Date": None})
+    element = text.getvalue()
+    element = re.sub(r'\bid="', f'id="{prefix}-', element[element.index("<svg") :])
+    return re.sub(r'(url\(#|href="#)', rf"\g<1>{prefix}-", element)
+
+
+def grid_figure(count: int, columns: int, width: float, height: float) -> tuple[Figure, list[Axes]]:
+    """Return a figure of `count` panels in rows of at most `columns`, and their axes; to be called when `styled`.
+
+    Args:
+        count, columns: panels in all, and in a row.
+        width, height: of a panel, inches.
+    """
+    across = min(columns, count)
+    down = -(-count // across)
+    figure, axes = new_figure(down, across, 0.5 + width * across, 0.5 + height * down)
+    cells = [axis for row in axes for axis in row]
+    for axis in cells[count:]:
+        axis.set_visible(False)
+    return figure, cells[:count]
+
+
+def label_outer(cells: list[Axes], columns: int, abscissa: str, ordinate: str) -> None:
+    """Label the axes of panels with common scales: ordinates at the left, abscissas where nothing stands below."""
+    across = min(columns, len(cells))
+    for place, axis in enumerate(cells):
+        if place % across == 0:
+            axis.set_ylabel(ordinate)
+        else:
+            axis.tick_params(labelleft=False)
+        if place + across >= len(cells):
+            axis.set_xlabel(abscissa)
+        else:
+            axis.tick_params(labelbottom=False)
 
 
 def logarithmic(axis: Axes) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.report.captions import record_label
 from edesign.report.match_figure import match_figure
 from edesign.report.spectra_figure import spectra_figure
 from edesign.study.record_results import RECORDS
@@ -17,31 +18,29 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 
-def record_figures(archive: Archive) -> Iterator[tuple[str, Figure]]:
-    """Spectra of each suite, and histories of each fitted record, by file name."""
+def record_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """Spectra of each suite, and histories of each fitted record: name of the file, caption, figure."""
     for name in archive.names(RECORDS):
         place = f"{RECORDS}/{name}"
         if not archive.group_attributes(place).get("suite"):
             group = archive.group(place)
             if _is_fitted(group):
-                yield name, match_figure(group)
+                yield name, _match_caption(group), match_figure(group)
             continue
         members = {member: archive.group(f"{place}/{member}") for member in archive.names(place)}
         yield from _suite_figures(name, archive.group(place), members)
         for member, group in members.items():
             if _is_fitted(group):
-                yield member, match_figure(group)
+                yield member, _match_caption(group), match_figure(group)
 
 
-def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterator[tuple[str, Figure]]:
+def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterator[tuple[str, str, Figure]]:
     fitted = {member: group for member, group in members.items() if _is_fitted(group)}
     if not fitted:
         spectra = {member: group.variables["psa"].values for member, group in members.items()}
         period = next(iter(members.values())).coords["period"].values
-        yield (
-            f"{name}_spectra",
-            spectra_figure(period, spectra, title=f"{name}: {_origins(members)}, {_damping(members)}"),
-        )
+        title = f"{name}: {_origins(members)}, {_damping(members)}"
+        yield f"{name}_spectra", f"Elastic spectra of {title}.", spectra_figure(period, spectra, title=title)
         return
     period, target = suite.coords["period"].values, suite.variables["target"].values
     goal, damping = {str(suite.attributes["target"]): target}, _damping(fitted)
@@ -50,14 +49,26 @@ def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterat
         for member, group in fitted.items()
     }
     matched = {member: group.variables["psa_after"].values for member, group in fitted.items()}
-    yield f"{name}_before", spectra_figure(period, recorded, goal, f"{name}: {_origins(fitted)}, {damping}")
-    yield f"{name}_after", spectra_figure(period, matched, goal, f"{name}: matched, {damping}")
+    kinds = f"{_origins(fitted)}, {damping}"
+    against = f"their mean, and the target {suite.attributes['target']}"
+    before, after = f"{name}: {kinds}", f"{name}: matched, {damping}"
+    caption = f"Spectra of {name} as recorded ({kinds}), {against}."
+    yield f"{name}_before", caption, spectra_figure(period, recorded, goal, before)
+    caption = f"Spectra of {name} after matching ({damping}), {against}."
+    yield f"{name}_after", caption, spectra_figure(period, matched, goal, after)
     means = {
         "mean, unscaled": np.mean(list(recorded.values()), axis=0),
         "mean, matched": np.mean(list(matched.values()), axis=0),
     }
-    title = f"{name}: means, {_origins(fitted)}, {damping}"
-    yield f"{name}_mean", spectra_figure(period, means, goal, title, mean=False)
+    title = f"{name}: means, {kinds}"
+    caption = f"Mean spectra of {name} before and after matching ({kinds})."
+    yield f"{name}_mean", caption, spectra_figure(period, means, goal, title, mean=False)
+
+
+def _match_caption(group: Group) -> str:
+    name, method, scale = (group.attributes[key] for key in ("name", "match_method", "match_scale"))
+    kind = "simulated" if group.attributes["origin"] == "stand-in" else "recorded"
+    return f"{record_label(str(name))}, {kind}, times {float(scale):.3g}, before and after matching ({method})."
 
 
 def _origins(members: dict[str, Group]) -> str:

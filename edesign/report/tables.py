@@ -9,23 +9,13 @@ from typing import Any
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
+from edesign.report.archived import is_study_archive
 from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
+from edesign.report.measure_columns import FRAME_COLUMNS, ROUNDING
 from edesign.report.record_tables import tables_of
+from edesign.report.study_tables import study_tables
 from edesign.report.summary import entry, find, planned, results
 from edesign.report.table import Table, number, seconds, whole
-
-MEASURE_COLUMNS = (  # header, measure, unit of the header in SI
-    ("roof u [m]", "roof_displacement_m", 1.0),
-    ("residual u [m]", "residual_roof_displacement_m", 1.0),
-    ("roof drift [%]", "roof_drift", 0.01),
-    ("storey drift [%]", "interstorey_drift", 0.01),
-    ("residual drift [%]", "residual_interstorey_drift", 0.01),
-    ("base shear [kN]", "base_shear_N", 1e3),
-    ("roof a [m/s2]", "roof_acceleration_m_s2", 1.0),
-    ("beam rot. [mrad]", "beam_plastic_rotation_rad", 1e-3),
-    ("col. rot. [mrad]", "column_plastic_rotation_rad", 1e-3),
-    ("col. N [kN]", "column_axial_force_N", 1e3),
-)
 
 PROFILE_COLUMNS = (
     ("floor u [m]", "floor_displacement", 1.0),
@@ -36,16 +26,17 @@ PROFILE_COLUMNS = (
 )
 EVENTS_SHOWN = 20
 ABSCISSAE = {"gravity": "load factor", "pushover": "roof u [m]", "history": "time [s]"}  # what steps are taken in
-ROUNDING = 1e-9  # m, N, rad: far below what any measure means
 
 
 def overview(archive: str | os.PathLike[str]) -> list[Table]:
-    """Return the tables of a whole archive: analyses, periods, response measures, statistics.
+    """Return the tables of a whole archive: analyses, periods, response measures, statistics; of a study its results.
 
     Raises:
         ArchiveError: the archive cannot be read.
     """
     with open_archive(archive) as opened:
+        if is_study_archive(opened):
+            return [_heading(opened), *tables_of(opened), *study_tables(opened)]
         groups = {name: results(opened, name) for name in planned(opened)}
         entries = [entry(name, group) for name, group in groups.items()]
         tables = [_heading(opened), *tables_of(opened), analyses_table(entries)]
@@ -90,7 +81,7 @@ def analyses_table(entries: list[dict[str, Any]]) -> Table:
 def measures_table(entries: list[dict[str, Any]]) -> Table:
     """Return the response measures of the analyses that have any; columns that apply to none are left out."""
     rows = [item for item in entries if any(value is not None for value in item["measures"].values())]
-    shown = [column for column in MEASURE_COLUMNS if any(item["measures"][column[1]] is not None for item in rows)]
+    shown = [column for column in FRAME_COLUMNS if any(item["measures"][column[1]] is not None for item in rows)]
     table = Table("Response measures (largest absolute values)", ("analysis", *(header for header, _, _ in shown)))
     for item in rows:
         mark = "" if item["status"] == "completed" else " *"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 import numpy as np
 
@@ -15,18 +15,22 @@ from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found
 from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
+from edesign.project.checks_designs import design_warnings
 from edesign.project.damping import ModalDamping, RayleighDamping
+from edesign.project.outputs import Outputs
 from edesign.project.problems import keys_text
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords
+from edesign.project.study import Study
 from edesign.study.advice import advice
 from edesign.study.dampers import law_warnings
 from edesign.study.history import check_motion
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import check_fits
-from edesign.study.plan import make_plan
+from edesign.study.plan import Task, make_plan
 from edesign.study.requested import requested_quantities
 from edesign.study.structure import make_frame, make_structure
+from edesign.study.study_plan import make_study_plan, recordings
 
 ORIGINS = {"file": "from files", "package": "from packages", "stand-in": "simulated"}
 
@@ -64,6 +68,32 @@ def check_inputs(project: Project, specs: Iterable[Analysis]) -> dict[str, Found
         raise InputError(f"{project.where('frame')}: frame: {error}") from error
     _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
     return found
+
+
+def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
+    """Check what a study needs before its first analysis; otherwise as `check_inputs`.
+
+    Args:
+        study: from `load_study`.
+        plan: of the study.
+    """
+    references = [task.record for task in plan if task.record is not None]
+    verified = [item for name in study.designs for item in verification_records(study, name)]
+    histories = [
+        HistoryAnalysis(kind="history", name="verification", record=reference)
+        for reference in dict.fromkeys(verified)
+        if reference not in references
+    ]
+    details = study.outputs.details
+    members = details.members if details is not None else ()
+    base = study.base.model_copy(update={"outputs": Outputs(histories=(), members=members)})
+    return check_inputs(base, [*(task.spec for task in plan), *histories])
+
+
+def verification_records(study: Study, name: str) -> tuple[str, ...]:
+    """References of the recordings that a design of a study is verified with."""
+    verify = study.designs[name].verify
+    return recordings(study, verify.records, ("designs", name, "verify", "records")) if verify is not None else ()
 
 
 def _check_modes(project: Project, specs: tuple[Analysis, ...], most: int) -> None:
@@ -118,6 +148,41 @@ def check_project(project: Project) -> dict[str, str]:
         "records": _records(project, {**found, **others}),
         "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
         "archive": str(project.archive_path),
+        **({"notes": "; ".join(notes)} if notes else {}),
+    }
+
+
+def check_study(study: Study) -> dict[str, str]:
+    """Check what a run of a study would meet, and describe it in a few lines.
+
+    Args:
+        study: from `load_study`.
+
+    Returns:
+        Text by label: title, project, frame, records, designs, variants, analyses, criteria, archive; and notes.
+
+    Raises:
+        InputError: a record cannot be read, or the frame cannot be built or is unstable.
+        AnalysisError: the first period cannot be found.
+    """
+    plan = make_study_plan(study)
+    found = check_study_inputs(study, plan)
+    period = fundamental_period(study.base)
+    entries = Counter(task.entry for task in plan)
+    notes = advice(study.base, period, [item.record for item in found.values()])
+    notes += [f"design {name}: {text}" for name, spec in study.designs.items() for text in design_warnings(spec)]
+    notes += [f"record {name}: {doubt}" for name, item in found.items() for doubt in doubts(item.record)]
+    return {
+        "title": study.title,
+        "project": str(study.base.path),
+        "frame": _frame(study.base),
+        "period": f"T1 = {period:.4f} s of the bare frame under gravity" if period is not None else "no masses",
+        "records": _records(study.base, found),
+        "designs": ", ".join(f"{name} ({spec.method})" for name, spec in study.designs.items()) or "none",
+        "variants": ", ".join(study.variants),
+        "analyses": ", ".join(f"{name} ({count})" if count > 1 else name for name, count in entries.items()),
+        "criteria": str(len(study.criteria) + len(study.objectives)),
+        "archive": str(study.archive_path),
         **({"notes": "; ".join(notes)} if notes else {}),
     }
 

@@ -62,14 +62,18 @@ def store_damper_stiffness(group: Group, structure: Structure, modes: Modes, sti
 
 
 def _amplitude(project: Project, spec: ModalAnalysis, device: Device) -> float:
-    i = next(i for i, item in enumerate(project.analyses) if item.name == spec.name)
-    where = f"{project.where('analyses', i)}: analyses[{i}]"
     if spec.damper_deformation is not None:
         return spec.damper_deformation
     if spec.damper_strain is not None:
         if device.layer_thickness is None:
             raise InputError(
-                f"{where}: damper_strain: the damper {device.name} has no layers; give `damper_deformation`"
+                f"{_where(project, spec)}: damper_strain: the damper {device.name} has no layers; give `damper_deformation`"
             )
         return spec.damper_strain * device.layer_thickness
     return SMALL_STRAIN * device.layer_thickness if device.layer_thickness is not None else SMALL_DEFORMATION
+
+
+def _where(project: Project, spec: ModalAnalysis) -> str:
+    """The place of an analysis in the project file; its name if it comes from elsewhere."""
+    i = next((i for i, item in enumerate(project.analyses) if item.name == spec.name), None)
+    return f"{project.path}: {spec.name}" if i is None else f"{project.where('analyses', i)}: analyses[{i}]"

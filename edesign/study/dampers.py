@@ -54,9 +54,9 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     numbers = LawValues(chosen.name, tuple(values.values()))
     prototype = spec.prototype or described.prototype
     if prototype is None:
-        return DeviceLaw(numbers), warnings
+        return DeviceLaw(numbers, property_factor=spec.property_factor), warnings
     size = (prototype.layers, prototype.layer_area, prototype.layer_thickness)
-    return DeviceLaw(numbers, *size, strain_of_tests(described)), warnings
+    return DeviceLaw(numbers, *size, strain_of_tests(described), spec.property_factor), warnings
 
 
 def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[str]:

@@ -18,6 +18,7 @@ from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.project import Project
 from edesign.study import quantities as q
+from edesign.study.collapse import collapse_reason, drift_limits
 from edesign.study.dampers import strain_warnings
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, level_factor, project_motions
@@ -84,7 +85,12 @@ def run_history(
         channels=channels([displacements, drift, drifts, *others]),
         progress=progress,
         stop=stop,
+        limits=drift_limits(drifts, spec.collapse_drift),
     )
+    reason = collapse_reason(response, drifts, q.line_drift_storeys(frame))
+    if reason:
+        response = replace(response, status="failed", reason=reason)
+        group.attributes["collapsed"] = True
     every = project.outputs.every
     coordinate(group, "time", response.time[::every], "s", "time from the start of the record")
     samples = ground.acceleration[: response.time.size : every]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import references
@@ -16,6 +17,19 @@ ANALYSES = "analyses"  # their group in the archive
 
 
 @dataclass(frozen=True)
+class Stripe:
+    """The place of a history in an incremental study.
+
+    Attributes:
+        incremental: name of the study.
+        intensity: value of its intensity measure.
+    """
+
+    incremental: str
+    intensity: float
+
+
+@dataclass(frozen=True)
 class Task:
     """One analysis of a plan.
 
@@ -23,11 +37,19 @@ class Task:
         order: its place in the plan of the whole project, from 0.
         spec: what the project file says about it; of a history of a suite the part of one recording.
         entry: name of the analysis in the project file.
+        variant: of the study that it is of, "" in a run of a project.
+        temperature_C: of the dampers, where the plan says it.
+        details: whether its histories are kept whole.
+        stripe: of a history of an incremental study.
     """
 
     order: int
     spec: Analysis
     entry: str
+    variant: str = ""
+    temperature_C: float | None = None
+    details: bool = False
+    stripe: Stripe | None = None
 
     @property
     def name(self) -> str:
@@ -45,9 +67,17 @@ class Task:
         return getattr(self.spec, "record", None)
 
     @property
-    def labels(self) -> dict[str, str | int | None]:
-        """What identifies the analysis: order, name, kind, variant, record, level (None where not applicable)."""
-        return {"order": self.order, **labels(self.spec)}
+    def labels(self) -> dict[str, str | int | float | None]:
+        """What identifies the analysis: order, name, kind, variant, record, level (None where not applicable).
+
+        In a study also temperature_C, and incremental and intensity.
+        """
+        found = {"order": self.order, **labels(self.spec)}
+        if self.variant:
+            found["temperature_C"] = self.temperature_C
+        if self.stripe is not None:
+            found |= {"incremental": self.stripe.incremental, "intensity": self.stripe.intensity}
+        return found
 
 
 def labels(spec: Analysis) -> dict[str, str | None]:
@@ -83,12 +113,21 @@ def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
                 f"{project.where('analyses', at, 'name')}: analyses[{at}].name: the analyses `{other.entry}` and "
                 f"`{task.entry}` both lead to one named `{task.name}`; rename one of them"
             )
+    return selected(tasks, only, project.path)
+
+
+def selected(tasks: Sequence[Task], only: Sequence[str], path: Path) -> tuple[Task, ...]:
+    """Restrict a plan to names of its analyses or entries; all if there are none.
+
+    Raises:
+        InputError: a name is of none.
+    """
     names = list(dict.fromkeys(name for task in tasks for name in (task.entry, task.name)))
     for name in only:
         if name not in names:
             hint = did_you_mean(name, names)
             known = ", ".join(dict.fromkeys(task.entry for task in tasks))
-            raise InputError(f"{project.path}: no analysis is named {name!r}{hint} (there are: {known})")
+            raise InputError(f"{path}: no analysis is named {name!r}{hint} (there are: {known})")
     return tuple(task for task in tasks if not only or task.name in only or task.entry in only)
 
 

@@ -1,10 +1,15 @@
-"""What a run tells while it goes on; who listens decides how to show it."""
+"""What a run tells while it goes on, and how much of it is left; who listens decides how to show it."""
 
 from __future__ import annotations
 
+import time
+from collections import deque
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
+
+RECENT = 8  # analyses whose time tells that of the next: a plan begins with quick ones, and has its kinds in turn
+FORESEEN = 0.05  # part of an analysis that must be done before its time is foreseen
 
 
 @dataclass(frozen=True)
@@ -35,3 +40,62 @@ Listener = Callable[[Progress], None]
 
 def silent(report: Progress) -> None:
     """Listen to nothing."""
+
+
+class Tally:
+    """How far a whole run is, by what it told.
+
+    Attributes:
+        count: analyses in the plan.
+        done: those that ended or were reused.
+    """
+
+    def __init__(self, clock: Callable[[], float] = time.monotonic) -> None:
+        self.count = 0
+        self.done = 0
+        self._clock = clock
+        self._seconds: deque[float] = deque(maxlen=RECENT)
+        self._running: dict[str, tuple[float, float]] = {}  # when it began, done fraction
+        self._workers = 1
+
+    def __call__(self, report: Progress) -> None:
+        """Listen to a report."""
+        self.count = max(self.count, report.count)
+        if not report.index:
+            return
+        if report.event == "start":
+            self._running[report.analysis] = (self._clock(), 0.0)
+            self._workers = max(self._workers, len(self._running))
+        elif report.event == "advance" and report.analysis in self._running:
+            self._running[report.analysis] = (self._running[report.analysis][0], report.fraction)
+        elif report.event in ("end", "reuse"):
+            self._running.pop(report.analysis, None)
+            self.done += 1
+            if report.event == "end":
+                self._seconds.append(report.seconds)
+
+    @property
+    def fraction(self) -> float:
+        """Done part of the plan, 0 to 1, with the parts of analyses that run."""
+        parts = sum(fraction for _, fraction in self._running.values())
+        return min((self.done + parts) / self.count, 1.0) if self.count else 0.0
+
+    @property
+    def left(self) -> float | None:
+        """Estimate of the remaining time (s); None as long as nothing is known.
+
+        Those still to come are taken to last as the latest that ended and as those that run will, on as many workers
+        as were seen at the same time; nothing can end before the longest of those that run.
+        """
+        elapsed = {name: max(self._clock() - began, 0.0) for name, (began, _) in self._running.items()}
+        foreseen = {
+            name: elapsed[name] / fraction for name, (_, fraction) in self._running.items() if fraction >= FORESEEN
+        }
+        known = [*self._seconds, *foreseen.values()]
+        if not known:
+            return None
+        mean = sum(known) / len(known)
+        rest = [max(foreseen.get(name, mean) - elapsed[name], 0.0) for name in self._running]
+        to_come = max(self.count - self.done - len(self._running), 0)
+        workers = min(self._workers, max(len(rest) + to_come, 1))
+        return max((sum(rest) + to_come * mean) / workers, max(rest, default=0.0))

@@ -16,6 +16,7 @@ from edesign._version import __version__
 from edesign.archive.dataset import Group
 from edesign.archive.hdf5 import library_versions
 from edesign.project.project import Project
+from edesign.project.study import Study
 
 IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_version", "code_checksum")
 """Root attributes that decide whether results of an interrupted run may be reused."""
@@ -42,6 +43,24 @@ def input_checksum(project: Project, records: Mapping[str, str]) -> str:
     """
     parts = [project.checksum, *(f"{name} {records[name]}" for name in sorted(records))]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+
+
+def study_root_group(study: Study, planned: list[str], records: Mapping[str, str]) -> Group:
+    """Return the root of a study's archive: that of its project, and the text of the study file.
+
+    Args:
+        study: from `load_study`.
+        planned: names of the analyses.
+        records: SHA-256 of the samples of each record that is used, by name.
+    """
+    group = root_group(study.base, planned, records)
+    group.attributes |= {"kind": "study", "title": study.title, "study_file": study.path.name}
+    group.attributes["project_checksum"] = study.checksum
+    group.attributes["input_checksum"] = hashlib.sha256(
+        f"{study.checksum}\n{group.attributes['input_checksum']}".encode()
+    ).hexdigest()
+    group.add("study_text", (), study.text, "", "text of the study file")
+    return group
 
 
 def root_group(project: Project, planned: list[str], records: Mapping[str, str]) -> Group:

@@ -32,6 +32,14 @@ def coordinates(group: Group, frame: FrameModel) -> None:
         coordinate(group, "damper", [device.name for device in frame.devices], "", "name of the damper")
         storeys_of = [device.storey for device in frame.devices]
         group.add("damper_storey", ("damper",), storeys_of, "1", "storey of the damper, 0: of none")
+        for name, unit, label in (
+            ("layer_thickness", "m", "thickness of a layer, nan: the damper has none"),
+            ("tested_strain", "1", "largest shear strain in the tests of its law, nan: not known"),
+        ):
+            values = [getattr(device, name) for device in frame.devices]
+            if any(values):
+                known = [np.nan if value is None else value for value in values]
+                group.add(f"damper_{name}", ("damper",), known, unit, label)
     for kind in ("column", "beam", "brace"):
         found = [member.name for member in frame.of_kind(kind)]
         if found:
@@ -72,6 +80,11 @@ def line_drifts(frame: FrameModel) -> Quantity:
     """Drift ratio of each storey on every column line, one after the other; not stored as such."""
     cells = tuple(terms for lines in _line_drifts(frame) for terms in lines)
     return Quantity("line_drift", ("line_drift",), (len(cells),), cells, "1", "drift ratio on a column line", keep=())
+
+
+def line_drift_storeys(frame: FrameModel) -> list[int]:
+    """The storey, from 1, of each component of `line_drifts`."""
+    return [storey for storey, lines in enumerate(_line_drifts(frame), start=1) for _ in lines]
 
 
 def store_drift_extremes(group: Group, frame: FrameModel, drifts: Quantity, response: Response) -> None:

@@ -24,11 +24,37 @@ def requested_quantities(project: Project, frame: FrameModel, group: Group) -> l
         members = [_member(project, frame, name, ("outputs", "members", i)) for i, name in enumerate(outputs.members)]
         coordinate(group, "recorded_member", [member.name for member in members], "", "member whose ends are recorded")
         found += member_forces(frame, members, "recorded_member", history=True)
+        found += _rotations([member if member.kind != "brace" else None for member in members])
     if outputs.sections:
         found += _sections(project, frame, group)
     if outputs.fibres:
         found += _fibres(project, frame, group)
     return found
+
+
+def _rotations(members: list[Member | None]) -> list[Quantity]:
+    """Rotations of the ends of members, anticlockwise as the moments on them; None stands for a brace, which has none.
+
+    The plastic part is there if at least one of the members can yield.
+    """
+    shape, dims = (len(members), 2), ("recorded_member", "end")
+    chord = tuple(
+        ((1.0, "deformation", member.element, 1 + end),) if member else () for member in members for end in (0, 1)
+    )
+    plastic = tuple(
+        ((1.0, "plastic_rotation", member.element, end),) if member and member.layers is not None else ()
+        for member in members
+        for end in (0, 1)
+    )
+    parts = (
+        ("chord", chord, "chord rotation: rotation of the node against the line between the member's ends"),
+        ("plastic", plastic, "plastic rotation of the member's end: chord rotation less its elastic part"),
+    )
+    return [
+        Quantity(f"member_{part}_rotation", dims, shape, cells, "rad", f"{label}, anticlockwise", history=True, keep=())
+        for part, cells, label in parts
+        if any(cells)
+    ]
 
 
 def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:

@@ -33,6 +33,7 @@ TOLERANCES = {
     "roof_drift": (5e-4, 1e-9),
     "interstorey_drift": (5e-4, 1e-9),
     "base_shear_N": (5e-4, 1e-3),  # N: gravity alone gives rounding
+    "column_base_shear_N": (5e-4, 1e-3),
     "column_axial_force_N": (5e-4, 1e-3),
     "floor_displacement_m": (5e-4, 1e-9),
     "storey_drift": (5e-4, 1e-9),

@@ -43,6 +43,8 @@ int ed_run_advance(ed_analysis *a, int max_steps)
     return ed_fail(a, ED_E_STATE, "no run has begun");
   if (run->failed)
     return ed_fail(a, ED_E_STATE, "the run has failed");
+  if (run->limited)
+    return ed_fail(a, ED_E_STATE, "the run has ended at a limit");
   if (run->done == 0 && run->row == 0)
     ed_sample(a, 1);
   for (int i = 0; i < max_steps && run->done < run->steps; i++) {
@@ -55,6 +57,12 @@ int ed_run_advance(ed_analysis *a, int max_steps)
     run->done++;
     a->statistics.steps++;
     ed_sample(a, run->done % run->every == 0);
+    const int channel = ed_beyond_limit(a);
+    if (channel >= 0) {
+      run->limited = channel + 1;
+      return ed_fail(a, ED_LIMIT, "%s: channel %d is %.6g in step %d, at %.6g; its limit is %.6g", ed_status_text(ED_LIMIT),
+                     channel, a->last[channel], run->done, a->committed.head->time, a->channels[channel].limit);
+    }
   }
   return ED_OK;
 }
@@ -67,6 +75,16 @@ int ed_run_steps_done(const ed_analysis *a)
 int ed_run_rows(const ed_analysis *a)
 {
   return a->run.row;
+}
+
+int ed_run_limit(const ed_analysis *a, double *value, double *time)
+{
+  const int channel = a->run.limited - 1;
+  if (channel >= 0) {
+    *value = a->last[channel];
+    *time = a->committed.head->time;
+  }
+  return channel;
 }
 
 void ed_run_end(ed_analysis *a)

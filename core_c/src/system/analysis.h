@@ -44,6 +44,7 @@ typedef struct {
 typedef struct {
   int n_terms, first;            /* into terms */
   int history;                   /* column, or -1 */
+  double limit;                  /* of its magnitude */
 } ed_channel_head;
 
 typedef struct {
@@ -58,6 +59,7 @@ typedef struct {
   int steps, done, row, every;
   double *abscissa, *values, *energy;
   int failed;
+  int limited;                   /* 1 + the channel that has exceeded its limit; 0: none */
   /* static */
   int pattern;
   double factor_start, factor_end;
@@ -221,6 +223,7 @@ void ed_name_mechanism(ed_analysis *a, char *buffer, int size);
 /* channels.c */
 double ed_channel_value(const ed_analysis *a, int channel);
 void ed_sample(ed_analysis *a, int keep_row);
+int ed_beyond_limit(const ed_analysis *a);        /* channel of the last sample that is furthest beyond its limit, -1: none */
 
 /* energy.c */
 void ed_count_energy(ed_analysis *a, double dissipated);

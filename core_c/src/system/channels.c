@@ -72,10 +72,34 @@ int ed_channel(ed_analysis *a, int n, const double *coefficient, const int *kind
   }
   if (!ok)
     return ed_fail(a, ED_E_MEMORY, "out of memory");
-  a->channels[a->n_channels] = (ed_channel_head){n, a->n_terms, keep_history ? a->n_history++ : -1};
+  a->channels[a->n_channels] = (ed_channel_head){n, a->n_terms, keep_history ? a->n_history++ : -1, INFINITY};
   for (int i = 0; i < n; i++)
     a->terms[a->n_terms++] = (ed_term){coefficient[i], kind[i], object[i], component[i]};
   return a->n_channels++;
+}
+
+int ed_channel_limit(ed_analysis *a, int channel, double limit)
+{
+  if (a->run.row > 0)
+    return ed_fail(a, ED_E_STATE, "limits cannot be set once a run has advanced");
+  if (channel < 0 || channel >= a->n_channels)
+    return ed_fail(a, ED_E_ID, "there is no channel %d", channel);
+  if (!(limit > 0.0))
+    return ed_fail(a, ED_E_ARGUMENT, "channel %d: the limit %g is not positive", channel, limit);
+  a->channels[channel].limit = limit;
+  return ED_OK;
+}
+
+int ed_beyond_limit(const ed_analysis *a)
+{
+  int furthest = -1;
+  double most = 1.0;
+  for (int i = 0; i < a->n_channels; i++)
+    if (fabs(a->last[i]) > most * a->channels[i].limit) {
+      most = fabs(a->last[i]) / a->channels[i].limit;
+      furthest = i;
+    }
+  return furthest;
 }
 
 void ed_clear_channels(ed_analysis *a)

@@ -16,6 +16,7 @@ KNOWN = {
     "interstorey_drift": 0.057,
     "residual_interstorey_drift": 0.0033,
     "base_shear_N": 3e5,
+    "column_base_shear_N": 3e5,  # storey 1
     "roof_acceleration_m_s2": 5.0,  # of the roof, although floor 1 has 7.0
     "beam_plastic_rotation_rad": 0.011,
     "column_plastic_rotation_rad": 0.002,

@@ -106,7 +106,7 @@ def test_show_prints_tables(archive: Path, capsys: pytest.CaptureFixture[str]) -
     assert "lost: step 1500: no convergence" in lines
     assert cells("   1", "modes: periods") == ["1", "0.8000", "1.2500", "85.00", "85.00"]
     measures = "Response measures (largest absolute values)"
-    expected = "el_centro 0.2100 0.02000 3.000 5.700 0.3300 300.0 5.000 11.00 2.000 900.0"  # m, %, kN, m/s2, mrad
+    expected = "el_centro 0.2100 0.02000 3.000 5.700 0.3300 300.0 300.0 5.000 11.00 2.000 900.0"  # m, %, kN, m/s2, mrad
     assert cells("el_centro", measures) == expected.split()
     assert cells("lost *", measures)[3] == "-"  # no residual
     assert cells("el_centro", "Statistics") == ["el_centro", "2000", "4100", "30", "1", "0.310", "2.5e-09"]
@@ -133,9 +133,9 @@ def test_show_json_has_the_agreed_form(archive: Path, capsys: pytest.CaptureFixt
         assert {"name", "variant", "record", "level", "status", "reason", "measures", "statistics"} <= item.keys()
         assert list(item["measures"]) == [
             "roof_displacement_m", "residual_roof_displacement_m", "roof_drift", "interstorey_drift",
-            "residual_interstorey_drift", "base_shear_N", "roof_acceleration_m_s2", "beam_plastic_rotation_rad",
-            "column_plastic_rotation_rad", "column_axial_force_N", "damper_strain", "damper_deformation_m",
-            "damper_force_N",
+            "residual_interstorey_drift", "base_shear_N", "column_base_shear_N", "roof_acceleration_m_s2",
+            "beam_plastic_rotation_rad", "column_plastic_rotation_rad", "column_axial_force_N", "damper_strain",
+            "damper_deformation_m", "damper_force_N",
         ]  # fmt: skip
         statistics = {"steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error"}
         assert statistics <= item["statistics"].keys()

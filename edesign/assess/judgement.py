@@ -1,0 +1,66 @@
+"""Whether a statistic over histories keeps within limits when some of the histories have no result."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from edesign.assess.statistics import STATISTICS, statistics
+
+
+def statistic_of(name: str, values: Mapping[str, float | None], failed: float) -> float | None:
+    """Return a statistic in which histories without a value count as `failed`, infinite on the side that fails.
+
+    Order statistics stay finite as long as few enough histories failed: the median while less than half of them did.
+
+    Args:
+        name: of `STATISTICS`.
+        values: by history.
+        failed: infinity for a limit from above, minus infinity for one from below.
+
+    Returns:
+        The statistic, None if no history has a value.
+    """
+    if all(value is None for value in values.values()):
+        return None
+    return STATISTICS[name](statistics({key: failed if value is None else value for key, value in values.items()}))
+
+
+def within(
+    name: str, values: Mapping[str, float | None], not_run: tuple[str, ...], most: float | None, least: float | None
+) -> bool | None:
+    """Say whether a statistic is at most `most`, or without `most` at least `least`.
+
+    A history that failed counts as infinitely far on the side that fails, so a mean or a maximum over it is not met.
+    One that has not run yet may still turn out either way: the answer is None while it depends on it.
+
+    Args:
+        name: of `STATISTICS`.
+        values: by history; None: failed, or not run.
+        not_run: names of those that have not run.
+        most, least: limits in the unit of the values.
+
+    Returns:
+        True, False, or None: not known yet, or no history has a value.
+    """
+    if all(value is None for value in values.values()):
+        return None if all(key in not_run for key in values) else False
+    bad = math.inf if most is not None else -math.inf
+    answers = []
+    for open_value in (bad, -bad):
+        filled = {
+            key: (open_value if key in not_run else bad) if value is None else value for key, value in values.items()
+        }
+        answers.append(_holds(name, filled, bad, most, least))
+    return answers[0] if answers[0] == answers[1] else None
+
+
+def _holds(name: str, filled: Mapping[str, float], bad: float, most: float | None, least: float | None) -> bool:
+    if name == "mean" and bad in filled.values():
+        return False  # and not the mean of plus and minus infinity
+    value = STATISTICS[name](statistics(filled))
+    if value is None:
+        return False
+    if most is not None:
+        return value <= most
+    return least is None or value >= least

@@ -1,0 +1,201 @@
+"""Plastic rotations of a frame's members over what FEMA 356 allows them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.assess.envelopes import peak
+from edesign.building.named_section import cross_section
+from edesign.building.profiles import profile, profile_names
+from edesign.building.section import CrossSection
+from edesign.codes.fema356.sections import ISection
+from edesign.codes.fema356.steel import RotationLimits, beam_rotations, column_rotations
+from edesign.codes.fema356.strength import lower_bound_axial_strength
+from edesign.project.materials import ElasticMaterial
+from edesign.project.members import BeamRun, ColumnRun
+from edesign.project.names import beam_name, column_name
+from edesign.project.project import Project
+from edesign.project.sections import PlateSection
+
+Kind = Literal["column", "beam"]
+
+ELASTIC_ROTATION = 0.001
+"""Plastic rotation, rad, up to which a force-controlled column counts as elastic.
+
+Fibre sections yield from the outside inwards: a plastic rotation of this size is a section whose outer fibres have
+yielded, about a tenth of theta_y, and no hinge.
+"""
+
+
+@dataclass(frozen=True)
+class FrameMember:
+    """A column or beam as FEMA 356 sees it.
+
+    Attributes:
+        storey: of a column; of a beam the one below its floor.
+        length: between the nodes, m; rigid ends are not deducted.
+        strength: P_CL of a column, N; infinite for a beam.
+    """
+
+    name: str
+    kind: Kind
+    storey: int
+    length: float
+    section: ISection
+    strength: float = math.inf
+
+    def limits(self, compression: float) -> RotationLimits | None:
+        """Return the allowed plastic rotations, rad; None for a force-controlled column. `compression` is P in N."""
+        if self.kind == "beam":
+            return self._of_beam
+        return column_rotations(self.section, self.length, compression, self.strength)
+
+    @cached_property
+    def _of_beam(self) -> RotationLimits:
+        return beam_rotations(self.section, self.length)
+
+
+@dataclass(frozen=True)
+class MemberUsage:
+    """The plastic rotation of a member over what a performance level allows.
+
+    Attributes:
+        ratio: the level is met up to 1.
+        rotation: largest plastic rotation of the member's ends, rad.
+        allowed: rad.
+        axial_ratio: P/P_CL with the peak compression, 0 for beams.
+    """
+
+    member: FrameMember
+    ratio: float
+    rotation: float
+    allowed: float
+    axial_ratio: float = 0.0
+
+
+def frame_members(project: Project) -> dict[str, FrameMember]:
+    """Return the columns and beams of a project that Table 5-6 knows, by name.
+
+    The project's fy is taken for both the expected and the lower-bound yield stress. P_CL is that of the length between
+    nodes in and out of the plane of the frame (K = 1: P-Delta is part of the analysis). Left out are braces, members
+    that stay elastic, and sections that are no I section.
+    """
+    found = {}
+    frame = project.frame
+    for (line, storey), column in frame.column_at.items():
+        section = i_section(project, column)
+        if section is not None:
+            length = frame.storey_heights[storey - 1]
+            strength = lower_bound_axial_strength(section, length, length)
+            name = column_name(line, storey)
+            found[name] = FrameMember(name, "column", storey, length, section, strength)
+    for (bay, floor), beam in frame.beam_at.items():
+        section = i_section(project, beam)
+        if section is not None:
+            name = beam_name(bay, floor)
+            found[name] = FrameMember(name, "beam", floor, frame.bay_widths[bay - 1], section)
+    return found
+
+
+def i_section(project: Project, run: ColumnRun | BeamRun) -> ISection | None:
+    """Return the properties of a member's I section as it is analysed (with fillets or not); None if it has none."""
+    material = project.materials[run.material]
+    own = project.sections.get(run.section)
+    if isinstance(material, ElasticMaterial) or (own is not None and not isinstance(own, PlateSection)):
+        return None
+    if own is None and run.section not in profile_names():
+        return None
+    shape = cross_section(project, run.section)
+    if not isinstance(shape, CrossSection):
+        return None
+    if isinstance(own, PlateSection):
+        height, width, flange, web, radius = own.height, own.width, own.flange, own.web, 0.0
+    else:
+        rolled = profile(run.section)
+        height, width, flange, web, radius = rolled.h, rolled.b, rolled.tf, rolled.tw, rolled.r
+    return ISection(
+        flange_slenderness=width / (2.0 * flange),
+        web_slenderness=(height - 2.0 * flange - 2.0 * radius) / web,
+        area=shape.area,
+        inertia=shape.inertia,
+        weak_inertia=math.fsum(s.depth * s.width**3 / 12.0 for s in shape.strips),  # fillets add nothing that counts
+        plastic_modulus=plastic_modulus(shape),
+        E=material.E,
+        expected_yield=material.fy,
+        lower_bound_yield=material.fy,
+    )
+
+
+def plastic_modulus(shape: CrossSection) -> float:
+    """Return Z of a section that is symmetric about its axis of bending, m3: the sum of |y| over its area.
+
+    A fillet counts with its area at its centroid, which is exact.
+    """
+    total = [spot.area * abs(spot.centre - shape.centroid) for spot in shape.spots]
+    for strip in shape.strips:
+        low, high = (strip.centre - shape.centroid + side * 0.5 * strip.depth for side in (-1.0, 1.0))
+        across = low < 0.0 < high
+        total.append(strip.width * ((low**2 + high**2) if across else abs(high**2 - low**2)) / 2.0)
+    return math.fsum(total)
+
+
+def member_usages(
+    group: Group,
+    members: Mapping[str, FrameMember],
+    level: str,
+    kinds: Collection[Kind] = ("column", "beam"),
+    storeys: Collection[int] | None = None,
+) -> list[MemberUsage] | None:
+    """Return the usage of each member by one history, in the order of the frame.
+
+    The axial force of a column is its largest compression in the history, gravity included; the force at the instant of
+    the largest rotation is not archived, and would be the smaller.
+
+    Args:
+        group: results of the history.
+        members: as `frame_members` gives them.
+        level: IO, LS or CP.
+        kinds: which members count.
+        storeys: only members of these; None: all.
+
+    Returns:
+        The usages; None if the history has no plastic rotations.
+    """
+    found = []
+    stored = False
+    for kind in kinds:
+        rotations = peak(group, f"{kind}_plastic_rotation")
+        if rotations is None:
+            continue
+        stored = True
+        compressions = _compressions(group) if kind == "column" else {}
+        for label, ends in zip(group.coords[kind].values, rotations, strict=True):
+            member = members.get(str(label))
+            if member is not None and (storeys is None or member.storey in storeys):
+                compression = compressions.get(member.name, 0.0)
+                found.append(_usage(member, float(np.max(ends)), compression, level))
+    return found if stored else None
+
+
+def _usage(member: FrameMember, rotation: float, compression: float, level: str) -> MemberUsage:
+    limits = member.limits(compression)
+    allowed = ELASTIC_ROTATION if limits is None else limits.allowed(level)
+    ratio = compression / member.strength if member.kind == "column" else 0.0
+    usage = rotation / allowed if allowed > 0.0 else math.inf if rotation > 0.0 else 0.0
+    return MemberUsage(member, usage, rotation, allowed, ratio)
+
+
+def _compressions(group: Group) -> dict[str, float]:
+    """Largest compression of each column, N."""
+    lowest = group.variables.get("column_axial_force_min")  # tension is positive
+    if lowest is None:
+        return {}
+    names = group.coords["column"].values
+    return {str(name): max(-float(value), 0.0) for name, value in zip(names, lowest.values, strict=True)}

@@ -1,0 +1,208 @@
+"""Structural performance levels of FEMA 356 that histories meet, by drift and by plastic rotations of members."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from edesign.archive.dataset import Group
+from edesign.assess.measures import located_measure
+from edesign.assess.members import FrameMember, Kind, member_usages
+from edesign.assess.sets import HistorySet
+from edesign.assess.statistics import STATISTICS, statistics
+from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS, drift_limits
+
+By = Literal["drift", "members", "both"]
+BEYOND = "beyond CP"
+"""What stands for the level of a response that meets none."""
+
+
+@dataclass(frozen=True)
+class Usage:
+    """A response over what a performance level allows: the level is met up to 1.
+
+    Attributes:
+        governing: "transient drift", "residual drift" or "plastic rotation".
+        storey: where it governs.
+        member: the column or beam that governs, "" for a drift.
+        force_controlled: the member is a column with P/P_CL > 0.5.
+    """
+
+    ratio: float
+    governing: str
+    storey: int | None = None
+    member: str = ""
+    force_controlled: bool = False
+
+
+@dataclass(frozen=True)
+class HistoryPerformance:
+    """Performance levels of one history: IO, LS, CP, `beyond CP`, or None where it has no such results.
+
+    Attributes:
+        by_drift, by_members: the level.
+        drift, members: usage of that level, of CP if it is beyond.
+    """
+
+    by_drift: str | None
+    by_members: str | None
+    drift: Usage | None
+    members: Usage | None
+
+
+@dataclass(frozen=True)
+class SetPerformance:
+    """Performance levels of a variant at a hazard level.
+
+    Attributes:
+        statistic: over the histories, of the usages of each level.
+        by_drift, by_members: the level of the statistic, None without any result.
+        drift_counts, member_counts: how many histories are at IO, LS, CP and beyond.
+        worst_drift, worst_members: (history, its usage of CP) with the largest usage of CP.
+        count: completed histories.
+        missing: the others; they are in no count and in no statistic.
+    """
+
+    variant: str
+    level: str
+    statistic: str
+    by_drift: str | None
+    by_members: str | None
+    drift_counts: dict[str, int]
+    member_counts: dict[str, int]
+    worst_drift: tuple[str, Usage] | None
+    worst_members: tuple[str, Usage] | None
+    count: int
+    missing: tuple[str, ...]
+
+
+def drift_performance(
+    group: Group, level: str, storeys: Collection[int] | None = None, negligible: float = NEGLIGIBLE
+) -> Usage | None:
+    """Return the drifts of a history over those of a level; None if it has no residual drift.
+
+    Args:
+        group: results of the history.
+        level: IO, LS or CP.
+        storeys: only these; None: all.
+        negligible: permanent drift ratio allowed for IO.
+    """
+    limits = drift_limits(level, negligible)
+    found = []
+    for measure, governing, limit in (
+        ("interstorey_drift", "transient drift", limits.transient),
+        ("residual_interstorey_drift", "residual drift", limits.permanent),
+    ):
+        place = located_measure(group, measure, storeys)
+        if place is None:
+            return None
+        found.append(Usage(place.value / limit, governing, place.storey))
+    return max(found, key=lambda usage: usage.ratio)
+
+
+def member_performance(
+    group: Group,
+    members: Mapping[str, FrameMember],
+    level: str,
+    kinds: Collection[Kind] = ("column", "beam"),
+    storeys: Collection[int] | None = None,
+) -> Usage | None:
+    """Return the plastic rotation of the member that governs over what a level allows it; None without any."""
+    usages = member_usages(group, members, level, kinds, storeys)
+    if not usages:
+        return None
+    worst = max(usages, key=lambda usage: usage.ratio)
+    return Usage(
+        worst.ratio,
+        "plastic rotation",
+        worst.member.storey,
+        worst.member.name,
+        worst.member.kind == "column" and worst.member.limits(worst.axial_ratio * worst.member.strength) is None,
+    )
+
+
+def usage(
+    group: Group,
+    members: Mapping[str, FrameMember],
+    level: str,
+    by: By = "both",
+    kinds: Collection[Kind] = ("column", "beam"),
+    storeys: Collection[int] | None = None,
+) -> Usage | None:
+    """Return the usage of a level by drift, by members, or the larger of both; None if one that counts is missing."""
+    found = []
+    if by != "members":
+        found.append(drift_performance(group, level, storeys))
+    if by != "drift":
+        found.append(member_performance(group, members, level, kinds, storeys))
+    there = [item for item in found if item is not None]
+    return max(there, key=lambda item: item.ratio) if len(there) == len(found) else None
+
+
+def history_performance(group: Group, members: Mapping[str, FrameMember]) -> HistoryPerformance:
+    """Return the performance levels of one completed history, by drift and by members."""
+    by_drift, drift = _reached({level: drift_performance(group, level) for level in PERFORMANCE_LEVELS})
+    by_members, rotations = _reached({level: member_performance(group, members, level) for level in PERFORMANCE_LEVELS})
+    return HistoryPerformance(by_drift, by_members, drift, rotations)
+
+
+def set_performance(
+    histories: HistorySet, members: Mapping[str, FrameMember], statistic: str = "mean"
+) -> SetPerformance:
+    """Return the performance levels of a set of histories.
+
+    Args:
+        histories: of one variant at one hazard level.
+        members: of the frame.
+        statistic: a name of `STATISTICS`; FEMA 356 (3.3.2.2.4) takes the mean of seven or more histories and the
+            maximum of fewer.
+    """
+    completed = histories.completed
+    found: dict[str, tuple[str | None, dict[str, int], tuple[str, Usage] | None]] = {}
+    for by in ("drift", "members"):
+        kept: dict[str, dict[str, Usage | None]] = {
+            name: {level: usage(group, members, level, by) for level in PERFORMANCE_LEVELS}
+            for name, group in completed.items()
+        }
+        levels = {name: _reached(usages)[0] for name, usages in kept.items()}
+        counts = {
+            level: sum(reached == level for reached in levels.values()) for level in (*PERFORMANCE_LEVELS, BEYOND)
+        }
+        together = {}
+        for level in PERFORMANCE_LEVELS:
+            ratios = {name: None if (item := usages[level]) is None else item.ratio for name, usages in kept.items()}
+            value = STATISTICS[statistic](statistics(ratios))
+            together[level] = None if value is None else Usage(value, statistic)
+        worst = [(name, item) for name, usages in kept.items() if (item := usages["CP"]) is not None]
+        found[by] = (
+            _reached(together)[0],
+            counts,
+            max(worst, key=lambda pair: pair[1].ratio, default=None),
+        )
+    (by_drift, drift_counts, worst_drift), (by_members, member_counts, worst_members) = found["drift"], found["members"]
+    return SetPerformance(
+        histories.variant,
+        histories.level,
+        statistic,
+        by_drift,
+        by_members,
+        drift_counts,
+        member_counts,
+        worst_drift,
+        worst_members,
+        len(completed),
+        tuple(name for name in histories.histories if name not in completed),
+    )
+
+
+def _reached(usages: Mapping[str, Usage | None]) -> tuple[str | None, Usage | None]:
+    """The first level whose usage is at most 1, with it; `beyond CP` with that of CP; None, None without results."""
+    last = None
+    for level, item in usages.items():
+        if item is None:
+            return None, None
+        if item.ratio <= 1.0:
+            return level, item
+        last = item
+    return BEYOND, last

@@ -1,0 +1,117 @@
+"""What a criterion asks of each history, and the limits that a statistic over histories has to keep."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from edesign.archive.dataset import Group
+from edesign.assess.measures import Located, located_measure
+from edesign.assess.members import FrameMember, Kind
+from edesign.assess.performance import By, usage
+from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
+from edesign.project.criteria import Criterion, HingeCriterion, MeasureCriterion, PerformanceCriterion
+from edesign.project.measures import MEASURE_KINDS, short_name
+from edesign.project.project import Project
+from edesign.project.selections import NumberSelection
+
+KINDS: dict[str, tuple[Kind, ...]] = {"columns": ("column",), "beams": ("beam",), "all": ("column", "beam")}
+UNITS = {"m": ("mm", 1e-3), "N": ("kN", 1e3), "m/s^2": ("m/s2", 1.0), "rad": ("rad", 1.0), "1": ("%", 0.01)}
+"""Unit in which values of an SI unit are shown to people, with its size in SI."""
+
+
+@dataclass(frozen=True)
+class Requirement:
+    """A criterion made ready: what to take of a history, and its limits.
+
+    Attributes:
+        name: of the criterion.
+        words: what it asks for, with units.
+        statistic: over the histories.
+        place: value and place of one completed history, None where it has none.
+        most, least: limits in SI; of a performance level the usage 1.
+        unit: SI unit.
+    """
+
+    name: str
+    words: str
+    statistic: str
+    place: Callable[[Group], Located | None]
+    most: float | None
+    least: float | None
+    unit: str
+
+
+def requirement_of(criterion: Criterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
+    """Make a criterion of a study ready; `members` are those of the frame, needed for performance levels only."""
+    storeys = _numbers(criterion.storeys, project)
+    if isinstance(criterion, PerformanceCriterion):
+        c = criterion
+        return performance_requirement(c.name, c.performance, c.by, c.of, c.statistic, storeys, members)
+    names = criterion.members or None
+    where = _where(criterion.storeys, criterion.members)
+    if isinstance(criterion, HingeCriterion):
+        measures = [f"{kind}_plastic_rotation_rad" for kind in KINDS[criterion.of]]
+        place = partial(_worst, measures=measures, storeys=storeys, members=names)
+        of = "members" if criterion.of == "all" else criterion.of
+        words = f"no plastic hinges in {of}: at most {criterion.rotation:g} rad{where}"
+        return Requirement(criterion.name, words, criterion.statistic, place, criterion.rotation, None, "rad")
+    unit = MEASURE_KINDS[criterion.measure].unit
+    place = partial(_worst, measures=[criterion.measure], storeys=storeys, members=names)
+    words = f"{short_name(criterion.measure).replace('_', ' ')} {_range(criterion, unit)}{where}"
+    return Requirement(criterion.name, words, criterion.statistic, place, criterion.most, criterion.least, unit)
+
+
+def performance_requirement(
+    name: str,
+    level: str,
+    by: By,
+    of: str,
+    statistic: str,
+    storeys: tuple[int, ...] | None,
+    members: Mapping[str, FrameMember],
+) -> Requirement:
+    """Make ready that histories meet a performance level; see `performance.usage` for the arguments."""
+
+    def place(group: Group) -> Located | None:
+        found = usage(group, members, level, by, KINDS[of], storeys)
+        return None if found is None else Located(found.ratio, found.storey, found.member)
+
+    ways = {"drift": "drift", "members": "plastic rotation", "both": "drift and plastic rotation"}
+    whose = f" of {of}" if by != "drift" and of != "all" else ""
+    words = f"{PERFORMANCE_LEVELS[level]} by {ways[by]}{whose}"
+    return Requirement(name, words, statistic, place, 1.0, None, "1")
+
+
+def shown(value: float, unit: str) -> str:
+    """Return a value in SI with the unit people read."""
+    label, size = UNITS[unit]
+    return f"{value / size:.4g} {label}"
+
+
+def _worst(
+    group: Group, measures: Sequence[str], storeys: tuple[int, ...] | None, members: tuple[str, ...] | None
+) -> Located | None:
+    places = [located_measure(group, measure, storeys, members) for measure in measures]
+    there = [place for place in places if place is not None]
+    return max(there, key=lambda place: place.value, default=None)
+
+
+def _numbers(chosen: NumberSelection, project: Project) -> tuple[int, ...] | None:
+    return None if chosen.is_all else chosen.numbers(1, project.frame.n_storeys)
+
+
+def _where(storeys: NumberSelection, members: tuple[str, ...]) -> str:
+    text = "" if storeys.is_all else f", storeys {storeys}"
+    return text + (f", members {', '.join(members)}" if members else "")
+
+
+def _range(criterion: MeasureCriterion, unit: str) -> str:
+    if criterion.most is None:
+        assert criterion.least is not None
+        return f"at least {shown(criterion.least, unit)}"
+    if criterion.least is None:
+        return f"at most {shown(criterion.most, unit)}"
+    label, size = UNITS[unit]
+    return f"{criterion.least / size:.4g} to {criterion.most / size:.4g} {label}"

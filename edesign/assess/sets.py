@@ -1,0 +1,79 @@
+"""Histories that belong together: one variant at one hazard level."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+
+from edesign.archive.dataset import Group
+from edesign.assess.measures import MEASURES, response_measures
+from edesign.assess.statistics import Statistics, statistics
+
+NOT_RUN = "not run"
+"""Status of a history that was planned and has no result yet."""
+
+
+@dataclass(frozen=True)
+class HistorySet:
+    """All histories of a variant at a level, by name; completed ones, failed ones, and those that have not run."""
+
+    variant: str
+    level: str
+    histories: dict[str, Group] = field(default_factory=dict)
+
+    @property
+    def completed(self) -> dict[str, Group]:
+        """Those with all their results."""
+        return {name: group for name, group in self.histories.items() if _status(group) == "completed"}
+
+    @property
+    def not_run(self) -> tuple[str, ...]:
+        """Those whose results are still to come."""
+        return tuple(name for name, group in self.histories.items() if _status(group) == NOT_RUN)
+
+    @property
+    def failed(self) -> tuple[str, ...]:
+        """Those that did not come to their end."""
+        return tuple(name for name in self.histories if name not in self.completed and name not in self.not_run)
+
+    def statistics(self, measure: Callable[[Group], float | None]) -> Statistics:
+        """Return the statistics of a measure over the completed histories; peaks of others are not the last word."""
+        completed = self.completed
+        return statistics({name: measure(completed[name]) if name in completed else None for name in self.histories})
+
+
+def measure_statistics(histories: HistorySet) -> dict[str, Statistics]:
+    """Return the statistics of all response measures over the completed histories of a set, by measure.
+
+    The others are missing in all of them.
+    """
+    measures = {name: response_measures(group) for name, group in histories.completed.items()}
+    return {
+        measure: statistics(
+            {name: measures[name][measure] if name in measures else None for name in histories.histories}
+        )
+        for measure in MEASURES
+    }
+
+
+def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
+    """Sort the histories of an archive by variant and level, in the order in which they come.
+
+    A variant at another temperature than its own is a variant of its own: `damped at 35 degC`. Histories of incremental
+    analyses, and everything that is no history, are left out.
+    """
+    found: dict[tuple[str, str], HistorySet] = {}
+    for name, group in histories.items():
+        about = group.attributes
+        if about.get("kind") != "history" or about.get("incremental"):
+            continue
+        variant, temperature = str(about.get("variant") or ""), about.get("temperature_C")
+        if temperature is not None:
+            variant = f"{variant} at {float(temperature):g} degC".strip()
+        key = (variant, str(about.get("level") or ""))
+        found.setdefault(key, HistorySet(*key)).histories[name] = group
+    return tuple(found.values())
+
+
+def _status(group: Group) -> str:
+    return str(group.attributes.get("status", ""))

@@ -1,0 +1,45 @@
+"""`edesign compare`: an archive beside reference values."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def compare(
+    archive: Annotated[Path, typer.Argument(help="The archive, complete or partial.", show_default=False)],
+    reference: Annotated[
+        Path, typer.Argument(help="The reference file, such as projects/thesis_10_storey/reference.yaml.")
+    ],
+    csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write a line for each value.")] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
+    bars: Annotated[bool, typer.Option("--bars", help="Show the bar of each value, and whether it holds.")] = False,
+    check: Annotated[
+        bool, typer.Option("--check", help="Exit code 3 if a value is not within its bar, or missing where one is set.")
+    ] = False,
+) -> None:
+    """Print each printed value of a reference beside the one of an archive, with its difference."""
+    from edesign.archive.reader import open_archive
+    from edesign.errors import AnalysisError
+    from edesign.project.reference_loader import load_reference
+    from edesign.report.comparison import compare as compare_archive
+    from edesign.report.comparison_files import comparison_data, write_comparison
+    from edesign.report.comparison_tables import block_tables
+    from edesign.report.text import print_tables
+
+    loaded = load_reference(reference)
+    with open_archive(archive) as opened:
+        comparison = compare_archive(opened, loaded)
+    if as_json:
+        typer.echo(json.dumps(comparison_data(comparison), indent=2, allow_nan=False, ensure_ascii=False))
+    else:
+        print_tables(block_tables(comparison, bars))
+    if csv is not None:
+        write_comparison(comparison, csv)
+    if check and comparison.outside:
+        outside, barred = len(comparison.outside), sum(cell.within is not None for cell in comparison.cells)
+        which = "value is not within its bar" if barred == 1 else "values are not within their bars"
+        raise AnalysisError(f"{outside} of {barred} {which}")

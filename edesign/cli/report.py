@@ -1,0 +1,39 @@
+"""`edesign report`: an archive as one HTML page."""
+
+from __future__ import annotations
+
+import sys
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+LINE_AFTER = 1.0  # s between lines on how far it is
+
+
+def report(
+    archive: Annotated[Path, typer.Argument(help="The archive, complete or partial.", show_default=False)],
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="FILE", help="The page; by default beside the archive.")
+    ] = None,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
+) -> None:
+    """Write the report of an archive as one HTML page that opens offline and can be mailed."""
+    from edesign.report.page.document import write_page
+
+    page = write_page(archive, output, (lambda line: None) if quiet else _Progress())
+    typer.echo(f"report: {page} ({page.stat().st_size / 1e6:.1f} MB)")
+
+
+class _Progress:
+    """A line on standard error now and then."""
+
+    def __init__(self) -> None:
+        self._last = time.monotonic()
+
+    def __call__(self, line: str) -> None:
+        now = time.monotonic()
+        if now - self._last >= LINE_AFTER:
+            self._last = now
+            print(line, file=sys.stderr, flush=True)

@@ -1,0 +1,163 @@
+"""Cross checks of criteria and objectives: what they name exists, and no two of them contradict each other."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+
+from edesign.project.checks_frame import Selections
+from edesign.project.criteria import Criterion, HingeCriterion, MeasureCriterion, Objectives
+from edesign.project.hazard import YEAR, Hazard, Level
+from edesign.project.measures import MEASURE_KINDS
+from edesign.project.problems import Keys, Problems, did_you_mean, keys_text, unknown_name
+from edesign.project.project import Project
+
+OBJECTIVE_PROBABILITY = dict(zip("abcdefghijkl", (p for p in (0.50, 0.20, 0.10, 0.02) for _ in range(3)), strict=True))
+"""Probability of exceedance in 50 years of each rehabilitation objective (thesis Table 5.4)."""
+
+_SAME_PROBABILITY = 0.01  # relative: 475 years are 9.992 %, 72 years 50.06 %
+_PREFIXES = {"beam": "B_", "column": "C_"}
+
+
+def check_criteria(
+    keys: Keys,
+    criteria: Sequence[Criterion],
+    objectives: Objectives,
+    project: Project,
+    variants: Collection[str],
+    problems: Problems,
+) -> None:
+    """Check criteria and objectives against the project and against each other.
+
+    Args:
+        keys: path of the mapping that has `criteria` and `objectives`; () for the root of a study file.
+        criteria: as read; they have no schema problems.
+        objectives: letters.
+        project: whose frame and hazard levels they mean.
+        variants: names of the variants of the study.
+        problems: collects what is wrong.
+    """
+    hazard = project.hazard
+    levels = hazard.levels if hazard is not None else {}
+    for i, criterion in enumerate(criteria):
+        at: Keys = (*keys, "criteria", i)
+        if criterion.name in (earlier.name for earlier in criteria[:i]):
+            problems.at_value((*at, "name"), f"the name `{criterion.name}` is used already")
+        _names(problems, (*at, "variants"), "variant", criterion.variants, variants)
+        _names(problems, (*at, "levels"), "hazard level", criterion.levels, levels)
+        Selections(project.frame, problems).numbers(
+            (*at, "storeys"), criterion.storeys, "storey", project.frame.n_storeys
+        )
+        if isinstance(criterion, MeasureCriterion):
+            _limits(problems, at, criterion)
+        if isinstance(criterion, (MeasureCriterion, HingeCriterion)):
+            _members(problems, at, criterion, project)
+    _contradictions(problems, keys, criteria, tuple(variants), tuple(levels))
+    for i, letter in enumerate(objectives):
+        at = (*keys, "objectives", i)
+        if letter in objectives[:i]:
+            problems.at_value(at, f"`{letter}` comes twice")
+        elif objective_level(letter, hazard) is None:
+            probability = OBJECTIVE_PROBABILITY[letter]
+            message = (
+                f"objective {letter} needs a hazard level of {100 * probability:g} % in 50 years, and the project has "
+                f"none (add to `hazard: levels` one with `probability: {100 * probability:g} %`)"
+            )
+            problems.at_value(at, message)
+
+
+def objective_level(letter: str, hazard: Hazard | None) -> str | None:
+    """Return the name of the hazard level of an objective, None if the project has none.
+
+    A level counts with its probability in 50 years, or with that of its return period T, 1 - exp(-50 years / T); levels
+    given by a factor or an importance class have no probability.
+    """
+    wanted = OBJECTIVE_PROBABILITY[letter]
+    for name, level in (hazard.levels if hazard is not None else {}).items():
+        probability = _probability(level)
+        if probability is not None and abs(probability - wanted) <= _SAME_PROBABILITY * wanted:
+            return name
+    return None
+
+
+def _probability(level: Level) -> float | None:
+    if level.probability is not None:
+        return level.probability
+    return None if level.return_period is None else -math.expm1(-50.0 * YEAR / level.return_period)
+
+
+def _names(problems: Problems, at: Keys, what: str, given: Collection[str], known: Collection[str]) -> None:
+    single = problems.node(at).child(0) is None  # `variants: bare` rather than `variants: [bare]`
+    for j, name in enumerate(given):
+        if name not in known:
+            problems.at_value(at if single else (*at, j), unknown_name(what, name, known))
+
+
+def _limits(problems: Problems, at: Keys, criterion: MeasureCriterion) -> None:
+    if criterion.most is None and criterion.least is None:
+        problems.under(at, "most", "this key is missing (or `least`); a criterion needs a limit")
+    elif criterion.most is not None and criterion.least is not None and criterion.least > criterion.most:
+        message = f"`least` ({criterion.least:g}) is greater than `most` ({criterion.most:g}); nothing is in between"
+        problems.at_value((*at, "least"), message)
+
+
+def _members(problems: Problems, at: Keys, criterion: MeasureCriterion | HingeCriterion, project: Project) -> None:
+    """Selections that mean nothing for a measure, and members that the frame has not."""
+    if isinstance(criterion, MeasureCriterion):
+        kind = criterion.measure.partition("_")[0]
+        whole = "drift" in criterion.measure and criterion.measure != "roof_drift"
+        if kind not in ("beam", "column", "damper") or criterion.measure == "column_base_shear_N":
+            if criterion.members:
+                problems.at_key((*at, "members"), f"`{criterion.measure}` has no members to choose from")
+            if not criterion.storeys.is_all and not whole:
+                problems.at_key((*at, "storeys"), f"`{criterion.measure}` is one of the whole frame")
+            return
+    else:
+        kind = {"columns": "column", "beams": "beam", "all": ""}[criterion.of]
+    if kind == "damper":
+        return  # its names are given when the variant is built
+    allowed = [name for name in project.frame.members if name.startswith(_PREFIXES.get(kind, ("B_", "C_")))]
+    single = problems.node((*at, "members")).child(0) is None
+    for j, name in enumerate(criterion.members):
+        if name not in allowed:
+            what = f"no {kind or 'column or beam'} `{name}` in this frame"
+            hint = did_you_mean(name, allowed)
+            place = (*at, "members") if single else (*at, "members", j)
+            problems.at_value(place, f"there is {what}{hint} (they are named `{allowed[0]}` to `{allowed[-1]}`)")
+
+
+def _contradictions(
+    problems: Problems, keys: Keys, criteria: Sequence[Criterion], variants: tuple[str, ...], levels: tuple[str, ...]
+) -> None:
+    """Two ranges of one statistic of one measure, over the same place, that have nothing in common."""
+    measured = [(i, c) for i, c in enumerate(criteria) if isinstance(c, MeasureCriterion)]
+    for position, (i, later) in enumerate(measured):
+        for j, earlier in measured[:position]:
+            if not _same(earlier, later):
+                continue
+            both = [
+                f"{variant} at {level}"
+                for variant in (later.variants or variants)
+                for level in (later.levels or levels)
+                if variant in (earlier.variants or variants) and level in (earlier.levels or levels)
+            ]
+            low = max(earlier.least or 0.0, later.least or 0.0)
+            high = min(_most(earlier), _most(later))
+            alone = max((earlier.least or 0.0) - _most(earlier), (later.least or 0.0) - _most(later))
+            if both and low > high and alone <= 0.0:
+                line = problems.node((*keys, "criteria", j)).mark.line
+                place = keys_text((*keys, "criteria", j))
+                message = (
+                    f"`{later.name}` contradicts `{earlier.name}` ({place}, line {line}): for {both[0]} "
+                    f"the {later.statistic} of `{later.measure}` cannot be at least {low:g} and at most "
+                    f"{high:g} {MEASURE_KINDS[later.measure].unit.replace('1', '')}".rstrip()
+                )
+                problems.at_value((*keys, "criteria", i), message)
+
+
+def _same(one: MeasureCriterion, other: MeasureCriterion) -> bool:
+    return all(getattr(one, key) == getattr(other, key) for key in ("measure", "statistic", "storeys", "members"))
+
+
+def _most(criterion: MeasureCriterion) -> float:
+    return math.inf if criterion.most is None else criterion.most

@@ -1,0 +1,112 @@
+"""Cross checks of a study: names that exist, in the file itself and in the project that it studies."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+
+from edesign.project.checks_criteria import check_criteria
+from edesign.project.checks_designs import check_design
+from edesign.project.checks_outputs import check_member
+from edesign.project.designs import Verify
+from edesign.project.incremental import check_incremental
+from edesign.project.problems import Keys, Problems, listed, unknown_name
+from edesign.project.study import Histories, Study, Variant
+
+ALL = "all"
+
+
+def check_study(study: Study, problems: Problems) -> None:
+    """Check a study against its project; `study` has no schema problems."""
+    base = study.base
+    for name, design in study.designs.items():
+        check_design(("designs", name), design, base, problems)
+        if design.verify is not None:
+            _verify(study, problems, ("designs", name, "verify"), design.verify)
+    for name, variant in study.variants.items():
+        _variant(study, problems, ("variants", name), variant)
+    for i, histories in enumerate(study.histories):
+        _histories(study, problems, ("histories", i), histories)
+    for i, incremental in enumerate(study.incremental):
+        check_incremental(("incremental", i), incremental, base, tuple(study.variants), problems)
+    check_criteria((), study.criteria, study.objectives, base, tuple(study.variants), problems)
+    _outputs(study, problems)
+    if (study.histories or study.incremental) and base.masses is None:
+        problems.at_key(("project",), f"histories need `masses`, and {base.path} has none")
+    for key in ("damping", "integration"):
+        if (study.histories or study.incremental) and getattr(base, key) is None:
+            problems.at_key(("project",), f"histories need `{key}`, and {base.path} has none")
+
+
+def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> None:
+    if (variant.dampers is None) == (variant.design is None):
+        problems.at_key(keys, "give either `dampers` (`none` or `project`) or a `design`, one of them")
+        return
+    if variant.design is not None and variant.design not in study.designs:
+        problems.at_value((*keys, "design"), unknown_name("design", variant.design, study.designs))
+    if variant.dampers == "project" and study.base.dampers is None:
+        problems.at_value((*keys, "dampers"), f"{study.base.path} has no `dampers`")
+    if variant.dampers == "none":
+        for key in ("temperature", "property_factor"):
+            if getattr(variant, key) is not None:
+                problems.at_key((*keys, key), "this variant has no dampers")
+
+
+def _histories(study: Study, problems: Problems, keys: Keys, histories: Histories) -> None:
+    base = study.base
+    _names(problems, (*keys, "variants"), "variant", histories.variants, study.variants, everything=True)
+    levels = base.hazard.levels if base.hazard is not None else {}
+    fitted = []
+    for i, reference in enumerate(histories.records):
+        name = reference.partition("/")[0]
+        if name not in base.records:
+            problems.at_value(_item(problems, (*keys, "records"), i), unknown_name("record", name, base.records))
+        elif base.records[name].match is not None:
+            fitted.append(name)
+    if histories.levels is not None:
+        _names(problems, (*keys, "levels"), "level", histories.levels, levels)
+    elif fitted:
+        message = f"this key is missing; {listed(fitted)} is fitted to the spectrum of the hazard and scaled to a level"
+        problems.under(keys, "levels", f"{message}: {listed(levels)}")
+    if histories.temperatures is not None:
+        for name in study.variants_of(histories):
+            if study.variants[name].dampers == "none":
+                message = f"the variant `{name}` has no dampers, whose temperature this is"
+                problems.at_key((*keys, "temperatures"), message)
+
+
+def _verify(study: Study, problems: Problems, keys: Keys, verify: Verify) -> None:
+    _names(problems, (*keys, "criteria"), "criterion", verify.criteria, [c.name for c in study.criteria])
+
+
+def _outputs(study: Study, problems: Problems) -> None:
+    outputs = study.outputs
+    if outputs.archive is not None and not outputs.archive.endswith((".h5", ".hdf5", ".nc")):
+        problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc")
+    if outputs.details is None:
+        return
+    keys: Keys = ("outputs", "details")
+    for i, reference in enumerate(outputs.details.records):
+        name = reference.partition("/")[0]
+        if name not in study.base.records:
+            where = _item(problems, (*keys, "records"), i)
+            problems.at_value(where, unknown_name("record", name, study.base.records))
+    for i, member in enumerate(outputs.details.members):
+        check_member(study.base, problems, (*keys, "members", i), member)
+
+
+def _names(
+    problems: Problems, keys: Keys, what: str, given: tuple[str, ...], known: Collection[str], everything: bool = False
+) -> None:
+    if everything and given == (ALL,):
+        return
+    for i, name in enumerate(given):
+        where = _item(problems, keys, i)
+        if name not in known:
+            problems.at_value(where, unknown_name(what, name, known))
+        elif name in given[:i]:
+            problems.at_value(where, f"`{name}` comes twice")
+
+
+def _item(problems: Problems, keys: Keys, i: int) -> Keys:
+    """The place of one of several names, of which a single one needs no list."""
+    return (*keys, i) if problems.node(keys).items is not None else keys

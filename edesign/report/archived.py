@@ -1,0 +1,45 @@
+"""The project and the study whose texts an archive holds; their files need not be at hand."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from edesign.archive.reader import Archive
+from edesign.building.profiles import profile_names
+from edesign.project.loader import parse_project
+from edesign.project.project import Project
+from edesign.project.study import Study
+from edesign.project.study_loader import parse_study
+
+STUDY = "study"
+
+
+def is_study_archive(archive: Archive) -> bool:
+    """Whether an archive is that of a study."""
+    return archive.attributes.get("kind") == STUDY
+
+
+def archived_project(archive: Archive) -> Project | None:
+    """Return the project whose analyses an archive has; None if it does not have the text of it.
+
+    Raises:
+        InputError: the text is not that of a project of this version.
+    """
+    text = archive.group().variables.get("project_text")
+    if text is None:
+        return None
+    path = Path(str(archive.attributes.get("project_file") or "project.yaml"))
+    return parse_project(str(text.values), path, profile_names(), files=False)
+
+
+def archived_study(archive: Archive) -> Study | None:
+    """Return the study whose analyses an archive has; None if it is that of a project.
+
+    Raises:
+        InputError: the text is not that of a study of this version.
+    """
+    base = archived_project(archive)
+    if base is None or not is_study_archive(archive):
+        return None
+    path = Path(str(archive.attributes.get("study_file") or "study.yaml"))
+    return parse_study(str(archive.group().variables["study_text"].values), path, base)

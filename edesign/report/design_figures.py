@@ -1,0 +1,189 @@
+"""How a design of dampers came about, and what it put into each storey."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.report.captions import file_name, plain
+from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, grid_figure, new_figure, styled
+from edesign.report.histories import names_of
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+DESIGNS = "designs"  # their group in the archive
+_STYLES = ("-", "--", "-.", ":")
+_LINE: Any = {"color": AFTER, "marker": "o", "ms": 3.5}
+_ABOVE: Any = {"loc": "lower left", "bbox_to_anchor": (-0.02, 1.0), "ncols": 2, "borderaxespad": 0.2}
+MARKERS = ("o", "s", "^", "D", "v")
+
+
+def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """The rounds of each design, and its dampers over the height: name of the file, caption, figure."""
+    for name in archive.names(DESIGNS):
+        group = archive.group(f"{DESIGNS}/{name}")
+        about = f"Design {name}"
+        if "layer_area" in group.variables and "damper_stiffness" in group.variables:
+            total = float(np.sum(group.variables["damper_stiffness"].values) / np.sum(_bare_stiffness(group)))
+            caption = (
+                f"{about}: stiffness of dampers and storeys, and area of a layer of elastomer. "
+                f"The dampers have {plain(100.0 * total)} % of the stiffness of their storeys."
+            )
+            yield file_name("design", name, "heights"), caption, heights_figure(group)
+        if "round_layer_area" in group.variables and group.coords["round"].values.size > 1:
+            reason = str(group.attributes.get("reason") or "")
+            count = group.coords["round"].values.size
+            caption = f"{about}: {count} rounds of sizing and verification by histories. {reason}".strip()
+            yield file_name("design", name, "rounds"), caption, rounds_figure(group)
+
+        if "iteration_frequency" in group.variables and group.coords["iteration"].values.size > 1:
+            count = group.coords["iteration"].values.size
+            caption = f"{about}: {count} iterations of the properties of the elastomer at the first frequency."
+            yield file_name("design", name, "iterations"), caption, iterations_figure(group)
+
+
+@styled
+def heights_figure(group: Group) -> Figure:
+    """Draw the stiffness of storeys and dampers, and the area of their layers, storey by storey.
+
+    Args:
+        group: of a design: damper_stiffness, storey_stiffness N/m and layer_area m2 over (storey,), and where there
+            are rounds of a verification round_layer_area over (round, storey).
+    """
+    figure, ((left, right),) = new_figure(1, 2, 6.3, 3.4)
+    storeys = np.asarray(group.coords["storey"].values)
+    parts = [
+        ("frame", _bare_stiffness(group), BEFORE),
+        ("dampers", _along(group, "damper_stiffness"), AFTER),
+    ]
+    if "brace_stiffness" in group.variables:
+        parts.append(("braces", _along(group, "brace_stiffness"), VARIANTS[2]))
+    thick = 0.8 / len(parts)
+    for i, (label, values, color) in enumerate(parts):
+        places = storeys + 0.4 - (i + 0.5) * thick
+        left.barh(places, 1e-6 * values, 0.9 * thick, color=color, label=label)
+    left.set_xlabel("stiffness (MN/m)")
+    right.barh(storeys, _along(group, "layer_area"), 0.6, color=AFTER, label="chosen")
+    if "round_layer_area" in group.variables:
+        for k, areas in enumerate(group.variables["round_layer_area"].values):
+            right.plot(areas, storeys, color=MEAN, lw=0.6, marker=".", ms=3.0, label=None if k else "each round")
+    right.set_xlabel("area of a layer (m²)")
+    right.set_xlim(left=0.0)
+    right.tick_params(labelleft=False)
+    left.set_ylabel("storey")
+    for axis in (left, right):
+        axis.set_ylim(storeys[0] - 0.6, storeys[-1] + 0.6)
+        axis.set_yticks(storeys if storeys.size <= 13 else storeys[:: storeys.size // 8])
+        axis.grid(axis="y", visible=False)
+        handles, labels = axis.get_legend_handles_labels()
+        axis.legend(handles, labels, **_ABOVE)
+    return figure
+
+
+@styled
+def rounds_figure(group: Group) -> Figure:
+    """Draw what each round of a design aimed at, what it used, and how the histories judged it.
+
+    Args:
+        group: of a design, with variables over (round,), (round, storey) and (round, criterion).
+    """
+    panels = [panel for panel in (_damping, _area, _period, _verdicts) if panel is not _verdicts or _is_judged(group)]
+    figure, cells = grid_figure(len(panels), 2, 3.1, 1.9)
+    rounds = np.asarray(group.coords["round"].values)
+    for axis, panel in zip(cells, panels, strict=True):
+        panel(axis, group, rounds)
+        axis.set_xlim(rounds[0] - 0.3, rounds[-1] + 0.3)
+        axis.set_xticks(rounds if rounds.size <= 12 else rounds[:: rounds.size // 8])
+        axis.set_xlabel("round")
+        if axis.get_legend_handles_labels()[0]:
+            axis.legend(**_ABOVE)
+    return figure
+
+
+@styled
+def iterations_figure(group: Group) -> Figure:
+    """Draw the frequency that went into each iteration and came out of it, and the damping that it gave.
+
+    Args:
+        group: of a design, with iteration_frequency, iteration_next_frequency (Hz) and iteration_damping.
+    """
+    figure, ((left, right),) = new_figure(1, 2, 6.3, 2.4)
+    steps = np.asarray(group.coords["iteration"].values)
+    left.plot(steps, _along(group, "iteration_frequency"), color=BEFORE, ls="--", marker="s", ms=3.5, label="taken")
+    left.plot(steps, _along(group, "iteration_next_frequency"), **_LINE, label="found")
+    left.set_ylabel("first frequency (Hz)")
+    left.legend(**_ABOVE)
+    right.plot(steps, 100.0 * _along(group, "iteration_damping"), **_LINE)
+    right.set_ylabel("added damping (%)")
+    right.set_ylim(bottom=0.0)
+    for axis in (left, right):
+        axis.set_xlabel("iteration")
+        axis.set_xticks(steps if steps.size <= 12 else steps[:: steps.size // 8])
+    return figure
+
+
+def _damping(axis: Axes, group: Group, rounds: np.ndarray) -> None:
+    target = _along(group, "round_target")
+    if group.attributes.get("method") == "strain_energy" and np.all(np.isfinite(target)):
+        axis.plot(rounds, 100.0 * target, color=TARGET, ls="--", lw=1.0, label="target")
+    axis.plot(
+        rounds,
+        100.0 * _along(group, "round_damping_strain_energy"),
+        color=AFTER,
+        marker="o",
+        ms=3.5,
+        label="with braces",
+    )
+    axis.set_ylabel("added damping (%)")
+    axis.set_ylim(bottom=0.0)
+
+
+def _area(axis: Axes, group: Group, rounds: np.ndarray) -> None:
+    per_storey = int(str(group.attributes.get("layers", 1))) * int(str(group.attributes.get("number", 1)))
+    places = int(str(group.attributes.get("places", group.coords["storey"].values.size)))
+    share = places / group.coords["storey"].values.size
+    total = share * per_storey * np.sum(group.variables["round_layer_area"].values, axis=1)
+    axis.plot(rounds, total, **_LINE)
+    axis.set_ylabel("elastomer, all layers (m²)")
+    axis.set_ylim(bottom=0.0)
+
+
+def _period(axis: Axes, group: Group, rounds: np.ndarray) -> None:
+    axis.plot(rounds, _along(group, "round_period"), **_LINE, label="with dampers")
+    if "bare_period" in group.variables:
+        axis.axhline(float(_along(group, "bare_period")[0]), color=BEFORE, ls="--", lw=1.0, label="without dampers")
+    axis.set_ylabel("first period (s)")
+    axis.set_ylim(0.0, 1.1 * axis.get_ylim()[1])
+
+
+def _verdicts(axis: Axes, group: Group, rounds: np.ndarray) -> None:
+    """Values over limits: filled where the criterion is met."""
+    values, limits, met = (group.variables[f"verdict_{part}"].values for part in ("value", "limit", "met"))
+    for i, name in enumerate(names_of(group, "criterion")):
+        ratio = values[:, i] / limits[:, i]
+        color = (AFTER, VARIANTS[0], VARIANTS[2], VARIANTS[3])[i % 4]
+        axis.plot(rounds, ratio, color=color, lw=1.0, ls=_STYLES[i % 4], label=name)
+        for x, y, good in zip(rounds, ratio, met[:, i], strict=True):
+            face = color if good == 1.0 else "white"
+            axis.plot(x, y, marker=MARKERS[i % len(MARKERS)], ms=4.0, mfc=face, mec=color, ls="none")
+    axis.axhline(1.0, color=TARGET, lw=0.9, ls="--")
+    axis.set_ylabel("value / limit")
+    axis.set_ylim(bottom=0.0)
+
+
+def _is_judged(group: Group) -> bool:
+    return "verdict_value" in group.variables
+
+
+def _bare_stiffness(group: Group) -> np.ndarray:
+    return _along(group, "storey_stiffness")
+
+
+def _along(group: Group, name: str) -> np.ndarray:
+    return np.asarray(group.variables[name].values, dtype=float)

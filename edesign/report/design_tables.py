@@ -1,0 +1,90 @@
+"""Tables of a design of dampers: what stands in each storey, what it adds, and the rounds that led to it."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.report.table import Table, number
+
+_DAMPINGS = (
+    ("Eq. 5.6, modes with dampers [%]", "damping_strain_energy"),
+    ("Eq. 5.8, frequencies [%]", "damping_frequencies"),
+    ("complex eigenvalues [%]", "damping_complex"),
+)
+
+
+def design_tables(group: Group) -> list[Table]:
+    """Return the tables of a design.
+
+    Args:
+        group: designs/NAME of an archive.
+    """
+    tables = [storeys_table(group), damping_table(group), rounds_table(group)]
+    return [table for table in tables if table.rows or table.notes]
+
+
+def storeys_table(group: Group) -> Table:
+    """Return stiffness of storey, dampers and braces, and the area of a layer, as thesis Table 5.7."""
+    about = group.attributes
+    title = f"Design {about.get('name', '')}: {str(about.get('method', '')).replace('_', ' ')}, {about.get('status')}"
+    columns = (
+        ("storey [kN/m]", "storey_stiffness", 1e3),
+        ("dampers [kN/m]", "damper_stiffness", 1e3),
+        ("braces [kN/m]", "brace_stiffness", 1e3),
+        ("area of a layer [m2]", "layer_area", 1.0),
+        ("A_D/A_P", "area_ratio", 1.0),
+    )
+    shown = [column for column in columns if column[1] in group.variables]
+    table = Table(title, ("storey", *(header for header, _, _ in shown)))
+    if "storey" in group.coords and shown:
+        for i, storey in enumerate(group.coords["storey"].values):
+            cells = [number(float(group.variables[key].values[i]), scale=unit) for _, key, unit in shown]
+            table.rows.append([str(storey), *cells])
+    if "layer_thickness_m" in about:
+        table.notes.append(
+            f"{about['number']} x {about['layers']} layers of {1e3 * float(about['layer_thickness_m']):.4g} mm at each "
+            f"place; G' {1e-6 * float(about['G_storage_Pa']):.4g} MPa, n {float(about['loss_factor']):.4g} at "
+            f"{float(about['frequency_Hz']):.3g} Hz; all layers {float(about['total_layer_area_m2']):.4g} m2"
+        )
+    if about.get("reason"):
+        table.notes.append(f"failed: {about['reason']}")
+    warnings = about.get("warnings")
+    table.notes += [str(text) for text in (warnings if isinstance(warnings, list) else [])]
+    return table
+
+
+def damping_table(group: Group) -> Table:
+    """Return the damping that the dampers add to each mode, by three ways, alone and with their braces."""
+    table = Table("", ("mode", "T bare [s]", "dampers", "T [s]", *(header for header, _ in _DAMPINGS)), left=0)
+    if any(key not in group.variables for key in ("period", "bare_period", *(key for _, key in _DAMPINGS))):
+        return table
+    bare, period = group.variables["bare_period"].values, group.variables["period"].values
+    for mode in range(period.shape[1]):
+        for i, assembly in enumerate(group.coords["assembly"].values):
+            cells = [number(float(group.variables[key].values[i, mode]), scale=0.01) for _, key in _DAMPINGS]
+            times = [number(float(bare[mode])), str(assembly), number(float(period[i, mode]))]
+            table.rows.append([str(mode + 1), *times, *cells])
+    return table
+
+
+def rounds_table(group: Group) -> Table:
+    """Return the rounds of sizing and verification; none if there was only one and nothing to verify."""
+    table = Table("Rounds", ("round", "changed", "damping [%]", "T1 [s]", "total area [m2]", "met"), left=1)
+    count = group.coords["round"].values.size if "round" in group.coords else 0
+    if count == 0 or (count == 1 and "verdict" not in group.coords):
+        return table
+    values = group.variables
+    for i in range(count):
+        damping = float(values["round_damping_strain_energy"].values[i])
+        area = float(np.sum(values["round_layer_area"].values[i]))
+        cells = [
+            number(float(values["round_changed"].values[i])),
+            number(damping, scale=0.01),
+            number(float(values["round_period"].values[i])),
+            number(area),
+            "yes" if values["round_met"].values[i] else "no",
+        ]
+        table.rows.append([str(i + 1), *cells])
+    table.notes.append(f"changed: {values['round_changed'].long_name}; area: of one layer, all storeys")
+    return table

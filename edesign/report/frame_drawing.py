@@ -1,0 +1,98 @@
+"""A frame's elevation: members to scale, braces, dampers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from edesign.project import names
+from edesign.project.frame import Frame
+from edesign.report.figures import MEAN
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Point = tuple[float, float]
+Line = tuple[Point, Point]
+STEEL, DAMPER = "#8a8f98", "#3aa08f"
+_SHAPES = {"V": "chevron", "R": "rising", "F": "falling", "S": "storey"}
+
+
+@dataclass(frozen=True)
+class DamperDrawing:
+    """A damper in an elevation: the lines of its braces, and where it stands itself, m."""
+
+    braces: tuple[Line, ...]
+    at: Point
+
+
+def member_lines(frame: Frame) -> dict[str, Line]:
+    """Start and end of every member by its name, m; columns start below, beams and braces at the left."""
+    found = {}
+    for line, storey in frame.column_at:
+        x = frame.x[frame.lines.index(line)]
+        found[names.column_name(line, storey)] = ((x, frame.y[storey - 1]), (x, frame.y[storey]))
+    for bay, floor in frame.beam_at:
+        found[names.beam_name(bay, floor)] = ((frame.x[bay - 1], frame.y[floor]), (frame.x[bay], frame.y[floor]))
+    for bay, storey, way in frame.brace_at:
+        low, high = (storey - 1, storey) if way == "r" else (storey, storey - 1)
+        found[names.brace_name(bay, storey, way)] = ((frame.x[bay - 1], frame.y[low]), (frame.x[bay], frame.y[high]))
+    return found
+
+
+def damper_drawing(frame: Frame, name: str) -> DamperDrawing | None:
+    """How the damper of a name such as V_1_3 or N_A0_B1 is drawn; None if the frame has no such place."""
+    kind, first, second, *_ = [*name.split("_"), "", ""]
+    if kind == "N":
+        if first not in frame.nodes or second not in frame.nodes:
+            return None
+        start, end = frame.nodes[first], frame.nodes[second]
+        return DamperDrawing(((start, end),), _middle(start, end))
+    if kind not in _SHAPES or not (first.isdigit() and second.isdigit()):
+        return None
+    bay, storey = int(first), int(second)
+    if not (1 <= bay <= frame.n_bays and 1 <= storey <= frame.n_storeys):
+        return None
+    left, right, low, high = frame.x[bay - 1], frame.x[bay], frame.y[storey - 1], frame.y[storey]
+    apex = (0.5 * (left + right), high)
+    if kind == "V":
+        return DamperDrawing((((left, low), apex), ((right, low), apex)), apex)
+    lines: dict[str, Line] = {
+        "R": ((left, low), (right, high)),
+        "F": ((left, high), (right, low)),
+        "S": ((apex[0], low), apex),
+    }
+    return DamperDrawing((lines[kind],), _middle(*lines[kind]))
+
+
+def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
+    """Draw an elevation to scale, without scales and frame of the axes.
+
+    Args:
+        axes: in m, with equal scales afterwards.
+        frame: its members.
+        dampers: names of the dampers in it.
+    """
+    for name in dampers:
+        drawing = damper_drawing(frame, name)
+        if drawing is None:
+            continue
+        for (x0, y0), (x1, y1) in drawing.braces:
+            axes.plot((x0, x1), (y0, y1), color=DAMPER, lw=0.7, zorder=1)
+        axes.plot(*drawing.at, marker="s", ms=3.6, color=DAMPER, mec="white", mew=0.4, zorder=2)
+    for name, ((x0, y0), (x1, y1)) in member_lines(frame).items():
+        axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if name.startswith("D_") else 1.6, zorder=1.5)
+    for line, x in zip(frame.lines, frame.x, strict=True):
+        if (line, 1) in frame.column_at:
+            marker = {"fixed": "s", "pinned": "^", "roller": "o"}[frame.support(line)]
+            axes.plot(x, frame.y[0], marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
+    margin = 0.04 * max(frame.x[-1], frame.height)
+    axes.set_aspect("equal")
+    axes.set_xlim(-margin, frame.x[-1] + margin)
+    axes.set_ylim(-margin, frame.height + margin)
+    axes.set_axis_off()
+
+
+def _middle(start: Point, end: Point) -> Point:
+    return 0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])

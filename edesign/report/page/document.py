@@ -1,0 +1,102 @@
+"""The report of an archive: its sections in order, rendered and written."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from edesign._version import __version__
+from edesign.archive.files import write_text
+from edesign.archive.reader import open_archive
+from edesign.report.page.render import Cover, render
+from edesign.report.page.section import Section
+from edesign.report.page.sections.dampers import dampers
+from edesign.report.page.sections.design import design
+from edesign.report.page.sections.ground_motion import ground_motion
+from edesign.report.page.sections.hinges import hinges
+from edesign.report.page.sections.histories import histories
+from edesign.report.page.sections.incremental import incremental
+from edesign.report.page.sections.inputs import inputs
+from edesign.report.page.sections.modes import modes
+from edesign.report.page.sections.moment_rotation import moment_rotation
+from edesign.report.page.sections.provenance import provenance
+from edesign.report.page.sections.response import response
+from edesign.report.page.sections.summary import summary
+from edesign.report.page.sections.temperature import temperature
+from edesign.report.page.sections.verdicts import performance
+from edesign.report.page.source import Source
+
+SECTIONS: tuple[Callable[[Source], Section], ...] = (
+    summary,
+    inputs,
+    ground_motion,
+    modes,
+    design,
+    response,
+    performance,
+    hinges,
+    moment_rotation,
+    histories,
+    dampers,
+    temperature,
+    incremental,
+    provenance,
+)
+"""In the order of the page; those without content are left out."""
+
+
+def default_page_path(archive: str | os.PathLike[str]) -> Path:
+    """Return where the page of an archive goes: beside it, `NAME.html`; of `NAME.h5.partial` it is the same."""
+    path = Path(archive)
+    return path.with_name(path.name.removesuffix(".partial")).with_suffix(".html")
+
+
+def write_page(
+    archive: str | os.PathLike[str], path: Path | None = None, tell: Callable[[str], None] = lambda line: None
+) -> Path:
+    """Write the report of an archive as one HTML page that needs nothing beside it.
+
+    Args:
+        archive: complete or partial, of `edesign run` or `edesign match`.
+        path: the page, whole or not at all; by default beside the archive.
+        tell: called with a line for each section and figure.
+
+    Returns:
+        The page.
+
+    Raises:
+        ArchiveError: the archive cannot be read, or the page cannot be written.
+    """
+    path = default_page_path(archive) if path is None else path
+    write_text(page_text(archive, tell), path)
+    return path
+
+
+def page_text(archive: str | os.PathLike[str], tell: Callable[[str], None] = lambda line: None) -> str:
+    """Return the report of an archive as HTML; arguments and errors as `write_page`."""
+    with open_archive(archive) as opened:
+        source = Source(opened, tell)
+        made = [section for make in SECTIONS if (section := make(source))]
+        return render(_cover(source), made)
+
+
+def _cover(source: Source) -> Cover:
+    about = source.attributes
+    date = str(source.provenance.get("created", ""))[:10]
+    who = f"edesign {about.get('edesign_version', '')}"
+    banner = ""
+    if not source.archive.complete:
+        missing = [item["name"] for item in source.entries if item["status"] == "not run"]
+        banner = (
+            f"The run goes on or was interrupted: {len(missing)} of {len(source.entries)} analyses have no result yet."
+        )
+    return Cover(
+        title=str(about.get("title") or source.archive.path.stem),
+        kind="Study report" if source.text("study_text") else "Analysis report",
+        about=" · ".join(part for part in (date, who, source.archive.path.name) if part),
+        banner=banner,
+        footer=f"Made by edesign {__version__} from {source.archive.path.name}, input SHA-256 "
+        f"{str(about.get('input_checksum') or about.get('project_checksum') or 'unknown')[:16]}. "
+        "All numbers are computed from the archive.",
+    )

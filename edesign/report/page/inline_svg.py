@@ -1,0 +1,144 @@
+"""An SVG file of matplotlib as an element of an HTML page: small, without clashes, readable to all."""
+
+from __future__ import annotations
+
+import re
+import xml.etree.ElementTree as ElementTree
+
+import numpy as np
+
+from edesign.report.thin_out import thin_out
+
+TOLERANCE = 0.15  # points (1/72 inch); the page shows a point as 1.24 pixels
+MANY = 12  # vertices, from which a curve is thinned out
+_LINK = "{http://www.w3.org/1999/xlink}href"
+_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
+_LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}(?:[eE][-+]?\d+)?")
+_REFERENCE = re.compile(r"url\(#([^)]+)\)")
+_FONT_FAMILY = re.compile(r"font-family:[^;]*;?\s*")  # the page's own, which are narrower than that of the drawing
+_NO_ROTATION = re.compile(r"\s*rotate\(-?0 [^)]*\)")
+_ROUNDED = ("x", "y", "width", "height", "transform", "style", "d", "points", "cx", "cy", "r")
+
+
+def inline_svg(text: str, name: str, title: str, description: str = "") -> tuple[str, float]:
+    """Make an SVG file fit to stand in a page with others.
+
+    Header, metadata and the file's own style sheet, which would rule the whole page, are taken out; names of elements
+    begin with `name`; curves lose the points that nobody can see; coordinates are rounded to 0.01 points.
+
+    Args:
+        text: the file, as matplotlib writes it.
+        name: unique on the page, letters, digits, `_`, `-`, `.`.
+        title, description: for those who cannot see the figure.
+
+    Returns:
+        The element, and its width in points.
+    """
+    root = ElementTree.fromstring(text)
+    for child in [child for child in root if _tag(child) in ("metadata", "title", "desc")]:
+        root.remove(child)
+    _drop_styles(root)
+    box = [float(value) for value in root.attrib["viewBox"].split()]
+    _unique_names(root, name)
+    for element in root.iter():
+        element.tag = _tag(element)  # inside a page the names need no name space
+        _lighten(element)
+    root.attrib = {"viewBox": root.attrib["viewBox"], "role": "img", "aria-labelledby": f"{name}-title"}
+    if description:
+        root.attrib["aria-describedby"] = f"{name}-desc"
+        _label(root, "desc", f"{name}-desc", description)
+    _label(root, "title", f"{name}-title", title)
+    found = ElementTree.tostring(root, encoding="unicode")
+    return re.sub(r">\s+<", "><", found), box[2]
+
+
+def _tag(element: ElementTree.Element) -> str:
+    return element.tag.rpartition("}")[2]
+
+
+def _label(root: ElementTree.Element, tag: str, name: str, text: str) -> None:
+    label = ElementTree.Element(tag, {"id": name})
+    label.text = text
+    root.insert(0, label)
+
+
+def _drop_styles(root: ElementTree.Element) -> None:
+    for parent in list(root.iter()):
+        for child in [child for child in parent if _tag(child) == "style"]:
+            parent.remove(child)
+
+
+def _unique_names(root: ElementTree.Element, prefix: str) -> None:
+    """Number the elements that others refer to, and take the names of all the others away."""
+    used: dict[str, str] = {}
+
+    def new(old: str) -> str:
+        return used.setdefault(old, f"{prefix}-{len(used)}")
+
+    for element in root.iter():
+        link = element.attrib.pop(_LINK, None) or element.attrib.get("href")
+        if link and link.startswith("#"):
+            element.attrib["href"] = "#" + new(link[1:])
+        for key, value in element.attrib.items():
+            if "url(#" in value:
+                element.attrib[key] = _REFERENCE.sub(lambda found: f"url(#{new(found[1])})", value)
+    for element in root.iter():
+        name = element.attrib.pop("id", None)
+        if name in used:
+            element.attrib["id"] = used[name]
+
+
+def _lighten(element: ElementTree.Element) -> None:
+    if "d" in element.attrib:
+        element.attrib["d"] = _thinner(element.attrib["d"])
+    for key in _ROUNDED:
+        if key in element.attrib:
+            element.attrib[key] = _LONG_NUMBER.sub(_rounded, element.attrib[key])
+    if "style" in element.attrib:
+        style = _FONT_FAMILY.sub("", element.attrib["style"])
+        element.attrib["style"] = style.replace("; ", ";").replace(": ", ":")
+    if "transform" in element.attrib:
+        element.attrib["transform"] = _NO_ROTATION.sub("", element.attrib["transform"])
+        if not element.attrib["transform"]:
+            del element.attrib["transform"]
+
+
+def _rounded(found: re.Match[str]) -> str:
+    return _short(float(found[0]))
+
+
+def _short(value: float) -> str:
+    text = f"{value:.2f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") else text
+
+
+def _thinner(path: str) -> str:
+    """A path of straight lines without its invisible points, in steps from point to point; other paths as they are."""
+    if set(re.findall(r"[A-Za-z]", path)) - set("MLze"):
+        return path
+    pieces = []
+    for piece in path.replace("\n", " ").split("M")[1:]:
+        closed = piece.rstrip().endswith("z")
+        numbers = np.array(re.findall(_NUMBER, piece), dtype=float).reshape(-1, 2)
+        if len(numbers) >= MANY:
+            numbers = thin_out(numbers, TOLERANCE)
+        pieces.append(_steps(numbers) + ("z" if closed else ""))
+    return "".join(pieces)
+
+
+def _steps(points: np.ndarray) -> str:
+    """Relative coordinates are shorter; they are differences of rounded ones, so errors do not add up."""
+    hundredths = np.rint(100.0 * points).astype(int)
+    first = f"M{_short(hundredths[0, 0] / 100)} {_short(hundredths[0, 1] / 100)}"
+    steps = np.diff(hundredths, axis=0)
+    return first + "".join(
+        f"l{_hundredth(x)}{_hundredth(y) if y < 0 else ' ' + _hundredth(y)}" for x, y in steps.tolist()
+    )
+
+
+def _hundredth(value: int) -> str:
+    sign, size = ("-" if value < 0 else ""), abs(value)
+    whole, rest = divmod(size, 100)
+    if not rest:
+        return f"{sign}{whole}"
+    return f"{sign}{whole or ''}.{rest:02d}".rstrip("0")

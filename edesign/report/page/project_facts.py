@@ -1,0 +1,132 @@
+"""A project in words and key numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from itertools import groupby
+
+from edesign.errors import EdesignError
+from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.project.damping import ModalDamping, RayleighDamping
+from edesign.project.hazard import Hazard
+from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
+from edesign.project.loads import BeamLoad
+from edesign.project.materials import ElasticMaterial
+from edesign.project.project import Project
+from edesign.project.units import STANDARD_GRAVITY
+from edesign.report.captions import plain
+
+Rows = list[tuple[str, str]]
+
+
+def project_rows(project: Project) -> Rows:
+    """Return geometry, members, steel, loads, damping and integration; what a project has not is left out."""
+    frame = project.frame
+    columns = [(storey, run.section) for (_, storey), run in frame.column_at.items()]
+    beams = [(floor, run.section) for (_, floor), run in frame.beam_at.items()]
+    rows = [
+        ("Storeys", f"{frame.n_storeys} of {_lengths(frame.storey_heights)}, {frame.height:g} m in all"),
+        ("Bays", f"{frame.n_bays} of {_lengths(frame.bay_widths)}, {frame.x[-1]:g} m in all"),
+        ("Columns", _over_height(columns, "storey")),
+        ("Beams", _over_height(beams, "floor")),
+        ("Braces", f"{len(frame.brace_at)}" if frame.brace_at else ""),
+        ("Supports", _supports(project)),
+        ("Steel", "; ".join(_steel(name, project) for name in project.materials)),
+        ("Beam loads", "; ".join(_load(load) for load in project.loads.beams)),
+        ("Gravity", f"{project.loads.gravity.G:g} G + {project.loads.gravity.Q:g} Q" if project.loads.beams else ""),
+        ("Inherent damping", _damping(project)),
+        ("Integration", _integration(project.integration) if project.integration is not None else ""),
+        ("Dampers", _dampers(project)),
+    ]
+    return [(name, text) for name, text in rows if text]
+
+
+def hazard_rows(hazard: Hazard) -> Rows:
+    """Return the reference action and the levels; nothing if the code does not know them."""
+    try:
+        reference = elastic_spectrum(hazard)
+        levels = {level: elastic_spectrum(hazard, level) for level in hazard.levels}
+    except EdesignError:
+        return []
+    shape = reference.parameters
+    corners = f"S = {shape.S:g}, T_B = {shape.T_B:g} s, T_C = {shape.T_C:g} s, T_D = {shape.T_D:g} s"
+    rows = [("Reference action", reference.label), ("Spectrum", f"{corners}; {100 * reference.damping:g} % damping")]
+    for level, spectrum in levels.items():
+        given = hazard.levels[level].probability
+        chance = f"{100 * given:g} % in 50 years, " if given is not None else ""
+        ground = f"peak ground acceleration {plain(spectrum.zero_period / STANDARD_GRAVITY)} g"
+        rows.append((level, f"{chance}gamma_I = {plain(spectrum.gamma_I)}, {ground}"))
+    return rows
+
+
+def _lengths(values: Iterable[float]) -> str:
+    """Lengths that follow each other: 4.5 m, 3.5 m; of one only once."""
+    return ", ".join(f"{value:g} m" for value, _ in groupby(values))
+
+
+def _over_height(sections: Iterable[tuple[int, str]], what: str) -> str:
+    """Sections with the storeys or floors where they stand."""
+    by_number: dict[int, list[str]] = {}
+    for number, section in sections:
+        by_number.setdefault(number, []).append(section)
+    spans = []
+    for names, run in groupby(sorted(by_number), key=lambda number: tuple(dict.fromkeys(by_number[number]))):
+        numbers = list(run)
+        span = f"{what} {numbers[0]}" if len(numbers) == 1 else f"{what}s {numbers[0]}-{numbers[-1]}"
+        spans.append(f"{span}: {', '.join(names)}")
+    return "; ".join(spans)
+
+
+def _supports(project: Project) -> str:
+    kinds = {line: project.frame.support(line) for line in project.frame.lines}
+    if len(set(kinds.values())) == 1:
+        return next(iter(kinds.values()))
+    return ", ".join(f"{line} {kind}" for line, kind in kinds.items())
+
+
+def _steel(name: str, project: Project) -> str:
+    steel = project.materials[name]
+    law = steel.law.replace("_", "-")
+    text = f"{name}: {law}, E = {plain(steel.E / 1e9)} GPa"
+    if isinstance(steel, ElasticMaterial):
+        return text
+    return f"{text}, fy = {plain(steel.fy / 1e6)} MPa, hardening {100 * steel.hardening:g} %"
+
+
+def _load(load: BeamLoad) -> str:
+    where = f"floors {load.floors}, bays {load.bays}".replace("floors all, bays all", "all beams")
+    return f"{where}: G = {plain(load.G / 1e3)} kN/m, Q = {plain(load.Q / 1e3)} kN/m"
+
+
+def _damping(project: Project) -> str:
+    damping = project.damping
+    if isinstance(damping, RayleighDamping):
+        first, second = damping.modes
+        ratio = f"{100 * damping.ratio:g} %"
+        return f"Rayleigh, {ratio} of critical in modes {first} and {second}, {damping.stiffness} stiffness"
+    if isinstance(damping, ModalDamping):
+        return f"modal, {100 * damping.ratio:g} % of critical in modes 1-{damping.modes}"
+    return "none" if damping is not None else ""
+
+
+def _integration(method: Integration) -> str:
+    step = f"steps of {method.time_step:g} s" if method.time_step is not None else "steps of the record"
+    if isinstance(method, NewmarkIntegration):
+        return f"Newmark, gamma = {method.gamma:g}, beta = {method.beta:g}, {step}"
+    if isinstance(method, HHTIntegration):
+        return f"Hilber-Hughes-Taylor, alpha = {method.alpha:g}, {step}"
+    return f"generalised alpha, rho_inf = {method.rho_inf:g}, {step}"
+
+
+def _dampers(project: Project) -> str:
+    if project.dampers is None:
+        return ""
+    laws = [f"{name} ({law.type or law.file})" for name, law in project.dampers.laws.items()]
+    runs = [f"{run.kind} of {run.law}" for run in project.dampers.devices]
+    tuned = [run.kind.replace("_", " ") for run in project.dampers.attachments]
+    parts = (
+        "laws: " + ", ".join(laws) if laws else "",
+        "devices: " + ", ".join(runs) if runs else "",
+        ", ".join(tuned),
+    )
+    return "; ".join(part for part in parts if part)

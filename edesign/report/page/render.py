@@ -1,0 +1,101 @@
+"""Sections to HTML: the template, the style sheet, and how cells of tables are set."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from importlib import resources
+from itertools import groupby
+
+from markupsafe import Markup, escape
+
+from edesign._version import __version__
+from edesign.report.page.section import Part, Section
+from edesign.report.table import Table
+
+GOOD = {"met", "passed", "satisfied", "completed", "achieved", "yes"}
+BAD = {"not met", "failed", "missed", "collapsed", "collapse", "not achieved", "no"}
+OPEN = {"not run", "interrupted", "open", "undecided", "not decided", "not applicable", "running"}
+LONG = 34  # characters, from which a cell is broken into lines
+
+_NUMERIC = re.compile(r"(?:[-+−–<>≤≥~±*†\s\d.,%/()]|->|→|e[-+]\d+|nan|inf|of)*")
+_SIGNS = ((" -&gt; ", " → "), ("m/s2", "m/s²"), ("degC", "°C"), ("N*m", "N·m"))
+_SYMBOL = re.compile(r"(?<![A-Za-z0-9_])(a_gR|a_g|gamma_I|T_[BCD1]|G_eq|P_CL)(?![A-Za-z0-9_])")
+
+
+@dataclass(frozen=True)
+class Cover:
+    """What stands above and below the sections.
+
+    Attributes:
+        title: of the project or study.
+        kind: one line above it.
+        about: one line below it.
+        banner: why the run is not complete, "" if it is.
+        footer: the last line.
+    """
+
+    title: str
+    kind: str
+    about: str
+    banner: str = ""
+    footer: str = ""
+
+
+def render(cover: Cover, sections: Sequence[Section]) -> str:
+    """Return the page; all text is escaped, only the figures are taken as they are.
+
+    Args:
+        cover: title and what stands around the sections.
+        sections: those that have content, in their order.
+    """
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    loader = PackageLoader("edesign.report.page", ".")
+    environment = Environment(loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True)
+    environment.filters |= {"typeset": typeset, "alignments": alignments, "state": state, "runs": runs}
+    css = resources.files("edesign.report.page").joinpath("page.css").read_text(encoding="utf-8")
+    page = environment.get_template("page.html")
+    return page.render(**vars(cover), sections=sections, css=css, version=__version__) + "\n"
+
+
+def typeset(text: str) -> Markup:
+    """Return text, escaped, with the signs of print in place of those of a terminal."""
+    if text == "-":
+        return Markup("–")
+    found = str(escape(text))
+    for plain, printed in _SIGNS:
+        found = found.replace(plain, printed)
+    return Markup(_SYMBOL.sub(_with_index, found))
+
+
+def _with_index(found: re.Match[str]) -> str:
+    name, _, index = found[0].partition("_")
+    return f"{name.replace('gamma', 'γ')}<sub>{index}</sub>"
+
+
+def state(cell: str) -> str:
+    """Return whether a cell is a verdict: "good", "bad", "open", or "" for any other cell."""
+    word = cell.strip().lower()
+    return "good" if word in GOOD else "bad" if word in BAD else "open" if word in OPEN else ""
+
+
+def alignments(table: Table) -> list[str]:
+    """Return for each column how it is set: numbers to the right, words to the left, sentences in lines."""
+    width = max((len(row) for row in (table.columns, *table.rows)), default=0)
+    found = []
+    for i in range(width):
+        cells = [row[i] for row in table.rows if i < len(row)]
+        if any(len(cell) > LONG and " " in cell for cell in cells):
+            found.append("long")
+        elif i < table.left or not all(_NUMERIC.fullmatch(cell) for cell in cells):
+            found.append("text")
+        else:
+            found.append("right")
+    return found
+
+
+def runs(parts: Iterable[Part]) -> list[tuple[str, list[Part]]]:
+    """Return the parts as runs of one kind, so that figures that follow each other stand side by side."""
+    return [(kind, list(run)) for kind, run in groupby(parts, key=lambda part: type(part).__name__)]

@@ -1,0 +1,104 @@
+"""What a section of the page is made of: data only, the template says how it looks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from edesign.report.table import Table
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A figure as inline SVG.
+
+    Attributes:
+        name: unique on the page; its anchor.
+        caption: below the figure.
+        svg: the element, safe to be written as it is.
+        width: in points, at which its type has the size it was drawn for.
+    """
+
+    name: str
+    caption: str
+    svg: str
+    width: float
+
+
+@dataclass(frozen=True)
+class Folded:
+    """Parts, or a file to the letter, that are shown on demand.
+
+    Attributes:
+        summary: what there is.
+        parts: tables and pictures.
+        text: preformatted text.
+    """
+
+    summary: str
+    parts: tuple[Table | Picture, ...] = ()
+    text: str = ""
+
+
+@dataclass(frozen=True)
+class Facts:
+    """Names and what they stand for, one below the other."""
+
+    rows: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class Warnings:
+    """What a reader must not miss, such as analyses that failed."""
+
+    title: str
+    items: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Headline:
+    """A result that stands out: a number with its unit, what it is, and where it comes from."""
+
+    value: str
+    label: str
+    detail: str = ""
+    state: str = ""  # good, bad, or nothing
+
+
+@dataclass(frozen=True)
+class Headlines:
+    """A row of results that stand out."""
+
+    items: tuple[Headline, ...]
+
+
+@dataclass(frozen=True)
+class Heading:
+    """A title inside a section."""
+
+    text: str
+
+
+Part = Table | Picture | Folded | Facts | Warnings | Headlines | Heading
+
+
+@dataclass(frozen=True)
+class Section:
+    """A section of the page.
+
+    Attributes:
+        id: anchor, letters and hyphens.
+        title: of the section and in the table of contents.
+        intro: paragraphs above its parts.
+        parts: in the order in which they are shown.
+        notes: lines below.
+    """
+
+    id: str
+    title: str
+    intro: tuple[str, ...] = ()
+    parts: tuple[Part, ...] = field(default=())
+    notes: tuple[str, ...] = ()
+
+    def __bool__(self) -> bool:
+        """Whether there is anything in it."""
+        return bool(self.parts)

@@ -1,0 +1,20 @@
+"""Dampers: their largest strain, deformation, force and work, and their loops."""
+
+from __future__ import annotations
+
+from edesign.report.damper_loops import damper_figures
+from edesign.report.damper_results import dampers_table
+from edesign.report.page.section import Folded, Section
+from edesign.report.page.source import Source, headed
+
+MANY = 24  # rows, from which a table is folded
+
+
+def dampers(source: Source) -> Section:
+    """The demand on the dampers in each history, and force against deformation where it was kept."""
+    ordinary = {name: group for name, group in source.groups.items() if not group.attributes.get("incremental")}
+    table = dampers_table(ordinary)
+    if not table.rows:
+        return Section("dampers", "Dampers")
+    shown = Folded(f"{table.title}: {len(table.rows)} analyses", (table,)) if len(table.rows) > MANY else table
+    return Section("dampers", "Dampers", (), (shown, *headed(source.pictures(damper_figures), source.levels)))

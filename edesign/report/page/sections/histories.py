@@ -1,0 +1,42 @@
+"""Response over time, with and without dampers, and where the energy went."""
+
+from __future__ import annotations
+
+from edesign.report.captions import file_name
+from edesign.report.energy_figures import energy_figures
+from edesign.report.page.section import Folded, Heading, Part, Picture, Section
+from edesign.report.page.source import Source, by_level
+from edesign.report.response_figures import response_figures
+
+MANY = 6  # pictures of one level, beyond which only those of the governing records are shown at once
+
+
+def histories(source: Source) -> Section:
+    """Ground, roof and base shear over time, and the energy balance, of the histories that were kept over time."""
+    parts: list[Part] = []
+    sorted_pictures = by_level(source.pictures(response_figures, energy_figures), source.levels)
+    for level, pictures in sorted_pictures.items():
+        parts += [Heading(level or "All levels")] if len(sorted_pictures) > 1 else []
+        shown = [picture for picture in pictures if picture.name.endswith(tuple(governing(source, level)))]
+        if len(pictures) <= MANY or not shown:
+            parts += pictures
+            continue
+        parts += shown
+        parts.append(Folded(f"The other records{f', {level}' if level else ''}", _others(pictures, shown)))
+    intro = "Shown are the records with the largest interstorey drift of each variant; the others are folded."
+    folded = any(isinstance(part, Folded) for part in parts)
+    return Section("histories", "Response over time", (intro,) if folded else (), tuple(parts))
+
+
+def governing(source: Source, level: str) -> list[str]:
+    """Return the endings of names of figures of the records with the largest drift of each variant at a level."""
+    found = []
+    for histories, statistics in source.statistics:
+        name = statistics["interstorey_drift"].governing
+        if histories.level == level and name:
+            found.append(f"_{file_name(str(histories.histories[name].attributes.get('record') or ''))}")
+    return found
+
+
+def _others(pictures: list[Picture], shown: list[Picture]) -> tuple[Picture, ...]:
+    return tuple(picture for picture in pictures if picture not in shown)

@@ -1,0 +1,17 @@
+"""Natural modes: periods, effective masses, shapes, and what dampers add to them."""
+
+from __future__ import annotations
+
+from edesign.report.damper_results import damper_stiffness_table
+from edesign.report.mode_figures import mode_figures
+from edesign.report.page.section import Folded, Section
+from edesign.report.page.source import Source
+from edesign.report.tables import periods_table
+
+
+def modes(source: Source) -> Section:
+    """Periods of every modal analysis, the shapes, and the stiffness of dampers that they are made with."""
+    tables = [periods_table(name, group) for name, group in source.groups.items() if "period" in group.variables]
+    dampers = [damper_stiffness_table(name, group) for name, group in source.groups.items()]
+    folded = tuple(Folded("Stiffness and loss factor of the dampers", (table,)) for table in dampers if table.rows)
+    return Section("modes", "Natural modes", (), (*source.pictures(mode_figures), *tables, *folded))

@@ -1,0 +1,13 @@
+"""Moment against rotation of the recorded members."""
+
+from __future__ import annotations
+
+from edesign.report.moment_rotation_figures import moment_rotation_figures
+from edesign.report.page.section import Section
+from edesign.report.page.source import Source, headed
+
+
+def moment_rotation(source: Source) -> Section:
+    """The loops of both ends of every recorded member, variants overlaid."""
+    pictures = source.pictures(moment_rotation_figures)
+    return Section("moment-rotation", "Moment and rotation", (), tuple(headed(pictures, source.levels)))

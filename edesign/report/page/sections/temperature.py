@@ -1,0 +1,12 @@
+"""The same motion with dampers at different temperatures."""
+
+from __future__ import annotations
+
+from edesign.report.page.section import Section
+from edesign.report.page.source import Source
+from edesign.report.temperature_figures import temperature_figures
+
+
+def temperature(source: Source) -> Section:
+    """Histories whose dampers were warmer or colder, over those at the variant's own temperature."""
+    return Section("temperature", "Effect of temperature", (), source.pictures(temperature_figures))

@@ -1,0 +1,49 @@
+"""Verdicts on criteria and objectives of a study, for the first page; performance levels in a section of their own."""
+
+from __future__ import annotations
+
+from edesign.assess.criteria import Verdict, judge
+from edesign.assess.members import frame_members
+from edesign.report.page.section import Headline, Section
+from edesign.report.page.source import Source
+from edesign.report.table import Table
+from edesign.report.verdict_tables import objectives_table, performance_table, verdicts_table
+
+
+def judged(source: Source) -> tuple[tuple[Verdict, ...], list[Table]]:
+    """Return the verdicts on the criteria, and the tables of criteria and objectives; nothing where none are given."""
+    study, project = source.study, source.project
+    if study is None or project is None or not source.sets:
+        return (), []
+    histories = {name: group for found in source.sets for name, group in found.histories.items()}
+    verdicts = judge(study.criteria, (), histories, project)
+    tables = [verdicts_table(verdicts)] if verdicts else []
+    if study.objectives:
+        of_objectives = judge((), study.objectives, histories, project)
+        tables.append(objectives_table(of_objectives, study.objectives, project))
+    return verdicts, tables
+
+
+def verdict_tiles(verdicts: tuple[Verdict, ...]) -> tuple[Headline, ...]:
+    """Return for each variant how many criteria it meets, and which it does not."""
+    tiles = []
+    for variant in dict.fromkeys(verdict.variant for verdict in verdicts):
+        mine = [verdict for verdict in verdicts if verdict.variant == variant]
+        missed = list(dict.fromkeys(verdict.name for verdict in mine if verdict.met is False))
+        still_open = sum(verdict.met is None for verdict in mine)
+        details = [f"not met: {', '.join(missed)}"] if missed else []
+        details += [f"{still_open} open"] if still_open else []
+        state = "bad" if missed else "" if still_open else "good"
+        value = f"{sum(verdict.met is True for verdict in mine)} of {len(mine)}"
+        label = f"Criteria met{f', {variant}' if variant else ''}"
+        tiles.append(Headline(value, label, "; ".join(details) or "all are met", state))
+    return tuple(tiles)
+
+
+def performance(source: Source) -> Section:
+    """Which structural performance level each variant reaches at each hazard level."""
+    title = "Performance levels"
+    if source.project is None or not any(found.completed for found in source.sets):
+        return Section("performance", title)
+    table = performance_table(source.sets, frame_members(source.project))
+    return Section("performance", title, (), (table,))

@@ -1,0 +1,164 @@
+"""An archive as the sections of the page read it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.assess.sets import HistorySet, history_sets, measure_statistics
+from edesign.assess.statistics import Statistics
+from edesign.errors import EdesignError
+from edesign.project.project import Project
+from edesign.project.study import Study
+from edesign.report.archived import archived_project, archived_study
+from edesign.report.assessment_tables import read_histories
+from edesign.report.captions import file_name
+from edesign.report.page.inline_svg import inline_svg
+from edesign.report.page.section import Heading, Part, Picture
+from edesign.report.summary import entry, planned, results
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Figures = Callable[[Archive], Iterator[tuple[str, str, "Figure"]]]
+ALONG_TIME = ("time", "matched_time", "step")
+
+
+class Source:
+    """What sections are made from.
+
+    Args:
+        archive: open, complete or partial.
+        tell: called with a line whenever something that takes long is done.
+
+    Attributes:
+        archive: the open archive.
+        attributes: those of its root.
+        left_out: what could not be drawn, and why.
+    """
+
+    def __init__(self, archive: Archive, tell: Callable[[str], None] = lambda line: None) -> None:
+        self.archive = archive
+        self.attributes = archive.attributes
+        self.left_out: list[str] = []
+        self._tell = tell
+
+    @cached_property
+    def groups(self) -> dict[str, Group]:
+        """Results of every analysis of the plan by name, without histories; see `report.summary.results`."""
+        return {name: _without_histories(results(self.archive, name)) for name in planned(self.archive)}
+
+    @cached_property
+    def entries(self) -> list[dict[str, Any]]:
+        """Labels, status, measures and statistics of every analysis; see `report.summary.entry`."""
+        return [entry(name, group) for name, group in self.groups.items()]
+
+    @cached_property
+    def sets(self) -> tuple[HistorySet, ...]:
+        """The histories by variant and level; of an incomplete run with those that have no result yet."""
+        if self.archive.complete:
+            return history_sets(self.groups)
+        there = read_histories(self.archive)
+        return history_sets({name: _without_histories(group) for name, group in there.items()})
+
+    @cached_property
+    def statistics(self) -> list[tuple[HistorySet, dict[str, Statistics]]]:
+        """Each set of histories with the statistics of all its response measures."""
+        return [(found, measure_statistics(found)) for found in self.sets]
+
+    @cached_property
+    def levels(self) -> list[str]:
+        """Names of the hazard levels in the order of the plan."""
+        return list(dict.fromkeys(found.level for found in self.sets))
+
+    @cached_property
+    def study(self) -> Study | None:
+        """What the study file says, None without one, or if this version cannot read it."""
+        try:
+            return archived_study(self.archive)
+        except EdesignError as error:
+            self.left_out.append(f"verdicts: {error}")
+            return None
+
+    @cached_property
+    def project(self) -> Project | None:
+        """The project, None without one, or if this version cannot read it."""
+        try:
+            return archived_project(self.archive)
+        except EdesignError as error:
+            self.left_out.append(f"the project in words: {error}")
+            return None
+
+    @cached_property
+    def provenance(self) -> dict[str, object]:
+        """Moment, machine and versions of the run; {} if they are not archived."""
+        return self.archive.group_attributes("provenance") if "provenance" in self.archive.names() else {}
+
+    def text(self, name: str) -> str:
+        """Return a text of the archive's root such as "project_text", "" if it is not there."""
+        variable = self._root.variables.get(name)
+        value = variable.values.item() if variable is not None and variable.values.ndim == 0 else ""
+        return value.decode() if isinstance(value, bytes) else str(value)
+
+    @cached_property
+    def _root(self) -> Group:
+        return self.archive.group()
+
+    def pictures(self, *makers: Figures) -> tuple[Picture, ...]:
+        """Draw the figures of functions that give (name, caption, figure) one after the other.
+
+        One that cannot be drawn is named in `left_out`.
+        """
+        found = []
+        for maker in makers:
+            try:
+                for name, caption, figure in maker(self.archive):
+                    self._tell(f"figure {name}")
+                    found.append(_picture(name, caption, figure))
+            except EdesignError as error:  # the rest of the report is worth having
+                self.left_out.append(f"{maker.__name__.replace('_', ' ')}: {error}")
+        return tuple(found)
+
+
+def by_level(pictures: Iterable[Picture], levels: Iterable[str]) -> dict[str, list[Picture]]:
+    """Sort pictures by the hazard level that their names tell; those that tell none come under ""."""
+    tokens = {level: f"_{file_name(level)}_" for level in levels if level}
+    found: dict[str, list[Picture]] = {}
+    for picture in pictures:
+        at = next((level for level, token in tokens.items() if token in f"{picture.name}_"), "")
+        found.setdefault(at, []).append(picture)
+    return {level: found[level] for level in (*tokens, "") if level in found}
+
+
+def headed(pictures: Iterable[Picture], levels: Iterable[str]) -> list[Part]:
+    """Return pictures below the names of their hazard levels, where there are several."""
+    sorted_pictures = by_level(pictures, levels)
+    parts: list[Part] = []
+    for level, several in sorted_pictures.items():
+        parts += [Heading(level or "All levels")] if len(sorted_pictures) > 1 else []
+        parts += several
+    return parts
+
+
+def _picture(name: str, caption: str, figure: Figure) -> Picture:
+    from edesign.report.figures import svg_text
+
+    anchor = f"figure-{name}"
+    title, _, description = caption.partition(". ")
+    svg, width = inline_svg(svg_text(figure, "f"), anchor, title.rstrip("."), description)
+    return Picture(anchor, caption, svg, width)
+
+
+def _without_histories(group: Group) -> Group:
+    def kept(dims: tuple[str, ...]) -> bool:
+        return not any(dim in ALONG_TIME for dim in dims)
+
+    return replace(
+        group,
+        coords={name: item for name, item in group.coords.items() if kept(item.dims)},
+        variables={name: item for name, item in group.variables.items() if kept(item.dims)},
+    )

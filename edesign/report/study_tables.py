@@ -1,0 +1,104 @@
+"""The tables of a study: designs, periods, statistics of the response, verdicts, what failed, what it cost."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.assess.criteria import judge
+from edesign.assess.members import frame_members
+from edesign.assess.sets import history_sets
+from edesign.report.archived import archived_study
+from edesign.report.assessment_tables import read_histories
+from edesign.report.design_tables import design_tables
+from edesign.report.measure_tables import statistics_tables
+from edesign.report.summary import entry, planned, results
+from edesign.report.table import Table, number, seconds, whole
+from edesign.report.verdict_tables import objectives_table, performance_table, verdicts_table
+
+DESIGNS = "designs"
+
+
+def study_tables(archive: Archive) -> list[Table]:
+    """Return the tables of a study, without those of single histories.
+
+    Raises:
+        ArchiveError: the archive cannot be read.
+        InputError: the study that it holds is not one of this version.
+    """
+    study = archived_study(archive)
+    if study is None:
+        return []
+    histories = read_histories(archive)
+    sets = history_sets(histories)
+    tables = [plan_table(archive), *designs_tables(archive), *statistics_tables(sets)]
+    if study.criteria:
+        tables.append(verdicts_table(judge(study.criteria, (), histories, study.base)))
+    if sets:
+        tables.append(performance_table(sets, frame_members(study.base)))
+    if study.objectives:
+        verdicts = judge((), study.objectives, histories, study.base)
+        tables.append(objectives_table(verdicts, study.objectives, study.base))
+    return [table for table in tables if table.rows or table.notes]
+
+
+def plan_table(archive: Archive) -> Table:
+    """Return how many analyses of each variant and level there are, how many completed, and what they cost.
+
+    Failed analyses are named with their reasons below, and dampers that strained beyond their tests.
+    """
+    table = Table(
+        "Analyses", ("analyses", "planned", "completed", "steps", "fallbacks", "CPU [s]", "largest energy error")
+    )
+    groups: dict[str, dict[str, Group]] = defaultdict(dict)
+    for name in planned(archive):
+        group = results(archive, name)
+        kind = group.attributes.get("kind")
+        entry_name = name.rpartition(".")[0] if kind == "history" or kind is None else name
+        groups[entry_name or name][name] = group
+    for title, found in groups.items():
+        entries = [entry(name, group) for name, group in found.items()]
+        done = [item for item in entries if item["status"] == "completed"]
+        cost = [item["statistics"] for item in entries]
+        sums = [_sum(cost, key) for key in ("steps", "fallbacks", "cpu_s")]
+        errors = [float(item["energy_error"]) for item in cost if item["energy_error"] is not None]
+        cells = [whole(sums[0]), whole(sums[1]), seconds(sums[2]), number(max(errors, default=None), 2)]
+        table.rows.append([title, str(len(found)), str(len(done)), *cells])
+        table.notes += [f"{item['name']}: {item['status']}: {item['reason']}" for item in entries if item["reason"]]
+        table.notes += _beyond_tests(title, found)
+    return table
+
+
+def designs_tables(archive: Archive) -> list[Table]:
+    """Return a table of each design: stiffness and size of the dampers of each storey, and what they add."""
+    return [table for name in archive.names(DESIGNS) for table in design_tables(archive.group(f"{DESIGNS}/{name}"))]
+
+
+def _beyond_tests(title: str, found: Mapping[str, Group]) -> list[str]:
+    """A line where dampers strained beyond the tests of their law, for all histories together."""
+    warned = {name: group.attributes.get("damper_warnings") for name, group in found.items()}
+    told = {name: texts for name, texts in warned.items() if isinstance(texts, list) and texts}
+    if not told:
+        return []
+    if len(found) == 1:
+        return [f"{title}: {text}" for texts in told.values() for text in texts]
+    worst = max(told, key=lambda name: _largest_strain(found[name]))
+    record = worst.rpartition(".")[2]
+    return [
+        f"{title}: in {len(told)} of {len(found)} histories dampers strain beyond their tests, most in {record}: "
+        + "; ".join(told[worst])
+    ]
+
+
+def _largest_strain(group: Group) -> float:
+    found = [
+        group.variables[key].values for key in ("damper_strain_max", "damper_strain_min") if key in group.variables
+    ]
+    return max((float(abs(values).max()) for values in found if values.size), default=0.0)
+
+
+def _sum(cost: list[Mapping[str, float | None]], key: str) -> float | None:
+    values = [value for item in cost if (value := item.get(key)) is not None]
+    return float(sum(values)) if values else None

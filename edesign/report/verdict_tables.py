@@ -1,0 +1,137 @@
+"""Tables of verdicts on criteria, of performance levels, and of rehabilitation objectives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from edesign.assess.criteria import Verdict
+from edesign.assess.members import ELASTIC_ROTATION, FrameMember
+from edesign.assess.performance import Usage, set_performance
+from edesign.assess.requirement import shown
+from edesign.assess.sets import HistorySet
+from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
+from edesign.codes.fema356.objectives import OBJECTIVES
+from edesign.project.checks_criteria import objective_level
+from edesign.project.criteria import Objectives
+from edesign.project.project import Project
+from edesign.report.measure_tables import missing_notes
+from edesign.report.table import Table
+
+ANSWERS = {True: "met", False: "not met", None: "open"}
+
+
+def verdicts_table(verdicts: Sequence[Verdict], title: str = "Criteria") -> Table:
+    """Return a row for each verdict; missing histories and remarks stand below."""
+    columns = ["criterion", "requirement", "variant", "level", "statistic", "value", "limit", "verdict", "histories"]
+    table = Table(title, [*columns, "governs"], left=5)
+    for verdict in verdicts:
+        value = "-" if verdict.value is None else shown(verdict.value, verdict.unit)
+        total = verdict.count + len(verdict.missing)
+        table.rows.append(
+            [
+                verdict.name,
+                verdict.requirement,
+                verdict.variant or "-",
+                verdict.level or "-",
+                verdict.statistic,
+                value,
+                shown(verdict.limit, verdict.unit),
+                ANSWERS[verdict.met],
+                f"{verdict.count} of {total}",
+                _governs(verdict),
+            ]
+        )
+        about = [part for part in (verdict.remark, _missing(verdict)) if part]
+        if about:
+            place = ", ".join(part for part in (verdict.variant, verdict.level) if part)
+            table.notes.append(f"{verdict.name} ({place}): {'; '.join(about)}")
+    return table
+
+
+def performance_table(sets: Sequence[HistorySet], members: Mapping[str, FrameMember], statistic: str = "mean") -> Table:
+    """Return the performance level of each variant at each hazard level, by drift and by plastic rotations."""
+    counts = ["IO", "LS", "CP", "beyond"]
+    columns = ["variant", "level", "by drift", *counts, "governs", "by members", *counts, "governs", "histories"]
+    table = Table(f"FEMA 356 performance levels ({statistic}, and number of histories at each)", columns, left=2)
+    for found in sets:
+        p = set_performance(found, members, statistic)
+        row = [p.variant or "-", p.level or "-"]
+        for level, number, worst in (
+            (p.by_drift, p.drift_counts, p.worst_drift),
+            (p.by_members, p.member_counts, p.worst_members),
+        ):
+            row += [level or "-", *(str(count) for count in number.values()), _usage(worst)]
+        table.rows.append([*row, f"{p.count} of {p.count + len(p.missing)}"])
+    transient = "Drift: Table C1-3, transient 0.7, 2.5, 5 %, permanent"
+    table.notes.append(f"{transient} {100 * NEGLIGIBLE:g} (taken for `negligible`), 1, 5 %. Members: Table 5-6.")
+    table.notes.append(
+        f"A column with P/P_CL > 0.5 is force-controlled: up to {ELASTIC_ROTATION:g} rad count as elastic."
+    )
+    table.notes.append("Governs: the history with the largest usage of Collapse Prevention; it is met up to 100 %.")
+    if not members:
+        table.notes.append("No member has a section and a material that Table 5-6 knows.")
+    table.notes += missing_notes(sets)
+    return table
+
+
+def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, project: Project) -> Table:
+    """Return a row for each objective and variant; `verdicts` are those of `judge` on the objectives."""
+    columns = (
+        "objective",
+        "hazard level",
+        "performance",
+        "class",
+        "variant",
+        "by",
+        "usage",
+        "verdict",
+        "histories",
+        "governs",
+    )
+    table = Table("Rehabilitation objectives (thesis Table 5.4; mean usage, met up to 100 %)", columns, left=6)
+    for letter in objectives:
+        objective = OBJECTIVES[letter]
+        hazard = f"{100 * objective.probability:g} % in 50 years"
+        for verdict in verdicts:
+            if not verdict.name.startswith(f"objective {letter},"):
+                continue
+            value = "-" if verdict.value is None else shown(verdict.value, "1")
+            level = objective_level(letter, project.hazard)
+            table.rows.append(
+                [
+                    letter,
+                    f"{hazard} ({level or 'none'})",
+                    f"{PERFORMANCE_LEVELS[objective.level]} ({objective.level})",
+                    objective.rank,
+                    verdict.variant or "-",
+                    verdict.name.rpartition(" ")[2],
+                    value,
+                    ANSWERS[verdict.met],
+                    f"{verdict.count} of {verdict.count + len(verdict.missing)}",
+                    _governs(verdict),
+                ]
+            )
+            about = [part for part in (verdict.remark, _missing(verdict)) if part]
+            if about:
+                table.notes.append(
+                    f"{letter}, {verdict.variant or '-'}, {verdict.name.rpartition(' ')[2]}: {'; '.join(about)}"
+                )
+    return table
+
+
+def _governs(verdict: Verdict) -> str:
+    place = verdict.governing_member or (f"storey {verdict.governing_storey}" if verdict.governing_storey else "")
+    return ", ".join(part for part in (verdict.governing_history, place) if part) or "-"
+
+
+def _usage(worst: tuple[str, Usage] | None) -> str:
+    if worst is None:
+        return "-"
+    history, usage = worst
+    place = usage.member or f"storey {usage.storey}"
+    force = ", force-controlled" if usage.force_controlled else ""
+    return f"{shown(usage.ratio, '1')} of CP: {usage.governing}, {place}{force}, {history}"
+
+
+def _missing(verdict: Verdict) -> str:
+    return f"missing: {', '.join(verdict.missing)}" if verdict.missing else ""

@@ -1,0 +1,117 @@
+"""Response with upper and lower bounds of the dampers' properties, and which of them governs what."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
+from edesign.project.designs import Bounds
+from edesign.study.design.building import Building
+from edesign.study.design.damping import ModalDamping, modal_damping
+from edesign.study.design.elastomer import Elastomer
+from edesign.study.design.estimate import Action, Estimate, estimate
+from edesign.study.design.sizing import Sizing, place_stiffness
+
+AGREEMENT = 1e-6
+MOST_ITERATIONS = 50
+NAMES = ("lower", "nominal", "upper")
+
+
+@dataclass(frozen=True)
+class Bound:
+    """The frame with one set of properties.
+
+    Attributes:
+        name: lower, nominal or upper.
+        factor: property modification factor.
+        temperature_C: of the dampers, degC; None: that of the design.
+        stiffness_ratio: storage stiffness over that of the design, factor and temperature together.
+        damping: of the modes, with braces.
+        response: estimated.
+    """
+
+    name: str
+    factor: float
+    temperature_C: float | None
+    stiffness_ratio: float
+    damping: ModalDamping
+    response: Estimate
+
+
+def property_factors(bounds: Bounds) -> tuple[float, float]:
+    """Lower and upper property modification factor of a design: as given, or by ASCE/SEI 7-16, 18.2.4.5.
+
+    With neither, only the temperatures change the properties.
+    """
+    low = high = 1.0
+    if bounds.lower is not None:
+        low = bounds.lower
+    elif bounds.lower_factors is not None:
+        low = smallest_property_factor(**bounds.lower_factors.model_dump())
+    if bounds.upper is not None:
+        high = bounds.upper
+    elif bounds.upper_factors is not None:
+        high = largest_property_factor(**bounds.upper_factors.model_dump())
+    return low, high
+
+
+def analyse_bounds(
+    building: Building,
+    sizing: Sizing,
+    bounds: Bounds,
+    material: Callable[[float | None], Elastomer],
+    action: Action,
+) -> tuple[Bound, ...]:
+    """Estimate the response for the lower bound (at the highest temperature), the design, and the upper bound.
+
+    Args:
+        building: the frame with its places.
+        sizing: the dampers.
+        bounds: factors and temperatures.
+        material: the elastomer at a temperature (degC; None: that of the design).
+        action: the spectrum.
+    """
+    low, high = property_factors(bounds)
+    cold, hot = bounds.temperatures if bounds.temperatures is not None else (None, None)
+    cases = zip(NAMES, (low, 1.0, high), (hot, None, cold), strict=True)
+    return tuple(_bound(building, sizing, *case, material(case[2]), action) for case in cases)
+
+
+def governing(found: tuple[Bound, ...]) -> dict[str, str]:
+    """The bound that makes each quantity largest, by the name of the quantity."""
+    quantities: dict[str, Callable[[Estimate], float]] = {
+        "storey_drift": lambda r: float(r.drift.max()),
+        "roof_displacement": lambda r: r.roof_displacement,
+        "column_shear": lambda r: float(r.storey_shear.max()),
+        "base_shear": lambda r: r.base_shear,
+        "damper_force": lambda r: float(r.damper_force.max()),
+        "damper_strain": lambda r: float(r.damper_strain.max()),
+    }
+    return {name: max(found, key=lambda b: of(b.response)).name for name, of in quantities.items()}
+
+
+def _bound(
+    building: Building,
+    sizing: Sizing,
+    name: str,
+    factor: float,
+    temperature_C: float | None,
+    material: Elastomer,
+    action: Action,
+) -> Bound:
+    frame = building.frame
+    frequency = sizing.frequency
+    for _ in range(MOST_ITERATIONS):
+        moduli = material(frequency)
+        ratio = factor * moduli.G_storage / sizing.moduli.G_storage
+        at_places = place_stiffness(building, ratio * sizing.stiffness, moduli.loss_factor, sizing.brace)
+        before, frequency = frequency, float(frame.modes(at_places.real).omega[0]) / (2.0 * math.pi)
+        if abs(frequency - before) <= AGREEMENT * frequency:
+            break
+    brace = None if sizing.brace is None else building.at_places(sizing.brace)
+    response = estimate(building, action, at_places, brace, sizing.thickness)
+    return Bound(name, factor, temperature_C, ratio, modal_damping(frame, frame.modes(), np.array(at_places)), response)

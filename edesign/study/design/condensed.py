@@ -1,0 +1,162 @@
+"""A linear frame reduced exactly to its masses, floors and damper places, for any stiffness of the dampers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg
+import scipy.sparse
+import scipy.sparse.linalg
+
+from edesign.core.modes import UNSTABLE
+from edesign.errors import AnalysisError
+from edesign.study.structure import Structure
+
+
+@dataclass(frozen=True)
+class LinearModes:
+    """Natural modes with dampers, in rising order of frequency.
+
+    Attributes:
+        omega: (n,) rad/s.
+        masses: (n, m) displacements of the masses, generalised mass 1.
+        floors: (n, floors) horizontal displacement of each floor.
+        dampers: (n, devices) deformation of each damper with its brace.
+        participation: (n,) for ground motion along x, sqrt(kg).
+    """
+
+    omega: np.ndarray
+    masses: np.ndarray
+    floors: np.ndarray
+    dampers: np.ndarray
+    participation: np.ndarray
+
+
+@dataclass(frozen=True)
+class CondensedFrame:
+    """Flexibilities of the frame without dampers between masses (m), floors (f) and dampers (d).
+
+    With dampers of (complex) stiffness k the flexibility between the masses is A - B' (1 + k C)^-1 k B, which is
+    Woodbury's identity for (K + D' k D)^-1: nothing is approximated.
+
+    Attributes:
+        mass: (m,) kg.
+        influence: (m,) 1 where a mass moves along x.
+        floor_of: (m,) index of the floor of each mass, -1: none.
+        A: (m, m), B: (d, m), C: (d, d), m/N.
+        floor_A: (f, m), floor_B: (f, d), m/N.
+    """
+
+    mass: np.ndarray
+    influence: np.ndarray
+    floor_of: np.ndarray
+    A: np.ndarray
+    B: np.ndarray
+    C: np.ndarray
+    floor_A: np.ndarray
+    floor_B: np.ndarray
+
+    @property
+    def n_devices(self) -> int:
+        """Number of dampers."""
+        return self.C.shape[0]
+
+    @property
+    def floor_mass(self) -> np.ndarray:
+        """Mass that moves with each floor along x, (f,) kg."""
+        here = (self.influence > 0.0) & (self.floor_of >= 0)
+        return np.bincount(self.floor_of[here], self.mass[here], minlength=self.floor_A.shape[0])
+
+    def modes(self, stiffness: np.ndarray | None = None) -> LinearModes:
+        """All modes of the frame with dampers of storage stiffness (d,) N/m; without them for None.
+
+        Raises:
+            AnalysisError: a squared frequency is not positive.
+        """
+        flexibility, floors, dampers = self._with(np.zeros(self.n_devices) if stiffness is None else stiffness)
+        root = np.sqrt(self.mass)
+        inverse, vectors = scipy.linalg.eigh(root[:, None] * flexibility * root)
+        if inverse[0] <= 0.0:
+            raise AnalysisError(f"modes: {UNSTABLE}")
+        omega = 1.0 / np.sqrt(inverse[::-1])
+        shapes = vectors[:, ::-1].T / root
+        shapes *= np.where(shapes @ (self.mass * self.influence) < 0.0, -1.0, 1.0)[:, None]
+        loads = omega[:, None] ** 2 * self.mass * shapes
+        participation = shapes @ (self.mass * self.influence)
+        return LinearModes(omega, shapes, loads @ floors.T, loads @ dampers.T, participation)
+
+    def complex_modes(self, stiffness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Frequencies |omega| (rad/s) and damping ratios of free vibrations with complex stiffness (d,) of the dampers.
+
+        Free vibrations exp(i omega t) of M u'' + (K + D' (k' + i k'') D) u = 0, with k' and k'' whatever the frequency;
+        the ratio is Im(omega) / |omega|. In rising order of frequency.
+
+        Raises:
+            AnalysisError: an eigenvalue is not finite.
+
+        Source: structural damping, e.g. Clough and Penzien (1993), Dynamics of Structures, 3-7 and 12-4.
+        """
+        flexibility, _, _ = self._with(np.asarray(stiffness, dtype=complex))
+        root = np.sqrt(self.mass)
+        inverse = scipy.linalg.eigvals(root[:, None] * flexibility * root)
+        if not np.all(np.isfinite(inverse)) or np.any(np.abs(inverse) == 0.0):
+            raise AnalysisError(f"complex modes: {UNSTABLE}")
+        omega = np.sqrt(1.0 / inverse)
+        order = np.argsort(np.abs(omega))
+        return np.abs(omega)[order], (omega.imag / np.abs(omega))[order]
+
+    def static(self, loads: np.ndarray, stiffness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Displacements of floors (f,) and deformations of dampers (d,), m, under loads on the masses (m,) N."""
+        _, floors, dampers = self._with(stiffness)
+        return floors @ loads, dampers @ loads
+
+    def _with(self, stiffness: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Flexibilities with dampers: masses by masses, floors by masses, dampers by masses."""
+        k = np.asarray(stiffness)
+        dampers = np.linalg.solve(np.eye(k.size) + self.C * k, self.B)  # deformation by loads on the masses
+        forces = k[:, None] * dampers
+        flexibility = self.A - self.B.T @ forces
+        return 0.5 * (flexibility + flexibility.T), self.floor_A - self.floor_B @ forces, dampers
+
+
+def condense(structure: Structure) -> CondensedFrame:
+    """Reduce a structure in its present state, with its dampers' places but without their stiffness.
+
+    Raises:
+        AnalysisError: nothing has a mass, or the stiffness is singular.
+    """
+    analysis, frame = structure.analysis, structure.frame
+    mass = analysis.masses()
+    heavy = np.flatnonzero(mass > 0.0)
+    if heavy.size == 0:
+        raise AnalysisError("the frame has no masses")
+    n = mass.size
+    across = analysis.equations[:, 0]
+    floor_rows = np.zeros((frame.frame.n_storeys, n))
+    floor_at = np.full(n, -1)
+    for floor in range(1, frame.frame.n_storeys + 1):
+        equations = [e for name in frame.floor_nodes(floor) if (e := across[frame.nodes[name]]) >= 0]
+        for equation in equations:
+            floor_rows[floor - 1, equation] += 1.0 / len(equations)
+            floor_at[equation] = floor - 1
+    influence = np.zeros(n)
+    influence[across[across >= 0]] = 1.0
+    directions = analysis.damper_directions().toarray()[[device.number for device in frame.devices]]
+    unit = np.zeros((n, heavy.size))
+    unit[heavy, np.arange(heavy.size)] = 1.0
+    try:
+        solver = scipy.sparse.linalg.splu(analysis.stiffness())
+    except RuntimeError as error:
+        raise AnalysisError(f"the stiffness of the frame is singular: {error}") from error
+    by_masses, by_dampers = solver.solve(unit), solver.solve(np.ascontiguousarray(directions.T))
+    return CondensedFrame(
+        mass[heavy],
+        influence[heavy],
+        floor_at[heavy],
+        by_masses[heavy],
+        directions @ by_masses,
+        directions @ by_dampers,
+        floor_rows @ by_masses,
+        floor_rows @ by_dampers,
+    )

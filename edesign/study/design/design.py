@@ -1,0 +1,77 @@
+"""One design of a study: sizing by its method, verification by histories, everything kept."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from edesign.archive.dataset import Group
+from edesign.errors import AnalysisError, InputError
+from edesign.project.dampers import Dampers
+from edesign.project.designs import Design
+from edesign.project.project import Project
+from edesign.study.design.designer import Designer, labels
+from edesign.study.design.verification import Judge, Respond
+
+
+@dataclass(frozen=True)
+class DesignResult:
+    """What a design came to.
+
+    Attributes:
+        dampers: the laws of the project with the devices of the design (of its last round if it failed).
+        group: for the archive, designs/NAME.
+        status: "completed" or "failed".
+        reason: of the failure.
+    """
+
+    dampers: Dampers
+    group: Group
+    status: str
+    reason: str
+
+
+def run_design(
+    project: Project,
+    name: str,
+    spec: Design,
+    folder: Path,
+    respond: Respond | None = None,
+    judge: Judge | None = None,
+    resume: Group | None = None,
+    progress: Callable[[str], None] = lambda text: None,
+    keep: Callable[[Group], None] | None = None,
+) -> DesignResult:
+    """Design dampers, and change them until the histories meet the criteria, if the design asks for it.
+
+    Args:
+        project: with the law; checked by `check_design`.
+        name: of the design.
+        spec: of the design.
+        folder: that files named in it are relative to.
+        respond, judge: histories and verdicts of a round; None: the design is not verified.
+        resume: what an earlier run kept; its rounds are not computed again.
+        progress: told what goes on.
+        keep: given the group after each verified round, for `resume`.
+
+    Raises:
+        InputError: no damper reaches the target, or a file or law is wrong.
+
+    Source: thesis 5.3.4.
+    """
+    try:
+        run = Designer(project, name, spec, folder, progress)
+        done = run.search(respond, judge, resume, keep)
+        status = "failed" if done.reason else "completed"
+        group = run.group(done, status)
+    except AnalysisError as error:
+        before = project.dampers
+        assert before is not None
+        group = Group(attributes=labels(spec) | {"status": "failed", "reason": str(error)})
+        return DesignResult(before.model_copy(update={"devices": ()}), group, "failed", str(error))
+    except InputError as error:
+        if str(error).startswith("designs."):
+            raise
+        raise InputError(f"designs.{name}: {error}") from error
+    return DesignResult(run.dampers(done.chosen.sizing), group, status, done.reason)

@@ -1,0 +1,110 @@
+"""Properties of the elastomer at the strain, frequency and temperature of a design."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from edesign.building.devices import DeviceLaw
+from edesign.damper.harmonic import complex_stiffness
+from edesign.damper.property_table import PropertyTable, read_property_table
+from edesign.damper.temperature import REFERENCE_C
+from edesign.damper.thesis_tables import measured
+from edesign.errors import InputError
+from edesign.project.designs import Design, FileProperties, FixedProperties
+from edesign.project.project import Project
+from edesign.study.design.building import law_at
+
+
+@dataclass(frozen=True)
+class Moduli:
+    """Storage modulus (Pa) and loss factor at one frequency, and what is doubtful about them."""
+
+    G_storage: float
+    loss_factor: float
+    warnings: tuple[str, ...] = ()
+
+
+_NOTHING = 1e-9  # of the stiffness: rounding of a law that stores or dissipates nothing
+
+Elastomer = Callable[[float], Moduli]
+"""Properties at a frequency in Hz."""
+
+
+def elastomer(project: Project, name: str, spec: Design, folder: Path, temperature_C: float | None) -> Elastomer:
+    """The elastomer of a design at its strain and a temperature (degC; None: that of the law or of the reference).
+
+    Two frequencies of the design stand for the mean of the properties at both; one is taken whatever the frequency.
+
+    Args:
+        project: with the law.
+        name: of the design, for messages.
+        spec: the design.
+        folder: that property files are relative to.
+        temperature_C: degC.
+
+    Raises:
+        InputError: the table cannot be read, or the law has no parameters at this temperature.
+    """
+    at = _at_frequency(project, name, spec, folder, temperature_C)
+    given = spec.frequency
+    if given is None:
+        return at
+    ends = [at(frequency) for frequency in (given if isinstance(given, tuple) else (given,))]
+    mean = Moduli(
+        sum(m.G_storage for m in ends) / len(ends),
+        sum(m.loss_factor for m in ends) / len(ends),
+        tuple(dict.fromkeys(warning for m in ends for warning in m.warnings)),
+    )
+    return lambda frequency: mean
+
+
+def _at_frequency(project: Project, name: str, spec: Design, folder: Path, temperature_C: float | None) -> Elastomer:
+    chosen = spec.properties
+    if isinstance(chosen, FixedProperties):
+        fixed = Moduli(chosen.G_storage, chosen.loss_factor)
+        return lambda frequency: fixed
+    if chosen == "law":
+        law = law_at(project, spec.law, temperature_C)
+        return lambda frequency: law_moduli(law, spec.strain, frequency)
+    if isinstance(chosen, FileProperties):
+        if not (folder / chosen.file).is_file():
+            raise InputError(f"designs.{name}.properties.file: there is no file `{folder / chosen.file}`")
+        table = read_property_table(folder / chosen.file)
+    else:
+        rows = measured()
+        columns = (rows.temperature_C, rows.strain, rows.frequency, rows.G_storage, rows.G_eq, rows.loss_factor)
+        table = PropertyTable(*columns, source="thesis Tables A.1-A.4")
+    temperature = REFERENCE_C if temperature_C is None else temperature_C
+    return lambda frequency: _of_table(table, spec.strain, frequency, temperature)
+
+
+def law_moduli(law: DeviceLaw, strain: float, frequency: float) -> Moduli:
+    """Moduli of a law in steady vibration of its prototype: first harmonic of force over deformation.
+
+    Raises:
+        InputError: the law stores or dissipates nothing.
+
+    Source: thesis Eqs. 2.47-2.50.
+    """
+    assert law.layers is not None and law.layer_area is not None and law.layer_thickness is not None
+    stiffness = complex_stiffness(law.law, strain * law.layer_thickness, frequency)
+    if min(stiffness.real, stiffness.imag) <= _NOTHING * abs(stiffness):
+        raise InputError(
+            f"law {law.law.law} at {100.0 * strain:.4g} % strain and {frequency:.4g} Hz has K' = {stiffness.real:.4g} "
+            f"N/m and K'' = {stiffness.imag:.4g} N/m; dampers that are sized here store and dissipate energy"
+        )
+    modulus = stiffness.real * law.layer_thickness / (law.layers * law.layer_area)
+    return Moduli(modulus, stiffness.imag / stiffness.real)
+
+
+def _of_table(table: PropertyTable, strain: float, frequency: float, temperature_C: float) -> Moduli:
+    found = table.interpolate(strain, frequency, temperature_C, outside="edge")
+    warnings: tuple[str, ...] = ()
+    if not bool(found.inside):
+        warnings = (
+            f"{100.0 * strain:.4g} % strain, {frequency:.4g} Hz, {temperature_C:.4g} degC is outside {table.source}; "
+            "the values at its edge are taken",
+        )
+    return Moduli(float(found.G_storage), float(found.loss_factor), warnings)

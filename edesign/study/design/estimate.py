@@ -1,0 +1,130 @@
+"""Response of a frame with dampers estimated by its response spectrum, mode by mode with the damping of each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from edesign.codes.ec8 import ElasticSpectrum
+from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
+from edesign.project.damping import NoDamping
+from edesign.project.designs import Design
+from edesign.project.project import Project
+from edesign.study.design.building import Building, storey_shears
+from edesign.study.design.damping import strain_energy_damping
+
+_NEGLIGIBLE_MASS = 1e-6  # effective mass over total mass of modes that are left out
+
+
+@dataclass(frozen=True)
+class Action:
+    """What shakes the frame: a spectrum, and the damping that the frame has without dampers."""
+
+    spectrum: ElasticSpectrum
+    inherent_damping: float
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """Largest values over time by CQC.
+
+    Attributes:
+        drift: storey drift over height, (f,).
+        roof_displacement: m.
+        storey_shear: in the columns, without dampers, (f,) N.
+        base_shear: of columns and dampers, N.
+        damper_force: of the dampers at each place, (d,) N.
+        damper_strain: of their layers, (d,).
+    """
+
+    drift: np.ndarray
+    roof_displacement: float
+    storey_shear: np.ndarray
+    base_shear: float
+    damper_force: np.ndarray
+    damper_strain: np.ndarray
+
+
+def make_action(project: Project, spec: Design) -> Action | None:
+    """The action of a design's hazard level; None if it names none.
+
+    Raises:
+        InputError: the hazard of the project is wrong.
+    """
+    if spec.level is None:
+        return None
+    ratio = spec.inherent_damping
+    if ratio is None:
+        ratio = 0.0 if project.damping is None or isinstance(project.damping, NoDamping) else project.damping.ratio
+    return Action(elastic_spectrum(checked_hazard(project), spec.level), ratio)
+
+
+def estimate(
+    building: Building,
+    action: Action,
+    stiffness: np.ndarray,
+    brace: np.ndarray | None,
+    thickness: float,
+) -> Estimate:
+    """Estimate the response by the response spectrum method.
+
+    Args:
+        building: the frame with its places.
+        action: the spectrum and the damping of the frame without dampers.
+        stiffness: complex stiffness of the dampers at each place with their brace, (d,) N/m.
+        brace: stiffness of the brace at each place, (d,) N/m; None: rigid.
+        thickness: of a layer, m.
+
+    Source: thesis Eq. 5.6 for the damping of each mode; EN 1998-1:2004, 3.2.2.2(3) (eta) and 4.3.3.3; CQC: Der
+        Kiureghian (1981), Earthquake Engineering and Structural Dynamics 9(5), with unequal damping.
+    """
+    frame = building.frame
+    modes = frame.modes(stiffness.real)
+    total = float(frame.mass @ frame.influence)
+    kept = modes.participation**2 > _NEGLIGIBLE_MASS * total
+    damping = np.minimum(action.inherent_damping + strain_energy_damping(modes, stiffness)[kept], 1.0)
+    omega = modes.omega[kept]
+    spectral = [
+        float(replace(action.spectrum, damping=float(zeta)).displacement(2.0 * np.pi / w))
+        for zeta, w in zip(damping, omega, strict=True)
+    ]
+    peak = modes.participation[kept] * np.array(spectral)
+    correlation = cqc(omega, damping)
+
+    def combined(values: np.ndarray) -> np.ndarray:
+        """CQC of values (modes, anything) of the modes at unit generalised displacement."""
+        scaled = peak[:, None] * values
+        return np.asarray(np.sqrt(np.maximum(np.einsum("ix,ij,jx->x", scaled, correlation, scaled), 0.0)))
+
+    floors, deformation = modes.floors[kept], modes.dampers[kept]
+    forces = omega[:, None] ** 2 * frame.mass * frame.influence * modes.masses[kept]
+    here = frame.floor_of >= 0
+    of_floors = np.array([np.bincount(frame.floor_of[here], f[here], minlength=floors.shape[1]) for f in forces])
+    shears = storey_shears(of_floors)
+    columns = shears.copy()
+    horizontal = deformation * stiffness.real * building.cosine
+    np.add.at(columns.T, building.storeys[building.place_storey] - 1, -horizontal.T)
+    layers = 1.0 if brace is None else np.abs(1.0 - stiffness / brace)  # share of the deformation in the elastomer
+    return Estimate(
+        combined(np.diff(floors, axis=1, prepend=0.0)) / building.heights,
+        float(combined(floors[:, -1:])[0]),
+        combined(columns),
+        float(combined(shears[:, :1])[0]),
+        combined(deformation) * np.abs(stiffness),
+        combined(deformation) * layers / thickness,
+    )
+
+
+def cqc(omega: np.ndarray, damping: np.ndarray) -> np.ndarray:
+    """Correlation coefficients of modes with frequencies (n,) rad/s and damping ratios (n,), shape (n, n).
+
+    Source: Der Kiureghian (1981); Chopra (2012), Eq. 13.7.9.
+    """
+    if np.all(damping == 0.0):
+        return np.eye(omega.size)
+    beta = omega[:, None] / omega
+    zi, zj = damping[:, None], damping
+    above = 8.0 * np.sqrt(zi * zj) * (beta * zi + zj) * beta**1.5
+    below = (1.0 - beta**2) ** 2 + 4.0 * zi * zj * beta * (1.0 + beta**2) + 4.0 * (zi**2 + zj**2) * beta**2
+    return np.asarray(above / below)

@@ -1,0 +1,192 @@
+"""The outer loop of a design: histories judge a sizing, and what misses is changed until it meets, or cannot."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+from edesign.errors import AnalysisError, InputError
+from edesign.study.design.sizing import Sizing
+
+_LARGEST_STEP, _SMALLEST_STEP = 1.6, 1.05  # of what is changed, from one missing round to the next
+_AIM = 0.99  # of the limit
+_MIDDLE = 0.15  # share of a bracket at both ends in which no new trial lies
+
+
+class VerdictLike(Protocol):
+    """What a criterion says of the histories of a round."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def value(self) -> float | None: ...
+    @property
+    def limit(self) -> float | None: ...
+    @property
+    def met(self) -> bool | None: ...
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """A kept verdict; value and limit are nan where there is none."""
+
+    name: str
+    value: float
+    limit: float
+    met: bool
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """What the histories of a round came to.
+
+    Attributes:
+        verdicts: of the criteria.
+        failed: names of histories that were not completed.
+    """
+
+    verdicts: tuple[Verdict, ...]
+    failed: tuple[str, ...] = ()
+
+    @property
+    def met(self) -> bool:
+        """Every criterion is met; how failed histories count is the criteria's business."""
+        return bool(self.verdicts) and all(verdict.met for verdict in self.verdicts)
+
+    @property
+    def demand(self) -> float:
+        """The worst ratio of a value to its limit, of a limit to its value where the value must be larger."""
+        return max((_demand(verdict) for verdict in self.verdicts), default=1.0)
+
+
+@dataclass(frozen=True)
+class Round:
+    """One sizing and its verification.
+
+    Attributes:
+        number: from 1.
+        changed: the value of what is changed: target damping or beta, or the factor on area or thickness.
+        sizing: the dampers.
+        outcome: None: not verified.
+    """
+
+    number: int
+    changed: float
+    sizing: Sizing
+    outcome: Outcome | None = None
+
+
+@dataclass(frozen=True)
+class Search:
+    """All rounds, the one that was chosen, and why it is none that meets the criteria (empty if it does)."""
+
+    rounds: tuple[Round, ...]
+    chosen: Round
+    reason: str = ""
+
+
+def search(
+    make: Callable[[float], Sizing],
+    verify: Callable[[Sizing, int, float], Outcome],
+    start: float,
+    largest: float,
+    most_rounds: int,
+    precision: float,
+    kept: Callable[[Sequence[Round]], None] = lambda rounds: None,
+    actual: Callable[[Sizing, float], float] = lambda sizing, value: value,
+) -> Search:
+    """Find the smallest value that meets all criteria: up by the secant until met, then down inside the bracket.
+
+    Args:
+        make: the sizing of a value.
+        verify: histories and verdicts of a sizing, its round and its value.
+        start: value of the first round; when it is met the search is over.
+        largest: value that is not exceeded.
+        most_rounds: how many may be tried.
+        precision: relative width of the bracket at which the search is over.
+        kept: called with all rounds after each.
+        actual: the value that a sizing really has, where a method may take a larger one than it is asked for.
+
+    Returns:
+        The search; the chosen round is the smallest met, or the last where none is.
+    """
+    rounds: list[Round] = []
+    value, reason = start, ""
+    while True:
+        try:
+            sizing = make(value)
+        except (InputError, AnalysisError) as error:
+            if not rounds:
+                raise
+            reason = str(error)
+            break
+        value = actual(sizing, value)
+        if sizing.reason:
+            rounds.append(Round(len(rounds) + 1, value, sizing))
+            reason = sizing.reason
+            break
+        rounds.append(Round(len(rounds) + 1, value, sizing, verify(sizing, len(rounds) + 1, value)))
+        kept(rounds)
+        following = _next(rounds, largest, precision)
+        if following is None or len(rounds) == most_rounds:
+            break
+        value = following
+    good = [r for r in rounds if r.outcome is not None and r.outcome.met]
+    if good:
+        return Search(tuple(rounds), min(good, key=lambda r: r.changed))
+    return Search(tuple(rounds), rounds[-1], reason or _missed(rounds, largest, most_rounds))
+
+
+def _next(rounds: Sequence[Round], largest: float, precision: float) -> float | None:
+    """The next value; None when the search is over."""
+    tried = sorted(((r.changed, r.outcome) for r in rounds if r.outcome is not None), key=lambda item: item[0])
+    met = [(x, o) for x, o in tried if o.met]
+    high = met[0] if met else None
+    below = [(x, o) for x, o in tried if not o.met and (high is None or x < high[0])]
+    if high is not None:
+        if not below or high[0] - below[-1][0] <= precision * high[0]:
+            return None
+        (x0, o0), (x1, o1) = below[-1], high
+        width = x1 - x0
+        slope = (o1.demand - o0.demand) / width
+        guess = x0 + (_AIM - o0.demand) / slope if slope < 0.0 else x0 + 0.5 * width
+        return min(max(guess, x0 + _MIDDLE * width), x1 - _MIDDLE * width)
+    x, outcome = below[-1]
+    if x >= largest:
+        return None
+    step = outcome.demand**2  # displacements fall about with the root of what is added
+    if len(below) > 1:
+        x0, o0 = below[-2]
+        slope = (outcome.demand - o0.demand) / (x - x0)
+        step = (x + (_AIM - outcome.demand) / slope) / x if slope < 0.0 else _LARGEST_STEP
+    if not math.isfinite(step):
+        step = _LARGEST_STEP
+    return min(x * min(max(step, _SMALLEST_STEP), _LARGEST_STEP), largest)
+
+
+def _missed(rounds: Sequence[Round], largest: float, most_rounds: int) -> str:
+    last = rounds[-1].outcome
+    assert last is not None
+    text = ", ".join(_said(verdict) for verdict in last.verdicts if not verdict.met)
+    if last.failed:
+        failed = f"{len(last.failed)} histories were not completed, the first {last.failed[0]}"
+        text = f"{text}; {failed}" if text else failed
+    if rounds[-1].changed >= largest:
+        return f"even the largest value, {largest:.4g}, misses: {text}"
+    return f"not met within {most_rounds} rounds; the last, with {rounds[-1].changed:.4g}, misses: {text}"
+
+
+def _said(verdict: Verdict) -> str:
+    if math.isnan(verdict.value) or math.isnan(verdict.limit):
+        return verdict.name
+    return f"{verdict.name} ({verdict.value:.4g}, limit {verdict.limit:.4g})"
+
+
+def _demand(verdict: Verdict) -> float:
+    value, limit = verdict.value, verdict.limit
+    if not (math.isfinite(value) and math.isfinite(limit)) or value <= 0.0 or limit <= 0.0:
+        return 0.9 if verdict.met else 1.1
+    # a value above its limit that is met, or below it that is missed, is one that must be larger
+    return value / limit if (value <= limit) == verdict.met else limit / value

@@ -1,0 +1,176 @@
+"""The simplified design procedure of Fan and Lee: the least damper stiffness with which static forces meet a drift."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from edesign.codes.ec8.lateral_force import correction_factor, is_applicable, lateral_forces
+from edesign.project.checks_designs import design_warnings
+from edesign.project.designs import SimplifiedDesign
+from edesign.study.design.building import Building
+from edesign.study.design.condensed import LinearModes
+from edesign.study.design.damping import strain_energy_damping
+from edesign.study.design.elastomer import Elastomer, Moduli
+from edesign.study.design.estimate import Action
+from edesign.study.design.sizing import Iteration, Sizing, layer_areas, layer_thickness, place_stiffness
+
+AGREEMENT = 1e-6
+MOST_ITERATIONS = 50
+_ROUNDING = 1e-9  # of the number of steps of beta
+
+
+@dataclass(frozen=True)
+class StaticResponse:
+    """What the frame does under the equivalent lateral forces.
+
+    Attributes:
+        frequency: of the first mode, Hz.
+        moduli: of the elastomer there.
+        damping: added to the first mode.
+        drift: of all storeys over height, (f,).
+        base_shear: N.
+    """
+
+    frequency: float
+    moduli: Moduli
+    damping: float
+    drift: np.ndarray
+    base_shear: float
+
+
+def size_simplified(
+    building: Building,
+    spec: SimplifiedDesign,
+    material: Elastomer,
+    cold: Elastomer | None,
+    action: Action,
+    least: float | None = None,
+    area_factor: float = 1.0,
+    thickness_factor: float = 1.0,
+) -> Sizing:
+    """Find the least beta of the range whose drifts under lateral forces stay below the target.
+
+    Args:
+        building: the frame with its places.
+        spec: the design.
+        material: properties at the design temperature.
+        cold: at the low end of temperatures, where the dampers are stiffer; None: not looked at.
+        action: the spectrum and the damping of the frame itself.
+        least: lowest beta to be tried; None: the lower end of the range.
+        area_factor: on areas and with them on stiffnesses, after beta is chosen.
+        thickness_factor: on thickness and area.
+
+    Source: thesis 5.3.4, steps 2 to 9, after Fan (1998) and Lee (2003); EN 1998-1:2004, 4.3.3.2, for the forces.
+    """
+    assert spec.drift is not None, "check_design wants it"
+    k_S = building.designed_stiffness
+    brace = spec.alpha * k_S
+    iterations: list[Iteration] = []
+    betas = [least] if least is not None else []
+    betas += [beta for beta in _betas(spec) if least is None or beta > least]
+    reason = ""
+    for beta in betas:
+        found = static_response(building, spec, material, action, beta * k_S, brace)
+        values = _values(beta, found, "")
+        good = bool(found.drift.max() <= spec.drift)
+        if cold is not None:
+            stiffer = cold(found.frequency).G_storage / found.moduli.G_storage
+            at_low = static_response(building, spec, cold, action, stiffer * beta * k_S, brace)
+            values |= _values(beta, at_low, "low_temperature_")
+            good = good and bool(at_low.drift.max() <= spec.drift)
+        iterations.append(Iteration(found.frequency, found.moduli, beta * k_S, found.frequency, found.damping, values))
+        if good:
+            break
+    else:
+        least_drift = min(
+            max(item.values["drift"], item.values.get("low_temperature_drift", 0.0)) for item in iterations
+        )
+        reason = (
+            f"no beta up to {betas[-1]:g} meets the drift of {100.0 * spec.drift:.4g} %; "
+            f"the least that was found is {100.0 * least_drift:.4g} %"
+        )
+    thickness = thickness_factor * layer_thickness(building, spec)
+    stiffness = area_factor * beta * k_S
+    area = layer_areas(building, spec, stiffness, thickness, found.moduli.G_storage)
+    return Sizing(beta, stiffness, found.moduli, found.frequency, thickness, area, brace, tuple(iterations), reason)
+
+
+def static_response(
+    building: Building,
+    spec: SimplifiedDesign,
+    material: Elastomer,
+    action: Action,
+    k_D: np.ndarray,
+    brace: np.ndarray,
+) -> StaticResponse:
+    """Drifts under the lateral forces of the spectrum reduced for the added damping.
+
+    Args:
+        building: the frame with its places.
+        spec: the design.
+        material: properties of the elastomer; the loss factor follows the frequency, k_D is given.
+        action: the spectrum.
+        k_D: storage stiffness of the dampers of each storey, (s,) N/m.
+        brace: of the braces, (s,) N/m.
+
+    Source: EN 1998-1:2004, 4.3.3.2.2 and 4.3.3.2.3, with the elastic spectrum of 3.2.2.2 for inherent and added damping
+        (displacements of the elastic structure, as 4.3.4 has them).
+    """
+    frame = building.frame
+    frequency = float(frame.modes().omega[0]) / (2.0 * math.pi)
+    for _ in range(MOST_ITERATIONS):
+        moduli = material(frequency)
+        at_places = place_stiffness(building, k_D, moduli.loss_factor, brace)
+        modes = frame.modes(at_places.real)
+        before, frequency = frequency, float(modes.omega[0]) / (2.0 * math.pi)
+        if abs(frequency - before) <= AGREEMENT * frequency:
+            break
+    added = float(strain_energy_damping(modes, at_places)[0])
+    spectrum = replace(action.spectrum, damping=min(action.inherent_damping + added, 1.0))
+    corner = spectrum.parameters.T_C
+    across = frame.influence > 0.0
+    mass = np.where(across, frame.mass, 0.0)
+    factor = correction_factor(1.0 / frequency, corner, building.heights.size)
+    base_shear = float(spectrum.acceleration(1.0 / frequency)) * float(mass.sum()) * factor
+    loads = lateral_forces(base_shear, mass, _shape(building, spec, modes))
+    floors, _ = frame.static(loads, at_places.real)
+    drift = np.abs(np.diff(floors, prepend=0.0)) / building.heights
+    return StaticResponse(frequency, moduli, added, drift, base_shear)
+
+
+def simplified_warnings(building: Building, spec: SimplifiedDesign, action: Action, sizing: Sizing) -> list[str]:
+    """What is allowed but outside the method's recommendations."""
+    found = design_warnings(spec)
+    period = 1.0 / sizing.frequency
+    if not is_applicable(period, action.spectrum.parameters.T_C):
+        found.append(
+            f"the first period of {period:.3g} s is longer than the lateral force method allows "
+            "(EN 1998-1, 4.3.3.2.1(2): 4 T_C and 2 s); verify the design by histories"
+        )
+    return found
+
+
+def _shape(building: Building, spec: SimplifiedDesign, modes: LinearModes) -> np.ndarray:
+    frame = building.frame
+    if spec.forces == "first_mode":
+        return np.where(frame.influence > 0.0, modes.masses[0], 0.0)
+    levels = np.concatenate([np.cumsum(building.heights), [0.0]])  # a mass of no floor (-1) stands at no height
+    return levels[frame.floor_of]
+
+
+def _betas(spec: SimplifiedDesign) -> list[float]:
+    low, high = spec.beta
+    steps = math.floor((high - low) / spec.beta_step * (1.0 + _ROUNDING))
+    return [low + i * spec.beta_step for i in range(steps + 1)]
+
+
+def _values(beta: float, found: StaticResponse, prefix: str) -> dict[str, float]:
+    return {
+        "beta": beta,
+        f"{prefix}drift": float(found.drift.max()),
+        f"{prefix}base_shear": found.base_shear,
+        f"{prefix}damping": found.damping,
+    }

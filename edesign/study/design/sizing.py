@@ -1,0 +1,101 @@
+"""What a sizing of dampers results in, whatever the method, and the stiffness of dampers and braces at their places."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.damper import sizing
+from edesign.project.designs import Design
+from edesign.study.design.building import Building
+from edesign.study.design.elastomer import Moduli
+
+
+@dataclass(frozen=True)
+class Iteration:
+    """One step of a method.
+
+    Attributes:
+        frequency: at which properties were taken, Hz.
+        moduli: of the elastomer there.
+        stiffness: k_D of the storeys with dampers, (s,) N/m.
+        next_frequency: of the first mode with these dampers, Hz.
+        damping: that they add to it, Eq. 5.6.
+        values: what else the method looks at, by name.
+    """
+
+    frequency: float
+    moduli: Moduli
+    stiffness: np.ndarray
+    next_frequency: float
+    damping: float
+    values: dict[str, float]
+
+
+@dataclass(frozen=True)
+class Sizing:
+    """Dampers of a size.
+
+    Attributes:
+        target: damping ratio, or beta of the simplified method; nan: none.
+        stiffness: k_D, horizontal storage stiffness of the dampers alone in each storey with dampers, (s,) N/m.
+        moduli: of the elastomer.
+        frequency: of the first mode, Hz.
+        thickness: of a layer, m.
+        area: of a layer, (s,) m2.
+        brace: horizontal stiffness of the braces of each storey with dampers, (s,) N/m; None: rigid.
+        iterations: how it was found.
+        reason: why it is not good; empty if it is.
+    """
+
+    target: float
+    stiffness: np.ndarray
+    moduli: Moduli
+    frequency: float
+    thickness: float
+    area: np.ndarray
+    brace: np.ndarray | None
+    iterations: tuple[Iteration, ...]
+    reason: str = ""
+
+    def complex_stiffness(self, building: Building, braces: bool, moduli: Moduli | None = None) -> np.ndarray:
+        """Stiffness K' + i K'' of the dampers at each place, (d,) N/m.
+
+        Args:
+            building: with the places.
+            braces: with their braces in series.
+            moduli: of the elastomer; None: those of the design.
+        """
+        moduli = moduli or self.moduli
+        k_D = self.stiffness * (moduli.G_storage / self.moduli.G_storage)
+        return place_stiffness(building, k_D, moduli.loss_factor, self.brace if braces else None)
+
+
+def place_stiffness(building: Building, k_D: np.ndarray, loss_factor: float, brace: np.ndarray | None) -> np.ndarray:
+    """Complex stiffness of the dampers at each place (d,) N/m, from horizontal stiffnesses of the storeys (s,)."""
+    dampers = building.at_places(k_D) * (1.0 + 1.0j * loss_factor)
+    return dampers if brace is None else sizing.in_series(dampers, building.at_places(brace))
+
+
+def layer_thickness(building: Building, spec: Design) -> float:
+    """Thickness of the layers, m: given, or the largest that a storey needs for drift and strain limit."""
+    if spec.layer_thickness is not None:
+        return spec.layer_thickness
+    assert spec.drift is not None and spec.strain_limit is not None, "check_design wants them"
+    heights = building.heights[building.storeys - 1][building.place_storey]
+    return max(
+        sizing.layer_thickness(spec.drift, float(height), spec.strain_limit, float(cosine))
+        for height, cosine in zip(heights, building.cosine, strict=True)
+    )
+
+
+def layer_areas(building: Building, spec: Design, k_D: np.ndarray, thickness: float, G_storage: float) -> np.ndarray:
+    """Area of one layer in each storey with dampers, (s,) m2 (thesis Eq. 5.14)."""
+    dampers = spec.number * building.attachment
+    return sizing.layer_area(k_D, thickness, G_storage, building.layers, dampers)
+
+
+def total_area(building: Building, spec: Design, area: np.ndarray) -> float:
+    """Area of all layers of all dampers, m2."""
+    return float(building.layers * spec.number * area[building.place_storey].sum())

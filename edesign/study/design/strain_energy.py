@@ -1,0 +1,72 @@
+"""Sizing by modal strain energy: properties, stiffness, modes with dampers, until frequencies agree (thesis 5.3.4)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from edesign.project.designs import BraceRatio, StrainEnergyDesign
+from edesign.study.design.building import Building
+from edesign.study.design.damping import strain_energy_damping
+from edesign.study.design.distribution import distribute
+from edesign.study.design.elastomer import Elastomer
+from edesign.study.design.estimate import Action
+from edesign.study.design.sizing import Iteration, Sizing, layer_areas, layer_thickness, place_stiffness
+
+AGREEMENT = 1e-6  # relative, of two frequencies that follow each other
+MOST_ITERATIONS = 50
+
+
+def size_by_strain_energy(
+    building: Building,
+    spec: StrainEnergyDesign,
+    material: Elastomer,
+    action: Action | None,
+    target: float,
+    area_factor: float = 1.0,
+    thickness_factor: float = 1.0,
+) -> Sizing:
+    """Find the dampers of a target damping, at the frequency that the frame has with them.
+
+    Args:
+        building: the frame with its places.
+        spec: the design.
+        material: properties of the elastomer.
+        action: for the distribution of least area.
+        target: damping ratio to be added (nan for the least area).
+        area_factor: on areas and with them on stiffnesses.
+        thickness_factor: on thickness and area, which leaves the stiffness as it is.
+
+    Raises:
+        InputError: no damper reaches the target.
+        AnalysisError: no stiffness of dampers does what is wanted, or the frame is unstable.
+
+    Source: thesis 5.3.4, steps 5 and 6, Eqs. 5.6, 5.9 and 5.14.
+    """
+    ratio = spec.brace.ratio if isinstance(spec.brace, BraceRatio) else math.inf
+    brace = None if math.isinf(ratio) else ratio * building.designed_stiffness
+    in_target = brace if spec.braces_in_target else None
+    thickness = thickness_factor * layer_thickness(building, spec)
+    frequency = _first_frequency(building.frame.modes().omega)
+    iterations: list[Iteration] = []
+    reason = f"the frequencies did not agree to {AGREEMENT:g} within {MOST_ITERATIONS} iterations"
+    wanted: np.ndarray | None = None
+    while len(iterations) < MOST_ITERATIONS:
+        moduli = material(frequency)
+        wanted = distribute(building, spec, moduli, target, in_target, action, brace, thickness, wanted)
+        stiffness = area_factor * wanted
+        at_places = place_stiffness(building, stiffness, moduli.loss_factor, in_target)
+        modes = building.frame.modes(at_places.real)
+        before, frequency = frequency, _first_frequency(modes.omega)
+        damping = float(strain_energy_damping(modes, at_places)[0])
+        iterations.append(Iteration(before, moduli, stiffness, frequency, damping, {}))
+        if abs(frequency - before) <= AGREEMENT * frequency:
+            reason = ""
+            break
+    area = layer_areas(building, spec, stiffness, thickness, moduli.G_storage)
+    return Sizing(target, stiffness, moduli, frequency, thickness, area, brace, tuple(iterations), reason)
+
+
+def _first_frequency(omega: np.ndarray) -> float:
+    return float(omega[0]) / (2.0 * math.pi)

@@ -1,0 +1,58 @@
+"""Verification of a round of a design: verdicts on its histories, or those that an earlier run kept."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.project.dampers import Dampers
+from edesign.study.design.loop import Outcome, Verdict, VerdictLike
+from edesign.study.design.sizing import Sizing
+
+Respond = Callable[[Dampers, int], Mapping[str, Group]]
+"""Runs the histories of a round (from 1) with these dampers."""
+Judge = Callable[[Mapping[str, Group]], Sequence[VerdictLike]]
+"""Verdicts of the criteria of a design on such histories."""
+
+
+def judged(groups: Mapping[str, Group], judge: Judge) -> Outcome:
+    """The outcome of a round from its histories; a criterion that says neither yes nor no is not met."""
+    failed = tuple(name for name, group in groups.items() if group.attributes.get("status", "completed") != "completed")
+    verdicts = []
+    taken: set[str] = set()
+    for verdict in judge(groups):
+        level = getattr(verdict, "level", "")
+        name = f"{verdict.name}, {level}" if level else verdict.name
+        while name in taken:
+            name += "'"
+        taken.add(name)
+        value, limit = (math.nan if x is None else float(x) for x in (verdict.value, verdict.limit))
+        verdicts.append(Verdict(name, value, limit, bool(verdict.met)))
+    return Outcome(tuple(verdicts), failed)
+
+
+def kept_outcome(resume: Group | None, number: int, value: float, sizing: Sizing) -> Outcome | None:
+    """The outcome of a round of an earlier run, if it had the same dampers."""
+    if resume is None or "verdict_met" not in resume.variables:
+        return None
+    rounds = resume.coords["round"].values.tolist()
+    if number not in rounds:
+        return None
+    i = rounds.index(number)
+    now: dict[str, float | np.ndarray] = {
+        "changed": value,
+        "layer_thickness": sizing.thickness,
+        "layer_area": sizing.area,
+    }
+    if not all(np.array_equal(resume.variables[f"round_{name}"].values[i], x) for name, x in now.items()):
+        return None
+    value_of, limit_of, met_of = (resume.variables[f"verdict_{part}"].values[i] for part in ("value", "limit", "met"))
+    if np.any(np.isnan(met_of)):
+        return None
+    names = [str(criterion) for criterion in resume.coords["criterion"].values]
+    verdicts = zip(names, value_of.tolist(), limit_of.tolist(), met_of.tolist(), strict=True)
+    failed = resume.attributes.get("failed_histories", {}).get(str(number), ())
+    return Outcome(tuple(Verdict(n, v, x, bool(m)) for n, v, x, m in verdicts), tuple(failed))

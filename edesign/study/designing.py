@@ -1,0 +1,116 @@
+"""The designs of a study while it runs: made, verified by histories, archived; then the frames of the variants."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from edesign.archive.dataset import Group
+from edesign.assess.criteria import Verdict, judge
+from edesign.errors import AnalysisError
+from edesign.project.analyses import Analysis, HistoryAnalysis
+from edesign.project.dampers import Dampers
+from edesign.project.designs import Verify
+from edesign.project.outputs import Outputs
+from edesign.project.project import Project
+from edesign.project.study import Study
+from edesign.study.backends.work import Work
+from edesign.study.check import verification_records
+from edesign.study.design.design import DesignResult, run_design
+from edesign.study.execution import Execution, Prepared, analyse
+from edesign.study.plan import Task
+from edesign.study.variants import variant_project
+
+DESIGNS = "designs"  # their group in the archive
+
+
+def study_designs(study: Study, run: Execution) -> Prepared:
+    """Make the designs that the plan needs; return what gives each task its frame."""
+    wanted = {study.variants[task.variant].design for task in run.job.tasks} - {None}
+    made: dict[str, DesignResult] = {}
+    for order, name in enumerate(study.designs):
+        if name in wanted and not run.stopped():
+            made[name] = _design(study, name, order, run)
+    designed = {name: result.dampers for name, result in made.items()}
+    outputs = study.outputs
+    plain = Outputs(histories=outputs.histories, every=outputs.every)
+    details = outputs.details
+    whole = (
+        Outputs(histories=details.histories, every=outputs.every, members=details.members)
+        if details is not None
+        else plain
+    )
+    frames: dict[tuple[str, float | None, bool], Project] = {}
+
+    def prepared(task: Task) -> tuple[Project, Analysis]:
+        design = study.variants[task.variant].design
+        if design is not None and made[design].status != "completed":
+            raise AnalysisError(f"its design `{design}` failed: {made[design].reason}")
+        key = (task.variant, task.temperature_C, task.details)
+        if key not in frames:
+            project = variant_project(study, task.variant, designed, task.temperature_C)
+            frames[key] = project.model_copy(update={"outputs": whole if task.details else plain})
+        return frames[key], task.spec
+
+    return prepared
+
+
+def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult:
+    """Make a design, going on from what an interrupted run left of it; every round is archived when it is known."""
+    place, spec = f"{DESIGNS}/{name}", study.designs[name]
+    verify = spec.verify
+    labels = {"order": order, "name": name}
+
+    def keep(group: Group) -> None:
+        run.archive(place, Group(group.coords, group.variables, {**group.attributes, **labels}))
+
+    def respond(dampers: Dampers, number: int) -> Mapping[str, Group]:
+        assert verify is not None
+        return _respond(study, name, verify, dampers, number, run)
+
+    def verdicts(histories: Mapping[str, Group]) -> tuple[Verdict, ...]:
+        assert verify is not None
+        # the histories of the verification are of this design alone, whatever variants a criterion names
+        asked = [c.model_copy(update={"variants": ()}) for c in study.criteria if c.name in verify.criteria]
+        return judge(asked, (), histories, study.base)
+
+    result = run_design(
+        study.base,
+        name,
+        spec,
+        study.folder,
+        respond if verify is not None else None,
+        verdicts if verify is not None else None,
+        run.writer.read(place) if run.writer.has(place) else None,
+        lambda message: run.note(f"design {name}: {message}"),
+        keep,
+    )
+    keep(result.group)
+    if result.status != "completed":
+        run.note(f"design {name} failed: {result.reason}")
+    return result
+
+
+def _respond(
+    study: Study, name: str, verify: Verify, dampers: Dampers, number: int, run: Execution
+) -> dict[str, Group]:
+    """The histories that a round of a design is judged by; they are not archived."""
+    project = study.base.model_copy(update={"dampers": dampers, "outputs": Outputs(histories=())})
+    works = []
+    for level in verify.levels or ("",):
+        for reference in verification_records(study, name):
+            spec = HistoryAnalysis.model_construct(
+                kind="history",
+                name=f"{name}.{number}.{level}.{reference.rpartition('/')[2]}",
+                variant=name,
+                record=reference,
+                level=level,
+                free_vibration=verify.free_vibration,
+            )
+            works.append(Work(spec.name, analyse, (project, spec, run.motions[reference])))
+    found: dict[str, Group] = {}
+    for result in run.results(works):
+        failed = Group(attributes={"status": "failed", "reason": result.reason})
+        found[result.key] = result.value if isinstance(result.value, Group) else failed
+    if run.stopped():
+        raise KeyboardInterrupt
+    return {work.key: found[work.key] for work in works}

@@ -1,0 +1,324 @@
+"""Carrying a plan out: every analysis into the archive as soon as it is finished, whatever happens on the way."""
+
+from __future__ import annotations
+
+import threading
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from functools import cache, partial
+from pathlib import Path
+from typing import Literal
+
+from edesign.archive.dataset import Group
+from edesign.archive.writer import ArchiveWriter, partial_path
+from edesign.errors import ArchiveError, EdesignError, Interrupted
+from edesign.ground_motion.sources import Found
+from edesign.project.analyses import Analysis
+from edesign.project.project import Project
+from edesign.study import analyses
+from edesign.study.backends import Backend
+from edesign.study.backends.work import Result, Work
+from edesign.study.interrupt import stop_on_signals
+from edesign.study.modal import fundamental_period
+from edesign.study.motions import Motion, match_options, project_motions
+from edesign.study.plan import Task
+from edesign.study.progress import Listener, Progress
+from edesign.study.provenance import IDENTITY, circumstances
+from edesign.study.record_results import project_record_groups
+
+MATCHING = "matching"  # what the progress of the fit of the records is called
+COMPLETED, FAILED = "completed", "failed"
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How one analysis ended.
+
+    Attributes:
+        name: of the analysis.
+        status: "completed" or "failed".
+        reason: of the failure, "" if there was none.
+        reused: whether the result is that of an earlier, interrupted run.
+        seconds: time it took (s), 0 if reused.
+    """
+
+    name: str
+    status: str
+    reason: str = ""
+    reused: bool = False
+    seconds: float = 0.0
+
+
+@dataclass(frozen=True)
+class RunSummary:
+    """What a run did.
+
+    Attributes:
+        archive: the finished archive.
+        outcomes: one for each analysis, in the order of the plan.
+        notes: what the user was told, such as what became of an interrupted run.
+        seconds: time of the whole run (s).
+    """
+
+    archive: Path
+    outcomes: tuple[Outcome, ...]
+    notes: tuple[str, ...] = ()
+    seconds: float = 0.0
+
+    @property
+    def failed(self) -> tuple[Outcome, ...]:
+        """The analyses that failed."""
+        return tuple(outcome for outcome in self.outcomes if outcome.status != COMPLETED)
+
+
+Prepared = Callable[[Task], tuple[Project, Analysis]]
+"""Gives the frame and the analysis of a task; raises an EdesignError if it cannot be run."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """What is to be run.
+
+    Attributes:
+        path: of the project or study file.
+        project: whose records are used.
+        tasks: the plan.
+        recordings: what the plan needs, by reference.
+        root: of the archive.
+        notes: doubts about the input, for the user.
+        prepare: called once the records are ready, before the first task.
+        resumable: places of other groups in the archive that an interrupted run may have left.
+    """
+
+    path: Path
+    project: Project
+    tasks: tuple[Task, ...]
+    recordings: Mapping[str, Found]
+    root: Group
+    notes: tuple[str, ...]
+    prepare: Callable[[Execution], Prepared]
+    resumable: tuple[str, ...] = ()
+
+
+@dataclass
+class Execution:
+    """The state of a run that its threads share."""
+
+    job: Job
+    listener: Listener
+    backend: Backend
+    workers: int
+    writer: ArchiveWriter
+    stop: threading.Event = field(default_factory=threading.Event)
+    motions: Mapping[str, Motion] = field(default_factory=dict)
+    outcomes: dict[str, Outcome] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    critical: bool = False
+    _lock: threading.RLock = field(default_factory=threading.RLock)
+
+    def __post_init__(self) -> None:
+        self._places = {task.name: place for place, task in enumerate(self.job.tasks, start=1)}
+
+    def tell(self, report: Progress) -> None:
+        """Hand a report to the listener, one at a time."""
+        with self._lock:
+            self.listener(report)
+
+    def note(self, message: str) -> None:
+        """Tell the user something that also stands in the summary."""
+        self.notes.append(message)
+        self.tell(Progress("note", message=message, count=len(self._places)))
+
+    def stopped(self) -> bool:
+        """Whether the user wants the run to stop."""
+        return self.stop.is_set()
+
+    def progress(self, name: str, done: int, total: int) -> None:
+        """Report how far an analysis is."""
+        self._report("advance", name, done / total if total else 1.0)
+
+    def started(self, name: str) -> None:
+        """Report the start of an analysis."""
+        self._report("start", name)
+
+    def ended(self, outcome: Outcome) -> None:
+        """Report the end of an analysis of the plan."""
+        self.outcomes[outcome.name] = outcome
+        message = outcome.status + (f": {outcome.reason}" if outcome.reason else "")
+        self._report("reuse" if outcome.reused else "end", outcome.name, 1.0, message, outcome.seconds)
+
+    def _report(
+        self,
+        event: Literal["start", "advance", "end", "reuse"],
+        name: str,
+        fraction: float = 0.0,
+        message: str = "",
+        seconds: float = 0.0,
+    ) -> None:
+        place = self._places.get(name, 0)
+        self.tell(Progress(event, name, place, len(self._places), fraction, message, seconds))
+
+    def results(self, works: Sequence[Work]) -> Iterator[Result]:
+        """Have work done by the back end; what was interrupted is left out, and nothing starts after a stop."""
+        if self.stopped():
+            return
+        for result in self.backend.results(works, self, self.started):
+            if not result.interrupted:
+                yield result
+
+    def archive(self, path: str, group: Group) -> None:
+        """Write a group, which a second Ctrl-C does not interrupt."""
+        with self.uninterrupted():
+            self.writer.write(path, group)
+
+    @contextmanager
+    def uninterrupted(self) -> Iterator[None]:
+        """Hold back a second Ctrl-C while the archive is written."""
+        self.critical = True
+        try:
+            yield
+        finally:
+            self.critical = False
+
+
+def execute(
+    job: Job, path: Path, listener: Listener, backend: Backend, workers: int, fresh: bool = False
+) -> RunSummary:
+    """Run the analyses of a plan and archive them.
+
+    An analysis that fails is archived as failed with its reason, and the run goes on. Results of an interrupted run of
+    the same inputs and versions are reused.
+
+    Args:
+        job: what is to be run.
+        path: the archive.
+        listener: of the progress.
+        backend: that does the work.
+        workers: threads for the records.
+        fresh: True discards the results of an interrupted run.
+
+    Raises:
+        ArchiveError: the archive cannot be written; what was archived before stays in the partial file.
+        Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
+    """
+    started = time.monotonic()
+    tasks = {task.path: task for task in job.tasks}
+
+    def accept(place: str, attributes: Mapping[str, object]) -> bool:
+        return place in job.resumable or (place in tasks and attributes.get("status") == COMPLETED)
+
+    extra = {"provenance": circumstances()}
+    with ArchiveWriter(path, job.root, IDENTITY, None if fresh else accept, extra) as writer:
+        run = Execution(job, listener, backend, workers, writer)
+        if writer.note:
+            run.note(writer.note)
+        kept = [place for place in writer.kept if place in tasks]
+        if kept:
+            run.note(f"continuing an interrupted run: {len(kept)} of {len(tasks)} analyses are reused")
+        for note in job.notes:
+            run.note(note)
+        for place in kept:
+            run.ended(Outcome(tasks[place].name, COMPLETED, reused=True))
+        with stop_on_signals(run.stop, lambda: run.critical):
+            try:
+                _carry_out(run)
+            except KeyboardInterrupt:
+                run.stop.set()
+            except EdesignError as error:
+                _keep(run)
+                if isinstance(error, ArchiveError) and run.outcomes:
+                    raise ArchiveError(f"{error}; {_kept(run, path)}") from error
+                raise
+            if run.stopped() and len(run.outcomes) < len(tasks):
+                _keep(run)
+                raise Interrupted(_kept_message(run, path))
+            with run.uninterrupted():
+                failed = any(outcome.status != COMPLETED for outcome in run.outcomes.values())
+                writer.finish({"status": FAILED if failed else COMPLETED})
+    outcomes = tuple(run.outcomes[task.name] for task in job.tasks)
+    return RunSummary(path, outcomes, tuple(run.notes), time.monotonic() - started)
+
+
+def analyse(
+    project: Project,
+    spec: Analysis,
+    motion: Motion | None,
+    progress: Callable[[int, int], None],
+    stop: Callable[[], bool],
+) -> Group:
+    """Run one analysis, as a back end calls it."""
+    return analyses.run_analysis(project, spec, progress=progress, stop=stop, motion=motion)
+
+
+def _carry_out(run: Execution) -> None:
+    run.motions = _prepare_records(run)
+    if run.stopped():
+        return
+    prepared = run.job.prepare(run)
+    works = []
+    for task in [task for task in run.job.tasks if task.name not in run.outcomes]:
+        try:
+            project, spec = prepared(task)
+        except EdesignError as error:
+            _archive(run, task, Result(task.name, reason=str(error)))
+            continue
+        works.append(Work(task.name, analyse, (project, spec, run.motions.get(task.record or ""))))
+    tasks = {task.name: task for task in run.job.tasks}
+    for result in run.results(works):
+        _archive(run, tasks[result.key], result)
+
+
+def _prepare_records(run: Execution) -> dict[str, Motion]:
+    """Fit the records to the spectrum where the project says so, and archive them."""
+    started = time.monotonic()
+    project, recordings = run.job.project, run.job.recordings
+    fits = [name for name in recordings if match_options(project, name) is not None]
+    done: list[str] = []
+
+    def tell(event: Literal["start", "advance", "end"], message: str = "") -> None:
+        if fits:
+            seconds, fraction = time.monotonic() - started, len(done) / len(recordings)
+            run.tell(Progress(event, MATCHING, 0, len(run.job.tasks), fraction, message, seconds))
+
+    def each(motion: Motion) -> None:
+        done.append(motion.name)
+        tell("advance")
+
+    tell("start")
+    period = cache(partial(fundamental_period, project))
+    motions = project_motions(project, recordings, period, run.workers, each, run.stopped)
+    tell("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
+    if not run.stopped():
+        for place, group in project_record_groups(project, motions, period):
+            run.archive(place, group)
+    return motions
+
+
+def _archive(run: Execution, task: Task, result: Result) -> None:
+    group = result.value if isinstance(result.value, Group) else Group(attributes={"status": FAILED})
+    status = str(group.attributes.get("status", COMPLETED))
+    reason = result.reason or str(group.attributes.get("reason") or "")
+    attributes = {**group.attributes, **task.labels, "status": status, "reason": reason}
+    run.archive(task.path, Group(group.coords, group.variables, attributes))
+    run.ended(Outcome(task.name, status, reason, seconds=result.seconds))
+
+
+def _keep(run: Execution) -> None:
+    """Leave the partial file only if there is something in it that the next run can use."""
+    if not run.outcomes and not any(run.writer.has(place) for place in run.job.resumable):
+        run.writer.discard()
+
+
+def _kept_message(run: Execution, path: Path) -> str:
+    if not run.outcomes:
+        return f"interrupted before an analysis was finished; {path} is unchanged"
+    return (
+        f"interrupted: {_kept(run, path)}; "
+        f"the same command with {run.job.path} goes on from there (--fresh starts anew)"
+    )
+
+
+def _kept(run: Execution, path: Path) -> str:
+    return f"{len(run.outcomes)} of {len(run.job.tasks)} analyses are finished and kept in {partial_path(path)}"

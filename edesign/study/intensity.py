@@ -1,0 +1,96 @@
+"""Intensity measures of incremental studies: of a record, of a hazard level, and the period that they are taken at."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from edesign.codes.ec8.accelerograms import DAMPING
+from edesign.errors import InputError
+from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.response_spectrum import psa
+from edesign.project.analyses import ModalAnalysis
+from edesign.project.incremental import Incremental, LevelFactorStudy, PeakAccelerationStudy, SpectralAccelerationStudy
+from edesign.project.project import Project
+from edesign.project.units import STANDARD_GRAVITY
+from edesign.study.damper_stiffness import damped_modes
+from edesign.study.history import input_motion
+from edesign.study.structure import make_structure
+
+
+def intensity_text(study: Incremental, intensity: float) -> str:
+    """Return an intensity for names and messages: 0.4g, or x1.5 for a factor of the level."""
+    if isinstance(study, LevelFactorStudy):
+        return f"x{intensity:.6g}"
+    return f"{intensity / STANDARD_GRAVITY:.6g}g"
+
+
+def record_intensity(project: Project, study: Incremental, record: Record, period: float | None) -> float:
+    """Return the intensity measure of a record as it is applied with the factor 1, m/s2 or a factor.
+
+    Args:
+        project: the validated project of the variant.
+        study: what the study file says.
+        record: made ready, before scaling.
+        period: of the spectral acceleration where the study does not give it, s.
+
+    Raises:
+        InputError: a period is needed and the frame has none, or the project has no hazard with the level.
+    """
+    if isinstance(study, PeakAccelerationStudy):
+        return record.pga
+    if isinstance(study, LevelFactorStudy):
+        if project.hazard is None:
+            raise InputError(
+                f"{project.path}: hazard: this block is missing; `{study.name}` scales records to its levels"
+            )
+        return 1.0 / importance_factor(project.hazard, study.level)
+    return _spectral_acceleration(project, study, record, period)
+
+
+def level_intensity(project: Project, study: Incremental, period: float | None) -> float | None:
+    """Return the intensity measure of the study's hazard level; None without a level.
+
+    Args:
+        project: the validated project.
+        study: what the study file says.
+        period: of the spectral acceleration, s.
+    """
+    if study.level is None or project.hazard is None:
+        return None
+    if isinstance(study, LevelFactorStudy):
+        return 1.0
+    at = 0.0 if isinstance(study, PeakAccelerationStudy) else period
+    spectrum = replace(elastic_spectrum(project.hazard, study.level), damping=DAMPING)
+    return None if at is None else float(spectrum.acceleration(at))
+
+
+def first_period(project: Project, dampers: bool, damper_strain: float | None = None) -> float:
+    """Return T1 of a variant under gravity, s; dampers add their storage stiffness in that mode.
+
+    Args:
+        project: the validated project of the variant.
+        dampers: whether it has its dampers.
+        damper_strain: amplitude of their shear strain; None: small vibrations.
+
+    Raises:
+        AnalysisError: the frame is unstable, or the period cannot be found.
+    """
+    structure = make_structure(project, dampers=dampers)
+    structure.apply_gravity()
+    if not structure.frame.devices:
+        return float(structure.modes(1).period[0])
+    spec = ModalAnalysis(kind="modal", name="T1", dampers=dampers, modes=1, damper_strain=damper_strain)
+    modes, _ = damped_modes(project.model_copy(update={"analyses": (spec,)}), structure, spec)
+    return float(modes.period[0])
+
+
+def _spectral_acceleration(
+    project: Project, study: SpectralAccelerationStudy, record: Record, period: float | None
+) -> float:
+    """Return the pseudo acceleration at 5 % damping of a record as it is applied with the factor 1, m/s2."""
+    period = period if study.period is None else study.period
+    if period is None:
+        raise InputError(f"{project.path}: incremental study `{study.name}`: a frame without masses has no period T1")
+    applied = input_motion(record, 1.0, project.integration.time_step if project.integration else None, 0.0)
+    return float(psa(applied.acceleration, applied.time_step, [period], DAMPING)[0])

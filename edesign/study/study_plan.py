@@ -1,0 +1,99 @@
+"""The plan of a study: every variant x level x record x temperature."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from edesign.errors import InputError
+from edesign.ground_motion.project_records import references
+from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, ModalAnalysis
+from edesign.project.problems import keys_text, unknown_name
+from edesign.project.study import Histories, Study
+from edesign.study.plan import Task, selected
+
+MODES, GRAVITY = "modes", "gravity"
+
+
+def make_study_plan(study: Study, only: Sequence[str] = ()) -> tuple[Task, ...]:
+    """List the analyses of a study: modes and gravity of each variant, then the histories in the order of the file.
+
+    Args:
+        study: the validated study.
+        only: names to which the plan is restricted: analyses, or VARIANT.LEVEL for all its histories; all if empty.
+
+    Raises:
+        InputError: a name in `only` or a recording does not exist, or two histories are the same.
+    """
+    tasks: list[Task] = []
+    for name in study.variants:
+        tasks += _of_variant(study, name)
+    for i, histories in enumerate(study.histories):
+        tasks += _of_histories(study, i, histories)
+    first: dict[str, Task] = {}
+    for task in tasks:
+        if first.setdefault(task.name, task) is not task:
+            raise InputError(
+                f"{study.where('histories')}: histories: `{task.name}` is asked for twice; leave one of them out"
+            )
+    return selected([replace(task, order=i) for i, task in enumerate(tasks)], only, study.path)
+
+
+def _of_variant(study: Study, name: str) -> Iterator[Task]:
+    variant, modal = study.variants[name], study.modal
+    dampers = variant.dampers != "none"
+    if study.base.masses is not None:
+        strain = study.designs[variant.design].strain if variant.design is not None else None
+        spec = ModalAnalysis.model_construct(
+            kind="modal",
+            name=f"{name}.{MODES}",
+            variant=name,
+            dampers=dampers,
+            modes=modal.modes,
+            state=modal.state,
+            damper_strain=strain,
+        )
+        yield Task(0, spec, spec.name, name)
+    gravity = GravityAnalysis.model_construct(kind="gravity", name=f"{name}.{GRAVITY}", variant=name, dampers=dampers)
+    yield Task(0, gravity, gravity.name, name)
+
+
+def _of_histories(study: Study, index: int, histories: Histories) -> Iterator[Task]:
+    wanted = recordings(study, histories.records, ("histories", index, "records"))
+    details = study.outputs.details
+    whole = recordings(study, details.records, ("outputs", "details", "records")) if details is not None else ()
+    for variant in study.variants_of(histories):
+        for temperature_C in histories.temperatures or (None,):
+            for level in histories.levels or ("",):
+                warm = [f"{temperature_C:g}C"] if temperature_C is not None else []
+                entry = ".".join([variant, *warm, *([level] if level else [])])
+                for reference in wanted:
+                    spec = HistoryAnalysis.model_construct(
+                        kind="history",
+                        name=f"{entry}.{reference.rpartition('/')[2]}",
+                        variant=variant,
+                        dampers=study.variants[variant].dampers != "none",
+                        record=reference,
+                        free_vibration=histories.free_vibration,
+                        collapse_drift=histories.collapse_drift,
+                        level=level,
+                    )
+                    yield Task(0, spec, entry, variant, temperature_C, reference in whole)
+
+
+def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) -> tuple[str, ...]:
+    """References of recordings: a record itself, all of a suite, or one of a suite as SUITE/ID.
+
+    Raises:
+        InputError: a suite has no such recording; the message names the place in the study file.
+    """
+    found: list[str] = []
+    for name in names:
+        record, _, recording = name.partition("/")
+        known = references(study.base, record)
+        if recording and name not in known:
+            ids = [reference.partition("/")[2] for reference in known]
+            message = unknown_name("recording", recording, [item for item in ids if item])
+            raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {message}")
+        found += [reference for reference in ([name] if recording else known) if reference not in found]
+    return tuple(found)

@@ -1,0 +1,252 @@
+"""The dask back end on real schedulers and worker processes of this machine: equal results, deaths, strangers."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+from cases.small_frame import write
+from unit.study import toy_works
+from unit.study.toy_works import WAIT, Listener, await_file, check_mixed, mixed_works, process_of, run_all, same
+
+import edesign
+from edesign.building.project_file import load_project
+from edesign.errors import AnalysisError, InputError
+from edesign.study.backends import Backend, Result, Work, make_backend
+from edesign.study.check import check_inputs
+from edesign.study.motions import project_motions
+from edesign.study.plan import make_plan
+
+pytest.importorskip("distributed")
+
+ROOT = Path(edesign.__file__).parents[1]
+TESTS = ROOT / "tests"
+
+
+@pytest.fixture(scope="module")
+def backend() -> Iterator[Backend]:
+    """Two worker processes."""
+    with make_backend("dask", 2) as made:
+        yield made
+
+
+def test_values_and_failures_are_those_of_one_process(backend: Backend) -> None:
+    found = run_all(backend, [*mixed_works(), Work("unsendable", toy_works.unsendable)])
+    assert "internal error" in found.pop("unsendable").reason
+    check_mixed(found)
+
+
+def test_an_analysis_gives_the_same_bits(backend: Backend, tmp_path: Path) -> None:
+    project = load_project(write(tmp_path))
+    plan = make_plan(project)
+    motions = project_motions(project, check_inputs(project, [task.spec for task in plan]), lambda: None)
+    works = [Work(task.name, toy_works.analysis, (project, task.spec, motions.get(task.record or ""))) for task in plan]
+    here, there = run_all(make_backend("serial"), works), run_all(backend, works)
+    assert set(here) == set(there) == {"modes", "push", "shake"}
+    for name, result in here.items():
+        assert not result.reason and not there[name].reason
+        assert result.value is not None and result.value.attributes["status"] == "completed"
+        same(result, there[name])
+
+
+def test_workers_compute_with_one_thread_of_linear_algebra(backend: Backend) -> None:
+    assert set(run_all(backend, [Work("blas", toy_works.blas_threads)])["blas"].value or []) == {1}
+
+
+def test_works_run_at_the_same_time_and_tell_their_progress(backend: Backend, tmp_path: Path) -> None:
+    """Each waits until all have begun, in processes of their own; they end when the first has told its progress."""
+    listener = Listener()
+    works = [Work(name, toy_works.until_stopped, (tmp_path, name)) for name in "abc"]
+    results = backend.results(works, _stop_at_progress(listener, {"a", "b"}), listener.started)
+    assert sorted(result.key for result in results if result.interrupted) == ["a", "b"]
+    assert {path.name for path in tmp_path.iterdir()} == {"a.began", "a.ended", "b.began", "b.ended"}
+    assert sorted(listener.begun) == ["a", "b"]  # nothing begins after a stop
+    assert run_all(backend, [Work("later", toy_works.after, (tmp_path, 3))])["later"].value == 3
+
+
+def test_closing_the_generator_ends_what_runs(backend: Backend, tmp_path: Path) -> None:
+    listener = Listener()
+    works = [Work("first", toy_works.after, (tmp_path / "b.began", 1))]
+    works += [Work(name, toy_works.until_stopped, (tmp_path, name)) for name in "bcd"]
+    results = backend.results(works, listener, listener.started)
+    assert next(results).value == 1
+    results.close()
+    assert (tmp_path / "b.ended").exists() and not (tmp_path / "d.began").exists()
+
+
+def test_a_killed_worker_loses_nothing(backend: Backend, tmp_path: Path) -> None:
+    """The process of a work is killed while it runs; the work is done by another."""
+    listener, mark = Listener(), tmp_path / "mark"
+    works = [Work(f"w{i}", toy_works.process, (tmp_path, f"w{i}", mark)) for i in range(3)]
+    victim = 0
+
+    def started(key: str) -> None:
+        nonlocal victim
+        listener.started(key)
+        if not victim:
+            victim = process_of(tmp_path, key)
+            os.kill(victim, signal.SIGKILL)
+            mark.touch()
+
+    found = {result.key: result for result in backend.results(works, listener, started)}
+    assert sorted(found) == ["w0", "w1", "w2"] == sorted(listener.begun)
+    assert all(not result.reason and result.value not in (None, victim) for result in found.values())
+
+
+def test_a_work_that_kills_its_workers_fails_alone(backend: Backend, tmp_path: Path) -> None:
+    works = [
+        Work("always", toy_works.dies, (tmp_path, "always", 99)),
+        Work("once", toy_works.dies, (tmp_path, "once", 1)),
+    ]
+    found = run_all(backend, [*works, *mixed_works()])
+    assert found.pop("once").value == "once after 1"
+    always = found.pop("always")
+    assert always.value is None and "the process that computed it died each time" in always.reason
+    check_mixed(found)
+
+
+def test_a_scheduler_elsewhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+) -> None:
+    """Without workers, with one that dies, with a stranger among them, and at last without itself."""
+    from edesign.study.backends import dask_cluster, dask_session
+
+    place = tmp_path / "scheduler.json"
+    waits = Work("never", toy_works.until_stopped, (tmp_path, "never"))
+    with _process(tmp_path, ROOT, "dask_scheduler", "--port", "0", "--scheduler-file", place) as scheduler:
+        await_file(place)
+        address = json.loads(place.read_text(encoding="utf-8"))["address"]
+        with monkeypatch.context() as patched, pytest.raises(InputError, match=f"{address} has no workers; start some"):
+            patched.setattr(dask_cluster, "JOIN", 0.2)
+            make_backend("dask", 1, address).__enter__()
+        worker = ("--scheduler-file", place, "--nthreads", "1", "--no-dashboard", "--no-nanny")
+        with _process(tmp_path, ROOT, "dask_worker", *worker) as process, make_backend("dask", 1, address) as backend:
+            monkeypatch.setattr(dask_session, "ALONE_FOR", 0.2)
+            with pytest.raises(AnalysisError, match=f"{address} has had no workers for"):
+                list(backend.results([waits], Listener(), lambda key: process.kill()))
+        with _process(tmp_path, ROOT, "dask_worker", *worker), make_backend("dask", 1, address) as backend:
+            check_mixed(run_all(backend, mixed_works()))
+            with _process(tmp_path, _stranger(tmp_path), "dask_worker", *worker, "--name", "stranger"):
+                _refused(backend, tmp_path)
+            results: list[Result] = []
+            works = [Work("done", toy_works.after, (tmp_path, 1)), waits]
+            with pytest.raises(AnalysisError, match=f"connection to the dask scheduler {address} was lost"):
+                for result in backend.results(works, Listener(), lambda key: None):
+                    results.append(result)
+                    scheduler.kill()
+            assert [result.value for result in results] == [1]
+    output, errors = capfd.readouterr()
+    assert output == errors == ""
+
+
+def _stranger(folder: Path) -> Path:
+    """A folder with an edesign that has one more table."""
+    stranger = folder / "stranger"
+    shutil.copytree(ROOT / "edesign", stranger / "edesign", ignore=shutil.ignore_patterns("__pycache__"))
+    (stranger / "edesign" / "codes" / "factor.csv").write_text("1.0000001\n", encoding="utf-8")
+    return stranger
+
+
+def _refused(backend: Backend, folder: Path) -> None:
+    """Works go on being computed until the stranger has joined, then it is named."""
+    end = time.monotonic() + WAIT
+    with pytest.raises(InputError, match=r"the worker tcp://\S+ would give results of another program: the code"):
+        while time.monotonic() < end:
+            run_all(backend, [Work("quick", toy_works.after, (folder, 1))])
+
+
+def test_there_is_no_scheduler(monkeypatch: pytest.MonkeyPatch) -> None:
+    from edesign.study.backends import dask_cluster
+
+    monkeypatch.setattr(dask_cluster, "CONNECT", 0.5)
+    for address in ("tcp://127.0.0.1:9", "nonsense://x"):
+        with (
+            pytest.raises(InputError, match=f"there is no dask scheduler at {address}"),
+            make_backend("dask", 1, address),
+        ):
+            pass
+
+
+INTERRUPTED = """\
+import sys
+from pathlib import Path
+from unit.study.toy_works import Listener, after, until_stopped
+from edesign.study.backends import Work, make_backend
+from edesign.study.interrupt import stop_on_signals
+
+if __name__ == "__main__":
+    folder, listener = Path(sys.argv[1]), Listener()
+    works = [Work("done", after, (folder, 1))] + [Work(name, until_stopped, (folder, name)) for name in "abc"]
+    with stop_on_signals(listener.stop), make_backend("dask", 2) as backend:
+        for result in backend.results(works, listener, listener.started):
+            print(result.key, result.interrupted, flush=True)
+"""
+
+
+def test_ctrl_c_in_a_terminal_reaches_all_processes_and_loses_nothing(tmp_path: Path) -> None:
+    script = tmp_path / "script.py"
+    script.write_text(INTERRUPTED, encoding="utf-8")
+    with subprocess.Popen(
+        [sys.executable, str(script), str(tmp_path)],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env=_environment(ROOT),
+        start_new_session=True,  # a process group of its own, as a shell gives to a command
+    ) as process:
+        try:
+            await_file(tmp_path / "a.began")
+            await_file(tmp_path / "b.began")
+            os.killpg(process.pid, signal.SIGINT)
+            output, errors = process.communicate(timeout=WAIT)  # workers have these pipes too: none is left
+        finally:
+            with contextlib.suppress(ProcessLookupError):
+                os.killpg(process.pid, signal.SIGKILL)
+    assert process.returncode == 0 and errors == ""
+    lines = output.splitlines()
+    assert lines[0] == "done False" and sorted(lines[1:]) == ["a True", "b True"]
+
+
+@contextmanager
+def _process(folder: Path, code: Path, module: str, *words: str | Path) -> Iterator[subprocess.Popen[bytes]]:
+    """A part of a cluster, as its own command would start it, with edesign from a folder."""
+    with (folder / f"{module}.log").open("ab") as log:
+        process = subprocess.Popen(
+            [sys.executable, "-m", f"distributed.cli.{module}", *map(str, words)],
+            stdout=log,
+            stderr=log,
+            cwd=folder,
+            env=_environment(code),
+        )
+    try:
+        yield process
+    finally:
+        process.kill()
+        process.wait()
+
+
+def _environment(code: Path) -> dict[str, str]:
+    return os.environ | {"PYTHONPATH": os.pathsep.join([str(code), str(TESTS)]), "OPENBLAS_NUM_THREADS": "1"}
+
+
+def _stop_at_progress(listener: Listener, keys: set[str]) -> Listener:
+    """A listener that stops when it was told the progress of some works."""
+    tell = listener.progress
+
+    def progress(key: str, done: int, total: int) -> None:
+        tell(key, done, total)
+        if keys <= {told for told, *_ in listener.told}:
+            listener.stop.set()
+
+    listener.progress = progress  # type: ignore[method-assign]
+    return listener

@@ -1,0 +1,181 @@
+"""The report as people read it: in a browser, on a phone and on a desk, offline, whatever stands in the project."""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+import shutil
+import subprocess
+from dataclasses import dataclass
+from html.parser import HTMLParser
+from pathlib import Path
+
+import h5py
+import pytest
+from report_project import TITLE, write_report_project
+
+from edesign.cli.main import main
+from edesign.project import load_project
+from edesign.report.page.document import page_text
+from edesign.study.run import run_project
+
+BROWSERS = ("chromium", "google-chrome", "chromium-browser")
+FRAMED = """<!DOCTYPE html><html><body><iframe src="page.html" style="width: {width}px; height: 800px; border: 0">
+</iframe><script>onload = () => {{
+  const page = document.querySelector('iframe').contentWindow;
+  const all = words => [...page.document.querySelectorAll(words)];
+  const size = e => e.getBoundingClientRect(), ids = all('[id]').map(e => e.id);
+  document.documentElement.dataset.found = JSON.stringify({{
+    inner: page.innerWidth, scroll: page.document.documentElement.scrollWidth, title: page.document.title,
+    wide: all('figure, pre, dl, ul, p').filter(e => size(e).right > page.innerWidth + 1).map(e => e.className),
+    empty: all('svg').filter(e => size(e).width < 200 || !e.querySelector('path')).length,
+    figures: all('svg').length, tables: all('table').length, twice: ids.length - new Set(ids).size,
+    requests: page.performance.getEntriesByType('resource').map(e => e.name),
+    lost: all('nav a').filter(e => !page.document.querySelector(e.hash)).length
+  }});
+}};</script></body></html>"""
+
+
+def _browser() -> str | None:
+    """A browser that runs; the one of Ubuntu may be a stub that only says how to get it."""
+    for name in BROWSERS:
+        path = shutil.which(name)
+        if path and subprocess.run([path, "--version"], capture_output=True, check=False, timeout=30).returncode == 0:
+            return path
+    return None
+
+
+@dataclass(frozen=True)
+class Made:
+    """An archive and its page."""
+
+    archive: Path
+    page: Path
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Made:
+    """The report of the small project, made by the command."""
+    folder = tmp_path_factory.mktemp("report")
+    archive = run_project(load_project(write_report_project(folder)), folder / "office.h5").archive
+    assert main(["report", str(archive), "--quiet"]) == 0
+    return Made(archive, folder / "office.html")
+
+
+class _Outline(HTMLParser):
+    """Tags with their attributes, and the text of headings, as they stand in the file."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.tags: list[tuple[str, dict[str, str | None]]] = []
+        self.text: list[str] = []
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.tags.append((tag, dict(attrs)))
+
+    def handle_data(self, data: str) -> None:
+        self.text.append(data)
+
+
+def _outline(text: str) -> _Outline:
+    outline = _Outline()
+    outline.feed(text)
+    return outline
+
+
+@pytest.mark.parametrize("width", [360, 1280])
+def test_page_in_a_browser(made: Made, width: int, tmp_path: Path) -> None:
+    browser = _browser()
+    if browser is None:
+        pytest.skip("no chromium here")
+    text = made.page.read_text(encoding="utf-8")
+    (tmp_path / "page.html").write_text(text.replace("<details>", "<details open>"), encoding="utf-8")
+    frame = tmp_path / "frame.html"  # windows are never as narrow as a phone
+    frame.write_text(FRAMED.format(width=width), encoding="utf-8")
+    options = ["--headless=new", "--no-sandbox", "--disable-gpu", f"--user-data-dir={tmp_path / 'profile'}"]
+    options += ["--allow-file-access-from-files", "--window-size=1400,900", "--enable-logging=stderr", "--v=0"]
+    words = [*options, "--dump-dom", frame.as_uri()]
+    done = subprocess.run([browser, *words], capture_output=True, text=True, check=False, timeout=60)
+    assert "CONSOLE" not in done.stderr
+    found = json.loads(html.unescape(re.search(r'data-found="([^"]*)"', done.stdout)[1]))  # type: ignore[index]
+    assert found["inner"] == width
+    assert found["scroll"] <= width
+    assert found["wide"] == []
+    assert found["requests"] == []
+    assert found["lost"] == 0 and found["twice"] == 0 and found["empty"] == 0
+    assert found["title"] == TITLE
+    tags = [tag for tag, _ in _outline(text).tags]
+    assert found["figures"] == tags.count("svg") > 8
+    assert found["tables"] == tags.count("table") > 8
+
+
+def test_sections_of_a_plain_run(made: Made) -> None:
+    """It has no design, no other temperature, no incremental study: nothing empty stands for them."""
+    text = made.page.read_text(encoding="utf-8")
+    tags = _outline(text).tags
+    there = [attributes["id"] for tag, attributes in tags if tag == "section"]
+    assert there[0] == "summary" and there[-1] == "provenance"
+    assert {"inputs", "ground-motion", "modes", "response", "performance", "hinges", "histories", "dampers"} <= set(
+        there
+    )
+    assert not {"design", "temperature", "incremental"} & set(there)
+    links = [attributes["href"] for tag, attributes in tags if tag == "a"]
+    assert links == ["#content", *(f"#{name}" for name in there), "#contents"]
+    assert "could not be shown" not in text
+
+
+def test_nothing_is_fetched_and_nothing_runs(made: Made) -> None:
+    text = made.page.read_text(encoding="utf-8")
+    outline = _outline(text)
+    assert "script" not in {tag for tag, _ in outline.tags}
+    assert not {"img", "iframe", "object", "embed", "video"} & {tag for tag, _ in outline.tags}
+    for tag, attributes in outline.tags:
+        assert not any(name.startswith("on") or name in ("src", "srcset") for name in attributes), tag
+        assert (attributes.get("href") or "#").startswith(("#", "data:,")), attributes
+    assert not re.search(r"@import|url\((?!#)", text)
+    assert "default-src 'none'" in text
+
+
+def test_text_of_the_project_is_text(made: Made) -> None:
+    """In the title, as heading, and in the file to the letter, where YAML has its quotes doubled."""
+    text = "".join(_outline(made.page.read_text(encoding="utf-8")).text)
+    assert text.count(TITLE) == 2
+    assert text.count(TITLE.replace("'", "''")) == 1
+
+
+def test_numbers_of_the_summary_are_those_of_the_archive(made: Made) -> None:
+    """The tile of the drift against the envelopes, read with h5py alone."""
+    with h5py.File(made.archive) as file:
+        drifts = [
+            max(abs(file[f"analyses/{name}/storey_drift_{end}"][()]).max() for end in ("max", "min"))
+            for name in ("bare.DBE", "damped.DBE")
+        ]
+    text = made.page.read_text(encoding="utf-8")
+    tile = re.search(r"Interstorey drift at DBE</span>\s*<span class=\"value\">([\d.]+) → ([\d.]+)", text)
+    assert tile is not None
+    assert [float(value) for value in tile.groups()] == pytest.approx([100.0 * d for d in drifts], rel=0.005)
+
+
+def test_failed_and_missing_analyses_are_named(made: Made, tmp_path: Path) -> None:
+    """A copy of the archive in which one history failed, one is still to come, and the run goes on."""
+    archive = Path(shutil.copy(made.archive, tmp_path / "office.h5.partial"))
+    with h5py.File(archive, "r+") as file:
+        file["analyses/bare.MCE"].attrs["status"] = "failed"
+        file["analyses/bare.MCE"].attrs["reason"] = "no equilibrium at 3.21 s <b>here</b>"
+        del file["analyses/damped.DBE"]
+        file.attrs["complete"] = 0
+    text = page_text(archive)
+    assert "no equilibrium at 3.21 s &lt;b&gt;here&lt;/b&gt;" in text
+    assert re.search(r"bare\.MCE: no equilibrium", text[: text.index('id="inputs"')])
+    banner = text[text.index("banner") : text.index('id="contents"')]
+    assert "1 of 6 analyses have no result yet" in banner
+
+
+@pytest.mark.parametrize("name", ["missing.h5", "folder"])
+def test_errors_are_for_people(name: str, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "folder").mkdir()
+    assert main(["report", str(tmp_path / name)]) == 4
+    said = capsys.readouterr().err
+    assert str(tmp_path / name) in said and "Traceback" not in said
+    assert not list(tmp_path.glob("*.html"))

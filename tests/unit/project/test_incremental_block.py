@@ -1,0 +1,96 @@
+"""The block `incremental` of a study: values in SI, and what is wrong at its place."""
+
+from __future__ import annotations
+
+import pytest
+
+from edesign.project import parse_project
+from edesign.project.base import Model
+from edesign.project.incremental import Incremental, SpectralAccelerationStudy, check_incremental
+from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.yaml_file import check_model
+
+TEXT = """\
+study: test
+incremental:
+  - name: ida
+    variants: [bare, damped]
+    records: el_centro
+    intensity: spectral_acceleration
+    period: 2.8 s
+    levels: {from: 0.1 g, to: 0.5 g, count: 5}
+    collapse_drift: 8 %
+    limits: {LS: {interstorey_drift: 2.5 %}, high: {roof_displacement: 400 mm}}
+    free_vibration: 5 s
+"""
+
+
+class Study(Model):
+    study: str
+    incremental: tuple[Incremental, ...]
+
+
+def problems_of(small: str, *changes: tuple[str, str]) -> list[str]:
+    text = TEXT
+    for old, new in changes:
+        assert text.count(old) == 1
+        text = text.replace(old, new)
+    study, problems = check_model(text, Study, "study file", "study: test")
+    if study is not None:
+        base = parse_project(small)
+        check_incremental(("incremental", 0), study.incremental[0], base, ("bare", "damped"), problems)
+    return [f"{p.mark.line}: {p}" for p in problems.found]
+
+
+def test_values() -> None:
+    study, problems = check_model(TEXT, Study, "study file", "study: test")
+    assert study is not None, problems.found
+    one = study.incremental[0]
+    assert isinstance(one, SpectralAccelerationStudy)
+    assert one.intensities == pytest.approx([g * STANDARD_GRAVITY for g in (0.1, 0.2, 0.3, 0.4, 0.5)])
+    assert one.intensities[-1] == 0.5 * STANDARD_GRAVITY  # the ends exactly
+    assert (one.variants, one.records) == (("bare", "damped"), ("el_centro",))
+    assert (one.period, one.collapse_drift, one.free_vibration) == (2.8, 0.08, 5.0)
+    assert (one.limits["LS"].measure, one.limits["LS"].value) == ("interstorey_drift", 0.025)
+    assert (one.limits["high"].measure, one.limits["high"].value) == ("roof_displacement_m", 0.4)
+
+
+def test_nothing_is_wrong_with_it(small: str) -> None:
+    assert problems_of(small) == []
+    listed = ("levels: {from: 0.1 g, to: 0.5 g, count: 5}", "levels: [0.1 g, 0.25 g, 0.3 g]")
+    assert problems_of(small, listed) == []
+    assert problems_of(small, ("[bare, damped]", "all")) == []
+
+
+LEVELS = "levels: {from: 0.1 g, to: 0.5 g, count: 5}"
+SPECTRAL = "intensity: spectral_acceleration\n    period: 2.8 s\n    levels: {from: 0.1 g, to: 0.5 g, count: 5}"
+
+
+@pytest.mark.parametrize(
+    "change, words",
+    [
+        (
+            ("[bare, damped]", "[bare, dampd]"),
+            "4: incremental[0].variants[1]: there is no variant `dampd`; did you mean",
+        ),
+        (("records: el_centro", "records: el_center"), "5: incremental[0].records: there is no record `el_center`"),
+        ((LEVELS, "levels: [0.1 g, 0.1 g]"), "8: incremental[0].levels: intensities must ascend"),
+        ((LEVELS, "levels: {from: 0.5 g, to: 0.1 g, count: 5}"), "must ascend"),
+        ((LEVELS, "levels: [0.1 g, 0.2]"), "the bare number `0.2` needs a unit"),
+        ((LEVELS, "levels: {from: 0.1 g, to: 0.5 g, count: 1}"), "count"),
+        (("LS: {interstorey_drift: 2.5 %}", "LS: {interstory_drift: 2.5 %}"), "did you mean `interstorey_drift`"),
+        (("LS: {interstorey_drift: 2.5 %}", "LS: 2.5 %"), "for example `{interstorey_drift: 2.5 %}`"),
+        (("LS: {interstorey_drift: 2.5 %}", "LS: {interstorey_drift: 0 %}"), "greater than zero"),
+        (("LS: {interstorey_drift: 2.5 %}", "collapse: {interstorey_drift: 5 %}"), "choose another name"),
+        (("400 mm", "4 %"), "10: incremental[0].limits.high: `4 %` is a ratio, but a length is needed"),
+        (("[bare, damped]", "[bare, bare]"), "4: incremental[0].variants[1]: `bare` comes twice"),
+        (("period: 2.8 s", "level: MCE"), "there is no level `MCE`"),
+        (("spectral_acceleration", "spectral_aceleration"), "spectral_acceleration"),
+        ((SPECTRAL, "intensity: level_factor\n    levels: [1, 2]"), "level"),
+        ((SPECTRAL, "intensity: level_factor\n    level: MCE\n    levels: [1, 2]"), "not fitted to the spectrum"),
+        ((SPECTRAL, "intensity: pga\n    period: 2 s\n    levels: [0.1 g, 0.2 g]"), "period"),
+    ],
+)
+def test_what_is_wrong_is_told(small: str, change: tuple[str, str], words: str) -> None:
+    found = "\n".join(problems_of(small, change))
+    assert words in found

@@ -1,0 +1,94 @@
+"""Tables of an assessment say what the histories say, of how many, and what is missing."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+from unit.assess.assessed import FRAME, frame, history, part
+
+from edesign.archive.dataset import Group
+from edesign.archive.writer import ArchiveWriter
+from edesign.assess.sets import history_sets
+from edesign.report.assessment_tables import assessment_tables, tables_of_histories
+from edesign.report.measure_tables import record_measures_table, statistics_tables
+from edesign.report.table import Table
+from edesign.report.text import plain
+
+STUDY = part(
+    "criteria:\n"
+    "  - {name: drift, measure: interstorey_drift, least: 0.7 %, most: 1.3 %, variants: damped, levels: DBE}\n"
+    "  - {name: columns, plastic_hinges: none, of: columns, levels: DBE}\n"
+    "objectives: [h]\n"
+)
+HISTORIES = {
+    "bare.DBE.one": history("bare", "DBE", 0.02, record="suite/one"),
+    "bare.DBE.two": history("bare", "DBE", 0.03, record="suite/two"),
+    "damped.DBE.one": history("damped", "DBE", 0.01, record="suite/one"),
+    "damped.DBE.two": history("damped", "DBE", status="failed", record="suite/two"),
+}
+
+
+def row(table: Table, name: str) -> list[str]:
+    return next(cells for cells in table.rows if cells[0] == name)
+
+
+def test_statistics_stand_beside_each_other_with_their_difference() -> None:
+    mean, maximum, *_ = statistics_tables(history_sets(HISTORIES))
+    assert list(mean.columns) == ["measure", "bare, DBE", "damped, DBE", "diff. [%]"]
+    assert row(mean, "interstorey drift [%]")[1:] == ["2.500", "1.000", "-60.0"]
+    assert row(maximum, "interstorey drift [%]")[1:] == ["3.000", "1.000", "-66.7"]
+    assert row(mean, "residual interstorey drift [%]")[1:] == ["0.2500", "0.1000", "-60.0"]
+    assert row(mean, "base shear, columns [kN]")[1:] == ["300.0", "300.0", "+0.0"]
+    assert not any(cells[0].startswith("damper") for cells in mean.rows)  # none has any
+    assert "Histories: bare, DBE: 2 of 2; damped, DBE: 1 of 2" in mean.notes
+    assert "damped, DBE: failed, in no statistic (1 of 2): damped.DBE.two" in mean.notes
+
+
+def test_measures_of_each_record_and_their_statistics() -> None:
+    bare, damped = (record_measures_table(found) for found in history_sets(HISTORIES))
+    at = list(bare.columns).index("storey drift [%]")
+    assert [cells[at] for cells in bare.rows[:2]] == ["2.000", "3.000"]
+    assert row(bare, "suite/one")[at] == "2.000" and row(bare, "median")[at] == "2.500"
+    assert row(bare, "dispersion (of ln)")[at] == "0.287"  # ln 1.5 / sqrt 2
+    assert [cells[0] for cells in damped.rows] == ["suite/one"]  # one record has no statistics
+    assert damped.notes == ["failed, in no statistic (1 of 2): damped.DBE.two"]
+
+
+def test_verdicts_performance_and_objectives() -> None:
+    *_, verdicts, performance, objectives = tables_of_histories(HISTORIES, frame(), STUDY.criteria, STUDY.objectives)
+    drift = row(verdicts, "drift")
+    assert drift[1:9] == [
+        "interstorey drift 0.7 to 1.3 %",
+        "damped",
+        "DBE",
+        "mean",
+        "1 %",
+        "1.3 %",
+        "not met",
+        "1 of 2",
+    ]
+    assert any(note.startswith("drift (damped, DBE): failed histories") and "two" in note for note in verdicts.notes)
+    assert [cells[7] for cells in verdicts.rows if cells[0] == "columns"] == ["not met", "not met"]
+    assert row(performance, "bare")[2:7] == ["LS", "0", "1", "1", "0"]  # mean 2.5 % of 2.5 %; one at 2, one at 3 %
+    assert row(performance, "damped")[-1] == "1 of 2"
+    by_drift = objectives.rows[0]
+    assert by_drift[:7] == ["h", "10 % in 50 years (DBE)", "Life Safety (LS)", "basic", "bare", "drift", "100 %"]
+    assert [cells[7] for cells in objectives.rows] == ["met", "not met", "met", "not met"]
+    assert all(len(line) > 0 for table in (verdicts, performance, objectives) for line in plain(table).splitlines())
+
+
+def test_an_archive_is_read_with_what_is_still_to_come(tmp_path: Path) -> None:
+    path = tmp_path / "study.h5"
+    names = [*HISTORIES, "damped.DBE.later", "modes"]
+    root = Group(attributes={"title": "Two storeys", "planned": names, "project_file": "project.yaml"})
+    root.add("project_text", (), np.asarray(FRAME), "", "project file")
+    with ArchiveWriter(path, root) as writer:
+        for order, (name, group) in enumerate(HISTORIES.items()):
+            group.attributes["order"] = order
+            writer.write(f"analyses/{name}", group)
+        writer.finish()
+    tables = assessment_tables(path, STUDY.criteria, STUDY.objectives)
+    mean = next(table for table in tables if table.title == "Mean response")
+    assert "damped, DBE: not run, in no statistic (1 of 3): damped.DBE.later" in mean.notes
+    assert row(mean, "interstorey drift [%]")[1:] == ["2.500", "1.000", "-60.0"]

@@ -1,0 +1,40 @@
+"""Words of captions and names of files."""
+
+from __future__ import annotations
+
+import pytest
+
+from edesign.report.captions import file_name, plain, record_label
+
+
+@pytest.mark.parametrize(
+    ("value", "text"),
+    [
+        (1098.4, "1098"),
+        (123.45, "123"),
+        (12.345, "12.3"),
+        (99.9999, "100"),
+        (0.0456, "0.0456"),
+        (-2.0, "-2.00"),
+        (0.0, "0"),
+        (1e-9, "0.0000"),
+    ],
+)
+def test_three_significant_digits(value: float, text: str) -> None:
+    assert plain(value) == text
+
+
+@pytest.mark.parametrize(
+    ("reference", "label"),
+    [
+        ("table_5_6/ImperialValley1979_H-EMO000", "Imperial Valley 1979 H-EMO000"),
+        ("table_5_6/Tabas1978_FER-L1", "Tabas 1978 FER-L1"),
+        ("el_centro", "el centro"),
+    ],
+)
+def test_records_in_words(reference: str, label: str) -> None:
+    assert record_label(reference) == label
+
+
+def test_file_names_have_no_strange_characters() -> None:
+    assert file_name("response", "", "MCE +", "suite/A b_1") == "response_MCE-_A-b_1"

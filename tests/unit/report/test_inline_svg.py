@@ -1,0 +1,83 @@
+"""Figures inside the page: no clashes of names, nothing of the page's own style, curves where they were."""
+
+from __future__ import annotations
+
+import re
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from edesign.report.figures import new_figure, styled, svg_text
+from edesign.report.page.inline_svg import TOLERANCE, inline_svg
+
+PIXELS_PER_POINT = 1.24  # as the style sheet shows figures; 34rem on a phone is less
+
+
+@styled
+def _drawing(values: np.ndarray, title: str) -> str:
+    figure, ((axes,),) = new_figure(1, 1, 5.0, 3.0)
+    axes.plot(np.arange(values.size), values, "-", gid="curve")
+    axes.plot([0.0, 1.0], [0.0, 1.0], "o")
+    axes.set_title(title)
+    return svg_text(figure, "x")
+
+
+def _points(path: str) -> np.ndarray:
+    """Vertices of a path of M and relative l steps, read on their own."""
+    at, found = np.zeros(2), []
+    for letter, rest in re.findall(r"([ML l])([^MLlz]*)", path):
+        x, y = (float(number) for number in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", rest))
+        at = np.array([x, y]) if letter in "ML" else at + (x, y)
+        found.append(at)
+    return np.array(found)
+
+
+def test_names_of_two_figures_do_not_clash() -> None:
+    texts = [inline_svg(_drawing(np.sin(np.arange(50)), "a"), name, "a")[0] for name in ("first", "second")]
+    ids = [re.findall(r' id="([^"]+)"', text) for text in texts]
+    assert not set(ids[0]) & set(ids[1])
+    for text, names in zip(texts, ids, strict=True):
+        assert len(names) == len(set(names))
+        targets = re.findall(r'url\(#([^)]+)\)|href="#([^"]+)"', text)
+        assert targets and {name for pair in targets for name in pair if name} <= set(names)
+
+
+def test_nothing_that_would_rule_the_page_or_ask_the_network() -> None:
+    text, width = inline_svg(_drawing(np.ones(9), "a"), "one", "Title", "More")
+    assert width == pytest.approx(360.0)
+    assert "<style" not in text and "<?xml" not in text and "<!DOCTYPE" not in text and "http" not in text
+    assert "<metadata" not in text
+
+
+def test_title_and_description_are_escaped_and_referred_to() -> None:
+    text, _ = inline_svg(_drawing(np.ones(9), "a < b & <script>"), "one", 'drift "<script>"', "what & why")
+    root = ElementTree.fromstring(text)
+    named = {element.get("id"): element.text for element in root.iter() if element.get("id")}
+    assert named[root.get("aria-labelledby")] == 'drift "<script>"'
+    assert named[root.get("aria-describedby")] == "what & why"
+    assert "<script" not in text
+
+
+def test_curves_lose_points_and_stay_within_half_a_pixel() -> None:
+    """Against the same figure with every vertex: matplotlib's own simplification is switched off for it."""
+    import matplotlib
+
+    t = np.arange(6000) / 100.0
+    values = np.exp(-0.03 * t) * np.sin(2.0 * np.pi * 1.3 * t) + 0.05 * np.sin(2.0 * np.pi * 11.0 * t)
+    with matplotlib.rc_context({"path.simplify": False}):
+        full = re.search(r'id="x-curve">\s*<path d="([^"]+)"', _drawing(values, ""))
+    thinned, _ = inline_svg(_drawing(values, ""), "one", "")
+    assert full is not None
+    numbers = re.findall(r"[ML] (\S+) (\S+)", full[1])
+    every = np.array(numbers, dtype=float)
+    assert len(every) == 6000
+    curve = max((_points(path) for path in re.findall(r' d="([^"]+)"', thinned) if "C" not in path), key=len)
+    assert len(curve) < 4000
+    distance = np.full(len(every), np.inf)
+    for start, end in zip(curve[:-1], curve[1:], strict=True):
+        along = end - start
+        share = np.clip((every - start) @ along / max(float(along @ along), 1e-12), 0.0, 1.0)
+        distance = np.minimum(distance, np.linalg.norm(every - start - share[:, None] * along, axis=1))
+    assert np.max(distance) * PIXELS_PER_POINT < 0.5
+    assert np.max(distance) > TOLERANCE / 10.0  # it was thinned out at all

@@ -1,0 +1,172 @@
+"""Back ends on this process: results, failures, stop, closing; arguments that travel come out as they went in."""
+
+from __future__ import annotations
+
+import dataclasses
+import pickle
+import sys
+import threading
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from cases import suite_project
+from unit.study import toy_works
+from unit.study.toy_works import Listener, check_mixed, mixed_works, run_all
+
+from edesign.building.project_file import load_project
+from edesign.errors import InputError
+from edesign.study.backends import Backend, Work, make_backend
+from edesign.study.backends.state import refusal
+from edesign.study.check import check_inputs
+from edesign.study.motions import project_motions
+from edesign.study.plan import make_plan
+
+PROJECTS = Path(__file__).parents[3] / "projects"
+
+
+@pytest.fixture(params=["serial", "threads of 1", "threads of 3"])
+def backend(request: pytest.FixtureRequest) -> Backend:
+    name, _, workers = request.param.partition(" of ")
+    return make_backend(name, int(workers or 1))
+
+
+def test_values_and_failures(backend: Backend) -> None:
+    with backend:
+        check_mixed(run_all(backend, mixed_works()))
+
+
+def test_one_thread_of_linear_algebra(backend: Backend) -> None:
+    """More would sum in another order, and results would depend on the machine."""
+    from threadpoolctl import threadpool_limits
+
+    with backend, threadpool_limits(limits=2, user_api="blas"):
+        assert set(run_all(backend, [Work("blas", toy_works.blas_threads)])["blas"].value or []) == {1}
+
+
+def test_the_serial_one_keeps_the_order_and_waits_to_be_asked() -> None:
+    backend, listener = make_backend("serial"), Listener()
+    results = backend.results(mixed_works(), listener, listener.started)
+    assert listener.begun == []
+    assert next(results).key == "numbers 0" and listener.begun == ["numbers 0"]
+    assert listener.told == [("numbers 0", 1, 2), ("numbers 0", 2, 2)]
+    assert [result.key for result in results] == [work.key for work in mixed_works()][1:]
+
+
+def test_results_come_as_they_are_ready(tmp_path: Path) -> None:
+    """The first work waits for a mark that is made when the result of the second is there."""
+    mark, listener = tmp_path / "mark", Listener()
+    works = [Work("slow", toy_works.after, (mark, 1)), Work("quick", toy_works.after, (tmp_path, 2))]
+    keys = []
+    for result in make_backend("threads", 2).results(works, listener, listener.started):
+        keys.append(result.key)
+        mark.touch()
+    assert keys == ["quick", "slow"]
+
+
+def test_a_stop_ends_what_runs_and_begins_nothing(backend: Backend, tmp_path: Path) -> None:
+    listener = Listener()
+
+    def started(key: str) -> None:
+        listener.started(key)
+        if len(listener.begun) == getattr(backend, "workers", 1):
+            listener.stop.set()
+
+    works = [Work(name, toy_works.until_stopped, (tmp_path, name)) for name in "abcdef"]
+    results = list(backend.results(works, listener, started))
+    running = list("abc")[: getattr(backend, "workers", 1)]
+    assert sorted(result.key for result in results) == running and all(result.interrupted for result in results)
+    assert listener.begun == running
+    assert list(backend.results(works, listener, started)) == []
+
+
+def test_closing_the_generator_waits_for_what_runs(tmp_path: Path) -> None:
+    listener, both = Listener(), threading.Event()
+
+    def started(key: str) -> None:
+        listener.started(key)
+        if {"a", "b"} <= set(listener.begun):
+            both.set()
+
+    works = [Work("first", toy_works.after, (tmp_path, 1))]
+    works += [Work(name, toy_works.until_stopped, (tmp_path, name)) for name in "abcdef"]
+    results = make_backend("threads", 2).results(works, listener, started)
+    assert next(results).value == 1
+    assert both.wait(toy_works.WAIT)
+    results.close()
+    for name in "ab":
+        assert not (tmp_path / f"{name}.began").exists() or (tmp_path / f"{name}.ended").exists()
+    assert set(listener.begun) == {"first", "a", "b"} and not listener.stopped()
+
+
+def test_an_error_of_the_listener_is_not_taken_for_one_of_the_work() -> None:
+    def started(key: str) -> None:
+        raise OSError("nobody listens")
+
+    for backend in (make_backend("serial"), make_backend("threads", 2)):
+        with pytest.raises(OSError, match="nobody listens"):
+            list(backend.results(mixed_works(), Listener(), started))
+
+
+def test_works_that_cannot_be_told_apart_are_refused(backend: Backend) -> None:
+    with pytest.raises(ValueError, match="same key"):
+        list(backend.results([Work("a", toy_works.fails, ("x",))] * 2, Listener(), print))
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (("thread",), "no back end 'thread'; did you mean"),
+        (("threads", 0), "0 workers: at least one"),
+        (("threads", 2, "tcp://here:1"), "'threads' has no scheduler"),
+    ],
+)
+def test_what_cannot_be_chosen(arguments: tuple[Any, ...], words: str) -> None:
+    with pytest.raises(InputError, match=words):
+        make_backend(*arguments)
+
+
+def test_dask_that_is_not_installed(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in [name for name in sys.modules if name.startswith("edesign.study.backends.dask")]:
+        monkeypatch.delitem(sys.modules, name)
+    monkeypatch.setitem(sys.modules, "distributed", None)
+    with pytest.raises(InputError, match=r"needs the package distributed: pip install 'edesign\[cluster\]'"):
+        make_backend("dask", 2)
+
+
+def test_a_worker_of_another_state_is_named_with_what_differs() -> None:
+    here = {"edesign": "a" * 64, "numpy": "2.1.0"}
+    assert refusal("tcp://w:1", here, dict(here)) == ""
+    message = refusal("tcp://w:1", here, {"edesign": "b" * 64, "numpy": "2.2.0"})
+    assert "worker tcp://w:1" in message and "numpy is 2.2.0 there, 2.1.0 here" in message
+    assert f"checksum {'b' * 12} there, {'a' * 12} here" in message
+    assert "edesign is missing there" in refusal("tcp://w:1", here, {"edesign": "missing", "numpy": "2.1.0"})
+
+
+@pytest.mark.parametrize("fitted", [False, True])
+def test_projects_and_motions_travel_unchanged(fitted: bool, tmp_path: Path) -> None:
+    """Other processes get pickles: values, the text, and the places in it that messages name."""
+    path = suite_project.write(tmp_path) if fitted else PROJECTS / "thesis_one_storey" / "project.yaml"
+    project = load_project(path)
+    copy = pickle.loads(pickle.dumps(project))
+    assert copy == project and (copy.path, copy.text, copy.checksum) == (project.path, project.text, project.checksum)
+    assert copy.where("analyses", 1, "name") == project.where("analyses", 1, "name") != str(project.path)
+    plan = make_plan(project)
+    assert [pickle.loads(pickle.dumps(task.spec)) for task in plan] == [task.spec for task in plan]
+    found = check_inputs(project, [task.spec for task in plan])
+    motions = project_motions(project, found, lambda: 0.5)
+    assert motions and all((motion.match is not None) == fitted for motion in motions.values())
+    for motion in motions.values():
+        _identical(motion, pickle.loads(pickle.dumps(motion)))
+
+
+def _identical(one: Any, other: Any) -> None:
+    assert type(one) is type(other)
+    if dataclasses.is_dataclass(one):
+        for item in dataclasses.fields(one):
+            _identical(getattr(one, item.name), getattr(other, item.name))
+    elif isinstance(one, np.ndarray):
+        assert one.dtype == other.dtype and one.tobytes() == other.tobytes()
+    else:
+        assert one == other

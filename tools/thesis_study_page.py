@@ -1,0 +1,110 @@
+"""Writes the tables of docs/thesis_study.md from the archive of the thesis study, so that no figure in it is typed.
+
+What stands between `<!-- begin NAME -->` and `<!-- end -->` is replaced: NAME is `archive` (what was run, and with
+which records) or the beginning of the title of a table of the reference file.
+
+Usage: python tools/thesis_study_page.py ARCHIVE [--reference FILE] [--page FILE]
+"""
+
+from __future__ import annotations
+
+import argparse
+import re
+import sys
+from collections import Counter
+from collections.abc import Sequence
+from pathlib import Path
+
+from edesign.archive.files import write_text
+from edesign.archive.reader import Archive, open_archive
+from edesign.errors import EdesignError, InputError
+from edesign.project.reference_loader import load_reference
+from edesign.report.compared import Comparison
+from edesign.report.comparison import compare
+from edesign.report.comparison_wide import wide_tables
+from edesign.report.summary import planned, record_entries
+from edesign.report.table import Table
+from edesign.study.plan import ANALYSES
+from edesign.study.record_results import RECORDS
+
+ROOT = Path(__file__).resolve().parents[1]
+BLOCK = re.compile(r"(<!-- begin (?P<name>.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
+
+
+def main() -> None:
+    """Replace the tables of the page."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("archive", type=Path)
+    parser.add_argument("--reference", type=Path, default=ROOT / "projects" / "thesis_10_storey" / "reference.yaml")
+    parser.add_argument("--page", type=Path, default=ROOT / "docs" / "thesis_study.md")
+    options = parser.parse_args()
+    try:
+        with open_archive(options.archive) as opened:
+            comparison = compare(opened, load_reference(options.reference))
+            blocks = {"archive": about(opened)} | tables(comparison)
+        write_text(replaced(options.page.read_text(encoding="utf-8"), blocks), options.page)
+    except EdesignError as error:
+        sys.exit(str(error))
+
+
+def replaced(page: str, blocks: dict[str, str]) -> str:
+    """Return a page with its blocks filled.
+
+    Raises:
+        InputError: a block has no counterpart.
+    """
+
+    def fill(match: re.Match[str]) -> str:
+        found = [text for title, text in blocks.items() if title.startswith(match["name"])]
+        if not found:
+            raise InputError(f"the page has a block `{match['name']}`, but there is only {', '.join(blocks)}")
+        return "\n\n".join([match[1].rstrip(), *found, match[3]])
+
+    return BLOCK.sub(fill, page)
+
+
+def about(archive: Archive) -> str:
+    """What was run: versions, histories by status, records by origin."""
+    versions = f"edesign {archive.attributes.get('edesign_version')}, core {archive.attributes.get('core_version')}"
+    status: Counter[str] = Counter()
+    have = archive.names(ANALYSES)
+    for name in planned(archive):
+        found = archive.group_attributes(f"{ANALYSES}/{name}") if name in have else {"kind": "", "status": "not run"}
+        if found.get("kind") in ("history", ""):
+            status[str(found["status"])] += 1
+    lines = [f"- {versions}", f"- histories: {', '.join(f'{count} {name}' for name, count in status.items())}"]
+    for entry in record_entries(archive, RECORDS):
+        origins = Counter(str(record.get("origin")) for record in entry.get("records", [entry]))
+        simulated = [
+            str(record.get("name")) for record in entry.get("records", []) if record.get("origin") == "stand-in"
+        ]
+        lines.append(f"- {entry.get('name')}: {', '.join(f'{count} from {name}' for name, count in origins.items())}")
+        if simulated:
+            lines.append(f"- simulated in place of recordings: {', '.join(simulated)}")
+    return "\n".join(lines)
+
+
+def tables(comparison: Comparison) -> dict[str, str]:
+    """Tables in Markdown by their titles; a part without a title belongs to the table before it."""
+    blocks: dict[str, str] = {}
+    last = ""
+    for table in wide_tables(comparison):
+        last = table.title or last
+        blocks[last] = "\n\n".join(part for part in (blocks.get(last, ""), markdown(table)) if part)
+    return blocks
+
+
+def markdown(table: Table) -> str:
+    """A table in Markdown, its notes below."""
+    lines = [f"**{table.title}**", ""] if table.title else []
+    lines += [_row(table.columns), _row(["---"] * table.left + ["--:"] * (len(table.columns) - table.left))]
+    lines += [_row(row) for row in table.rows]
+    return "\n".join([*lines, "", *(f"{note}  " for note in table.notes)]).rstrip()
+
+
+def _row(cells: Sequence[str]) -> str:
+    return f"| {' | '.join(cells)} |"
+
+
+if __name__ == "__main__":
+    main()
