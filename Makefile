@@ -5,7 +5,9 @@
 
 # The environment; only a directory that was made here is ever removed.
 VENV    := .venv
-PROJECT ?= projects/thesis_10_storey/project.yaml
+PROJECT ?= projects/thesis_10_storey/study.yaml
+# Folders with your recordings of suites, e.g. make study FOLDERS=../peer
+FOLDERS ?=
 # Arguments for pytest, e.g. make pytest ARGS="-k newmark"
 ARGS    ?=
 WORKERS ?= 2
@@ -21,12 +23,17 @@ CORE_SOURCES := $(wildcard core_c/src/*/*.c core_c/src/*/*.h core_c/include/*.h)
 # An environment whose Python has gone, or that was copied here from another directory, is made anew.
 VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PWD" ] && echo yes)
 
-.PHONY: help run setup test test-setup lint types layers ctest pytest format bench memcheck clean distclean
+THESIS := projects/thesis_10_storey
+RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
+
+.PHONY: help run study causes setup test test-setup lint types layers ctest pytest format bench memcheck clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
 help:
-	@echo "make run       set up, analyse $(PROJECT), print the summary"
+	@echo "make run       set up, run $(PROJECT), print the summary"
+	@echo "make study     the thesis study: run it, compare it with the printed tables, write the report (study.html)"
+	@echo "make causes    what the damped frame's response depends on: ten variants beside Table 5.8"
 	@echo "make test      set up, then lint, types, import layers, C tests with sanitizers, Python tests"
 	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio; cost of dampers"
 	@echo "make memcheck  C tests under valgrind"
@@ -34,7 +41,7 @@ help:
 	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
 	@echo "make format    lay out and sort the Python sources (ruff)"
 	@echo "make clean     remove builds and caches;  make distclean: the environment too"
-	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
+	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml FOLDERS=recordings WORKERS=n PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
 
 # ---- set-up ----
 
@@ -86,7 +93,16 @@ test-setup: $(STAMPS)/peers
 # ---- jobs ----
 
 run: setup
-	@$(BIN)/edesign run $(PROJECT)
+	@$(RUN) $(PROJECT)
+
+study: setup
+	@$(RUN) $(THESIS)/study.yaml
+	@$(BIN)/edesign compare $(THESIS)/study.h5 $(THESIS)/reference.yaml --bars
+	@$(BIN)/edesign report $(THESIS)/study.h5
+
+causes: setup
+	@$(RUN) $(THESIS)/causes.yaml
+	@$(BIN)/edesign compare $(THESIS)/causes.h5 $(THESIS)/reference.yaml --variants damped
 
 bench: test-setup
 	@$(PY) -m benchmarks.run
@@ -94,6 +110,8 @@ bench: test-setup
 	@$(PY) -m benchmarks.matching
 	@$(PY) -m benchmarks.damper_laws
 	@$(PY) -m benchmarks.damped_frame
+	@$(PY) -m benchmarks.damper_designs
+	@$(PY) -m benchmarks.incremental
 
 test: test-setup lint types layers ctest pytest
 

@@ -3,7 +3,9 @@
 What stands between `<!-- begin NAME -->` and `<!-- end -->` is replaced: NAME is `archive` (what was run, and with
 which records) or the beginning of the title of a table of the reference file.
 
-Usage: python tools/thesis_study_page.py ARCHIVE [--reference FILE] [--page FILE]
+With `--causes` the blocks `causes` are filled from the archive of `causes.yaml`: every variant beside Table 5.8.
+
+Usage: python tools/thesis_study_page.py ARCHIVE [--causes ARCHIVE] [--reference FILE] [--page FILE]
 """
 
 from __future__ import annotations
@@ -21,6 +23,7 @@ from edesign.errors import EdesignError, InputError
 from edesign.project.reference_loader import load_reference
 from edesign.report.compared import Comparison
 from edesign.report.comparison import compare
+from edesign.report.comparison_variants import variant_tables
 from edesign.report.comparison_wide import wide_tables
 from edesign.report.summary import planned, record_entries
 from edesign.report.table import Table
@@ -35,13 +38,19 @@ def main() -> None:
     """Replace the tables of the page."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("archive", type=Path)
+    parser.add_argument("--causes", type=Path)
     parser.add_argument("--reference", type=Path, default=ROOT / "projects" / "thesis_10_storey" / "reference.yaml")
     parser.add_argument("--page", type=Path, default=ROOT / "docs" / "thesis_study.md")
     options = parser.parse_args()
     try:
+        reference = load_reference(options.reference)
         with open_archive(options.archive) as opened:
-            comparison = compare(opened, load_reference(options.reference))
+            comparison = compare(opened, reference)
             blocks = {"archive": about(opened)} | tables(comparison)
+        if options.causes is not None:
+            with open_archive(options.causes) as opened:
+                made = variant_tables(opened, reference, "damped")
+                blocks |= {f"causes, {table.title}": markdown(table) for table in made}
         write_text(replaced(options.page.read_text(encoding="utf-8"), blocks), options.page)
     except EdesignError as error:
         sys.exit(str(error))
@@ -56,6 +65,8 @@ def replaced(page: str, blocks: dict[str, str]) -> str:
 
     def fill(match: re.Match[str]) -> str:
         found = [text for title, text in blocks.items() if title.startswith(match["name"])]
+        if not found and match["name"].startswith("causes"):
+            return match[0]
         if not found:
             raise InputError(f"the page has a block `{match['name']}`, but there is only {', '.join(blocks)}")
         return "\n\n".join([match[1].rstrip(), *found, match[3]])

@@ -80,6 +80,7 @@ def _read(name: str, dataset: h5py.Dataset) -> Variable:
         values = np.asarray(dataset[()])
     if dataset.attrs.get("dtype") == BOOLEAN_MARK:
         values = values.astype(bool)
-    dims = (name,) if dataset.is_scale else tuple(str(axis[0].name).rsplit("/", 1)[-1] for axis in dataset.dims)
+    # the name that the scale was given: looking up the path of the scale itself searches the file
+    dims = (name,) if dataset.is_scale else tuple(h5py.h5ds.get_scale_name(axis[0].id).decode() for axis in dataset.dims)
     unit = decode(dataset.attrs.get("units", ""))
     return Variable(dims, values, str(unit), str(decode(dataset.attrs.get("long_name", name))))

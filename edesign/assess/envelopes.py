@@ -38,3 +38,18 @@ def residual(group: Group, quantity: str) -> np.ndarray | None:
     """
     variable = group.variables.get(f"residual_{quantity}")
     return None if variable is None else np.abs(np.asarray(variable.values, dtype=float))
+
+
+def final(group: Group, quantity: str) -> np.ndarray | None:
+    """Return the absolute value at the end of each component, None unless the analysis is a completed history.
+
+    They are stored as `<quantity>_final`.
+
+    Args:
+        group: results of one analysis.
+        quantity: "floor_displacement" or "storey_drift".
+    """
+    variable = group.variables.get(f"{quantity}_final")
+    if variable is None or residual(group, "storey_drift") is None:
+        return None
+    return np.abs(np.asarray(variable.values, dtype=float))

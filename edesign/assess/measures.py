@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.envelopes import peak, residual
+from edesign.assess.envelopes import final, peak, residual
 from edesign.project.measures import MEASURE_KINDS
 
 MEASURES = tuple(MEASURE_KINDS)
@@ -45,12 +45,15 @@ class _Source:
 _SOURCES = {
     "roof_displacement_m": _Source("floor_displacement", at="roof"),
     "residual_roof_displacement_m": _Source("roof_displacement", residual),
+    "final_roof_displacement_m": _Source("floor_displacement", final, "roof"),
     "roof_drift": _Source("floor_displacement", at="roof"),
     "interstorey_drift": _Source("storey_drift"),
     "residual_interstorey_drift": _Source("storey_drift", residual),
+    "final_interstorey_drift": _Source("storey_drift", final),
     "base_shear_N": _Source("base_shear"),
     "column_base_shear_N": _Source("storey_shear", at="first storey"),
     "roof_acceleration_m_s2": _Source("floor_acceleration", at="roof"),
+    "relative_roof_acceleration_m_s2": _Source("floor_relative_acceleration", at="roof"),
     "beam_plastic_rotation_rad": _Source("beam_plastic_rotation"),
     "column_plastic_rotation_rad": _Source("column_plastic_rotation"),
     "column_axial_force_N": _Source("column_axial_force"),
@@ -62,6 +65,7 @@ _SOURCES = {
 _DIMENSIONS = {  # of the components of a measure that may be selected by storey or by name
     "interstorey_drift": "storey",
     "residual_interstorey_drift": "storey",
+    "final_interstorey_drift": "storey",
     "beam_plastic_rotation_rad": "beam",
     "column_plastic_rotation_rad": "column",
     "column_axial_force_N": "column",
@@ -75,8 +79,9 @@ def response_measures(group: Group) -> dict[str, float | None]:
     """Compute the response measures of an analysis from its envelopes.
 
     All are absolute values, the largest over time and over floors, storeys, members and member ends. Displacements are
-    relative to the ground, the acceleration is total. Residual values are means over the last fundamental period of a
-    history, so that what is left of the free vibration does not count. Rotations are plastic rotations of member ends;
+    relative to the ground, the acceleration is total where its name does not say otherwise. Residual values are means
+    over the last fundamental period of a history, so that what is left of the free vibration does not count; final
+    values are those of the last moment. Rotations are plastic rotations of member ends;
     the axial force is of columns, gravity included; the strain of dampers is the shear of their layers. The base shear
     is that of the reactions, with what dampers bring into the supports; the one of columns is the shear of the columns
     and braces of storey 1.
@@ -86,7 +91,7 @@ def response_measures(group: Group) -> dict[str, float | None]:
 
     Returns:
         One value in SI for each name of MEASURES; None where it does not apply: everything of a modal analysis, the
-        acceleration of a static one, residual values of anything but a completed history.
+        acceleration of a static one, residual and final values of anything but a completed history.
     """
     found = {measure: located_measure(group, measure) for measure in MEASURES}
     return {measure: None if place is None else place.value for measure, place in found.items()}

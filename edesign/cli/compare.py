@@ -17,6 +17,12 @@ def compare(
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write a line for each value.")] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
     bars: Annotated[bool, typer.Option("--bars", help="Show the bar of each value, and whether it holds.")] = False,
+    variants: Annotated[
+        str | None,
+        typer.Option(
+            "--variants", metavar="NAME", help="Put every variant of the archive beside this one of the reference."
+        ),
+    ] = None,
     check: Annotated[
         bool, typer.Option("--check", help="Exit code 3 if a value is not within its bar, or missing where one is set.")
     ] = False,
@@ -28,10 +34,14 @@ def compare(
     from edesign.report.comparison import compare as compare_archive
     from edesign.report.comparison_files import comparison_data, write_comparison
     from edesign.report.comparison_tables import block_tables
+    from edesign.report.comparison_variants import variant_tables
     from edesign.report.text import print_tables
 
     loaded = load_reference(reference)
     with open_archive(archive) as opened:
+        if variants is not None:
+            print_tables(variant_tables(opened, loaded, variants))
+            return
         comparison = compare_archive(opened, loaded)
     if as_json:
         typer.echo(json.dumps(comparison_data(comparison), indent=2, allow_nan=False, ensure_ascii=False))

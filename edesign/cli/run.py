@@ -59,7 +59,15 @@ def run(
         print_tables(overview(summary.archive))
         typer.echo(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
     if summary.failed:
-        reasons = "".join(f"\n  {outcome.name}: {outcome.reason}" for outcome in summary.failed)
+        alike: dict[str, list[str]] = {}
+        for outcome in summary.failed:
+            alike.setdefault(outcome.reason, []).append(outcome.name)
+        reasons = "".join(f"\n  {_shortened(names)}: {reason}" for reason, names in alike.items())
         raise AnalysisError(
             f"{len(summary.failed)} of {len(summary.outcomes)} analyses failed; all are in {summary.archive}{reasons}"
         )
+
+
+def _shortened(names: list[str], most: int = 4) -> str:
+    more = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + more

@@ -14,6 +14,7 @@ from edesign.project.reference import Cell, Reference, ResponseRow, ResponseTabl
 PROFILES = {
     "interstorey_drift": "storey_drift",
     "residual_interstorey_drift": "residual_storey_drift",
+    "final_interstorey_drift": "final_storey_drift",
     "roof_acceleration": "floor_acceleration",
 }
 """Measures that have a profile over the height, and its name (edesign.assess.profile)."""

@@ -38,6 +38,8 @@ def check_study(study: Study, problems: Problems) -> None:
 
 
 def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> None:
+    if keys[-1] == ALL:
+        problems.at_key(keys, f"`{ALL}` stands for all variants; choose another name")
     if (variant.dampers is None) == (variant.design is None):
         problems.at_key(keys, "give either `dampers` (`none` or `project`) or a `design`, one of them")
         return
@@ -60,12 +62,18 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
         name = reference.partition("/")[0]
         if name not in base.records:
             problems.at_value(_item(problems, (*keys, "records"), i), unknown_name("record", name, base.records))
+        elif reference in histories.records[:i]:
+            problems.at_value(_item(problems, (*keys, "records"), i), f"`{reference}` comes twice")
         elif base.records[name].match is not None:
             fitted.append(name)
+        elif histories.levels is not None and len(histories.levels) > 1:
+            message = f"`{name}` is not fitted to the spectrum of the hazard; its histories would be the same at each"
+            problems.at_value((*keys, "levels"), f"{message}; give one level, or `match` to the record")
     if histories.levels is not None:
         _names(problems, (*keys, "levels"), "level", histories.levels, levels)
     elif fitted:
-        message = f"this key is missing; {listed(fitted)} is fitted to the spectrum of the hazard and scaled to a level"
+        names = listed(dict.fromkeys(fitted))
+        message = f"this key is missing; {names} is fitted to the spectrum of the hazard and scaled to a level"
         problems.under(keys, "levels", f"{message}: {listed(levels)}")
     if histories.temperatures is not None:
         for name in study.variants_of(histories):
@@ -76,6 +84,16 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
 
 def _verify(study: Study, problems: Problems, keys: Keys, verify: Verify) -> None:
     _names(problems, (*keys, "criteria"), "criterion", verify.criteria, [c.name for c in study.criteria])
+    if verify.levels is None:
+        levels = study.base.hazard.levels if study.base.hazard is not None else {}
+        message = "this key is missing; criteria judge histories at levels of the hazard"
+        problems.under(keys, "levels", f"{message}: {listed(levels)}")
+        return
+    for i, name in enumerate(verify.criteria):
+        asked = next((c.levels for c in study.criteria if c.name == name), ())
+        if asked and not set(asked) & set(verify.levels):
+            message = f"`{name}` is of {listed(asked)}, and the histories here are at {listed(verify.levels)}"
+            problems.at_value(_item(problems, (*keys, "criteria"), i), message)
 
 
 def _outputs(study: Study, problems: Problems) -> None:

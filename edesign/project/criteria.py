@@ -34,9 +34,9 @@ def _some_names(value: Any) -> Any:
 
 
 def _measure(value: Any) -> Any:
-    if value in MEASURE_KINDS:
+    if isinstance(value, str) and value in MEASURE_KINDS:
         return value
-    if value in SHORT_NAMES:
+    if isinstance(value, str) and value in SHORT_NAMES:
         return SHORT_NAMES[value]
     raise refuse(unknown_name("measure", str(value), SHORT_NAMES))
 

@@ -56,9 +56,12 @@ def parse_project(
         check_dampers(project, problems)
         check_hazard(project, problems)
         check_outputs(project, problems)
-    elif problems.root.child("edesign_suite") and not problems.root.child("edesign"):
-        problems.found = []
-        problems.at_key(("edesign_suite",), f"this is a suite file; a {_WHAT} begins with `edesign: 1`")
+    else:
+        for other in ("suite", "study"):
+            if problems.root.child(f"edesign_{other}") and not problems.root.child("edesign"):
+                problems.found = []
+                message = f"this is a {other} file; a {_WHAT} begins with `edesign: 1`"
+                problems.at_key((f"edesign_{other}",), message)
     if project is None or problems.found:
         raise ProjectError(path, problems.found)
     return project

@@ -139,7 +139,8 @@ def _numbers(variants: Sequence[AxialForces]) -> str:
         worst = min(one.smallest, key=lambda place: float(np.mean(one.smallest[place])))
         force, most = float(np.mean(one.smallest[worst])), float(np.min(one.smallest[worst]))
         where = f"line {worst[0]}, storey {worst[1]}"
-        text = f"largest compression {plain(-1e-3 * force)} kN ({where}), mean of {one.smallest[worst].size} records"
-        text += f", in one record {plain(-1e-3 * most)} kN" if one.smallest[worst].size > 1 else ""
+        count = one.smallest[worst].size
+        text = f"largest compression {plain(-1e-3 * force)} kN ({where})"
+        text += f", mean of {count} records, in one record {plain(-1e-3 * most)} kN" if count > 1 else ""
         texts.append(f"{one.label}: {text}" if one.label else text)
     return f"{'; '.join(texts)}."

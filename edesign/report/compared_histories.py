@@ -10,6 +10,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.envelopes import final
 from edesign.assess.measures import located_measure
 from edesign.assess.profile import storey_profile
 from edesign.project.checks_reference import PROFILES
@@ -98,4 +99,7 @@ def _values(group: Group, measures: Collection[Wanted]) -> dict[Wanted, float | 
 
 def _profiles(group: Group) -> dict[str, np.ndarray]:
     profiles = storey_profile(group)
+    at_the_end = final(group, "storey_drift")
+    if at_the_end is not None:
+        profiles["final_storey_drift"] = at_the_end
     return {measure: profiles[name] for measure, name in PROFILES.items() if name in profiles}

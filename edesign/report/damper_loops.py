@@ -11,7 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name, plain
-from edesign.report.figures import AFTER, MEAN, TARGET, VARIANTS, grid_figure, label_outer, styled
+from edesign.report.figures import MEAN, TARGET, VARIANTS, grid_figure, label_outer, styled
 from edesign.report.histories import History, histories, names_of, variant_colors, with_results
 
 if TYPE_CHECKING:

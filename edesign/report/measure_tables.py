@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
 
 from edesign.assess.measures import response_measures
 from edesign.assess.sets import HistorySet, measure_statistics
@@ -42,22 +43,29 @@ def record_measures_table(found: HistorySet) -> Table:
 def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
     """Return a table for each statistic: rows are measures, columns variants at levels.
 
-    At each level the difference of every further variant from the first one follows it, in per cent.
+    At each level the difference of every further variant from the first one follows it, in per cent: over the records
+    that both have completed; left out where there is none.
 
     Source: form of thesis Tables 5.8 (mean) and 5.9 (maximum).
     """
     levels = list(dict.fromkeys(found.level for found in sets))
     ordered = [found for level in levels for found in sets if found.level == level and found.completed]
     over = [measure_statistics(found) for found in ordered]
-    values = {measure: [each[measure] for each in over] for _, measure, _ in MEASURE_ROWS}
-    shown = [row for row in MEASURE_ROWS if any(item.count for item in values[row[1]])]
+    pairs = [_pair(ordered[_first(ordered, at)], found) for at, found in enumerate(ordered)]
+    shown = [row for row in MEASURE_ROWS if any(each[row[1]].count for each in over)]
     tables = []
     for statistic, of in STATISTICS.items() if ordered else ():
-        table = Table(f"{STATISTIC_TITLES[statistic]} response", ("measure", *_headers(ordered)))
+        table = Table(f"{STATISTIC_TITLES[statistic]} response", ("measure", *_headers(ordered, pairs)))
         for name, measure, unit in shown:
-            table.rows.append([name, *_cells(ordered, values[measure], of, unit)])
+            cells = []
+            for each, pair in zip(over, pairs, strict=True):
+                cells.append(number(of(each[measure]), scale=unit, negligible=ROUNDING))
+                if pair is not None:
+                    cells.append(_difference(of(pair.base[measure]), of(pair.own[measure])))
+            table.rows.append([name, *cells])
         counts = "; ".join(f"{label(found)}: {len(found.completed)} of {len(found.histories)}" for found in ordered)
         table.notes.append(f"Histories: {counts}")
+        table.notes += [pair.note for pair in pairs if pair is not None and pair.note]
         table.notes += missing_notes(sets)
         tables.append(table)
     return tables
@@ -76,27 +84,49 @@ def missing_notes(sets: Sequence[HistorySet], labelled: bool = True) -> list[str
     return notes
 
 
-def _headers(ordered: Sequence[HistorySet]) -> list[str]:
+@dataclass(frozen=True)
+class _Pair:
+    """Statistics of the first variant and of another one over the records that both have."""
+
+    base: Mapping[str, Statistics]
+    own: Mapping[str, Statistics]
+    note: str
+
+
+def _pair(first: HistorySet, found: HistorySet) -> _Pair | None:
+    """What a difference is taken of; None: the first itself, or no record in common."""
+    if found is first:
+        return None
+    records, others = _records(found), _records(first)
+    common = set(records.values()) & set(others.values())
+    if not common:
+        return None
+    note = ""
+    if set(records.values()) != common or set(others.values()) != common:
+        count = "1 record" if len(common) == 1 else f"{len(common)} records"
+        note = f"diff. of {label(found)}: over the {count} that {label(first)} has too"
+    return _Pair(measure_statistics(_of(first, others, common)), measure_statistics(_of(found, records, common)), note)
+
+
+def _records(found: HistorySet) -> dict[str, str]:
+    """The record of each completed history."""
+    return {name: str(group.attributes.get("record") or name) for name, group in found.completed.items()}
+
+
+def _of(found: HistorySet, records: Mapping[str, str], common: Collection[str]) -> HistorySet:
+    histories = {name: found.histories[name] for name, record in records.items() if record in common}
+    return HistorySet(found.variant, found.level, histories)
+
+
+def _headers(ordered: Sequence[HistorySet], pairs: Sequence[_Pair | None]) -> list[str]:
     headers = []
-    for at, found in enumerate(ordered):
-        headers.append(label(found))
-        if _first(ordered, at) != at:
-            headers.append("diff. [%]")
+    for found, pair in zip(ordered, pairs, strict=True):
+        headers += [label(found)] if pair is None else [label(found), "diff. [%]"]
     return headers
 
 
-def _cells(
-    ordered: Sequence[HistorySet], values: Sequence[Statistics], of: Callable[[Statistics], float | None], unit: float
-) -> list[str]:
-    cells = []
-    for at in range(len(ordered)):
-        value = of(values[at])
-        cells.append(number(value, scale=unit, negligible=ROUNDING))
-        first = _first(ordered, at)
-        if first != at:
-            base = of(values[first])
-            cells.append(f"{100.0 * (value / base - 1.0):+.1f}" if value is not None and base else "-")
-    return cells
+def _difference(base: float | None, value: float | None) -> str:
+    return f"{100.0 * (value / base - 1.0):+.1f}" if value is not None and base else "-"
 
 
 def _first(ordered: Sequence[HistorySet], at: int) -> int:

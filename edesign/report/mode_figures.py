@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.report.captions import plain
-from edesign.report.figures import MEAN, new_figure, styled
+from edesign.report.figures import MEAN, VARIANTS, new_figure, styled
 from edesign.report.histories import variant_colors
 from edesign.study.plan import ANALYSES
 

@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name, plain
-from edesign.report.figures import MEAN, VARIANTS, new_figure, styled
+from edesign.report.figures import MEAN, new_figure, styled
 from edesign.report.histories import by_motion, histories, names_of, variant_colors, with_results
 
 if TYPE_CHECKING:

@@ -24,6 +24,7 @@ from edesign.project.records import SuiteRecords
 from edesign.project.study import Study
 from edesign.study.advice import advice
 from edesign.study.dampers import law_warnings
+from edesign.study.design.design import check_sizing
 from edesign.study.history import check_motion
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import check_fits
@@ -31,6 +32,7 @@ from edesign.study.plan import Task, make_plan
 from edesign.study.requested import requested_quantities
 from edesign.study.structure import make_frame, make_structure
 from edesign.study.study_plan import make_study_plan, recordings
+from edesign.study.variants import variant_warnings
 
 ORIGINS = {"file": "from files", "package": "from packages", "stand-in": "simulated"}
 
@@ -76,9 +78,13 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
     Args:
         study: from `load_study`.
         plan: of the study.
+
+    Raises:
+        InputError: also if no damper reaches the target of a design, or a law has no parameters at a temperature.
     """
     references = [task.record for task in plan if task.record is not None]
-    verified = [item for name in study.designs for item in verification_records(study, name)]
+    designs = wanted_designs(study, plan)
+    verified = [item for name in designs for item in verification_records(study, name)]
     histories = [
         HistoryAnalysis(kind="history", name="verification", record=reference)
         for reference in dict.fromkeys(verified)
@@ -87,7 +93,20 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
     details = study.outputs.details
     members = details.members if details is not None else ()
     base = study.base.model_copy(update={"outputs": Outputs(histories=(), members=members)})
-    return check_inputs(base, [*(task.spec for task in plan), *histories])
+    found = check_inputs(base, [*(task.spec for task in plan), *histories])
+    for name in designs:
+        try:
+            check_sizing(study.base, name, study.designs[name], study.folder)
+        except InputError as error:
+            raise InputError(f"{study.where('designs', name)}: {error}") from error
+    variant_warnings(study, plan)
+    return found
+
+
+def wanted_designs(study: Study, plan: Sequence[Task]) -> tuple[str, ...]:
+    """Names of the designs that the variants of a plan have, in the order of the file."""
+    wanted = {study.variants[task.variant].design for task in plan}
+    return tuple(name for name in study.designs if name in wanted)
 
 
 def verification_records(study: Study, name: str) -> tuple[str, ...]:
@@ -171,6 +190,7 @@ def check_study(study: Study) -> dict[str, str]:
     entries = Counter(task.entry for task in plan)
     notes = advice(study.base, period, [item.record for item in found.values()])
     notes += [f"design {name}: {text}" for name, spec in study.designs.items() for text in design_warnings(spec)]
+    notes += variant_warnings(study, plan)
     notes += [f"record {name}: {doubt}" for name, item in found.items() for doubt in doubts(item.record)]
     return {
         "title": study.title,

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict, judge
 from edesign.errors import AnalysisError
+from edesign.ground_motion.matching.one_thread import one_thread
 from edesign.project.analyses import Analysis, HistoryAnalysis
 from edesign.project.dampers import Dampers
 from edesign.project.designs import Verify
@@ -14,10 +15,10 @@ from edesign.project.outputs import Outputs
 from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.study.backends.work import Work
-from edesign.study.check import verification_records
+from edesign.study.check import verification_records, wanted_designs
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.execution import Execution, Prepared, analyse
-from edesign.study.plan import Task
+from edesign.study.plan import Task, labels
 from edesign.study.variants import variant_project
 
 DESIGNS = "designs"  # their group in the archive
@@ -25,7 +26,7 @@ DESIGNS = "designs"  # their group in the archive
 
 def study_designs(study: Study, run: Execution) -> Prepared:
     """Make the designs that the plan needs; return what gives each task its frame."""
-    wanted = {study.variants[task.variant].design for task in run.job.tasks} - {None}
+    wanted = wanted_designs(study, run.job.tasks)
     made: dict[str, DesignResult] = {}
     for order, name in enumerate(study.designs):
         if name in wanted and not run.stopped():
@@ -58,10 +59,10 @@ def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult
     """Make a design, going on from what an interrupted run left of it; every round is archived when it is known."""
     place, spec = f"{DESIGNS}/{name}", study.designs[name]
     verify = spec.verify
-    labels = {"order": order, "name": name}
+    about = {"order": order, "name": name}
 
     def keep(group: Group) -> None:
-        run.archive(place, Group(group.coords, group.variables, {**group.attributes, **labels}))
+        run.archive(place, Group(group.coords, group.variables, {**group.attributes, **about}))
 
     def respond(dampers: Dampers, number: int) -> Mapping[str, Group]:
         assert verify is not None
@@ -73,17 +74,18 @@ def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult
         asked = [c.model_copy(update={"variants": ()}) for c in study.criteria if c.name in verify.criteria]
         return judge(asked, (), histories, study.base)
 
-    result = run_design(
-        study.base,
-        name,
-        spec,
-        study.folder,
-        respond if verify is not None else None,
-        verdicts if verify is not None else None,
-        run.writer.read(place) if run.writer.has(place) else None,
-        lambda message: run.note(f"design {name}: {message}"),
-        keep,
-    )
+    with one_thread():
+        result = run_design(
+            study.base,
+            name,
+            spec,
+            study.folder,
+            respond if verify is not None else None,
+            verdicts if verify is not None else None,
+            run.writer.read(place) if run.writer.has(place) else None,
+            lambda message: run.note(f"design {name}: {message}"),
+            keep,
+        )
     keep(result.group)
     if result.status != "completed":
         run.note(f"design {name} failed: {result.reason}")
@@ -95,22 +97,25 @@ def _respond(
 ) -> dict[str, Group]:
     """The histories that a round of a design is judged by; they are not archived."""
     project = study.base.model_copy(update={"dampers": dampers, "outputs": Outputs(histories=())})
-    works = []
+    works, specs = [], {}
     for level in verify.levels or ("",):
         for reference in verification_records(study, name):
             spec = HistoryAnalysis.model_construct(
                 kind="history",
-                name=f"{name}.{number}.{level}.{reference.rpartition('/')[2]}",
+                name=".".join([name, str(number), *([level] if level else []), reference]),
                 variant=name,
                 record=reference,
                 level=level,
                 free_vibration=verify.free_vibration,
             )
+            specs[spec.name] = spec
             works.append(Work(spec.name, analyse, (project, spec, run.motions[reference])))
     found: dict[str, Group] = {}
     for result in run.results(works):
         failed = Group(attributes={"status": "failed", "reason": result.reason})
-        found[result.key] = result.value if isinstance(result.value, Group) else failed
+        group = result.value if isinstance(result.value, Group) else failed
+        group.attributes |= labels(specs[result.key])
+        found[result.key] = group
     if run.stopped():
         raise KeyboardInterrupt
     return {work.key: found[work.key] for work in works}

@@ -13,7 +13,7 @@ from typing import Literal
 
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter, partial_path
-from edesign.errors import ArchiveError, EdesignError, Interrupted
+from edesign.errors import EdesignError, Interrupted
 from edesign.ground_motion.sources import Found
 from edesign.project.analyses import Analysis
 from edesign.project.project import Project
@@ -116,10 +116,12 @@ class Execution:
     outcomes: dict[str, Outcome] = field(default_factory=dict)
     notes: list[str] = field(default_factory=list)
     critical: bool = False
+    resumable: tuple[str, ...] = ()
     _lock: threading.RLock = field(default_factory=threading.RLock)
 
     def __post_init__(self) -> None:
         self._places = {task.name: place for place, task in enumerate(self.job.tasks, start=1)}
+        self.resumable = tuple(place for place in self.job.resumable if place in self.writer.kept)
 
     def tell(self, report: Progress) -> None:
         """Hand a report to the listener, one at a time."""
@@ -172,6 +174,8 @@ class Execution:
         """Write a group, which a second Ctrl-C does not interrupt."""
         with self.uninterrupted():
             self.writer.write(path, group)
+        if path in self.job.resumable:
+            self.resumable = tuple(dict.fromkeys((*self.resumable, path)))
 
     @contextmanager
     def uninterrupted(self) -> Iterator[None]:
@@ -201,6 +205,7 @@ def execute(
 
     Raises:
         ArchiveError: the archive cannot be written; what was archived before stays in the partial file.
+        EdesignError: of the back end or of a design; likewise.
         Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
     """
     started = time.monotonic()
@@ -215,8 +220,9 @@ def execute(
         if writer.note:
             run.note(writer.note)
         kept = [place for place in writer.kept if place in tasks]
-        if kept:
-            run.note(f"continuing an interrupted run: {len(kept)} of {len(tasks)} analyses are reused")
+        if kept or run.resumable:
+            found = "".join(f", with {place}" for place in run.resumable)
+            run.note(f"continuing an interrupted run: {len(kept)} of {len(tasks)} analyses are reused{found}")
         for note in job.notes:
             run.note(note)
         for place in kept:
@@ -227,9 +233,8 @@ def execute(
             except KeyboardInterrupt:
                 run.stop.set()
             except EdesignError as error:
-                _keep(run)
-                if isinstance(error, ArchiveError) and run.outcomes:
-                    raise ArchiveError(f"{error}; {_kept(run, path)}") from error
+                if _keep(run):
+                    error.args = (f"{error}; {_kept(run, path)}",)
                 raise
             if run.stopped() and len(run.outcomes) < len(tasks):
                 _keep(run)
@@ -257,6 +262,8 @@ def _carry_out(run: Execution) -> None:
     if run.stopped():
         return
     prepared = run.job.prepare(run)
+    if run.stopped():
+        return
     works = []
     for task in [task for task in run.job.tasks if task.name not in run.outcomes]:
         try:
@@ -305,14 +312,16 @@ def _archive(run: Execution, task: Task, result: Result) -> None:
     run.ended(Outcome(task.name, status, reason, seconds=result.seconds))
 
 
-def _keep(run: Execution) -> None:
-    """Leave the partial file only if there is something in it that the next run can use."""
-    if not run.outcomes and not any(run.writer.has(place) for place in run.job.resumable):
-        run.writer.discard()
+def _keep(run: Execution) -> bool:
+    """Leave the partial file if there is something in it that the next run can use; tell whether there is."""
+    if run.outcomes or run.resumable:
+        return True
+    run.writer.discard()
+    return False
 
 
 def _kept_message(run: Execution, path: Path) -> str:
-    if not run.outcomes:
+    if not run.outcomes and not run.resumable:
         return f"interrupted before an analysis was finished; {path} is unchanged"
     return (
         f"interrupted: {_kept(run, path)}; "
@@ -321,4 +330,5 @@ def _kept_message(run: Execution, path: Path) -> str:
 
 
 def _kept(run: Execution, path: Path) -> str:
-    return f"{len(run.outcomes)} of {len(run.job.tasks)} analyses are finished and kept in {partial_path(path)}"
+    others = "".join(f", with {place}," for place in run.resumable)
+    return f"{len(run.outcomes)} of {len(run.job.tasks)} analyses are finished{others} and kept in {partial_path(path)}"

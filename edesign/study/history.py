@@ -67,6 +67,7 @@ def run_history(
     requested = requested_quantities(project, frame, group)
     others = [
         q.floor_accelerations(frame, floors),
+        q.floor_relative_accelerations(frame),
         q.storey_shears(frame, storeys),
         q.base_shear(frame, storeys),
         *q.member_forces(frame, q.bending_members(frame), "member", history=False),
@@ -102,9 +103,11 @@ def run_history(
         group.attributes["damper_warnings"] = strain_warnings(frame.devices, strain)
     _store_energy(group, response, every, "energy" in wanted)
     if response.status == "completed":
-        roof = residual(displacements.values(response)[:, -1], ground.time_step, period)
+        floors_left = residual(displacements.values(response), ground.time_step, period)
+        label = f"residual displacement of the floor: {DEFINITION}"
+        group.add("residual_floor_displacement", ("floor",), floors_left, "m", label)
         label = f"residual roof displacement: {DEFINITION}"
-        group.add("residual_roof_displacement", (), roof, "m", label)
+        group.add("residual_roof_displacement", (), floors_left[-1], "m", label)
         label = f"residual drift ratio of the storey: {DEFINITION}"
         group.add(
             "residual_storey_drift", ("storey",), residual(drift.values(response), ground.time_step, period), "1", label

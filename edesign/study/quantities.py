@@ -69,6 +69,14 @@ def floor_accelerations(frame: FrameModel, history: bool) -> Quantity:
     return Quantity("floor_acceleration", ("floor",), (len(cells),), cells, "m/s^2", name, history, ("max", "min"))
 
 
+def floor_relative_accelerations(frame: FrameModel) -> Quantity:
+    """Horizontal acceleration of each floor relative to the ground, as some programs report it."""
+    cells = _floor_means(frame, "acceleration")
+    name = "horizontal acceleration of the floor relative to the ground, mean over its nodes"
+    keep = ("max", "min")
+    return Quantity("floor_relative_acceleration", ("floor",), (len(cells),), cells, "m/s^2", name, keep=keep)
+
+
 def storey_drifts(frame: FrameModel, history: bool) -> Quantity:
     """Drift ratio of each storey; its extremes are stored by `store_drift_extremes`."""
     cells = tuple(_mean(lines) for lines in _line_drifts(frame))

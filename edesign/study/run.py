@@ -17,6 +17,7 @@ from edesign.study.plan import make_plan
 from edesign.study.progress import Listener, silent
 from edesign.study.provenance import root_group, study_root_group
 from edesign.study.study_plan import make_study_plan
+from edesign.study.variants import variant_warnings
 
 __all__ = ["Outcome", "RunSummary", "default_archive_path", "run_project", "run_study"]
 
@@ -89,11 +90,12 @@ def run_study(
     checksums = {name: found.record.checksum for name, found in recordings.items()}
     root = study_root_group(study, [task.name for task in plan], checksums)
     resumable = tuple(f"{DESIGNS}/{name}" for name in study.designs)
+    notes = tuple(variant_warnings(study, plan))
 
     def prepare(run: Execution) -> Prepared:
         return study_designs(study, run)
 
-    job = Job(study.path, study.base, plan, recordings, root, (), prepare, resumable)
+    job = Job(study.path, study.base, plan, recordings, root, notes, prepare, resumable)
     with make_backend(backend, workers, scheduler) as made:
         return execute(job, path, progress or silent, made, workers, fresh)
 

@@ -28,14 +28,16 @@ def make_study_plan(study: Study, only: Sequence[str] = ()) -> tuple[Task, ...]:
     tasks: list[Task] = []
     for name in study.variants:
         tasks += _of_variant(study, name)
+    names = {task.name for task in tasks}
     for i, histories in enumerate(study.histories):
-        tasks += _of_histories(study, i, histories)
-    first: dict[str, Task] = {}
-    for task in tasks:
-        if first.setdefault(task.name, task) is not task:
-            raise InputError(
-                f"{study.where('histories')}: histories: `{task.name}` is asked for twice; leave one of them out"
-            )
+        for task in _of_histories(study, i, histories):
+            if task.name in names:
+                raise InputError(
+                    f"{study.where('histories', i)}: histories[{i}]: there is an analysis `{task.name}` already; "
+                    "leave one of them out"
+                )
+            names.add(task.name)
+            tasks.append(task)
     return selected([replace(task, order=i) for i, task in enumerate(tasks)], only, study.path)
 
 
@@ -88,12 +90,12 @@ def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) 
         InputError: a suite has no such recording; the message names the place in the study file.
     """
     found: list[str] = []
-    for name in names:
+    for i, name in enumerate(names):
         record, _, recording = name.partition("/")
         known = references(study.base, record)
         if recording and name not in known:
             ids = [reference.partition("/")[2] for reference in known]
             message = unknown_name("recording", recording, [item for item in ids if item])
-            raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {message}")
+            raise InputError(f"{study.where(*keys, i)}: {keys_text(keys)}: {message}")
         found += [reference for reference in ([name] if recording else known) if reference not in found]
     return tuple(found)

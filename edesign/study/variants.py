@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
-from edesign.project.dampers import Dampers
+from edesign.errors import InputError
+from edesign.project.dampers import DamperBetween, Dampers
+from edesign.project.designs import Design
 from edesign.project.project import Project
 from edesign.project.study import Study, Variant
+from edesign.study.dampers import law_warnings
+from edesign.study.design.building import with_temperature
+from edesign.study.plan import Task
 
 
 def variant_project(
@@ -30,16 +35,44 @@ def variant_project(
     return base.model_copy(update={"dampers": with_laws(dampers, variant, temperature_C)})
 
 
+def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:
+    """What is doubtful about the laws of the variants at their temperatures, before any design is made.
+
+    Raises:
+        InputError: a law has no parameters at a temperature; the message names the variant.
+    """
+    trial = {name: _unsized(study.base, design) for name, design in study.designs.items()}
+    found: list[str] = []
+    for name, temperature_C in dict.fromkeys((task.variant, task.temperature_C) for task in tasks):
+        project = variant_project(study, name, trial, temperature_C)
+        try:
+            found += [f"variant {name}: {warning}" for warning in law_warnings(project)]
+        except InputError as error:
+            raise InputError(f"{study.where('variants', name)}: variants.{name}: {error}") from error
+    return list(dict.fromkeys(found))
+
+
+def _unsized(base: Project, design: Design) -> Dampers:
+    """The law of a design at its temperature, of a damper that stands nowhere."""
+    dampers = with_temperature(base, design.law, design.temperature).dampers
+    assert dampers is not None, "check_design wants the law"
+    device = DamperBetween(kind="nodes", law=design.law, nodes=("", ""))
+    return Dampers.model_construct(laws={design.law: dampers.laws[design.law]}, devices=(device,))
+
+
 def with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None = None) -> Dampers:
     """Dampers whose laws are at the temperature of a variant, or at the one given, with its property factor."""
     change: dict[str, float] = {}
     temperature_C = temperature_C if temperature_C is not None else variant.temperature
     if temperature_C is not None:
         change["temperature"] = temperature_C
+    used = {device.law for device in dampers.devices}  # others may not know another temperature
     laws = {
         key: law.model_copy(
             update={**change, "property_factor": law.property_factor * (variant.property_factor or 1.0)}
         )
+        if key in used
+        else law
         for key, law in dampers.laws.items()
     }
     return dampers.model_copy(update={"laws": laws})

@@ -40,10 +40,13 @@ TOLERANCES = {
     "storey_shear_N": (5e-4, 1e-3),
     "roof_acceleration_m_s2": (2e-3, 1e-9),  # a peak of one step, where a member yields
     "floor_acceleration_m_s2": (2e-3, 1e-9),
+    "relative_roof_acceleration_m_s2": (2e-3, 1e-9),
     "beam_plastic_rotation_rad": (2e-3, 1e-9),  # differences of total and elastic rotations
     "column_plastic_rotation_rad": (2e-3, 1e-9),
     "residual_roof_displacement_m": (5e-3, 2e-5),  # differences of plastic excursions many times larger
     "residual_interstorey_drift": (5e-3, 1e-5),
+    "final_roof_displacement_m": (5e-3, 2e-5),
+    "final_interstorey_drift": (5e-3, 1e-5),
     "residual_storey_drift": (5e-3, 1e-5),
     "damper_strain": (5e-4, 1e-9),
     "damper_deformation_m": (5e-4, 1e-9),

@@ -1,4 +1,4 @@
-"""Collapse of a column under gravity that is set in motion: it falls if its energy takes it past the point of no return.
+"""Collapse of a column under gravity that is set in motion: it falls if its energy takes it beyond the last balance.
 
 A cantilever of two fibres yields sharply: its base moment is H L + P u up to Mp and no further, so that the force that
 holds it is F = k u up to uy = Mp / (3 E I / L^2) and falls as (Mp - P u) / L beyond, to nothing at u* = Mp / P. A mass

@@ -71,7 +71,29 @@ def run_design(
         group = Group(attributes=labels(spec) | {"status": "failed", "reason": str(error)})
         return DesignResult(before.model_copy(update={"devices": ()}), group, "failed", str(error))
     except InputError as error:
-        if str(error).startswith("designs."):
-            raise
-        raise InputError(f"designs.{name}: {error}") from error
+        raise _named(name, error) from error
     return DesignResult(run.dampers(done.chosen.sizing), group, status, done.reason)
+
+
+def check_sizing(project: Project, name: str, spec: Design, folder: Path) -> None:
+    """Size a design once, so that a target which no damper can reach shows before anything is run.
+
+    A sizing that does not converge is left to `run_design`, which keeps its history.
+
+    Args:
+        project, name, spec, folder: as for `run_design`.
+
+    Raises:
+        InputError: no damper reaches the target, or a file or law is wrong.
+    """
+    try:
+        run = Designer(project, name, spec, folder, lambda text: None)
+        run.make(run.range()[0])
+    except AnalysisError:
+        return
+    except InputError as error:
+        raise _named(name, error) from error
+
+
+def _named(name: str, error: InputError) -> InputError:
+    return error if str(error).startswith("designs.") else InputError(f"designs.{name}: {error}")

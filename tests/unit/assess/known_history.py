@@ -29,6 +29,9 @@ def known_history(kind: str = "history", status: str = "completed") -> Group:
     add("base_shear", (), -2e5, 3e5, "N")
     if kind == "history":
         add("floor_acceleration", ("floor",), [-7.0, -4.0], [3.0, 5.0], "m/s^2")
+        add("floor_relative_acceleration", ("floor",), [-7.5, -6.0], [3.5, 5.5], "m/s^2")
+        group.add("floor_displacement_final", ("floor",), [0.01, -0.03], "m", "floor displacement at the end")
+        group.add("storey_drift_final", ("storey",), [0.0025, -0.0133], "1", "storey drift at the end")
         if status == "completed":
             group.add("residual_roof_displacement", (), -0.02, "m", "residual roof displacement")
             group.add("residual_storey_drift", ("storey",), [-0.0025, -0.0033], "1", "residual storey drift")

@@ -12,12 +12,15 @@ from edesign.assess.profile import storey_profile
 KNOWN = {
     "roof_displacement_m": 0.21,  # the minimum, -0.21, is the larger side
     "residual_roof_displacement_m": 0.02,
+    "final_roof_displacement_m": 0.03,
     "roof_drift": 0.21 / 7.0,
     "interstorey_drift": 0.057,
     "residual_interstorey_drift": 0.0033,
+    "final_interstorey_drift": 0.0133,
     "base_shear_N": 3e5,
     "column_base_shear_N": 3e5,  # storey 1
     "roof_acceleration_m_s2": 5.0,  # of the roof, although floor 1 has 7.0
+    "relative_roof_acceleration_m_s2": 6.0,
     "beam_plastic_rotation_rad": 0.011,
     "column_plastic_rotation_rad": 0.002,
     "column_axial_force_N": 9e5,  # compression
@@ -38,7 +41,8 @@ def test_what_does_not_apply_is_none() -> None:
     assert set(response_measures(known_modes()).values()) == {None}
     assert set(response_measures(Group()).values()) == {None}
     pushover = response_measures(known_history("pushover"))
-    none = {"residual_roof_displacement_m", "residual_interstorey_drift", "roof_acceleration_m_s2"}
+    left = {f"{which}_{name}" for which in ("residual", "final") for name in ("roof_displacement_m", "interstorey_drift")}
+    none = left | {"roof_acceleration_m_s2", "relative_roof_acceleration_m_s2"}
     dampers = {"damper_strain", "damper_deformation_m", "damper_force_N"}
     assert {name for name, value in pushover.items() if value is None} == none | dampers
 
@@ -47,6 +51,7 @@ def test_a_failed_history_has_peaks_but_no_residuals() -> None:
     found = response_measures(known_history(status="failed"))
     assert found["roof_displacement_m"] == 0.21
     assert found["residual_roof_displacement_m"] is None and found["residual_interstorey_drift"] is None
+    assert found["final_roof_displacement_m"] is None and found["final_interstorey_drift"] is None
 
 
 def test_profile_goes_from_the_lowest_storey_up() -> None:

@@ -20,7 +20,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.cli import progress
 from edesign.cli.main import main
-from edesign.project import loader
+from edesign.project import loader, study_loader
 from edesign.study import analyses, run
 
 
@@ -30,6 +30,7 @@ def core(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Core:
     stand_in = Core()
     monkeypatch.setattr(analyses, "run_analysis", stand_in)
     monkeypatch.setattr(run, "check_inputs", lambda *_: {})  # the small project has no frame
+    monkeypatch.setattr(study_loader, "is_study", lambda path: False)
     monkeypatch.setattr(loader, "load_project", lambda path, *_, **__: project(tmp_path, "ab"))
     return stand_in
 
@@ -132,8 +133,9 @@ def test_show_json_has_the_agreed_form(archive: Path, capsys: pytest.CaptureFixt
     for item in found["analyses"]:
         assert {"name", "variant", "record", "level", "status", "reason", "measures", "statistics"} <= item.keys()
         assert list(item["measures"]) == [
-            "roof_displacement_m", "residual_roof_displacement_m", "roof_drift", "interstorey_drift",
-            "residual_interstorey_drift", "base_shear_N", "column_base_shear_N", "roof_acceleration_m_s2",
+            "roof_displacement_m", "residual_roof_displacement_m", "final_roof_displacement_m", "roof_drift",
+            "interstorey_drift", "residual_interstorey_drift", "final_interstorey_drift", "base_shear_N",
+            "column_base_shear_N", "roof_acceleration_m_s2", "relative_roof_acceleration_m_s2",
             "beam_plastic_rotation_rad", "column_plastic_rotation_rad", "column_axial_force_N", "damper_strain",
             "damper_deformation_m", "damper_force_N",
         ]  # fmt: skip
@@ -193,6 +195,7 @@ def test_an_unexpected_error_is_short_and_debug_shows_all(
     def broken(*_: object, **__: object) -> None:
         raise KeyError("hidden")
 
+    monkeypatch.setattr(study_loader, "is_study", lambda path: False)
     monkeypatch.setattr(loader, "load_project", broken)
     assert main(["run", "x.yaml"]) == 1
     errors = capsys.readouterr().err

@@ -21,6 +21,7 @@ STUDY = part(
     "  - {name: columns, plastic_hinges: none, of: columns, levels: DBE}\n"
     "objectives: [h]\n"
 )
+WARM = "damped at 35 degC"
 HISTORIES = {
     "bare.DBE.one": history("bare", "DBE", 0.02, record="suite/one"),
     "bare.DBE.two": history("bare", "DBE", 0.03, record="suite/two"),
@@ -36,13 +37,31 @@ def row(table: Table, name: str) -> list[str]:
 def test_statistics_stand_beside_each_other_with_their_difference() -> None:
     mean, maximum, *_ = statistics_tables(history_sets(HISTORIES))
     assert list(mean.columns) == ["measure", "bare, DBE", "damped, DBE", "diff. [%]"]
-    assert row(mean, "interstorey drift [%]")[1:] == ["2.500", "1.000", "-60.0"]
-    assert row(maximum, "interstorey drift [%]")[1:] == ["3.000", "1.000", "-66.7"]
-    assert row(mean, "residual interstorey drift [%]")[1:] == ["0.2500", "0.1000", "-60.0"]
+    assert row(mean, "interstorey drift [%]")[1:] == ["2.500", "1.000", "-50.0"]  # 1 % and 2 % under record one
+    assert row(maximum, "interstorey drift [%]")[1:] == ["3.000", "1.000", "-50.0"]
+    assert row(mean, "residual interstorey drift [%]")[1:] == ["0.2500", "0.1000", "-50.0"]
     assert row(mean, "base shear, columns [kN]")[1:] == ["300.0", "300.0", "+0.0"]
     assert not any(cells[0].startswith("damper") for cells in mean.rows)  # none has any
     assert "Histories: bare, DBE: 2 of 2; damped, DBE: 1 of 2" in mean.notes
     assert "damped, DBE: failed, in no statistic (1 of 2): damped.DBE.two" in mean.notes
+    assert "diff. of damped, DBE: over the 1 record that bare, DBE has too" in mean.notes
+
+
+def test_differences_compare_the_same_records_only() -> None:
+    """A variant at another temperature under one record, and one under records that the first has not."""
+    warm = history("damped", "DBE", 0.015, record="suite/two")
+    warm.attributes["temperature_C"] = 35.0
+    added = {
+        "damped.35C.DBE.two": warm,
+        "other.DBE.three": history("other", "DBE", 0.04, record="suite/three"),
+        "same.DBE.two": history("same", "DBE", 0.06, record="suite/two"),
+        "same.DBE.one": history("same", "DBE", 0.02, record="suite/one"),
+    }
+    mean = statistics_tables(history_sets(HISTORIES | added))[0]
+    assert list(mean.columns)[4:] == ["damped at 35 degC, DBE", "diff. [%]", "other, DBE", "same, DBE", "diff. [%]"]
+    assert row(mean, "interstorey drift [%]")[4:] == ["1.500", "-50.0", "4.000", "4.000", "+60.0"]
+    told = [note for note in mean.notes if note.startswith("diff.")]
+    assert told == [f"diff. of {name}, DBE: over the 1 record that bare, DBE has too" for name in ("damped", WARM)]
 
 
 def test_measures_of_each_record_and_their_statistics() -> None:
@@ -91,4 +110,4 @@ def test_an_archive_is_read_with_what_is_still_to_come(tmp_path: Path) -> None:
     tables = assessment_tables(path, STUDY.criteria, STUDY.objectives)
     mean = next(table for table in tables if table.title == "Mean response")
     assert "damped, DBE: not run, in no statistic (1 of 3): damped.DBE.later" in mean.notes
-    assert row(mean, "interstorey drift [%]")[1:] == ["2.500", "1.000", "-60.0"]
+    assert row(mean, "interstorey drift [%]")[1:] == ["2.500", "1.000", "-50.0"]

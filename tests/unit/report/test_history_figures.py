@@ -11,6 +11,7 @@ from unit.report.figure_archive import RECORDS, TIME, history, small_archive
 
 from edesign.archive.reader import open_archive
 from edesign.report.energy_figures import energy_figures
+from edesign.report.histories import histories, variant_colors
 from edesign.report.response_figures import response_figures
 from edesign.report.temperature_figures import temperature_figures
 
@@ -67,3 +68,18 @@ def test_energy_parts_stand_one_upon_the_other(path: Path) -> None:
     assert len(bare.collections) == 4
     assert figure.axes[0].get_ylim() == figure.axes[1].get_ylim()
     assert "bare: input 10.0 kJ, yielding 35 %, dampers 20 %, inherent damping 30 %" in caption
+
+
+def test_analyses_of_one_motion_without_labels_are_kept_apart(tmp_path: Path) -> None:
+    """As in a project whose analyses `stiff` and `soft` of one record have no `variant`."""
+    more = [
+        (f"analyses/{name}.{TABAS}", history("", TABAS, 50 + i, 1.0 + i)) for i, name in enumerate(("stiff", "soft"))
+    ]
+    with open_archive(small_archive(tmp_path, *more)) as archive:
+        found = [one for one in histories(archive) if one.variant in ("stiff", "soft", "")]
+        colors = variant_colors(archive)
+        figure = {name: figure for name, _, figure in response_figures(archive)}[f"response_DBE_{TABAS}"]
+    assert [(one.variant, one.name) for one in found] == [(n, f"{n}.{TABAS}") for n in ("stiff", "soft")]
+    assert len({colors[name] for name in ("bare", "damped", "stiff", "soft")}) == 4
+    curves = {line.get_label(): np.max(line.get_ydata()) for line in figure.axes[1].lines if len(line.get_xdata()) > 2}
+    assert curves["soft"] / curves["stiff"] == pytest.approx(2.0)

@@ -40,8 +40,7 @@ def summary(source: Source) -> Section:
     """What a reader should know who reads nothing else."""
     parts: list[Part] = [*_failures(source.entries)]
     verdicts, tables = judged(source)
-    tiles = (*verdict_tiles(verdicts), *_tiles(source.statistics))
-    parts += [Headlines(tiles)] if tiles else []
+    parts += [Headlines(tiles) for tiles in (verdict_tiles(verdicts), _tiles(source.statistics)) if tiles]
     parts += tables
     governing = governing_table(source.statistics)
     parts += [governing] if governing.rows else []
