@@ -3,9 +3,11 @@
 What stands between `<!-- begin NAME -->` and `<!-- end -->` is replaced: NAME is `archive` (what was run, and with
 which records) or the beginning of the title of a table of the reference file.
 
-With `--causes` the blocks `causes` are filled from the archive of `causes.yaml`: every variant beside Table 5.8.
+With `--causes` the blocks `causes` are filled from the archive of `causes.yaml`: every variant beside Table 5.8; with
+`--redesign` the block `redesign` from that of `redesign.yaml`: its rounds and its response.
 
-Usage: python tools/thesis_study_page.py ARCHIVE [--causes ARCHIVE] [--reference FILE] [--page FILE]
+Usage: python tools/thesis_study_page.py ARCHIVE [--causes ARCHIVE] [--redesign ARCHIVE]
+    [--reference FILE] [--page FILE]
 """
 
 from __future__ import annotations
@@ -25,6 +27,7 @@ from edesign.report.compared import Comparison
 from edesign.report.comparison import compare
 from edesign.report.comparison_variants import variant_tables
 from edesign.report.comparison_wide import wide_tables
+from edesign.report.study_tables import study_tables
 from edesign.report.summary import planned, record_entries
 from edesign.report.table import Table
 from edesign.study.plan import ANALYSES
@@ -39,6 +42,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("archive", type=Path)
     parser.add_argument("--causes", type=Path)
+    parser.add_argument("--redesign", type=Path)
     parser.add_argument("--reference", type=Path, default=ROOT / "projects" / "thesis_10_storey" / "reference.yaml")
     parser.add_argument("--page", type=Path, default=ROOT / "docs" / "thesis_study.md")
     options = parser.parse_args()
@@ -51,6 +55,9 @@ def main() -> None:
             with open_archive(options.causes) as opened:
                 made = variant_tables(opened, reference, "damped")
                 blocks |= {f"causes, {table.title}": markdown(table) for table in made}
+        if options.redesign is not None:
+            with open_archive(options.redesign) as opened:
+                blocks["redesign"] = redesign(opened)
         write_text(replaced(options.page.read_text(encoding="utf-8"), blocks), options.page)
     except EdesignError as error:
         sys.exit(str(error))
@@ -65,8 +72,8 @@ def replaced(page: str, blocks: dict[str, str]) -> str:
 
     def fill(match: re.Match[str]) -> str:
         found = [text for title, text in blocks.items() if title.startswith(match["name"])]
-        if not found and match["name"].startswith("causes"):
-            return match[0]
+        if not found and match["name"].startswith(("causes", "redesign")):
+            return match[0]  # its archive was not given
         if not found:
             raise InputError(f"the page has a block `{match['name']}`, but there is only {', '.join(blocks)}")
         return "\n\n".join([match[1].rstrip(), *found, match[3]])
@@ -93,6 +100,12 @@ def about(archive: Archive) -> str:
         if simulated:
             lines.append(f"- simulated in place of recordings: {', '.join(simulated)}")
     return "\n".join(lines)
+
+
+def redesign(archive: Archive) -> str:
+    """Rounds of the designs, mean response, and verdicts."""
+    wanted = ("Rounds", "Mean response", "Criteria")
+    return "\n\n".join(markdown(table) for table in study_tables(archive) if table.title in wanted)
 
 
 def tables(comparison: Comparison) -> dict[str, str]:

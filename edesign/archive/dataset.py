@@ -40,3 +40,11 @@ class Group:
     def add(self, name: str, dims: tuple[str, ...], values: Any, unit: str, long_name: str) -> None:
         """Add a variable; `values` is anything `numpy.asarray` takes."""
         self.variables[name] = Variable(dims, np.asarray(values), unit, long_name)
+
+    def without(self, *dims: str) -> Group:
+        """The same group without what lies along dimensions."""
+        coords, variables = (
+            {name: item for name, item in items.items() if not set(dims) & set(item.dims)}
+            for items in (self.coords, self.variables)
+        )
+        return Group(coords, variables, self.attributes)

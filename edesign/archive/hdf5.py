@@ -80,7 +80,9 @@ def _read(name: str, dataset: h5py.Dataset) -> Variable:
         values = np.asarray(dataset[()])
     if dataset.attrs.get("dtype") == BOOLEAN_MARK:
         values = values.astype(bool)
-    # the name that the scale was given: looking up the path of the scale itself searches the file
-    dims = (name,) if dataset.is_scale else tuple(h5py.h5ds.get_scale_name(axis[0].id).decode() for axis in dataset.dims)
+    if dataset.is_scale:
+        dims: tuple[str, ...] = (name,)
+    else:  # by the name that the scale was given: looking up its path would search the file
+        dims = tuple(h5py.h5ds.get_scale_name(axis[0].id).decode() for axis in dataset.dims)
     unit = decode(dataset.attrs.get("units", ""))
     return Variable(dims, values, str(unit), str(decode(dataset.attrs.get("long_name", name))))

@@ -66,6 +66,10 @@ class Archive:
         """Whether the run that wrote the archive came to its end."""
         return bool(self.attributes.get("complete"))
 
+    def has(self, path: str) -> bool:
+        """Whether there is a group at a path."""
+        return path in self._file
+
     def names(self, path: str = "/") -> list[str]:
         """Return the names of the groups below a path, by attribute `order`, then name; [] if it is not there."""
         if path not in self._file:

@@ -28,6 +28,7 @@ def check_study(study: Study, problems: Problems) -> None:
         _histories(study, problems, ("histories", i), histories)
     for i, incremental in enumerate(study.incremental):
         check_incremental(("incremental", i), incremental, base, tuple(study.variants), problems)
+    _incremental_names(study, problems)
     check_criteria((), study.criteria, study.objectives, base, tuple(study.variants), problems)
     _outputs(study, problems)
     if (study.histories or study.incremental) and base.masses is None:
@@ -80,6 +81,18 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
             if study.variants[name].dampers == "none":
                 message = f"the variant `{name}` has no dampers, whose temperature this is"
                 problems.at_key((*keys, "temperatures"), message)
+
+
+def _incremental_names(study: Study, problems: Problems) -> None:
+    """Names of incremental studies stand in names of analyses, beside those of levels, and of modes and gravity."""
+    names = [incremental.name for incremental in study.incremental]
+    taken = {*(study.base.hazard.levels if study.base.hazard is not None else ()), "modes", "gravity"}
+    for i, name in enumerate(names):
+        if name in names[:i]:
+            problems.at_value(("incremental", i, "name"), f"`{name}` comes twice")
+        elif name in taken:
+            message = f"analyses are named `VARIANT.{name}` already; choose another name"
+            problems.at_value(("incremental", i, "name"), message)
 
 
 def _verify(study: Study, problems: Problems, keys: Keys, verify: Verify) -> None:

@@ -18,6 +18,7 @@ from edesign.report.design_figures import design_figures
 from edesign.report.energy_figures import energy_figures
 from edesign.report.figures import FORMATS, save
 from edesign.report.frame_figures import frame_figures
+from edesign.report.incremental_figures import incremental_figures
 from edesign.report.mode_figures import mode_figures
 from edesign.report.moment_rotation_figures import moment_rotation_figures
 from edesign.report.profile_figures import profile_figures
@@ -40,6 +41,7 @@ FIGURES = (
     moment_rotation_figures,
     damper_figures,
     temperature_figures,
+    incremental_figures,
 )
 """Each gives (name of the file, caption, figure) for what an archive has of its subject."""
 

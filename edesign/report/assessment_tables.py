@@ -14,7 +14,7 @@ from edesign.project.criteria import Criterion, Objectives
 from edesign.project.project import Project
 from edesign.report.archived import archived_project
 from edesign.report.measure_tables import record_measures_table, statistics_tables
-from edesign.report.summary import planned, results
+from edesign.report.summary import all_results
 from edesign.report.table import Table
 from edesign.report.verdict_tables import objectives_table, performance_table, verdicts_table
 
@@ -68,13 +68,17 @@ def tables_of_histories(
     return tables
 
 
-def read_histories(archive: Archive) -> dict[str, Group]:
+def read_histories(archive: Archive, groups: Mapping[str, Group] | None = None) -> dict[str, Group]:
     """Return all histories of an archive by name, in the order of the plan.
 
     One that was planned and has no result belongs to the variant and level that its name begins with, as
     `damped.DBE.Tabas1978_FER-L1` does, if the archive has other histories of these.
+
+    Args:
+        archive: complete or partial.
+        groups: all its analyses by name, if they have been read already.
     """
-    groups = {name: results(archive, name) for name in planned(archive)}
+    groups = all_results(archive) if groups is None else groups
     found = {name: group for name, group in groups.items() if group.attributes.get("kind") == "history"}
     known = {_prefix(item): item for item in history_sets(found)}
     for name, group in groups.items():

@@ -19,7 +19,7 @@ def variant_tables(archive: Archive, reference: Reference, place: str) -> list[T
     """Return a table for each table of responses and level: the reference's variant, and every variant of the archive.
 
     Args:
-        archive: of a study.
+        archive: of a study; its variants that the reference has under their own names are left out.
         reference: with tables of responses.
         place: variant of the reference that the others are put in the place of.
 
@@ -30,19 +30,19 @@ def variant_tables(archive: Archive, reference: Reference, place: str) -> list[T
     known = {variant for table in _responses(reference) for row in table.rows for variant in row.values}
     if place not in known:
         raise InputError(f"--variants: {unknown_name('variant', place, sorted(known))}")
-    names = _variants(archive)
+    names = [name for name in _variants(archive) if name == place or name not in known]
     cells = {name: _cells(archive, renamed(reference, place, name)) for name in names}
     tables: dict[tuple[str, str], Table] = {}
     first = cells[names[0]] if names else {}
     for key, cell in first.items():
         title, level, quantity = key
         if (title, level) not in tables:
-            header = ("quantity", "reference", *(text for name in names for text in (name, "diff. %")))
-            tables[title, level] = Table(f"{title} - {level}", header)
+            tables[title, level] = Table(f"{title} - {level}", ("quantity", "reference", *names))
+            tables[title, level].notes.append("in brackets the difference from the reference, %")
         row = [with_unit(quantity, cell.unit), printed(cell.reference)]
         for name in names:
             here = cells[name][key]
-            row += [found(here), per_cent(here.difference)]
+            row.append(f"{found(here)} ({per_cent(here.difference, 0)})")
         tables[title, level].rows.append(row)
     return list(tables.values())
 

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from edesign.archive.reader import Archive
 from edesign.assess.incremental import COLLAPSE, FRACTILES, Stripes, capacities, fractile_curves
 from edesign.assess.limit_fragility import LimitFragility
+from edesign.report.captions import file_name
 from edesign.report.figures import MEAN, RECORDS, TARGET, VARIANTS, label_outer, new_figure, styled
+from edesign.report.incremental_results import UNITS, IncrementalResults, read_incremental
+from edesign.report.measure_columns import measure_title
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -17,6 +21,28 @@ if TYPE_CHECKING:
 
 POINTS = 400
 _DASHES = {0.16: (4, 2), 0.50: (), 0.84: (1.5, 1.5)}
+
+
+def incremental_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """Curves and fragilities of each incremental study of an archive: name of the file, caption, figure."""
+    for one in read_incremental(archive):
+        yield from results_figures(one)
+
+
+def results_figures(results: IncrementalResults) -> Iterator[tuple[str, str, Figure]]:
+    """Return the figures of one incremental study; see `incremental_figures`."""
+    name, scale = results.name, UNITS[results.unit][1]
+    for measure in results.measures:
+        stripes = results.stripes_of(measure)
+        if not stripes:
+            continue
+        title, unit, factor = measure_title(measure)
+        limits = {limit: value for limit, value in results.limits_of(measure).items() if np.isfinite(value)}
+        caption = f"Incremental dynamic analysis {name}: {title} of each record, and fractiles over the records."
+        drawn = ida_figure(stripes, results.label, scale, f"{title} ({unit})" if unit else title, factor, limits)
+        yield file_name("incremental", name, measure), caption, drawn
+    caption = f"Fragilities of {name}: fitted curves, and the fractions of the records that were observed."
+    yield file_name("fragility", name), caption, fragility_figure(results.fragilities, results.label, scale)
 
 
 @styled

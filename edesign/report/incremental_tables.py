@@ -4,13 +4,33 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
 from edesign.assess.incremental import FRACTILES, Stripes, fractile_curves
 from edesign.assess.limit_fragility import LimitFragility
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.report.incremental_results import UNITS, IncrementalResults, read_incremental
+from edesign.report.measure_columns import measure_title
 from edesign.report.table import Table, number, whole
 
-UNITS = {"m/s^2": ("g", STANDARD_GRAVITY), "1": ("1", 1.0)}
-"""Unit of an intensity measure in the archive: how it is shown, and that in SI."""
+
+def incremental_tables(archive: Archive, groups: Mapping[str, Group] | None = None) -> list[Table]:
+    """Return fragilities, and intensities that fractions of the records need, of each incremental study of an archive.
+
+    Args:
+        archive: complete or partial.
+        groups: all its analyses by name, if they have been read already.
+    """
+    return [table for one in read_incremental(archive, groups) for table in results_tables(one)]
+
+
+def results_tables(results: IncrementalResults) -> list[Table]:
+    """Return the tables of one incremental study; see `incremental_tables`."""
+    tables = [fragility_table(results.fragilities, results.unit, results.level)]
+    for measure in results.measures:
+        limits, stripes = results.limits_of(measure), results.stripes_of(measure)
+        if limits and stripes:
+            tables.append(fractile_table(stripes, limits, results.unit))
+    return tables
 
 
 def fragility_table(fragilities: Sequence[LimitFragility], unit: str = "m/s^2", level: str = "") -> Table:
@@ -22,34 +42,29 @@ def fragility_table(fragilities: Sequence[LimitFragility], unit: str = "m/s^2", 
         level: name of the hazard level of the margins, "" without margins.
     """
     shown, scale = UNITS[unit]
-    columns = [
-        "variant",
-        "limit",
-        "fit to",
-        "records",
-        "analyses",
-        f"theta [{shown}]",
-        "s.e.",
-        "beta",
-        "s.e.",
-        "D",
-        "p",
-    ]
-    table = Table("Fragility", columns + ([f"theta / {level}"] if level else []), left=3)
+    counted = any(one.method == "counts" for one in fragilities)
+    columns = ["variant", "limit", "fit to", "records", "analyses", f"theta [{shown}]", "s.e.", "beta", "s.e.", "D"]
+    columns += [*(["p"] if counted else []), *([f"theta / {level}"] if level else [])]
+    title = f"{fragilities[0].incremental}: fragility" if fragilities else "Fragility"
+    table = Table(title, columns, left=3)
     for one in fragilities:
         fit = one.fit
         cells = [one.variant, one.limit, one.method, whole(one.records), whole(int(one.analyses.sum()))]
         if fit is None:
-            cells += ["-"] * 6
+            cells += ["-"] * 5
         else:
             cells += [number(fit.theta, 3, scale), number(fit.theta_se, 2, scale), number(fit.beta, 3)]
-            cells += [number(fit.beta_se, 2), number(fit.largest_difference, 2), number(fit.p_value, 2)]
+            cells += [number(fit.beta_se, 2), number(fit.largest_difference, 2)]
+        cells += [number(fit.p_value if fit is not None else None, 2)] if counted else []
         table.rows.append(cells + ([number(one.margin, 3)] if level else []))
     table.notes += [f"{one.variant}, {one.limit}, {one.method}: {one.reason}" for one in fragilities if one.reason]
     lost = {one.variant: one.missing for one in fragilities if one.missing}
     table.notes += [f"{name}: {count} analyses without a result are left out" for name, count in lost.items()]
-    table.notes.append("D: largest difference from the observed fractions; p: of the deviance from them")
-    if any(one.method == "counts" for one in fragilities):
+    table.notes.append("theta: median; beta: dispersion; s.e.: standard errors; D: largest difference from fractions")
+    if level:
+        table.notes.append(f"theta / {level}: margin; of collapse the collapse margin ratio, without spectral shape")
+    if counted:
+        table.notes.append("p: of the deviance from the observed fractions")
         table.notes.append("standard errors of counts take all analyses as independent, also those of one record")
     return table
 
@@ -63,7 +78,8 @@ def fractile_table(stripes: Sequence[Stripes], limits: Mapping[str, float], unit
         unit: of the intensities, a key of UNITS.
     """
     shown, scale = UNITS[unit]
-    table = Table("Intensity needed", ["variant", "limit", *(f"{100 * f:.0f} % [{shown}]" for f in FRACTILES)], left=2)
+    about = f"{stripes[0].incremental}: intensity needed, {measure_title(stripes[0].measure)[0]}" if stripes else ""
+    table = Table(about, ["variant", "limit", *(f"{100 * f:.0f} % [{shown}]" for f in FRACTILES)], left=2)
     for one in stripes:
         curves = fractile_curves(one, list(limits.values()))
         for name, column in zip(limits, curves.T, strict=True):

@@ -39,3 +39,10 @@ MEASURE_ROWS = (  # name, measure, unit of the name in SI; those of the frame ar
     ("damper force [kN]", "damper_force_N", 1e3),
 )
 ROUNDING = 1e-9  # m, N, rad: far below what any measure means
+
+
+def measure_title(measure: str) -> tuple[str, str, float]:
+    """Return a measure in words, its unit as shown ("" if it has no row in the tables), and that unit in SI."""
+    title, factor = next(((name, factor) for name, key, factor in MEASURE_ROWS if key == measure), (measure, 1.0))
+    words, _, unit = title.partition(" [")
+    return words, unit.rstrip("]"), factor

@@ -13,12 +13,15 @@ from edesign.assess.sets import history_sets
 from edesign.report.archived import archived_study
 from edesign.report.assessment_tables import read_histories
 from edesign.report.design_tables import design_tables
+from edesign.report.incremental_results import PLACE
+from edesign.report.incremental_tables import incremental_tables
 from edesign.report.measure_tables import statistics_tables
-from edesign.report.summary import entry, planned, results
+from edesign.report.summary import all_results, entry
 from edesign.report.table import Table, number, seconds, whole
 from edesign.report.verdict_tables import objectives_table, performance_table, verdicts_table
 
 DESIGNS = "designs"
+EXPECTED = ("collapsed", "skipped")  # ends of histories of incremental studies that are no failures
 
 
 def study_tables(archive: Archive) -> list[Table]:
@@ -31,9 +34,10 @@ def study_tables(archive: Archive) -> list[Table]:
     study = archived_study(archive)
     if study is None:
         return []
-    histories = read_histories(archive)
+    groups = all_results(archive)
+    histories = read_histories(archive, groups)
     sets = history_sets(histories)
-    tables = [plan_table(archive), *designs_tables(archive), *statistics_tables(sets)]
+    tables = [plan_table(archive, groups), *designs_tables(archive), *statistics_tables(sets)]
     if study.criteria:
         tables.append(verdicts_table(judge(study.criteria, (), histories, study.base)))
     if sets:
@@ -41,32 +45,37 @@ def study_tables(archive: Archive) -> list[Table]:
     if study.objectives:
         verdicts = judge((), study.objectives, histories, study.base)
         tables.append(objectives_table(verdicts, study.objectives, study.base))
+    tables += incremental_tables(archive, groups)
     return [table for table in tables if table.rows or table.notes]
 
 
-def plan_table(archive: Archive) -> Table:
+def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:
     """Return how many analyses of each variant and level there are, how many completed, and what they cost.
 
-    Failed analyses are named with their reasons below, and dampers that strained beyond their tests.
+    Of incremental studies there is a row for each variant, with the histories that ended in collapse, and those that
+    were skipped after one. Failed analyses are named with their reasons below, and dampers that strained beyond their
+    tests.
+
+    Args:
+        archive: complete or partial.
+        groups: all its analyses by name, if they have been read already.
     """
-    table = Table(
-        "Analyses", ("analyses", "planned", "completed", "steps", "fallbacks", "CPU [s]", "largest energy error")
-    )
-    groups: dict[str, dict[str, Group]] = defaultdict(dict)
-    for name in planned(archive):
-        group = results(archive, name)
-        kind = group.attributes.get("kind")
-        entry_name = name.rpartition(".")[0] if kind == "history" or kind is None else name
-        groups[entry_name or name][name] = group
-    for title, found in groups.items():
+    stripes = _stripe_entries(archive)
+    ends = ("completed", *(EXPECTED if stripes else ()))
+    table = Table("Analyses", ("analyses", "planned", *ends, "steps", "fallbacks", "CPU [s]", "largest energy error"))
+    by_entry: dict[str, dict[str, Group]] = defaultdict(dict)
+    for name, group in (all_results(archive) if groups is None else groups).items():
+        by_entry[_entry_of(name, group, stripes)][name] = group
+    for title, found in by_entry.items():
         entries = [entry(name, group) for name, group in found.items()]
-        done = [item for item in entries if item["status"] == "completed"]
+        counts = [str(sum(item["status"] == end for item in entries)) for end in ends]
         cost = [item["statistics"] for item in entries]
         sums = [_sum(cost, key) for key in ("steps", "fallbacks", "cpu_s")]
         errors = [float(item["energy_error"]) for item in cost if item["energy_error"] is not None]
         cells = [whole(sums[0]), whole(sums[1]), seconds(sums[2]), number(max(errors, default=None), 2)]
-        table.rows.append([title, str(len(found)), str(len(done)), *cells])
-        table.notes += [f"{item['name']}: {item['status']}: {item['reason']}" for item in entries if item["reason"]]
+        table.rows.append([title, str(len(found)), *counts, *cells])
+        told = [item for item in entries if item["reason"] and item["status"] not in EXPECTED]
+        table.notes += [f"{item['name']}: {item['status']}: {item['reason']}" for item in told]
         table.notes += _beyond_tests(title, found)
     return table
 
@@ -74,6 +83,21 @@ def plan_table(archive: Archive) -> Table:
 def designs_tables(archive: Archive) -> list[Table]:
     """Return a table of each design: stiffness and size of the dampers of each storey, and what they add."""
     return [table for name in archive.names(DESIGNS) for table in design_tables(archive.group(f"{DESIGNS}/{name}"))]
+
+
+def _stripe_entries(archive: Archive) -> tuple[str, ...]:
+    """VARIANT.STUDY of the incremental studies, which the names of their histories begin with."""
+    abouts = {name: archive.group(f"{PLACE}/{name}") for name in archive.names(PLACE)}
+    return tuple(f"{variant}.{name}" for name, about in abouts.items() for variant in about.coords["variant"].values)
+
+
+def _entry_of(name: str, group: Group, stripes: tuple[str, ...]) -> str:
+    """What an analysis is counted with."""
+    for title in stripes:
+        if name.startswith(f"{title}."):
+            return title
+    kind = group.attributes.get("kind")
+    return (name.rpartition(".")[0] if kind == "history" or kind is None else name) or name
 
 
 def _beyond_tests(title: str, found: Mapping[str, Group]) -> list[str]:
@@ -85,7 +109,7 @@ def _beyond_tests(title: str, found: Mapping[str, Group]) -> list[str]:
     if len(found) == 1:
         return [f"{title}: {text}" for texts in told.values() for text in texts]
     worst = max(told, key=lambda name: _largest_strain(found[name]))
-    record = worst.rpartition(".")[2]
+    record = worst.removeprefix(f"{title}.")
     return [
         f"{title}: in {len(told)} of {len(found)} histories dampers strain beyond their tests, most in {record}: "
         + "; ".join(told[worst])

@@ -75,9 +75,13 @@ def find(archive: Archive, name: str) -> str:
 
 def results(archive: Archive, name: str) -> Group:
     """Return the results of an analysis; one that was planned and has none is a group with the status "not run"."""
-    if name in archive.names(ANALYSES):
-        return archive.group(f"{ANALYSES}/{name}")
-    return Group(attributes={"status": "not run"})
+    path = f"{ANALYSES}/{name}"
+    return archive.group(path) if archive.has(path) else Group(attributes={"status": "not run"})
+
+
+def all_results(archive: Archive) -> dict[str, Group]:
+    """Return the results of every analysis of the plan by name, in its order; see `results`."""
+    return {name: results(archive, name) for name in planned(archive)}
 
 
 def entry(name: str, group: Group) -> dict[str, Any]:

@@ -222,7 +222,7 @@ def _records(project: Project, found: Mapping[str, Found]) -> str:
     for name in project.records:
         origins = Counter(item.origin for key, item in found.items() if key.partition("/")[0] == name)
         of = ", ".join(f"{count} {ORIGINS[origin]}" for origin, count in origins.items())
-        texts.append(f"{name} ({of})" if isinstance(project.records[name], SuiteRecords) else name)
+        texts.append(f"{name} ({of})" if of and isinstance(project.records[name], SuiteRecords) else name)
     return ", ".join(texts) or "none"
 
 

@@ -66,9 +66,8 @@ def _amplitude(project: Project, spec: ModalAnalysis, device: Device) -> float:
         return spec.damper_deformation
     if spec.damper_strain is not None:
         if device.layer_thickness is None:
-            raise InputError(
-                f"{_where(project, spec)}: damper_strain: the damper {device.name} has no layers; give `damper_deformation`"
-            )
+            message = f"the damper {device.name} has no layers; give `damper_deformation`"
+            raise InputError(f"{_where(project, spec)}: damper_strain: {message}")
         return spec.damper_strain * device.layer_thickness
     return SMALL_STRAIN * device.layer_thickness if device.layer_thickness is not None else SMALL_DEFORMATION
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict, judge
-from edesign.errors import AnalysisError
+from edesign.errors import AnalysisError, EdesignError
 from edesign.ground_motion.matching.one_thread import one_thread
 from edesign.project.analyses import Analysis, HistoryAnalysis
 from edesign.project.dampers import Dampers
@@ -22,6 +22,14 @@ from edesign.study.plan import Task, labels
 from edesign.study.variants import variant_project
 
 DESIGNS = "designs"  # their group in the archive
+
+
+class _Lost(EdesignError):
+    """The back end was lost in a round: no fault of the design, which would take it for its own."""
+
+    def __init__(self, error: EdesignError) -> None:
+        super().__init__(str(error))
+        self.error = error
 
 
 def study_designs(study: Study, run: Execution) -> Prepared:
@@ -40,16 +48,18 @@ def study_designs(study: Study, run: Execution) -> Prepared:
         if details is not None
         else plain
     )
-    frames: dict[tuple[str, float | None, bool], Project] = {}
+    nothing = Outputs(histories=())
+    frames: dict[tuple[str, float | None, bool, bool], Project] = {}
 
     def prepared(task: Task) -> tuple[Project, Analysis]:
         design = study.variants[task.variant].design
         if design is not None and made[design].status != "completed":
             raise AnalysisError(f"its design `{design}` failed: {made[design].reason}")
-        key = (task.variant, task.temperature_C, task.details)
+        key = (task.variant, task.temperature_C, task.details, task.stripe is not None)
         if key not in frames:
             project = variant_project(study, task.variant, designed, task.temperature_C)
-            frames[key] = project.model_copy(update={"outputs": whole if task.details else plain})
+            kept = nothing if task.stripe is not None else whole if task.details else plain
+            frames[key] = project.model_copy(update={"outputs": kept})
         return frames[key], task.spec
 
     return prepared
@@ -74,18 +84,21 @@ def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult
         asked = [c.model_copy(update={"variants": ()}) for c in study.criteria if c.name in verify.criteria]
         return judge(asked, (), histories, study.base)
 
-    with one_thread():
-        result = run_design(
-            study.base,
-            name,
-            spec,
-            study.folder,
-            respond if verify is not None else None,
-            verdicts if verify is not None else None,
-            run.writer.read(place) if run.writer.has(place) else None,
-            lambda message: run.note(f"design {name}: {message}"),
-            keep,
-        )
+    try:
+        with one_thread():
+            result = run_design(
+                study.base,
+                name,
+                spec,
+                study.folder,
+                respond if verify is not None else None,
+                verdicts if verify is not None else None,
+                run.writer.read(place) if run.writer.has(place) else None,
+                lambda message: run.note(f"design {name}: {message}"),
+                keep,
+            )
+    except _Lost as lost:
+        raise lost.error from lost
     keep(result.group)
     if result.status != "completed":
         run.note(f"design {name} failed: {result.reason}")
@@ -111,11 +124,14 @@ def _respond(
             specs[spec.name] = spec
             works.append(Work(spec.name, analyse, (project, spec, run.motions[reference])))
     found: dict[str, Group] = {}
-    for result in run.results(works):
-        failed = Group(attributes={"status": "failed", "reason": result.reason})
-        group = result.value if isinstance(result.value, Group) else failed
-        group.attributes |= labels(specs[result.key])
-        found[result.key] = group
+    try:
+        for result in run.results(works):
+            failed = Group(attributes={"status": "failed", "reason": result.reason})
+            group = result.value if isinstance(result.value, Group) else failed
+            group.attributes |= labels(specs[result.key])
+            found[result.key] = group
+    except EdesignError as error:
+        raise _Lost(error) from error
     if run.stopped():
         raise KeyboardInterrupt
     return {work.key: found[work.key] for work in works}

@@ -23,54 +23,13 @@ from edesign.study.backends.work import Result, Work
 from edesign.study.interrupt import stop_on_signals
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, match_options, project_motions
-from edesign.study.plan import Task
+from edesign.study.outcome import COLLAPSED, COMPLETED, FAILED, SKIPPED, Outcome, RunSummary
+from edesign.study.plan import Task, waves
 from edesign.study.progress import Listener, Progress
 from edesign.study.provenance import IDENTITY, circumstances
 from edesign.study.record_results import project_record_groups
 
 MATCHING = "matching"  # what the progress of the fit of the records is called
-COMPLETED, FAILED = "completed", "failed"
-
-
-@dataclass(frozen=True)
-class Outcome:
-    """How one analysis ended.
-
-    Attributes:
-        name: of the analysis.
-        status: "completed" or "failed".
-        reason: of the failure, "" if there was none.
-        reused: whether the result is that of an earlier, interrupted run.
-        seconds: time it took (s), 0 if reused.
-    """
-
-    name: str
-    status: str
-    reason: str = ""
-    reused: bool = False
-    seconds: float = 0.0
-
-
-@dataclass(frozen=True)
-class RunSummary:
-    """What a run did.
-
-    Attributes:
-        archive: the finished archive.
-        outcomes: one for each analysis, in the order of the plan.
-        notes: what the user was told, such as what became of an interrupted run.
-        seconds: time of the whole run (s).
-    """
-
-    archive: Path
-    outcomes: tuple[Outcome, ...]
-    notes: tuple[str, ...] = ()
-    seconds: float = 0.0
-
-    @property
-    def failed(self) -> tuple[Outcome, ...]:
-        """The analyses that failed."""
-        return tuple(outcome for outcome in self.outcomes if outcome.status != COMPLETED)
 
 
 Prepared = Callable[[Task], tuple[Project, Analysis]]
@@ -193,7 +152,8 @@ def execute(
     """Run the analyses of a plan and archive them.
 
     An analysis that fails is archived as failed with its reason, and the run goes on. Results of an interrupted run of
-    the same inputs and versions are reused.
+    the same inputs and versions are reused. The histories of incremental studies run in waves, from the lowest
+    intensity; what is skipped after a collapse depends on its chain alone.
 
     Args:
         job: what is to be run.
@@ -210,9 +170,16 @@ def execute(
     """
     started = time.monotonic()
     tasks = {task.path: task for task in job.tasks}
+    earlier: dict[str, Outcome] = {}
 
     def accept(place: str, attributes: Mapping[str, object]) -> bool:
-        return place in job.resumable or (place in tasks and attributes.get("status") == COMPLETED)
+        if place not in tasks:
+            return place in job.resumable
+        task, status = tasks[place], str(attributes.get("status"))
+        if status != COMPLETED and (task.stripe is None or status != COLLAPSED):
+            return False
+        earlier[place] = Outcome(task.name, status, str(attributes.get("reason") or ""), reused=True)
+        return True
 
     extra = {"provenance": circumstances()}
     with ArchiveWriter(path, job.root, IDENTITY, None if fresh else accept, extra) as writer:
@@ -226,7 +193,7 @@ def execute(
         for note in job.notes:
             run.note(note)
         for place in kept:
-            run.ended(Outcome(tasks[place].name, COMPLETED, reused=True))
+            run.ended(earlier[place])
         with stop_on_signals(run.stop, lambda: run.critical):
             try:
                 _carry_out(run)
@@ -240,7 +207,7 @@ def execute(
                 _keep(run)
                 raise Interrupted(_kept_message(run, path))
             with run.uninterrupted():
-                failed = any(outcome.status != COMPLETED for outcome in run.outcomes.values())
+                failed = any(outcome.failed for outcome in run.outcomes.values())
                 writer.finish({"status": FAILED if failed else COMPLETED})
     outcomes = tuple(run.outcomes[task.name] for task in job.tasks)
     return RunSummary(path, outcomes, tuple(run.notes), time.monotonic() - started)
@@ -257,6 +224,17 @@ def analyse(
     return analyses.run_analysis(project, spec, progress=progress, stop=stop, motion=motion)
 
 
+def analyse_stripe(
+    project: Project,
+    spec: Analysis,
+    motion: Motion | None,
+    progress: Callable[[int, int], None],
+    stop: Callable[[], bool],
+) -> Group:
+    """Run one history of an incremental study, as a back end calls it; nothing over time is kept."""
+    return analyse(project, spec, motion, progress, stop).without("time")
+
+
 def _carry_out(run: Execution) -> None:
     run.motions = _prepare_records(run)
     if run.stopped():
@@ -264,17 +242,34 @@ def _carry_out(run: Execution) -> None:
     prepared = run.job.prepare(run)
     if run.stopped():
         return
+    fallen: dict[str, str] = {}  # why the rest of a chain is skipped
+    for wave in waves(run.job.tasks):
+        for task, stripe in ((task, task.stripe) for task in wave if task.stripe is not None):
+            if stripe.chain in fallen:  # also what an interrupted run has computed, if a failure below it fell now
+                skipped = Group(attributes={"status": SKIPPED})
+                _archive(run, task, Result(task.name, skipped, fallen[stripe.chain]))
+        _perform(run, [task for task in wave if task.name not in run.outcomes], prepared)
+        if run.stopped():
+            return
+        for task in wave:
+            if task.stripe is not None and run.outcomes[task.name].status == COLLAPSED:
+                fallen[task.stripe.chain] = f"collapsed at {task.name.removeprefix(f'{task.stripe.chain}.')}"
+
+
+def _perform(run: Execution, tasks: Sequence[Task], prepared: Prepared) -> None:
+    """Run analyses that do not depend on each other, and archive each as soon as it is finished."""
     works = []
-    for task in [task for task in run.job.tasks if task.name not in run.outcomes]:
+    for task in tasks:
         try:
             project, spec = prepared(task)
         except EdesignError as error:
             _archive(run, task, Result(task.name, reason=str(error)))
             continue
-        works.append(Work(task.name, analyse, (project, spec, run.motions.get(task.record or ""))))
-    tasks = {task.name: task for task in run.job.tasks}
+        how = analyse if task.stripe is None else analyse_stripe
+        works.append(Work(task.name, how, (project, spec, run.motions.get(task.record or ""))))
+    by_name = {task.name: task for task in tasks}
     for result in run.results(works):
-        _archive(run, tasks[result.key], result)
+        _archive(run, by_name[result.key], result)
 
 
 def _prepare_records(run: Execution) -> dict[str, Motion]:
@@ -306,6 +301,8 @@ def _prepare_records(run: Execution) -> dict[str, Motion]:
 def _archive(run: Execution, task: Task, result: Result) -> None:
     group = result.value if isinstance(result.value, Group) else Group(attributes={"status": FAILED})
     status = str(group.attributes.get("status", COMPLETED))
+    if task.stripe is not None and group.attributes.get("collapsed"):
+        status = COLLAPSED  # what the study looks for
     reason = result.reason or str(group.attributes.get("reason") or "")
     attributes = {**group.attributes, **task.labels, "status": status, "reason": reason}
     run.archive(task.path, Group(group.coords, group.variables, attributes))

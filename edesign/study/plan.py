@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,13 +21,19 @@ ANALYSES = "analyses"  # their group in the archive
 class Stripe:
     """The place of a history in an incremental study.
 
+    A chain is one record at all intensities on one variant; from a collapse on the rest of it is not run.
+
     Attributes:
         incremental: name of the study.
         intensity: value of its intensity measure.
+        step: index of the intensity, from 0 for the lowest.
+        chain: unique name of the chain, which the names of its histories begin with.
     """
 
     incremental: str
     intensity: float
+    step: int
+    chain: str
 
 
 @dataclass(frozen=True)
@@ -72,7 +79,7 @@ class Task:
 
         In a study also temperature_C, and incremental and intensity.
         """
-        found = {"order": self.order, **labels(self.spec)}
+        found: dict[str, str | int | float | None] = {"order": self.order, **labels(self.spec)}
         if self.variant:
             found["temperature_C"] = self.temperature_C
         if self.stripe is not None:
@@ -114,6 +121,14 @@ def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
                 f"`{task.entry}` both lead to one named `{task.name}`; rename one of them"
             )
     return selected(tasks, only, project.path)
+
+
+def waves(tasks: Iterable[Task]) -> list[list[Task]]:
+    """Sort a plan into what may run side by side: all that is no incremental study, then intensity by intensity."""
+    found: dict[int, list[Task]] = defaultdict(list)
+    for task in tasks:
+        found[-1 if task.stripe is None else task.stripe.step].append(task)
+    return [found[step] for step in sorted(found)]
 
 
 def selected(tasks: Sequence[Task], only: Sequence[str], path: Path) -> tuple[Task, ...]:

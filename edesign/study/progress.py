@@ -71,7 +71,7 @@ class Tally:
         elif report.event in ("end", "reuse"):
             self._running.pop(report.analysis, None)
             self.done += 1
-            if report.event == "end":
+            if report.event == "end" and report.seconds > 0.0:  # what was skipped tells nothing
                 self._seconds.append(report.seconds)
 
     @property

@@ -15,6 +15,7 @@ from edesign import core
 from edesign._version import __version__
 from edesign.archive.dataset import Group
 from edesign.archive.hdf5 import library_versions
+from edesign.project.designs import FileProperties
 from edesign.project.project import Project
 from edesign.project.study import Study
 
@@ -38,10 +39,12 @@ def input_checksum(project: Project, records: Mapping[str, str]) -> str:
     """Return the SHA-256 of all that a run reads.
 
     Args:
-        project: its text counts.
+        project: its text counts, and the files of its laws of dampers.
         records: SHA-256 of the samples of each record, by name.
     """
+    laws = project.dampers.laws.values() if project.dampers is not None else ()
     parts = [project.checksum, *(f"{name} {records[name]}" for name in sorted(records))]
+    parts += [_file_checksum(project.folder / law.file) for law in laws if law.file is not None]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
@@ -56,11 +59,16 @@ def study_root_group(study: Study, planned: list[str], records: Mapping[str, str
     group = root_group(study.base, planned, records)
     group.attributes |= {"kind": "study", "title": study.title, "study_file": study.path.name}
     group.attributes["project_checksum"] = study.checksum
-    group.attributes["input_checksum"] = hashlib.sha256(
-        f"{study.checksum}\n{group.attributes['input_checksum']}".encode()
-    ).hexdigest()
+    chosen = [design.properties for design in study.designs.values()]
+    tables = [_file_checksum(study.folder / table.file) for table in chosen if isinstance(table, FileProperties)]
+    parts = [study.checksum, str(group.attributes["input_checksum"]), *tables]
+    group.attributes["input_checksum"] = hashlib.sha256("\n".join(parts).encode()).hexdigest()
     group.add("study_text", (), study.text, "", "text of the study file")
     return group
+
+
+def _file_checksum(path: Path) -> str:
+    return f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
 
 
 def root_group(project: Project, planned: list[str], records: Mapping[str, str]) -> Group:

@@ -12,7 +12,9 @@ from edesign.study.backends import make_backend
 from edesign.study.check import check_inputs, check_study_inputs
 from edesign.study.dampers import law_warnings
 from edesign.study.designing import DESIGNS, study_designs
-from edesign.study.execution import Execution, Job, Outcome, Prepared, RunSummary, execute
+from edesign.study.execution import Execution, Job, Prepared, execute
+from edesign.study.incremental import study_stripes
+from edesign.study.outcome import Outcome, RunSummary
 from edesign.study.plan import make_plan
 from edesign.study.progress import Listener, silent
 from edesign.study.provenance import root_group, study_root_group
@@ -93,7 +95,8 @@ def run_study(
     notes = tuple(variant_warnings(study, plan))
 
     def prepare(run: Execution) -> Prepared:
-        return study_designs(study, run)
+        frames = study_designs(study, run)
+        return frames if run.stopped() else study_stripes(study, run, frames)
 
     job = Job(study.path, study.base, plan, recordings, root, notes, prepare, resumable)
     with make_backend(backend, workers, scheduler) as made:

@@ -1,4 +1,4 @@
-"""The plan of a study: every variant x level x record x temperature."""
+"""The plan of a study: every variant x level x record x temperature, and variant x record x intensity."""
 
 from __future__ import annotations
 
@@ -8,19 +8,22 @@ from dataclasses import replace
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import references
 from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, ModalAnalysis
+from edesign.project.incremental import Incremental, LevelFactorStudy
 from edesign.project.problems import keys_text, unknown_name
 from edesign.project.study import Histories, Study
-from edesign.study.plan import Task, selected
+from edesign.study.intensity import intensity_text
+from edesign.study.plan import Stripe, Task, selected
 
 MODES, GRAVITY = "modes", "gravity"
 
 
 def make_study_plan(study: Study, only: Sequence[str] = ()) -> tuple[Task, ...]:
-    """List the analyses of a study: modes and gravity of each variant, then the histories in the order of the file.
+    """List the analyses of a study: modes and gravity of each variant, histories, histories of incremental studies.
 
     Args:
         study: the validated study.
-        only: names to which the plan is restricted: analyses, or VARIANT.LEVEL for all its histories; all if empty.
+        only: names to which the plan is restricted: analyses, or VARIANT.LEVEL or VARIANT.STUDY for all their
+            histories; all if empty.
 
     Raises:
         InputError: a name in `only` or a recording does not exist, or two histories are the same.
@@ -29,11 +32,13 @@ def make_study_plan(study: Study, only: Sequence[str] = ()) -> tuple[Task, ...]:
     for name in study.variants:
         tasks += _of_variant(study, name)
     names = {task.name for task in tasks}
-    for i, histories in enumerate(study.histories):
-        for task in _of_histories(study, i, histories):
+    blocks = [(("histories", i), _of_histories(study, i, item)) for i, item in enumerate(study.histories)]
+    blocks += [(("incremental", i), _of_incremental(study, i, item)) for i, item in enumerate(study.incremental)]
+    for keys, block in blocks:
+        for task in block:
             if task.name in names:
                 raise InputError(
-                    f"{study.where('histories', i)}: histories[{i}]: there is an analysis `{task.name}` already; "
+                    f"{study.where(*keys)}: {keys_text(keys)}: there is an analysis `{task.name}` already; "
                     "leave one of them out"
                 )
             names.add(task.name)
@@ -81,6 +86,26 @@ def _of_histories(study: Study, index: int, histories: Histories) -> Iterator[Ta
                         level=level,
                     )
                     yield Task(0, spec, entry, variant, temperature_C, reference in whole)
+
+
+def _of_incremental(study: Study, index: int, incremental: Incremental) -> Iterator[Task]:
+    wanted = recordings(study, incremental.records, ("incremental", index, "records"))
+    for variant in study.variants_of(incremental):
+        entry = f"{variant}.{incremental.name}"
+        for reference in wanted:
+            chain = f"{entry}.{reference.rpartition('/')[2]}"
+            for step, intensity in enumerate(incremental.intensities):
+                spec = HistoryAnalysis.model_construct(
+                    kind="history",
+                    name=f"{chain}.{intensity_text(incremental, intensity)}",
+                    variant=variant,
+                    dampers=study.variants[variant].dampers != "none",
+                    record=reference,
+                    free_vibration=incremental.free_vibration,
+                    collapse_drift=incremental.collapse_drift,
+                    level=incremental.level if isinstance(incremental, LevelFactorStudy) else "",
+                )
+                yield Task(0, spec, entry, variant, stripe=Stripe(incremental.name, intensity, step, chain))
 
 
 def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) -> tuple[str, ...]:

@@ -76,8 +76,8 @@ def test_original_and_fitted_record_are_archived_with_their_origin(archive: Path
 
 def test_show_draws_the_records_of_a_run(archive: Path, tmp_path: Path) -> None:
     assert main(["show", str(archive), "--figures", str(tmp_path), "--format", "png"]) == 0
-    expected = ("set_before", "set_after", "set_mean", "first", "second", "third")
-    assert sorted(path.name for path in tmp_path.iterdir()) == sorted(f"{name}.png" for name in expected)
+    expected = {f"{name}.png" for name in ("set_before", "set_after", "set_mean", "first", "second", "third")}
+    assert expected < {path.name for path in tmp_path.iterdir()}  # others are of the response
 
 
 def test_fitted_records_end_at_rest(archive: Path) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator
-from dataclasses import replace
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -50,7 +49,7 @@ class Source:
     @cached_property
     def groups(self) -> dict[str, Group]:
         """Results of every analysis of the plan by name, without histories; see `report.summary.results`."""
-        return {name: _without_histories(results(self.archive, name)) for name in planned(self.archive)}
+        return {name: results(self.archive, name).without(*ALONG_TIME) for name in planned(self.archive)}
 
     @cached_property
     def entries(self) -> list[dict[str, Any]]:
@@ -63,7 +62,7 @@ class Source:
         if self.archive.complete:
             return history_sets(self.groups)
         there = read_histories(self.archive)
-        return history_sets({name: _without_histories(group) for name, group in there.items()})
+        return history_sets({name: group.without(*ALONG_TIME) for name, group in there.items()})
 
     @cached_property
     def statistics(self) -> list[tuple[HistorySet, dict[str, Statistics]]]:
@@ -151,14 +150,3 @@ def _picture(name: str, caption: str, figure: Figure) -> Picture:
     title, _, description = caption.partition(". ")
     svg, width = inline_svg(svg_text(figure, "f"), anchor, title.rstrip("."), description)
     return Picture(anchor, caption, svg, width)
-
-
-def _without_histories(group: Group) -> Group:
-    def kept(dims: tuple[str, ...]) -> bool:
-        return not any(dim in ALONG_TIME for dim in dims)
-
-    return replace(
-        group,
-        coords={name: item for name, item in group.coords.items() if kept(item.dims)},
-        variables={name: item for name, item in group.variables.items() if kept(item.dims)},
-    )

@@ -129,6 +129,7 @@ def _silence() -> Iterator[None]:
     if logging.getLogger("edesign").isEnabledFor(logging.INFO):  # --debug
         yield
         return
+    logging.getLogger("distributed.http.proxy")  # of a module that is imported later, and tells what it has not
     loggers = [
         logger
         for name, logger in logging.root.manager.loggerDict.items()

@@ -41,7 +41,8 @@ def test_what_does_not_apply_is_none() -> None:
     assert set(response_measures(known_modes()).values()) == {None}
     assert set(response_measures(Group()).values()) == {None}
     pushover = response_measures(known_history("pushover"))
-    left = {f"{which}_{name}" for which in ("residual", "final") for name in ("roof_displacement_m", "interstorey_drift")}
+    names = ("roof_displacement_m", "interstorey_drift")
+    left = {f"{which}_{name}" for which in ("residual", "final") for name in names}
     none = left | {"roof_acceleration_m_s2", "relative_roof_acceleration_m_s2"}
     dampers = {"damper_strain", "damper_deformation_m", "damper_force_N"}
     assert {name for name, value in pushover.items() if value is None} == none | dampers

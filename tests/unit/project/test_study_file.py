@@ -61,7 +61,11 @@ def test_a_study_that_is_right(tmp_path: Path) -> None:
         (BARE, "  @bare: {}", "variants.bare: give either `dampers` (`none` or `project`) or a `design`"),
         (BARE, "  @bare: {dampers: none, design: added}", "variants.bare: give either `dampers`"),
         (BARE, "  bare: {dampers: @nome}", "variants.bare.dampers: "),
-        (BARE, BARE + "\n  more: {design: @aded}", "there is no design `aded`; did you mean `added`? (designs here: `a"),
+        (
+            BARE,
+            BARE + "\n  more: {design: @aded}",
+            "there is no design `aded`; did you mean `added`? (designs here: `a",
+        ),
         (BARE, "  bare: {dampers: none, @temperature: 35 degC}", "variants.bare.temperature: this variant has no damp"),
         (BARE, "  bare: {dampers: none, @property_factor: 2}", "variants.bare.property_factor: this variant has no da"),
         (BARE, BARE + "\n  @all: {dampers: none}", "variants.all: `all` stands for all variants"),
@@ -73,19 +77,39 @@ def test_a_study_that_is_right(tmp_path: Path) -> None:
         ("{modes: 2}", "{modes: 2, state: @initail}", "modal.state: `initail` is unknown; did you mean `initial`?"),
         # histories
         (FIRST, FIRST.replace("[bare,", "[@bear,"), f"there is no variant `bear`; did you mean `bare`? {VARIANTS}"),
-        (FIRST, FIRST.replace("[bare, damped,", "[bare, bare, @damped,").replace("bare, bare", "damped, bare"), "histories[0].variants[2]: `damped` comes twice"),
+        (
+            FIRST,
+            FIRST.replace("[bare, damped,", "[bare, bare, @damped,").replace("bare, bare", "damped, bare"),
+            "histories[0].variants[2]: `damped` comes twice",
+        ),
         (FIRST, FIRST.replace("[bare,", "[@all, bare,"), f"variants[0]: there is no variant `all` {VARIANTS}"),
-        (FIRST, FIRST.replace("MCE]", "@MCF]"), f"histories[0].levels[1]: there is no level `MCF`; did you mean `MCE`"),
+        (FIRST, FIRST.replace("MCE]", "@MCF]"), "histories[0].levels[1]: there is no level `MCF`; did you mean `MCE`"),
         (FIRST, FIRST.replace("MCE]", "@DBE]"), "histories[0].levels[1]: `DBE` comes twice"),
         (FIRST, FIRST.replace("MCE]", "MCE, @SLE]"), f"histories[0].levels[2]: there is no level `SLE` {LEVELS}"),
-        (FIRST, "@" + FIRST.replace("levels: [DBE, MCE], ", ""), "histories[0].levels: this key is missing; `set` is f"),
+        (
+            FIRST,
+            "@" + FIRST.replace("levels: [DBE, MCE], ", ""),
+            "histories[0].levels: this key is missing; `set` is f",
+        ),
         (FIRST, "@" + FIRST.replace("records: set, ", ""), "histories[0].records: this key is missing"),
-        (FIRST, FIRST.replace("records: set", "records: @sett"), "there is no record `sett`; did you mean `set`? (reco"),
+        (
+            FIRST,
+            FIRST.replace("records: set", "records: @sett"),
+            "there is no record `sett`; did you mean `set`? (reco",
+        ),
         (FIRST, FIRST.replace("records: set", "records: [set, @set]"), "histories[0].records[1]: `set` comes twice"),
-        (FIRST, FIRST.replace("records: set", "records: @set/frist"), "there is no recording `frist`; did you mean `fi"),
+        (
+            FIRST,
+            FIRST.replace("records: set", "records: @set/frist"),
+            "there is no recording `frist`; did you mean `fi",
+        ),
         (WARM, WARM.replace("records: set/first", "records: [set/first, @motion/x]"), "there is no recording `x`"),
         (FIRST, FIRST.replace("[DBE, MCE], records: set", "@[DBE, MCE], records: motion"), "`motion` is not fitted to"),
-        (FIRST, FIRST.replace("}", ", @temperatures: 35 degC}"), "the variant `bare` has no dampers, whose temperature"),
+        (
+            FIRST,
+            FIRST.replace("}", ", @temperatures: 35 degC}"),
+            "the variant `bare` has no dampers, whose temperature",
+        ),
         (FIRST, FIRST.replace("1 s}", "1 s, collapse_drift: @0 %}"), "histories[0].collapse_drift: "),
         (FIRST, FIRST.replace("1 s}", "@1}"), "histories[0].free_vibration: "),
         (WARM, f"{WARM}\n  - @{WARM}", "histories[2]: there is an analysis `warm.DBE.first` already; leave one of"),
@@ -93,7 +117,11 @@ def test_a_study_that_is_right(tmp_path: Path) -> None:
         # designs: what only a study knows
         ("criteria: drift,", "criteria: @drfit,", "added.verify.criteria: there is no criterion `drfit`; did you mean"),
         ("criteria: drift,", "criteria: [drift, @drift],", "designs.added.verify.criteria[1]: `drift` comes twice"),
-        ("criteria: drift,", "criteria: @at MCE,", "added.verify.criteria: `at MCE` is of `MCE`, and the histories here"),
+        (
+            "criteria: drift,",
+            "criteria: @at MCE,",
+            "added.verify.criteria: `at MCE` is of `MCE`, and the histories here",
+        ),
         ("{records: set, levels: DBE,", "{records: @set/frist, levels: DBE,", "there is no recording `frist`; did you"),
         ("method: strain_energy", "method: @strain", "designs.added.method: "),
         ("law: rubber", "law: @ruber", "designs.added.law: there is no damper law `ruber`; did you mean `rubber`?"),
@@ -105,7 +133,11 @@ def test_a_study_that_is_right(tmp_path: Path) -> None:
         ("archive: out.h5", "archive: @out.txt", "outputs.archive: `out.txt` needs the ending .h5, .hdf5 or .nc"),
         ("[floors]", "[@flors]", "outputs.histories[0]: `flors` is unknown; did you mean `floors`?"),
         ("every: 2", "every: @0", "outputs.every: "),
-        (DETAILS, DETAILS.replace("set/first", "@sett/first"), "outputs.details.records: there is no record `sett`; di"),
+        (
+            DETAILS,
+            DETAILS.replace("set/first", "@sett/first"),
+            "outputs.details.records: there is no record `sett`; di",
+        ),
         (DETAILS, DETAILS.replace("set/first", "@set/frist"), "outputs.details.records: there is no recording `frist`"),
         (DETAILS, DETAILS.replace("C_A_1", "@C_A_9"), "outputs.details.members[0]: there is no "),
         (f"details: {DETAILS}", "@details: {members: [C_A_1]}", "outputs.details.records: this key is missing"),
@@ -137,7 +169,10 @@ def test_all_mistakes_are_told_at_once(tmp_path: Path) -> None:
     [
         (("masses: {from_loads: {}}\n", ""), "histories need `masses`, and {project} has none"),
         (("damping: {kind: rayleigh, ratio: 2 %}\n", ""), "histories need `damping`, and {project} has none"),
-        (("integration: {method: newmark, time_step: 0.01 s}\n", ""), "histories need `integration`, and {project} has"),
+        (
+            ("integration: {method: newmark, time_step: 0.01 s}\n", ""),
+            "histories need `integration`, and {project} has",
+        ),
     ],
 )
 def test_what_the_project_has_not(tmp_path: Path, change: tuple[str, str], said: str) -> None:

@@ -1,0 +1,57 @@
+"""How the analyses of a run ended."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+COMPLETED, FAILED = "completed", "failed"
+COLLAPSED, SKIPPED = "collapsed", "skipped"
+"""Of histories of incremental studies only: the frame fell, which is what they look for; and what is therefore not run,
+at the intensities above."""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """How one analysis ended.
+
+    Attributes:
+        name: of the analysis.
+        status: "completed" or "failed"; in an incremental study also "collapsed" or "skipped".
+        reason: why it is not completed, "" if it is.
+        reused: whether the result is that of an earlier, interrupted run.
+        seconds: time it took (s), 0 if reused.
+    """
+
+    name: str
+    status: str
+    reason: str = ""
+    reused: bool = False
+    seconds: float = 0.0
+
+    @property
+    def failed(self) -> bool:
+        """Whether it is a failure of the run; a collapse that is looked for is none."""
+        return self.status not in (COMPLETED, COLLAPSED, SKIPPED)
+
+
+@dataclass(frozen=True)
+class RunSummary:
+    """What a run did.
+
+    Attributes:
+        archive: the finished archive.
+        outcomes: one for each analysis, in the order of the plan.
+        notes: what the user was told, such as what became of an interrupted run.
+        seconds: time of the whole run (s).
+    """
+
+    archive: Path
+    outcomes: tuple[Outcome, ...]
+    notes: tuple[str, ...] = ()
+    seconds: float = 0.0
+
+    @property
+    def failed(self) -> tuple[Outcome, ...]:
+        """The analyses that failed."""
+        return tuple(outcome for outcome in self.outcomes if outcome.failed)
