@@ -22,23 +22,23 @@ ANSWERS = {True: "met", False: "not met", None: "open"}
 
 def verdicts_table(verdicts: Sequence[Verdict], title: str = "Criteria") -> Table:
     """Return a row for each verdict; missing histories and remarks stand below."""
-    columns = ["criterion", "requirement", "variant", "level", "statistic", "value", "limit", "verdict", "histories"]
-    table = Table(title, [*columns, "governs"], left=5)
+    columns = ("criterion", "variant", "level", "verdict", "statistic", "value", "limit", "histories")
+    table = Table(title, (*columns, "governs", "requirement"), left=5)
     for verdict in verdicts:
         value = "-" if verdict.value is None else shown(verdict.value, verdict.unit)
         total = verdict.count + len(verdict.missing)
         table.rows.append(
             [
                 verdict.name,
-                verdict.requirement,
                 verdict.variant or "-",
                 verdict.level or "-",
+                ANSWERS[verdict.met],
                 verdict.statistic,
                 value,
                 shown(verdict.limit, verdict.unit),
-                ANSWERS[verdict.met],
                 f"{verdict.count} of {total}",
                 _governs(verdict),
+                verdict.requirement,
             ]
         )
         about = [part for part in (verdict.remark, _missing(verdict)) if part]
@@ -78,17 +78,17 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
     """Return a row for each objective and variant; `verdicts` are those of `judge` on the objectives."""
     columns = (
         "objective",
+        "variant",
+        "by",
+        "verdict",
         "hazard level",
         "performance",
         "class",
-        "variant",
-        "by",
         "usage",
-        "verdict",
         "histories",
         "governs",
     )
-    table = Table("Rehabilitation objectives (thesis Table 5.4; mean usage, met up to 100 %)", columns, left=6)
+    table = Table("Rehabilitation objectives (thesis Table 5.4; mean usage, met up to 100 %)", columns, left=7)
     for letter in objectives:
         objective = OBJECTIVES[letter]
         hazard = f"{100 * objective.probability:g} % in 50 years"
@@ -100,13 +100,13 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
             table.rows.append(
                 [
                     letter,
+                    verdict.variant or "-",
+                    verdict.name.rpartition(" ")[2],
+                    ANSWERS[verdict.met],
                     f"{hazard} ({level or 'none'})",
                     f"{PERFORMANCE_LEVELS[objective.level]} ({objective.level})",
                     objective.rank,
-                    verdict.variant or "-",
-                    verdict.name.rpartition(" ")[2],
                     value,
-                    ANSWERS[verdict.met],
                     f"{verdict.count} of {verdict.count + len(verdict.missing)}",
                     _governs(verdict),
                 ]

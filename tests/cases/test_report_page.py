@@ -30,6 +30,7 @@ FRAMED = """<!DOCTYPE html><html><body><iframe src="page.html" style="width: {wi
     inner: page.innerWidth, scroll: page.document.documentElement.scrollWidth, title: page.document.title,
     wide: all('figure, pre, dl, ul, p').filter(e => size(e).right > page.innerWidth + 1).map(e => e.className),
     empty: all('svg').filter(e => size(e).width < 200 || !e.querySelector('path')).length,
+    tall: all('tr').filter(e => size(e).height > 200).map(e => e.textContent.slice(0, 40)),
     figures: all('svg').length, tables: all('table').length, twice: ids.length - new Set(ids).size,
     requests: page.performance.getEntriesByType('resource').map(e => e.name),
     lost: all('nav a').filter(e => !page.document.querySelector(e.hash)).length
@@ -102,6 +103,7 @@ def test_page_in_a_browser(made: Made, width: int, tmp_path: Path) -> None:
     assert found["inner"] == width
     assert found["scroll"] <= width
     assert found["wide"] == []
+    assert found["tall"] == []  # no column so narrow that its words fall apart
     assert found["requests"] == []
     assert found["lost"] == 0 and found["twice"] == 0 and found["empty"] == 0
     assert found["title"] == TITLE
