@@ -14,18 +14,14 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import numpy as np  # noqa: E402
 
 from edesign.archive.dataset import Group  # noqa: E402
+from edesign.building.project_file import load_project  # noqa: E402
 from edesign.project.base import Model  # noqa: E402
 from edesign.project.designs import Design  # noqa: E402
-from edesign.project.loader import parse_project  # noqa: E402
 from edesign.project.project import Project  # noqa: E402
 from edesign.project.yaml_file import check_model  # noqa: E402
 from edesign.study.design.design import run_design  # noqa: E402
 
 FILE = Path(__file__).resolve().parents[1] / "projects" / "thesis_10_storey" / "project.yaml"
-LAWS = (
-    "\ndampers: {laws: {elastomer: {type: mgmm, parameters: thesis_table_4_2, "
-    "prototype: {layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}}}}\n"
-)
 STOREYS = ", ".join(f"{k} kN/m" for k in (51776, 26820, 22744, 20863, 16934, 15144, 14515, 12776, 11591, 9592))
 COMMON = "law: elastomer, bays: [1, 3], strain: 20 %, layer_thickness: 70 mm"
 ENERGY = f"method: strain_energy, {COMMON}, brace: {{ratio: 7}}"
@@ -60,8 +56,7 @@ class _Designs(Model):
 
 def main() -> None:
     """Print the table."""
-    text = FILE.read_text(encoding="utf-8")
-    project = parse_project(text if "\ndampers:" in text else text + LAWS, FILE)
+    project = load_project(FILE)
     columns = ("G'", "n", "f", "T1", "5.6", "5.8", "complex", "braced", "law", "A_1", "area", "drift", "ms")
     units = ("MPa", "", "Hz", "s", "%", "%", "%", "%", "%", "m2", "m2", "%", "")
     print(f"{'':36s}" + "".join(f"{c:>8s}" for c in columns))

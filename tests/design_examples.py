@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from edesign.building.profiles import profile_names
+from edesign.building.project_file import load_project
 from edesign.errors import InputError
 from edesign.project.base import Model
 from edesign.project.checks_designs import check_design
@@ -66,13 +67,7 @@ class _Study(Model):
 
 def thesis_project() -> Project:
     """The thesis' frame with its law of dampers."""
-    text = THESIS.read_text(encoding="utf-8")
-    if "\ndampers:" not in text:
-        text += (
-            "\ndampers: {laws: {elastomer: {type: mgmm, parameters: thesis_table_4_2, "
-            "prototype: {layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}}}}\n"
-        )
-    return parse_project(text, THESIS, profile_names())
+    return load_project(THESIS)
 
 
 def shear_project(storeys: int, dampers: str = LAWS) -> Project:

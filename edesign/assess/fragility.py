@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 from scipy.special import log_ndtr, ndtr
-from scipy.stats import CensoredData, chi2, norm
+from scipy.stats import CensoredData, chi2, ecdf, norm
 
 from edesign.assess.probit import NOT_RISING, check_overlap, log_likelihood, probit
 from edesign.errors import AnalysisError
@@ -27,7 +27,7 @@ class Fragility:
         beta: standard deviation of the natural logarithm.
         theta_se, beta_se: their standard errors.
         count: observations that it is fitted to: analyses of all intensities, or capacities.
-        censored: capacities that are only known to lie beyond the largest intensity.
+        censored: capacities that are only known to lie beyond the last intensity of their record.
         largest_difference: between observed fractions and the function.
         deviance: twice the lack of log-likelihood against the observed fractions themselves; None for capacities.
         p_value: probability of a larger deviance if the function were true; None for capacities and below three
@@ -102,20 +102,21 @@ def fit_counts(intensity: ArrayLike, analyses: ArrayLike, passed: ArrayLike) -> 
     )
 
 
-def fit_capacities(capacity: ArrayLike, largest: float = math.inf) -> Fragility:
+def fit_capacities(capacity: ArrayLike, last: ArrayLike = math.inf) -> Fragility:
     """Fit a fragility to the intensity at which each record passes a limit.
 
     Without censored capacities theta and beta are the moments of their logarithms (sample standard deviation); with
     some they have the largest likelihood.
 
     Args:
-        capacity: (n,) greater than zero; infinite where a record does not pass up to the intensity `largest`.
-        largest: intensity up to which records were scaled.
+        capacity: (n,) greater than zero; infinite where a record does not pass up to its intensity `last`.
+        last: intensity up to which each record has results, (n,) or one for all; finite where the capacity is not.
 
     Raises:
         AnalysisError: fewer than two records pass, or all at the same intensity.
 
-    Source: Baker (2015), Eqs. 2-3 (moments) and 6-7 (truncated incremental dynamic analysis).
+    Source: Baker (2015), Eqs. 2-3 (moments) and 6-7 (truncated incremental dynamic analysis), with a truncation of each
+        record's own; the observed fractions are those of Kaplan and Meier (1958).
     """
     capacities = np.asarray(capacity, dtype=float)
     there = np.isfinite(capacities)
@@ -126,16 +127,19 @@ def fit_capacities(capacity: ArrayLike, largest: float = math.inf) -> Fragility:
         raise AnalysisError(
             "no fragility: all records pass the limit at the same intensity, so that beta cannot be told"
         )
+    beyond = np.log(np.broadcast_to(np.asarray(last, dtype=float), capacities.shape)[~there])
+    if not np.all(np.isfinite(beyond)):
+        raise ValueError("a record that does not pass needs the intensity up to which it has results")
+    data = CensoredData(uncensored=x, right=beyond)
     if missing == 0:
         mu, beta = float(np.mean(x)), float(np.std(x, ddof=1))
         mu_se, beta_se = beta / math.sqrt(x.size), beta / math.sqrt(2.0 * (x.size - 1))
     else:
-        beyond = np.full(missing, math.log(largest))
-        mu, beta = (float(value) for value in norm.fit(CensoredData(uncensored=x, right=beyond)))
-        mu_se, beta_se = _censored_errors(x, float(beyond[0]), missing, mu, beta)
-    ordered = np.sort(x)
-    steps, p = np.arange(x.size + 1) / capacities.size, ndtr((ordered - mu) / beta)
-    difference = max(np.max(np.abs(steps[1:] - p)), np.max(np.abs(steps[:-1] - p)))
+        mu, beta = (float(value) for value in norm.fit(data))
+        mu_se, beta_se = _censored_errors(x, beyond, mu, beta)
+    passing = np.unique(x)
+    steps, p = ecdf(data).cdf.evaluate(passing), ndtr((passing - mu) / beta)
+    difference = max(np.max(np.abs(steps - p)), np.max(np.abs(np.append(0.0, steps[:-1]) - p)))
     theta = math.exp(mu)
     return Fragility(theta, beta, theta * mu_se, beta_se, capacities.size, missing, float(difference))
 
@@ -154,16 +158,16 @@ def _saturated(n: np.ndarray, k: np.ndarray) -> float:
         return float(np.nansum(k * np.log(k / n)) + np.nansum((n - k) * np.log1p(-k / n)))
 
 
-def _censored_errors(x: np.ndarray, limit: float, missing: int, mu: float, beta: float) -> tuple[float, float]:
+def _censored_errors(x: np.ndarray, beyond: np.ndarray, mu: float, beta: float) -> tuple[float, float]:
     """Standard errors of mean and standard deviation from the observed information of censored normal data."""
-    z, c = (x - mu) / beta, (limit - mu) / beta
-    hazard = math.exp(norm.logpdf(c) - log_ndtr(-c))
+    z, c = (x - mu) / beta, (beyond - mu) / beta
+    hazard = np.exp(norm.logpdf(c) - log_ndtr(-c))
     slope = hazard * (hazard - c)
     information = (
         np.array(
             [
-                [x.size + missing * slope, 2.0 * z.sum() + missing * (hazard + c * slope)],
-                [0.0, 3.0 * (z**2).sum() - x.size + missing * (2.0 * c * hazard + c**2 * slope)],
+                [x.size + slope.sum(), 2.0 * z.sum() + (hazard + c * slope).sum()],
+                [0.0, 3.0 * (z**2).sum() - x.size + (2.0 * c * hazard + c**2 * slope).sum()],
             ]
         )
         / beta**2

@@ -113,6 +113,15 @@ def capacities(stripes: Stripes, limit: ArrayLike) -> np.ndarray:
     return found if np.ndim(limit) else found[:, 0]
 
 
+def last_intensities(stripes: Stripes) -> np.ndarray:
+    """Return the highest intensity at which each record has a result, (r,); NaN where it has none.
+
+    A capacity that is not reached is only known to lie beyond it.
+    """
+    there = ~np.isnan(stripes.values)
+    return np.where(there.any(axis=1), np.where(there, stripes.intensity, -np.inf).max(axis=1), np.nan)
+
+
 def fractile_curves(stripes: Stripes, values: ArrayLike, fractions: Sequence[float] = FRACTILES) -> np.ndarray:
     """Return the intensities that fractions of the records need to reach values of the measure.
 

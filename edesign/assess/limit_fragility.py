@@ -8,7 +8,7 @@ from typing import Literal
 import numpy as np
 
 from edesign.assess.fragility import Fragility, collapse_margin_ratio, fit_capacities, fit_counts
-from edesign.assess.incremental import COLLAPSE, Stripes, capacities, stripe_counts
+from edesign.assess.incremental import COLLAPSE, Stripes, capacities, last_intensities, stripe_counts
 from edesign.errors import AnalysisError
 
 Method = Literal["counts", "capacities"]
@@ -69,8 +69,9 @@ def limit_fragility(
         if method == "counts":
             fit = fit_counts(stripes.intensity, analyses, passed)
         else:
-            needed = capacities(stripes, value)
-            fit = fit_capacities(needed[~np.isnan(needed)], float(stripes.intensity[-1]))
+            needed, last = capacities(stripes, value), last_intensities(stripes)
+            there = ~np.isnan(needed)
+            fit = fit_capacities(needed[there], last[there])
     except AnalysisError as error:
         reason = str(error)
     margin = None if fit is None or level_intensity is None else collapse_margin_ratio(fit.theta, level_intensity)

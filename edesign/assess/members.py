@@ -175,11 +175,11 @@ def member_usages(
         if rotations is None:
             continue
         stored = True
-        compressions = _compressions(group) if kind == "column" else {}
+        of_columns = compressions(group) if kind == "column" else {}
         for label, ends in zip(group.coords[kind].values, rotations, strict=True):
             member = members.get(str(label))
             if member is not None and (storeys is None or member.storey in storeys):
-                compression = compressions.get(member.name, 0.0)
+                compression = of_columns.get(member.name, 0.0)
                 found.append(_usage(member, float(np.max(ends)), compression, level))
     return found if stored else None
 
@@ -192,8 +192,8 @@ def _usage(member: FrameMember, rotation: float, compression: float, level: str)
     return MemberUsage(member, usage, rotation, allowed, ratio)
 
 
-def _compressions(group: Group) -> dict[str, float]:
-    """Largest compression of each column, N."""
+def compressions(group: Group) -> dict[str, float]:
+    """Return the largest compression of each column in a history, N; {} if it has no axial forces."""
     lowest = group.variables.get("column_axial_force_min")  # tension is positive
     if lowest is None:
         return {}

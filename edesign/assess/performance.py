@@ -11,7 +11,7 @@ from edesign.assess.measures import located_measure
 from edesign.assess.members import FrameMember, Kind, member_usages
 from edesign.assess.sets import HistorySet
 from edesign.assess.statistics import STATISTICS, statistics
-from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS, drift_limits
+from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
 
 By = Literal["drift", "members", "both"]
 BEYOND = "beyond CP"
@@ -34,21 +34,6 @@ class Usage:
     storey: int | None = None
     member: str = ""
     force_controlled: bool = False
-
-
-@dataclass(frozen=True)
-class HistoryPerformance:
-    """Performance levels of one history: IO, LS, CP, `beyond CP`, or None where it has no such results.
-
-    Attributes:
-        by_drift, by_members: the level.
-        drift, members: usage of that level, of CP if it is beyond.
-    """
-
-    by_drift: str | None
-    by_members: str | None
-    drift: Usage | None
-    members: Usage | None
 
 
 @dataclass(frozen=True)
@@ -77,18 +62,15 @@ class SetPerformance:
     missing: tuple[str, ...]
 
 
-def drift_performance(
-    group: Group, level: str, storeys: Collection[int] | None = None, negligible: float = NEGLIGIBLE
-) -> Usage | None:
+def drift_performance(group: Group, level: str, storeys: Collection[int] | None = None) -> Usage | None:
     """Return the drifts of a history over those of a level; None if it has no residual drift.
 
     Args:
         group: results of the history.
         level: IO, LS or CP.
         storeys: only these; None: all.
-        negligible: permanent drift ratio allowed for IO.
     """
-    limits = drift_limits(level, negligible)
+    limits = drift_limits(level)
     found = []
     for measure, governing, limit in (
         ("interstorey_drift", "transient drift", limits.transient),
@@ -140,13 +122,6 @@ def usage(
     return max(there, key=lambda item: item.ratio) if len(there) == len(found) else None
 
 
-def history_performance(group: Group, members: Mapping[str, FrameMember]) -> HistoryPerformance:
-    """Return the performance levels of one completed history, by drift and by members."""
-    by_drift, drift = _reached({level: drift_performance(group, level) for level in PERFORMANCE_LEVELS})
-    by_members, rotations = _reached({level: member_performance(group, members, level) for level in PERFORMANCE_LEVELS})
-    return HistoryPerformance(by_drift, by_members, drift, rotations)
-
-
 def set_performance(
     histories: HistorySet, members: Mapping[str, FrameMember], statistic: str = "mean"
 ) -> SetPerformance:
@@ -165,7 +140,7 @@ def set_performance(
             name: {level: usage(group, members, level, by) for level in PERFORMANCE_LEVELS}
             for name, group in completed.items()
         }
-        levels = {name: _reached(usages)[0] for name, usages in kept.items()}
+        levels = {name: _reached(usages) for name, usages in kept.items()}
         counts = {
             level: sum(reached == level for reached in levels.values()) for level in (*PERFORMANCE_LEVELS, BEYOND)
         }
@@ -176,7 +151,7 @@ def set_performance(
             together[level] = None if value is None else Usage(value, statistic)
         worst = [(name, item) for name, usages in kept.items() if (item := usages["CP"]) is not None]
         found[by] = (
-            _reached(together)[0],
+            _reached(together),
             counts,
             max(worst, key=lambda pair: pair[1].ratio, default=None),
         )
@@ -196,13 +171,11 @@ def set_performance(
     )
 
 
-def _reached(usages: Mapping[str, Usage | None]) -> tuple[str | None, Usage | None]:
-    """The first level whose usage is at most 1, with it; `beyond CP` with that of CP; None, None without results."""
-    last = None
+def _reached(usages: Mapping[str, Usage | None]) -> str | None:
+    """The first level whose usage is at most 1, `beyond CP` if there is none; None without results."""
     for level, item in usages.items():
         if item is None:
-            return None, None
+            return None
         if item.ratio <= 1.0:
-            return level, item
-        last = item
-    return BEYOND, last
+            return level
+    return BEYOND

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from statistics import median
 
 import numpy as np
 
@@ -63,7 +64,7 @@ def statistics(values: Mapping[str, float | None]) -> Statistics:
         mean=math.fsum(ordered) / len(ordered),
         maximum=ordered[-1],
         minimum=ordered[0],
-        median=_median(ordered),
+        median=median(ordered),
         dispersion=dispersion(ordered),
         percentile_84=counted_percentile(ordered, FRACTION),
         governing=max(there, key=lambda name: there[name]),
@@ -92,8 +93,3 @@ def dispersion(values: list[float]) -> float | None:
     if len(values) < 2 or min(values) <= 0.0 or math.isinf(max(values)):
         return None
     return float(np.std(np.log(values), ddof=1))
-
-
-def _median(ordered: list[float]) -> float:
-    middle = len(ordered) // 2
-    return ordered[middle] if len(ordered) % 2 else 0.5 * (ordered[middle - 1] + ordered[middle])

@@ -19,7 +19,7 @@ from edesign.ground_motion.sources import Found, find_suite
 from edesign.ground_motion.suite import Suite, load_suite
 from edesign.project.problems import unknown_name
 from edesign.project.project import Project
-from edesign.project.records import FemaP695Record, FileRecord, StructdynRecord, SuiteRecords
+from edesign.project.records import FemaP695Record, FileRecord, StructdynRecord, SuiteRecords, record_of
 
 
 def references(project: Project, name: str) -> tuple[str, ...]:
@@ -49,7 +49,7 @@ def find_recordings(project: Project, wanted: Iterable[str]) -> dict[str, Found]
     """
     wanted = tuple(dict.fromkeys(wanted))
     found: dict[str, Found] = {}
-    for name in dict.fromkeys(reference.partition("/")[0] for reference in wanted):
+    for name in dict.fromkeys(record_of(reference) for reference in wanted):
         spec = _spec(project, name)
         try:
             if isinstance(spec, SuiteRecords):

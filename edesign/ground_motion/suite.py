@@ -133,9 +133,6 @@ def load_suite(path: Path | str) -> Suite:
     path = Path(path)
     suite, problems = check_model(read_yaml_text(path, "suite file"), Suite, "suite file", "edesign_suite: 1")
     if suite is None:
-        if problems.root.child("edesign") and not problems.root.child("edesign_suite"):
-            problems.found = []
-            problems.at_value(("edesign",), "this is a project file; a suite file begins with `edesign_suite: 1`")
         raise SuiteError(path, problems.found)
     for i, entry in enumerate(suite.records):
         _check_places(entry, i, problems)

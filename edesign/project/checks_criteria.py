@@ -6,10 +6,11 @@ import math
 from collections.abc import Collection, Sequence
 
 from edesign.project.checks_frame import Selections
+from edesign.project.checks_names import check_names
 from edesign.project.criteria import Criterion, HingeCriterion, MeasureCriterion, Objectives
 from edesign.project.hazard import YEAR, Hazard, Level
 from edesign.project.measures import MEASURE_KINDS
-from edesign.project.problems import Keys, Problems, did_you_mean, keys_text, unknown_name
+from edesign.project.problems import Keys, Problems, did_you_mean, keys_text
 from edesign.project.project import Project
 
 OBJECTIVE_PROBABILITY = dict(zip("abcdefghijkl", (p for p in (0.50, 0.20, 0.10, 0.02) for _ in range(3)), strict=True))
@@ -37,14 +38,13 @@ def check_criteria(
         variants: names of the variants of the study.
         problems: collects what is wrong.
     """
-    hazard = project.hazard
-    levels = hazard.levels if hazard is not None else {}
+    levels = project.hazard_levels
     for i, criterion in enumerate(criteria):
         at: Keys = (*keys, "criteria", i)
         if criterion.name in (earlier.name for earlier in criteria[:i]):
             problems.at_value((*at, "name"), f"the name `{criterion.name}` is used already")
-        _names(problems, (*at, "variants"), "variant", criterion.variants, variants)
-        _names(problems, (*at, "levels"), "hazard level", criterion.levels, levels)
+        check_names(problems, (*at, "variants"), "variant", criterion.variants, variants)
+        check_names(problems, (*at, "levels"), "level", criterion.levels, levels)
         Selections(project.frame, problems).numbers(
             (*at, "storeys"), criterion.storeys, "storey", project.frame.n_storeys
         )
@@ -57,7 +57,7 @@ def check_criteria(
         at = (*keys, "objectives", i)
         if letter in objectives[:i]:
             problems.at_value(at, f"`{letter}` comes twice")
-        elif objective_level(letter, hazard) is None:
+        elif objective_level(letter, project.hazard) is None:
             probability = OBJECTIVE_PROBABILITY[letter]
             message = (
                 f"objective {letter} needs a hazard level of {100 * probability:g} % in 50 years, and the project has "
@@ -86,13 +86,6 @@ def _probability(level: Level) -> float | None:
     return None if level.return_period is None else -math.expm1(-50.0 * YEAR / level.return_period)
 
 
-def _names(problems: Problems, at: Keys, what: str, given: Collection[str], known: Collection[str]) -> None:
-    single = problems.node(at).child(0) is None  # `variants: bare` rather than `variants: [bare]`
-    for j, name in enumerate(given):
-        if name not in known:
-            problems.at_value(at if single else (*at, j), unknown_name(what, name, known))
-
-
 def _limits(problems: Problems, at: Keys, criterion: MeasureCriterion) -> None:
     if criterion.most is None and criterion.least is None:
         problems.under(at, "most", "this key is missing (or `least`); a criterion needs a limit")
@@ -117,13 +110,12 @@ def _members(problems: Problems, at: Keys, criterion: MeasureCriterion | HingeCr
     if kind == "damper":
         return  # its names are given when the variant is built
     allowed = [name for name in project.frame.members if name.startswith(_PREFIXES.get(kind, ("B_", "C_")))]
-    single = problems.node((*at, "members")).child(0) is None
     for j, name in enumerate(criterion.members):
         if name not in allowed:
             what = f"no {kind or 'column or beam'} `{name}` in this frame"
             hint = did_you_mean(name, allowed)
-            place = (*at, "members") if single else (*at, "members", j)
-            problems.at_value(place, f"there is {what}{hint} (they are named `{allowed[0]}` to `{allowed[-1]}`)")
+            message = f"there is {what}{hint} (they are named `{allowed[0]}` to `{allowed[-1]}`)"
+            problems.at_item((*at, "members"), j, message)
 
 
 def _contradictions(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from edesign.project.checks_frame import Selections
+from edesign.project.checks_names import check_names, check_records
 from edesign.project.designs import Bounds, Design, FixedProperties, SimplifiedDesign, StrainEnergyDesign
 from edesign.project.problems import Keys, Problems, unknown_name
 from edesign.project.project import Project
@@ -71,18 +72,12 @@ def _thickness(keys: Keys, spec: Design, problems: Problems) -> None:
 
 
 def _hazard(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
-    levels = project.hazard.levels if project.hazard is not None else {}
+    levels = project.hazard_levels
     if spec.level is not None and spec.level not in levels:
         problems.at_value((*keys, "level"), unknown_name("level", spec.level, levels))
-    verify = spec.verify
-    if verify is None:
-        return
-    for i, level in enumerate(verify.levels or ()):
-        if level not in levels:
-            problems.at_value((*keys, "verify", "levels", i), unknown_name("level", level, levels))
-    for i, record in enumerate(verify.records):
-        if record.partition("/")[0] not in project.records:
-            problems.at_value((*keys, "verify", "records", i), unknown_name("record", record, project.records))
+    if spec.verify is not None:
+        check_names(problems, (*keys, "verify", "levels"), "level", spec.verify.levels or (), levels)
+        check_records(problems, (*keys, "verify", "records"), spec.verify.records, project)
 
 
 def _strain_energy(keys: Keys, spec: StrainEnergyDesign, problems: Problems) -> None:

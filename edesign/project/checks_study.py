@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
-
 from edesign.project.checks_criteria import check_criteria
 from edesign.project.checks_designs import check_design
+from edesign.project.checks_incremental import check_incremental
+from edesign.project.checks_names import ALL, check_names, check_records
 from edesign.project.checks_outputs import check_member
 from edesign.project.designs import Verify
-from edesign.project.incremental import check_incremental
 from edesign.project.problems import Keys, Problems, listed, unknown_name
+from edesign.project.records import record_of
 from edesign.project.study import Histories, Study, Variant
-
-ALL = "all"
 
 
 def check_study(study: Study, problems: Problems) -> None:
@@ -56,26 +54,23 @@ def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> 
 
 def _histories(study: Study, problems: Problems, keys: Keys, histories: Histories) -> None:
     base = study.base
-    _names(problems, (*keys, "variants"), "variant", histories.variants, study.variants, everything=True)
-    levels = base.hazard.levels if base.hazard is not None else {}
+    if histories.variants != (ALL,):
+        check_names(problems, (*keys, "variants"), "variant", histories.variants, study.variants)
+    check_records(problems, (*keys, "records"), histories.records, base)
     fitted = []
-    for i, reference in enumerate(histories.records):
-        name = reference.partition("/")[0]
+    for name in dict.fromkeys(map(record_of, histories.records)):
         if name not in base.records:
-            problems.at_value(_item(problems, (*keys, "records"), i), unknown_name("record", name, base.records))
-        elif reference in histories.records[:i]:
-            problems.at_value(_item(problems, (*keys, "records"), i), f"`{reference}` comes twice")
-        elif base.records[name].match is not None:
+            continue
+        if base.records[name].match is not None:
             fitted.append(name)
         elif histories.levels is not None and len(histories.levels) > 1:
             message = f"`{name}` is not fitted to the spectrum of the hazard; its histories would be the same at each"
             problems.at_value((*keys, "levels"), f"{message}; give one level, or `match` to the record")
     if histories.levels is not None:
-        _names(problems, (*keys, "levels"), "level", histories.levels, levels)
+        check_names(problems, (*keys, "levels"), "level", histories.levels, base.hazard_levels)
     elif fitted:
-        names = listed(dict.fromkeys(fitted))
-        message = f"this key is missing; {names} is fitted to the spectrum of the hazard and scaled to a level"
-        problems.under(keys, "levels", f"{message}: {listed(levels)}")
+        message = f"this key is missing; {listed(fitted)} is fitted to the spectrum of the hazard and scaled to a level"
+        problems.under(keys, "levels", f"{message}: {listed(base.hazard_levels)}")
     if histories.temperatures is not None:
         for name in study.variants_of(histories):
             if study.variants[name].dampers == "none":
@@ -86,7 +81,7 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
 def _incremental_names(study: Study, problems: Problems) -> None:
     """Names of incremental studies stand in names of analyses, beside those of levels, and of modes and gravity."""
     names = [incremental.name for incremental in study.incremental]
-    taken = {*(study.base.hazard.levels if study.base.hazard is not None else ()), "modes", "gravity"}
+    taken = {*study.base.hazard_levels, "modes", "gravity"}
     for i, name in enumerate(names):
         if name in names[:i]:
             problems.at_value(("incremental", i, "name"), f"`{name}` comes twice")
@@ -96,17 +91,16 @@ def _incremental_names(study: Study, problems: Problems) -> None:
 
 
 def _verify(study: Study, problems: Problems, keys: Keys, verify: Verify) -> None:
-    _names(problems, (*keys, "criteria"), "criterion", verify.criteria, [c.name for c in study.criteria])
+    check_names(problems, (*keys, "criteria"), "criterion", verify.criteria, [c.name for c in study.criteria])
     if verify.levels is None:
-        levels = study.base.hazard.levels if study.base.hazard is not None else {}
         message = "this key is missing; criteria judge histories at levels of the hazard"
-        problems.under(keys, "levels", f"{message}: {listed(levels)}")
+        problems.under(keys, "levels", f"{message}: {listed(study.base.hazard_levels)}")
         return
     for i, name in enumerate(verify.criteria):
         asked = next((c.levels for c in study.criteria if c.name == name), ())
         if asked and not set(asked) & set(verify.levels):
             message = f"`{name}` is of {listed(asked)}, and the histories here are at {listed(verify.levels)}"
-            problems.at_value(_item(problems, (*keys, "criteria"), i), message)
+            problems.at_item((*keys, "criteria"), i, message)
 
 
 def _outputs(study: Study, problems: Problems) -> None:
@@ -116,28 +110,6 @@ def _outputs(study: Study, problems: Problems) -> None:
     if outputs.details is None:
         return
     keys: Keys = ("outputs", "details")
-    for i, reference in enumerate(outputs.details.records):
-        name = reference.partition("/")[0]
-        if name not in study.base.records:
-            where = _item(problems, (*keys, "records"), i)
-            problems.at_value(where, unknown_name("record", name, study.base.records))
+    check_records(problems, (*keys, "records"), outputs.details.records, study.base)
     for i, member in enumerate(outputs.details.members):
         check_member(study.base, problems, (*keys, "members", i), member)
-
-
-def _names(
-    problems: Problems, keys: Keys, what: str, given: tuple[str, ...], known: Collection[str], everything: bool = False
-) -> None:
-    if everything and given == (ALL,):
-        return
-    for i, name in enumerate(given):
-        where = _item(problems, keys, i)
-        if name not in known:
-            problems.at_value(where, unknown_name(what, name, known))
-        elif name in given[:i]:
-            problems.at_value(where, f"`{name}` comes twice")
-
-
-def _item(problems: Problems, keys: Keys, i: int) -> Keys:
-    """The place of one of several names, of which a single one needs no list."""
-    return (*keys, i) if problems.node(keys).items is not None else keys

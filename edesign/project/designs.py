@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, Discriminator, Field, Tag
+from pydantic import BaseModel, Discriminator, Field, Tag
 
-from edesign.project.base import Model, by_key
+from edesign.project.base import Model, by_key, by_shape
 from edesign.project.damping import State
 from edesign.project.selections import ALL_NUMBERS, Numbers
+from edesign.project.several import Names
 from edesign.project.temperature import Temperature
 from edesign.project.units import (
     Duration,
@@ -26,11 +27,6 @@ Count = Annotated[int, Field(ge=1, le=1000)]
 Rounds = Annotated[int, Field(ge=1, le=100)]
 
 
-def _several(value: Any) -> Any:
-    """A single name is a list of one."""
-    return (value,) if isinstance(value, str) else value
-
-
 def _is_list(value: Any) -> str:
     return "?list" if isinstance(value, (list, tuple)) else "?plain"
 
@@ -41,9 +37,6 @@ def _by_keys(value: Any) -> str:
         return "?plain"
     keys = value if isinstance(value, Mapping) else type(value).model_fields
     return next((f"?{key}" for key in ("table", "file") if key in keys), "?values")
-
-
-Names = Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(_several)]
 
 
 class TableProperties(Model):
@@ -82,7 +75,7 @@ class BraceRatio(Model):
 
 Brace = Annotated[
     Annotated[Literal["rigid"], Tag("?plain")] | Annotated[BraceRatio, Tag("?mapping")],
-    Discriminator(lambda value: "?mapping" if isinstance(value, (Mapping, BaseModel)) else "?plain"),
+    Discriminator(by_shape),
 ]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag
@@ -10,23 +10,14 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag
 from edesign.project.base import Model, by_key, by_shape, refuse
 from edesign.project.hazard import LevelName
 from edesign.project.measures import SHORT_NAMES, parse_measure_value
-from edesign.project.problems import Keys, Problems, unknown_name
-from edesign.project.project import Project
+from edesign.project.problems import unknown_name
+from edesign.project.several import Names, ShortName
 from edesign.project.units import Duration, PositiveAcceleration, PositiveFactor, PositiveRatio, PositiveTime
 
 COLLAPSE = "collapse"
 """The limit that every study has."""
 
 Count = Annotated[int, Field(ge=2, le=1000)]
-Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_+-]*$", max_length=24)]
-
-
-def _several(value: Any) -> Any:
-    """A single name is a list of one."""
-    return (value,) if isinstance(value, str) else value
-
-
-Names = Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(_several)]
 
 
 class Limit(Model):
@@ -88,13 +79,13 @@ Factors = Annotated[
 class _Incremental(Model):
     """What all have: variants and records, the drift that counts as collapse, and what fragilities are wanted of."""
 
-    name: Name
+    name: ShortName
     variants: Names = ("all",)
     records: Names
     levels: Accelerations | Factors
     level: LevelName | None = None
     collapse_drift: PositiveRatio = 0.10
-    limits: dict[Name, Annotated[Limit, BeforeValidator(_limit)]] = {}
+    limits: dict[ShortName, Annotated[Limit, BeforeValidator(_limit)]] = {}
     free_vibration: Duration = 0.0
 
     @property
@@ -133,57 +124,3 @@ Incremental = Annotated[
     | Annotated[LevelFactorStudy, Tag("?intensity=level_factor")],
     Discriminator(by_key("intensity")),
 ]
-
-
-def check_incremental(
-    keys: Keys, incremental: Incremental, base: Project, variants: Collection[str], problems: Problems
-) -> None:
-    """Check an incremental study against its project; it has no schema problems.
-
-    Args:
-        keys: where it stands in the study file.
-        incremental: the study.
-        base: the project that is studied.
-        variants: names of the variants of the study file.
-        problems: receives what is wrong.
-    """
-    if incremental.variants != ("all",):
-        _known(problems, (*keys, "variants"), "variant", incremental.variants, variants)
-    _once(problems, (*keys, "variants"), incremental.variants)
-    names = tuple(reference.partition("/")[0] for reference in incremental.records)
-    _known(problems, (*keys, "records"), "record", names, base.records)
-    _once(problems, (*keys, "records"), incremental.records)
-    levels = base.hazard.levels if base.hazard is not None else {}
-    if incremental.level is not None and incremental.level not in levels:
-        problems.at_value((*keys, "level"), unknown_name("level", incremental.level, levels))
-    if isinstance(incremental, LevelFactorStudy):
-        for i, name in enumerate(names):
-            if name in base.records and base.records[name].match is None:
-                message = (
-                    f"`{name}` is not fitted to the spectrum of the hazard, so that it has no level to be scaled from"
-                )
-                problems.at_value(_item(problems, (*keys, "records"), i), message)
-    values = incremental.intensities
-    if any(later <= earlier for earlier, later in zip(values, values[1:], strict=False)):
-        problems.at_value((*keys, "levels"), "intensities must ascend: each greater than the one before it")
-    if COLLAPSE in incremental.limits:
-        problems.at_key(
-            (*keys, "limits", COLLAPSE), f"`{COLLAPSE}` is there without being asked for; choose another name"
-        )
-
-
-def _known(problems: Problems, keys: Keys, what: str, given: tuple[str, ...], known: Collection[str]) -> None:
-    for i, name in enumerate(given):
-        if name not in known:
-            problems.at_value(_item(problems, keys, i), unknown_name(what, name, known))
-
-
-def _once(problems: Problems, keys: Keys, given: tuple[str, ...]) -> None:
-    for i, name in enumerate(given):
-        if name in given[:i]:
-            problems.at_value(_item(problems, keys, i), f"`{name}` comes twice")
-
-
-def _item(problems: Problems, keys: Keys, i: int) -> Keys:
-    """The place of one of several names, of which a single one needs no list."""
-    return (*keys, i) if problems.node(keys).items is not None else keys

@@ -49,19 +49,13 @@ def parse_project(
     hint = "; `edesign new` writes one that runs"
     project, problems = check_model(text, Project, _WHAT, "edesign: 1", hint)
     if project is not None:
-        project._path, project._text, project._root = path, text, problems.root
+        project.read_from(path, text, problems.root)
         # cross checks need a whole project: they come in a second round, after the schema is satisfied
         check_frame(project, problems, profiles)
         check_actions(project, problems, files)
         check_dampers(project, problems)
         check_hazard(project, problems)
         check_outputs(project, problems)
-    else:
-        for other in ("suite", "study"):
-            if problems.root.child(f"edesign_{other}") and not problems.root.child("edesign"):
-                problems.found = []
-                message = f"this is a {other} file; a {_WHAT} begins with `edesign: 1`"
-                problems.at_key((f"edesign_{other}",), message)
     if project is None or problems.found:
         raise ProjectError(path, problems.found)
     return project

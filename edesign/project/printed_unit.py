@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from edesign.project.base import refuse
 from edesign.project.units import ACCELERATION, AREA, FORCE, FREQUENCY, LENGTH, STIFFNESS, TIME, Kind, parse_quantity
 
@@ -29,7 +27,7 @@ def unit_factor(unit: str, si_unit: str) -> float:
 
     Args:
         unit: as written; of a ratio `1` or `%`.
-        si_unit: of the quantity, "m^2" or "m2"; "1" for a ratio.
+        si_unit: of the quantity, such as "m^2"; "1" for a ratio.
 
     Raises:
         PydanticCustomError: unknown unit, or another dimension.
@@ -38,6 +36,5 @@ def unit_factor(unit: str, si_unit: str) -> float:
         if unit not in ("1", "%"):
             raise refuse(f"`{unit}` is no unit of a ratio; write `%`, or `1`")
         return 0.01 if unit == "%" else 1.0
-    known = re.sub(r"([A-Za-z])([0-9])", r"\1^\2", si_unit)
-    kind = _KINDS.get(known) or Kind("quantity", known, f"1 {known}")
+    kind = _KINDS.get(si_unit) or Kind("quantity", si_unit, f"1 {si_unit}")
     return parse_quantity(f"1 {unit}", kind)

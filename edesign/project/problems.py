@@ -57,6 +57,10 @@ class Problems:
         """A problem of the value at `keys`; of the nearest part that exists if it came from a default."""
         self.add(self.node(keys).mark, keys, message)
 
+    def at_item(self, keys: Keys, i: int, message: str) -> None:
+        """A problem of one of several names at `keys`, of which a single one needs no list."""
+        self.at_value((*keys, i) if self.node(keys).items is not None else keys, message)
+
     def at_key(self, keys: Keys, message: str) -> None:
         """A problem of the key itself (unknown, or something under it missing)."""
         self.add(self._key_mark(keys), keys, message)

@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Literal
 
 from pydantic import Field, PrivateAttr
 
 from edesign.project.analyses import Analysis
-from edesign.project.base import Model
 from edesign.project.dampers import Dampers
 from edesign.project.damping import Damping
 from edesign.project.elements import Elements
+from edesign.project.file_model import FileModel
 from edesign.project.frame import Frame
-from edesign.project.hazard import Hazard
+from edesign.project.hazard import Hazard, Level
 from edesign.project.integration import Integration
 from edesign.project.loads import Loads
 from edesign.project.masses import Masses
@@ -22,12 +23,11 @@ from edesign.project.materials import Material
 from edesign.project.outputs import Outputs
 from edesign.project.records import FileRecord, Record, SuiteRecords
 from edesign.project.sections import Fibres, Section
-from edesign.project.yaml_nodes import Node, find, parse
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]
 
 
-class Project(Model):
+class Project(FileModel):
     """A validated project; all values are in SI. Made by `load_project`, which also keeps the text and its marks."""
 
     edesign: Literal[1]
@@ -48,28 +48,6 @@ class Project(Model):
     outputs: Outputs = Outputs()
 
     _path: Path = PrivateAttr(default=Path("project.yaml"))
-    _text: str = PrivateAttr(default="")
-    _root: Node | None = PrivateAttr(default=None)
-
-    @property
-    def path(self) -> Path:
-        """The project file, as it was given."""
-        return self._path
-
-    @property
-    def folder(self) -> Path:
-        """The folder that the paths in the file are relative to."""
-        return self._path.parent
-
-    @property
-    def text(self) -> str:
-        """The exact text of the file."""
-        return self._text
-
-    @property
-    def root(self) -> Node:
-        """The YAML tree of the file, for messages with places in it."""
-        return self._root if self._root is not None else parse(self._text)[0]
 
     @property
     def checksum(self) -> str:
@@ -80,6 +58,11 @@ class Project(Model):
     def archive_path(self) -> Path:
         """Where the archive goes unless the command line says otherwise."""
         return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")
+
+    @property
+    def hazard_levels(self) -> Mapping[str, Level]:
+        """The levels of the hazard by name; none without a hazard."""
+        return self.hazard.levels if self.hazard is not None else {}
 
     def record_path(self, name: str) -> Path:
         """The file of a record that is given by `file`.
@@ -102,10 +85,3 @@ class Project(Model):
         if not isinstance(record, SuiteRecords):
             raise KeyError(name)
         return self.folder / record.suite
-
-    def where(self, *keys: str | int) -> str:
-        """`file:line:column` of a key path, e.g. where("analyses", 2, "record"); of the nearest part that exists."""
-        if self._root is None:
-            return str(self._path)
-        mark = find(self._root, keys).mark
-        return f"{self._path}:{mark.line}:{mark.column}"

@@ -101,3 +101,8 @@ Record = Annotated[
     | Annotated[SuiteRecords, Tag("?suite")],
     Discriminator(_which),
 ]
+
+
+def record_of(reference: str) -> str:
+    """The record of the project that a reference is of: `suite` of `suite/recording`."""
+    return reference.partition("/")[0]

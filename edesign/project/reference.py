@@ -9,11 +9,11 @@ from typing import Annotated, Literal
 from pydantic import AfterValidator, Discriminator, Field, PrivateAttr, Tag
 
 from edesign.project.base import Model, by_key, by_shape, refuse
+from edesign.project.file_model import FileModel
 from edesign.project.measures import SHORT_NAMES
 from edesign.project.problems import did_you_mean, listed
 from edesign.project.project import Identifier
 from edesign.project.units import PositiveFactor
-from edesign.project.yaml_nodes import Node, find
 
 Text = Annotated[str, Field(min_length=1)]
 Statistic = Literal["mean", "median", "84%", "maximum", "minimum", "mean_profile"]
@@ -154,7 +154,7 @@ ReferenceTable = Annotated[
 ]
 
 
-class Reference(Model):
+class Reference(FileModel):
     """A validated reference file; values are as printed, in the units of their rows. Made by `load_reference`."""
 
     edesign_reference: Literal[1]
@@ -163,19 +163,6 @@ class Reference(Model):
     tables: Annotated[tuple[ReferenceTable, ...], Field(min_length=1)]
 
     _path: Path = PrivateAttr(default=Path("reference.yaml"))
-    _root: Node | None = PrivateAttr(default=None)
-
-    @property
-    def path(self) -> Path:
-        """The file, as it was given."""
-        return self._path
-
-    def where(self, *keys: str | int) -> str:
-        """`file:line:column` of a key path; of the nearest part that exists."""
-        if self._root is None:
-            return str(self._path)
-        mark = find(self._root, keys).mark
-        return f"{self._path}:{mark.line}:{mark.column}"
 
 
 def _cell(value: float | Cell) -> Cell:

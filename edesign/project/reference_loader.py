@@ -9,8 +9,7 @@ from edesign.project.problems import FileProblems
 from edesign.project.reference import Reference
 from edesign.project.yaml_file import check_model, read_yaml_text
 
-BEGINS = "edesign_reference: 1"
-OTHER_FILES = {"edesign": "project", "edesign_suite": "suite", "edesign_study": "study"}
+_WHAT, _BEGINS = "reference file", "edesign_reference: 1"
 
 
 class ReferenceFileError(FileProblems):
@@ -25,15 +24,10 @@ def load_reference(path: Path | str) -> Reference:
         ReferenceFileError: the file is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
-    reference, problems = check_model(read_yaml_text(path, "reference file"), Reference, "reference file", BEGINS)
+    text = read_yaml_text(path, _WHAT)
+    reference, problems = check_model(text, Reference, _WHAT, _BEGINS)
     if reference is not None:
         check_reference(reference, problems)
-    else:
-        for key, what in OTHER_FILES.items():
-            if problems.root.child(key) and not problems.root.child("edesign_reference"):
-                problems.found = []
-                problems.at_key((key,), f"this is a {what} file; a reference file begins with `{BEGINS}`")
     if reference is None or problems.found:
         raise ReferenceFileError(path, problems.found)
-    reference._path, reference._root = path, problems.root
-    return reference
+    return reference.read_from(path, text, problems.root)

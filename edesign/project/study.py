@@ -4,30 +4,23 @@ from __future__ import annotations
 
 import hashlib
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import BeforeValidator, Field, PrivateAttr
 
 from edesign.project.base import Model
-from edesign.project.criteria import Criterion, Objective
+from edesign.project.criteria import Criteria, Objectives
 from edesign.project.damping import ModeNumber, State
 from edesign.project.designs import Design
+from edesign.project.file_model import FileModel
 from edesign.project.incremental import Incremental
 from edesign.project.outputs import HistoryKind
 from edesign.project.project import Identifier, Project
+from edesign.project.several import Names, ShortName, several
 from edesign.project.temperature import Temperature
 from edesign.project.units import Duration, PositiveFactor, PositiveRatio
-from edesign.project.yaml_nodes import Node, find, parse
 
-
-def _several(value: Any) -> Any:
-    """A single name is a list of one."""
-    return (value,) if isinstance(value, str) else value
-
-
-Names = Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(_several)]
-Temperatures = Annotated[tuple[Temperature, ...], Field(min_length=1), BeforeValidator(_several)]
-VariantName = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_+-]*$", max_length=24)]
+Temperatures = Annotated[tuple[Temperature, ...], Field(min_length=1), BeforeValidator(several)]
 
 
 class Variant(Model):
@@ -82,40 +75,23 @@ class StudyOutputs(Model):
     details: Details | None = None
 
 
-class Study(Model):
+class Study(FileModel):
     """A validated study; all values are in SI. Made by `load_study`, which also loads the project."""
 
     edesign_study: Literal[1]
     title: Annotated[str, Field(min_length=1)]
     project: Annotated[str, Field(min_length=1)]
     designs: dict[Identifier, Design] = {}
-    variants: Annotated[dict[VariantName, Variant], Field(min_length=1)]
+    variants: Annotated[dict[ShortName, Variant], Field(min_length=1)]
     modal: Modal = Modal()
     histories: tuple[Histories, ...] = ()
     incremental: tuple[Incremental, ...] = ()
-    criteria: tuple[Criterion, ...] = ()
-    objectives: tuple[Objective, ...] = ()
+    criteria: Criteria = ()
+    objectives: Objectives = ()
     outputs: StudyOutputs = StudyOutputs()
 
     _path: Path = PrivateAttr(default=Path("study.yaml"))
-    _text: str = PrivateAttr(default="")
-    _root: Node | None = PrivateAttr(default=None)
     _base: Project | None = PrivateAttr(default=None)
-
-    @property
-    def path(self) -> Path:
-        """The study file, as it was given."""
-        return self._path
-
-    @property
-    def folder(self) -> Path:
-        """The folder that the paths in the file are relative to."""
-        return self._path.parent
-
-    @property
-    def text(self) -> str:
-        """The exact text of the file."""
-        return self._text
 
     @property
     def base(self) -> Project:
@@ -148,9 +124,3 @@ class Study(Model):
         """Names of the variants that histories are of, in the order of the file."""
         wanted = histories.variants
         return tuple(self.variants) if wanted == ("all",) else tuple(n for n in self.variants if n in wanted)
-
-    def where(self, *keys: str | int) -> str:
-        """`file:line:column` of a key path; of the nearest part that exists."""
-        root = self._root if self._root is not None else parse(self._text)[0]
-        mark = find(root, keys).mark
-        return f"{self._path}:{mark.line}:{mark.column}"

@@ -7,16 +7,14 @@ from pathlib import Path
 
 from edesign.project.checks_study import check_study
 from edesign.project.loader import load_project
-from edesign.project.problems import FileProblems, Problems
+from edesign.project.problems import FileProblems
 from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.project.yaml_file import check_model, read_yaml_text
 from edesign.project.yaml_nodes import parse
 
-KIND = "edesign_study"
-"""First key of a study file."""
-
-_WHAT, BEGINS = "study file", f"{KIND}: 1"
+_KIND = "edesign_study"
+_WHAT, _BEGINS = "study file", f"{_KIND}: 1"
 
 
 class StudyError(FileProblems):
@@ -29,7 +27,7 @@ def is_study(path: Path | str) -> bool:
     Raises:
         InputError: it cannot be read.
     """
-    return parse(read_yaml_text(Path(path), "project or study file"))[0].child(KIND) is not None
+    return parse(read_yaml_text(Path(path), "project or study file"))[0].child(_KIND) is not None
 
 
 def load_study(path: Path | str, profiles: Collection[str] | None = None) -> Study:
@@ -45,7 +43,7 @@ def load_study(path: Path | str, profiles: Collection[str] | None = None) -> Stu
         ProjectError: its project is wrong.
     """
     path = Path(path)
-    study, problems = _checked(read_yaml_text(path, _WHAT))
+    study, problems = check_model(read_yaml_text(path, _WHAT), Study, _WHAT, _BEGINS)
     if study is None:
         raise StudyError(path, problems.found)
     project_path = path.parent / study.project
@@ -63,18 +61,10 @@ def parse_study(text: str, path: Path | str, base: Project) -> Study:
         StudyError: the study is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
-    study, problems = _checked(text)
+    study, problems = check_model(text, Study, _WHAT, _BEGINS)
     if study is not None:
-        study._path, study._text, study._root, study._base = path, text, problems.root, base
+        study = study.read_from(path, text, problems.root).of(base)
         check_study(study, problems)
     if study is None or problems.found:
         raise StudyError(path, problems.found)
     return study
-
-
-def _checked(text: str) -> tuple[Study | None, Problems]:
-    study, problems = check_model(text, Study, _WHAT, BEGINS)
-    if problems.root.child("edesign") and not problems.root.child(KIND):
-        problems.found = []
-        problems.at_key(("edesign",), f"this is a project file; a {_WHAT} begins with `{BEGINS}`")
-    return study, problems

@@ -15,6 +15,9 @@ from edesign.project.yaml_nodes import Mark, parse
 
 M = TypeVar("M", bound=BaseModel)
 
+KINDS = {"edesign": "project", "edesign_study": "study", "edesign_suite": "suite", "edesign_reference": "reference"}
+"""What a file is by its first key."""
+
 
 def read_yaml_text(path: Path, what: str) -> str:
     """Read a YAML file.
@@ -62,7 +65,19 @@ def check_model(text: str, model: type[M], what: str, begins: str, hint: str = "
     except ValidationError as error:
         explain(error, model, problems)
         problems.found = _without_echoes(problems.found, {fault.mark for fault in faults})
+        _tell_other_kind(problems, what, begins)
         return None, problems
+
+
+def _tell_other_kind(problems: Problems, what: str, begins: str) -> None:
+    """Of a whole file of another kind only that is worth telling."""
+    if problems.root.child(begins.partition(":")[0]) is not None:
+        return
+    for key, kind in KINDS.items():
+        if problems.root.child(key) is not None and what != f"{kind} file":
+            problems.found = []
+            problems.at_key((key,), f"this is a {kind} file; a {what} begins with `{begins}`")
+            return
 
 
 def _without_echoes(found: list[Problem], faulty: set[Mark]) -> list[Problem]:

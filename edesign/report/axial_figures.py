@@ -11,7 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name, plain
-from edesign.report.figures import MEAN, grid_figure, label_outer, styled
+from edesign.report.figures import MEAN, grid_figure, label_outer, some_of, styled
 from edesign.report.histories import by_level, histories, missing_text, names_of, variant_colors
 from edesign.study.plan import ANALYSES
 
@@ -106,7 +106,7 @@ def axial_figure(variants: Sequence[AxialForces], gravity: Mapping[Place, float]
         axis.set_title(f"line {line}", loc="left")
         axis.set_xlim(1e-3 * low - margin, max(1e-3 * high, 0.0) + margin)
         axis.set_ylim(storeys[0] - 0.6, storeys[-1] + 0.6)
-        axis.set_yticks(storeys if len(storeys) <= 13 else storeys[:: len(storeys) // 8])
+        axis.set_yticks(some_of(storeys))
         axis.locator_params(axis="x", nbins=4)
         axis.grid(axis="y", visible=False)
     label_outer(cells, COLUMNS, "axial force (kN)", "storey")

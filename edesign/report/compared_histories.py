@@ -13,6 +13,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.envelopes import final
 from edesign.assess.measures import located_measure
 from edesign.assess.profile import storey_profile
+from edesign.assess.sets import NOT_RUN
 from edesign.project.checks_reference import PROFILES
 from edesign.project.measures import SHORT_NAMES
 from edesign.project.reference import ResponseRow
@@ -29,7 +30,7 @@ class Wanted(NamedTuple):
 
 
 @dataclass(frozen=True)
-class History:
+class ComparedHistory:
     """What a comparison needs of one history.
 
     Attributes:
@@ -55,15 +56,12 @@ class History:
         return self.variant == variant and self.level == level and of_records
 
 
-NOT_RUN = "not run"
-
-
 def wanted(row: ResponseRow) -> Wanted:
     """What a row of a reference asks of each history."""
     return Wanted(row.measure, row.storeys, row.members)
 
 
-def read_histories(archive: Archive, measures: Collection[Wanted]) -> list[History]:
+def compared_histories(archive: Archive, measures: Collection[Wanted]) -> list[ComparedHistory]:
     """Read the measures of all histories, those that were planned and have not run included.
 
     Histories of an incremental analysis, and those at another temperature than their variant's, are left out.
@@ -72,7 +70,7 @@ def read_histories(archive: Archive, measures: Collection[Wanted]) -> list[Histo
         ArchiveError: the archive is damaged.
     """
     have = archive.names(ANALYSES)
-    found = [History(name, "", "", "", NOT_RUN) for name in planned(archive) if name not in have]
+    found = [ComparedHistory(name, "", "", "", NOT_RUN) for name in planned(archive) if name not in have]
     for name in have:
         attributes = archive.group_attributes(f"{ANALYSES}/{name}")
         apart = attributes.get("incremental") or attributes.get("temperature_C") is not None
@@ -82,10 +80,10 @@ def read_histories(archive: Archive, measures: Collection[Wanted]) -> list[Histo
         status = str(attributes.get("status", ""))
         if status != "completed":
             reason = str(attributes.get("reason") or "")
-            found.append(History(name, variant, level, record, f"{status}: {reason}" if reason else status))
+            found.append(ComparedHistory(name, variant, level, record, f"{status}: {reason}" if reason else status))
             continue
         group = archive.group(f"{ANALYSES}/{name}")
-        found.append(History(name, variant, level, record, "", _values(group, measures), _profiles(group)))
+        found.append(ComparedHistory(name, variant, level, record, "", _values(group, measures), _profiles(group)))
     return found
 
 

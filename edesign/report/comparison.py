@@ -10,9 +10,10 @@ from edesign.archive.reader import Archive
 from edesign.assess.statistics import STATISTICS, statistics
 from edesign.project.measures import MEASURE_KINDS, SHORT_NAMES
 from edesign.project.printed_unit import unit_factor
+from edesign.project.records import record_of
 from edesign.project.reference import Cell, Reference, ResponseRow, ResponseTable, Statistic
 from edesign.report.compared import ComparedCell, ComparedChange, ComparedTable, Comparison
-from edesign.report.compared_histories import History, Wanted, read_histories, wanted
+from edesign.report.compared_histories import ComparedHistory, Wanted, compared_histories, wanted
 from edesign.report.compared_variables import compare_variables
 
 _STATISTICS = {**STATISTICS, "minimum": lambda found: found.minimum}
@@ -27,7 +28,7 @@ def compare(archive: Archive, reference: Reference) -> Comparison:
     """
     responses = [table for table in reference.tables if isinstance(table, ResponseTable)]
     asked = {wanted(row) for table in responses for row in table.rows}
-    histories = read_histories(archive, asked) if asked else []
+    histories = compared_histories(archive, asked) if asked else []
     tables = [
         compare_responses(table, histories)
         if isinstance(table, ResponseTable)
@@ -39,7 +40,7 @@ def compare(archive: Archive, reference: Reference) -> Comparison:
     return Comparison(str(archive.path), str(reference.path), reference.title, tuple(tables), reasons, notes)
 
 
-def compare_responses(table: ResponseTable, histories: Sequence[History]) -> ComparedTable:
+def compare_responses(table: ResponseTable, histories: Sequence[ComparedHistory]) -> ComparedTable:
     """Compare one table of statistics with the histories of an archive."""
     cells: list[ComparedCell] = []
     changes: list[ComparedChange] = []
@@ -51,7 +52,7 @@ def compare_responses(table: ResponseTable, histories: Sequence[History]) -> Com
             of = [history for history in histories if history.belongs(variant, level, table.records)]
             bar = table.bar(row, variant, level, cell)
             found[variant, level] = _compare_cell(row, statistic, (variant, level), cell, bar, of)
-            suites = sorted({history.record.partition("/")[0] for history in of if history.record})
+            suites = sorted({record_of(history.record) for history in of if history.record})
             if len(suites) > 1:
                 notes.append(f"{variant}, {level}: records of {', '.join(suites)} together; `records` chooses")
         cells += found.values()
@@ -65,7 +66,7 @@ def _compare_cell(
     place: tuple[str, str],
     cell: Cell,
     bar: float | None,
-    histories: Sequence[History],
+    histories: Sequence[ComparedHistory],
 ) -> ComparedCell:
     variant, level = place
     if statistic == "mean_profile":
@@ -93,13 +94,13 @@ def _compare_cell(
 
 
 def _statistic(
-    measure: Wanted, statistic: Statistic, histories: Sequence[History]
+    measure: Wanted, statistic: Statistic, histories: Sequence[ComparedHistory]
 ) -> tuple[float | None, tuple[str, ...]]:
     found = statistics({history.name: history.values.get(measure) for history in histories})
     return _STATISTICS[statistic](found), found.missing
 
 
-def _mean_profile(measure: str, histories: Sequence[History]) -> tuple[float | None, tuple[str, ...]]:
+def _mean_profile(measure: str, histories: Sequence[ComparedHistory]) -> tuple[float | None, tuple[str, ...]]:
     """The largest value over the height of the mean over the histories."""
     profiles = [history.profiles[measure] for history in histories if measure in history.profiles]
     missing = tuple(history.name for history in histories if measure not in history.profiles)

@@ -12,7 +12,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name, plain
 from edesign.report.figures import MEAN, TARGET, VARIANTS, grid_figure, label_outer, styled
-from edesign.report.histories import History, histories, names_of, variant_colors, with_results
+from edesign.report.histories import by_temperature, histories, names_of, variant_colors, with_results
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -57,11 +57,7 @@ def damper_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     The same history at several temperatures is one figure: name of the file, caption, figure.
     """
     colors = variant_colors(archive)
-    same: dict[tuple[str, str, str], list[History]] = {}
-    for history in histories(archive):
-        same.setdefault((history.variant, history.level, history.record), []).append(history)
-    for (variant, level, record), chosen in same.items():
-        chosen.sort(key=lambda history: (history.temperature is not None, history.temperature or 0.0))
+    for (variant, level, record), chosen in by_temperature(histories(archive)).items():
         own = colors[variant]
         series = (own, *(color for color in WARM if color != own))
         found = [

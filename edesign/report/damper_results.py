@@ -49,7 +49,7 @@ def each_damper_table(name: str, group: Group) -> Table:
     storeys = group.variables["damper_storey"].values
     for i, damper in enumerate(group.coords["damper"].values):
         cells = [number(float(values[i]), scale=unit) for _, unit, values in columns]
-        table.rows.append([_text(damper), str(storeys[i] or "-"), *cells, number(float(work.values[i]), scale=1e3)])
+        table.rows.append([str(damper), str(storeys[i] or "-"), *cells, number(float(work.values[i]), scale=1e3)])
     return table
 
 
@@ -60,15 +60,11 @@ def damper_stiffness_table(name: str, group: Group) -> Table:
     if stiffness is None or loss is None:
         return table
     for damper, k, n in zip(group.coords["damper"].values, stiffness.values, loss.values, strict=True):
-        table.rows.append([_text(damper), number(float(k), scale=1e6), number(float(n))])
+        table.rows.append([str(damper), number(float(k), scale=1e6), number(float(n))])
     table.notes.append(
         f"in steady vibration at {float(group.attributes['damper_frequency_Hz']):.4g} Hz, braces included"
     )
     return table
-
-
-def _text(value: object) -> str:
-    return value.decode() if isinstance(value, bytes) else str(value)
 
 
 def _largest(values: np.ndarray | None, unit: float) -> str:
@@ -79,6 +75,6 @@ def _share(group: Group) -> float | None:
     energy = group.variables.get(ENERGY)
     if energy is None:
         return None
-    terms = [_text(term) for term in group.coords["energy_term"].values]
+    terms = [str(term) for term in group.coords["energy_term"].values]
     given = float(energy.values[terms.index("input")])
     return float(energy.values[terms.index("dampers")]) / given if given > 0.0 else None

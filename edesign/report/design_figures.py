@@ -10,14 +10,14 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import file_name, plain
-from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, grid_figure, new_figure, styled
+from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, grid_figure, new_figure, some_of, styled
 from edesign.report.histories import names_of
+from edesign.study.plan import DESIGNS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-DESIGNS = "designs"  # their group in the archive
 _STYLES = ("-", "--", "-.", ":")
 _LINE: Any = {"color": AFTER, "marker": "o", "ms": 3.5}
 _ABOVE: Any = {"loc": "lower left", "bbox_to_anchor": (-0.02, 1.0), "ncols": 2, "borderaxespad": 0.2}
@@ -30,7 +30,7 @@ def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         group = archive.group(f"{DESIGNS}/{name}")
         about = f"Design {name}"
         if "layer_area" in group.variables and "damper_stiffness" in group.variables:
-            total = float(np.sum(group.variables["damper_stiffness"].values) / np.sum(_bare_stiffness(group)))
+            total = float(np.sum(_along(group, "damper_stiffness")) / np.sum(_along(group, "storey_stiffness")))
             caption = (
                 f"{about}: stiffness of dampers and storeys, and area of a layer of elastomer. "
                 f"The dampers have {plain(100.0 * total)} % of the stiffness of their storeys."
@@ -41,7 +41,6 @@ def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             count = group.coords["round"].values.size
             caption = f"{about}: {count} rounds of sizing and verification by histories. {reason}".strip()
             yield file_name("design", name, "rounds"), caption, rounds_figure(group)
-
         if "iteration_frequency" in group.variables and group.coords["iteration"].values.size > 1:
             count = group.coords["iteration"].values.size
             caption = f"{about}: {count} iterations of the properties of the elastomer at the first frequency."
@@ -59,7 +58,7 @@ def heights_figure(group: Group) -> Figure:
     figure, ((left, right),) = new_figure(1, 2, 6.3, 3.4)
     storeys = np.asarray(group.coords["storey"].values)
     parts = [
-        ("frame", _bare_stiffness(group), BEFORE),
+        ("frame", _along(group, "storey_stiffness"), BEFORE),
         ("dampers", _along(group, "damper_stiffness"), AFTER),
     ]
     if "brace_stiffness" in group.variables:
@@ -79,7 +78,7 @@ def heights_figure(group: Group) -> Figure:
     left.set_ylabel("storey")
     for axis in (left, right):
         axis.set_ylim(storeys[0] - 0.6, storeys[-1] + 0.6)
-        axis.set_yticks(storeys if storeys.size <= 13 else storeys[:: storeys.size // 8])
+        axis.set_yticks(some_of(storeys))
         axis.grid(axis="y", visible=False)
         handles, labels = axis.get_legend_handles_labels()
         axis.legend(handles, labels, **_ABOVE)
@@ -93,13 +92,13 @@ def rounds_figure(group: Group) -> Figure:
     Args:
         group: of a design, with variables over (round,), (round, storey) and (round, criterion).
     """
-    panels = [panel for panel in (_damping, _area, _period, _verdicts) if panel is not _verdicts or _is_judged(group)]
+    panels = [_damping, _area, _period, *([_verdicts] if "verdict_value" in group.variables else [])]
     figure, cells = grid_figure(len(panels), 2, 3.1, 1.9)
     rounds = np.asarray(group.coords["round"].values)
     for axis, panel in zip(cells, panels, strict=True):
         panel(axis, group, rounds)
         axis.set_xlim(rounds[0] - 0.3, rounds[-1] + 0.3)
-        axis.set_xticks(rounds if rounds.size <= 12 else rounds[:: rounds.size // 8])
+        axis.set_xticks(some_of(rounds))
         axis.set_xlabel("round")
         if axis.get_legend_handles_labels()[0]:
             axis.legend(**_ABOVE)
@@ -124,7 +123,7 @@ def iterations_figure(group: Group) -> Figure:
     right.set_ylim(bottom=0.0)
     for axis in (left, right):
         axis.set_xlabel("iteration")
-        axis.set_xticks(steps if steps.size <= 12 else steps[:: steps.size // 8])
+        axis.set_xticks(some_of(steps))
     return figure
 
 
@@ -132,14 +131,7 @@ def _damping(axis: Axes, group: Group, rounds: np.ndarray) -> None:
     target = _along(group, "round_target")
     if group.attributes.get("method") == "strain_energy" and np.all(np.isfinite(target)):
         axis.plot(rounds, 100.0 * target, color=TARGET, ls="--", lw=1.0, label="target")
-    axis.plot(
-        rounds,
-        100.0 * _along(group, "round_damping_strain_energy"),
-        color=AFTER,
-        marker="o",
-        ms=3.5,
-        label="with braces",
-    )
+    axis.plot(rounds, 100.0 * _along(group, "round_damping_strain_energy"), **_LINE, label="with braces")
     axis.set_ylabel("added damping (%)")
     axis.set_ylim(bottom=0.0)
 
@@ -175,14 +167,6 @@ def _verdicts(axis: Axes, group: Group, rounds: np.ndarray) -> None:
     axis.axhline(1.0, color=TARGET, lw=0.9, ls="--")
     axis.set_ylabel("value / limit")
     axis.set_ylim(bottom=0.0)
-
-
-def _is_judged(group: Group) -> bool:
-    return "verdict_value" in group.variables
-
-
-def _bare_stiffness(group: Group) -> np.ndarray:
-    return _along(group, "storey_stiffness")
 
 
 def _along(group: Group, name: str) -> np.ndarray:

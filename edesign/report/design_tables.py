@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from edesign.archive.dataset import Group
@@ -12,6 +14,18 @@ _DAMPINGS = (
     ("Eq. 5.8, frequencies [%]", "damping_frequencies"),
     ("complex eigenvalues [%]", "damping_complex"),
 )
+_BOUNDS = (
+    ("factor on the forces", "factor", 1.0),
+    ("temperature [degC]", "temperature", 1.0),
+    ("T1 [s]", "period", 1.0),
+    ("added damping [%]", "damping", 0.01),
+    ("storey drift [%]", "storey_drift", 0.01),
+    ("roof displacement [cm]", "roof_displacement", 0.01),
+    ("shear of columns [kN]", "column_shear", 1e3),
+    ("base shear [kN]", "base_shear", 1e3),
+    ("force of a damper [kN]", "damper_force", 1e3),
+    ("damper strain [%]", "damper_strain", 0.01),
+)
 
 
 def design_tables(group: Group) -> list[Table]:
@@ -20,7 +34,7 @@ def design_tables(group: Group) -> list[Table]:
     Args:
         group: designs/NAME of an archive.
     """
-    tables = [storeys_table(group), damping_table(group), rounds_table(group)]
+    tables = [storeys_table(group), damping_table(group), rounds_table(group), bounds_table(group)]
     return [table for table in tables if table.rows or table.notes]
 
 
@@ -72,9 +86,11 @@ def rounds_table(group: Group) -> Table:
     """Return the rounds of sizing and verification; none if there was only one and nothing to verify."""
     table = Table("Rounds", ("round", "changed", "damping [%]", "T1 [s]", "total area [m2]", "met"), left=1)
     count = group.coords["round"].values.size if "round" in group.coords else 0
-    if count == 0 or (count == 1 and "verdict" not in group.coords):
+    if count == 0 or (count == 1 and "criterion" not in group.coords):
         return table
     values = group.variables
+    verdicts = [str(name) for name in group.coords["criterion"].values] if "criterion" in group.coords else []
+    table.columns = [*table.columns[:-1], *verdicts, table.columns[-1]]
     for i in range(count):
         damping = float(values["round_damping_strain_energy"].values[i])
         area = float(np.sum(values["round_layer_area"].values[i]))
@@ -83,8 +99,34 @@ def rounds_table(group: Group) -> Table:
             number(damping, scale=0.01),
             number(float(values["round_period"].values[i])),
             number(area),
+            *(number(float(values["verdict_value"].values[i, j])) for j in range(len(verdicts))),
             "yes" if values["round_met"].values[i] else "no",
         ]
         table.rows.append([str(i + 1), *cells])
     table.notes.append(f"changed: {values['round_changed'].long_name}; area: of one layer, all storeys")
+    if verdicts:
+        table.notes.append(f"{', '.join(verdicts)}: value that is judged, in SI")
+    return table
+
+
+def bounds_table(group: Group) -> Table:
+    """Return the estimated response with lower, nominal and upper properties, and which of them governs."""
+    table = Table("", left=1)
+    if "bound" not in group.coords:
+        return table
+    bounds = [str(name) for name in group.coords["bound"].values]
+    table.title, table.columns = (
+        "Bounds of the properties (estimates by the response spectrum)",
+        ["", *bounds, "governs"],
+    )
+    found = group.attributes.get("governing")
+    governing = found if isinstance(found, Mapping) else {}
+    for title, key, unit in _BOUNDS:
+        values = group.variables.get(f"bound_{key}")
+        if values is None:
+            continue
+        largest = values.values.reshape(len(bounds), -1).max(axis=1)
+        cells = ["-" if np.isnan(value) else number(float(value), scale=unit) for value in largest]
+        table.rows.append([title, *cells, str(governing.get(key, ""))])
+    table.notes.append("of quantities over the height the largest")
     return table

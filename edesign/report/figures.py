@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import wraps
 from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ParamSpec
+
+import numpy as np
 
 from edesign.archive.files import write_whole
 
@@ -17,6 +19,7 @@ if TYPE_CHECKING:
 
 P = ParamSpec("P")
 FORMATS = ("svg", "png", "pdf")
+MOST_TICKS = 13
 BEFORE, AFTER, TARGET, MEAN = "#8a8f98", "#1f5fa8", "#c0392b", "#111111"
 """Colours that stay apart in grey print and for colour-blind readers."""
 
@@ -128,6 +131,11 @@ def label_outer(cells: list[Axes], columns: int, abscissa: str, ordinate: str) -
             axis.set_xlabel(abscissa)
         else:
             axis.tick_params(labelbottom=False)
+
+
+def some_of(numbers: Sequence[int] | np.ndarray) -> Sequence[int] | np.ndarray:
+    """Numbers of storeys, modes or rounds that stand at an axis: all of a few, of many about eight."""
+    return numbers if len(numbers) <= MOST_TICKS else numbers[:: len(numbers) // 8]
 
 
 def logarithmic(axis: Axes) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak
-from edesign.assess.members import ELASTIC_ROTATION, frame_members
+from edesign.assess.members import ELASTIC_ROTATION, compressions, frame_members
 from edesign.project.frame import Frame
 from edesign.project.project import Project
 from edesign.report.archived import archived_project
@@ -93,7 +93,8 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             for variant, groups in found.items()
         ]
         if any(any(panel.values.values()) for panel in classes):
-            caption = f"Mean peak plastic rotations{at_level(level)} by the limits of FEMA 356, Table 5-6, primary. "
+            caption = f"Mean peak plastic rotations{at_level(level)} by the limits of FEMA 356, Table 5-6, primary; "
+            caption += f"columns above half of P_CL are over CP from {1e3 * ELASTIC_ROTATION:g} mrad. "
             figure = hinge_figure(project.frame, classes, ACCEPTANCE)
             yield file_name("hinges", level, "acceptance"), f"{caption}{_counts(classes)}{missing}", figure
 
@@ -105,13 +106,14 @@ def acceptance(project: Project, groups: Sequence[Group]) -> dict[End, float]:
     """
     members = frame_members(project)
     rotations = [plastic_rotations(group) for group in groups]
+    compression = [compressions(group) for group in groups]
     found: dict[End, float] = {}
     for end in rotations[0]:
         member = members.get(end[0])
         if member is None:
             continue
         rotation = float(np.mean([one[end] for one in rotations]))
-        limits = member.limits(float(np.mean([_compression(group, end[0]) for group in groups])))
+        limits = member.limits(float(np.mean([one.get(end[0], 0.0) for one in compression])))
         allowed = [0.0] * 3 if limits is None else [limits.allowed(level) for level in ("IO", "LS", "CP")]
         beyond = sum(rotation > limit for limit in allowed)
         found[end] = float(1 + beyond) if rotation > ELASTIC_ROTATION else 0.0
@@ -121,13 +123,6 @@ def acceptance(project: Project, groups: Sequence[Group]) -> dict[End, float]:
 def _yields(group: Group) -> bool:
     """Whether any member end has a plastic rotation."""
     return any(value > 0.0 for value in plastic_rotations(group).values())
-
-
-def _compression(group: Group, column: str) -> float:
-    """Largest compression of a column, N; 0 of a beam."""
-    names = names_of(group, "column")
-    lowest = group.variables.get("column_axial_force_min")
-    return max(-float(lowest.values[names.index(column)]), 0.0) if lowest is not None and column in names else 0.0
 
 
 def _panel(variant: str, groups: Sequence[Group], take: Callable[[list[float]], float]) -> Hinges:

@@ -6,8 +6,6 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import record_label
@@ -103,6 +101,16 @@ def by_motion(chosen: Iterable[History]) -> dict[tuple[str, str], list[History]]
     return found
 
 
+def by_temperature(chosen: Iterable[History]) -> dict[tuple[str, str, str], list[History]]:
+    """Histories by variant, level and record, those at the variant's own temperature before the others."""
+    found: dict[tuple[str, str, str], list[History]] = {}
+    for history in chosen:
+        found.setdefault((history.variant, history.level, history.record), []).append(history)
+    for same in found.values():
+        same.sort(key=lambda history: (history.temperature is not None, history.temperature or 0.0))
+    return found
+
+
 def missing_text(chosen: Iterable[History]) -> str:
     """A sentence that names the histories that did not complete; "" if all did."""
     named = [f"{h.variant} {h.motion}".strip() + f" ({h.reason})" * bool(h.reason) for h in chosen if not h.completed]
@@ -113,7 +121,7 @@ def names_of(group: Group, dimension: str) -> list[str]:
     """The names along a dimension of a group; [] without it."""
     if dimension not in group.coords:
         return []
-    return [v.decode() if isinstance(v, bytes) else str(v) for v in np.asarray(group.coords[dimension].values)]
+    return [str(value) for value in group.coords[dimension].values]
 
 
 def with_results(archive: Archive, chosen: Iterable[History], *variables: str) -> Iterator[tuple[History, Group]]:

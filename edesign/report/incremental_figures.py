@@ -52,8 +52,7 @@ def ida_figure(
     intensity_scale: float,
     measure: str,
     measure_scale: float,
-    limits: Mapping[str, float] | None = None,
-    title: str = "",
+    limits: Mapping[str, float],
 ) -> Figure:
     """Draw the intensity against a response measure for every record, with the 16, 50 and 84 % curves.
 
@@ -66,7 +65,6 @@ def ida_figure(
         measure: label of the response measure, with its unit.
         measure_scale: that unit in SI.
         limits: values of the measure in SI by name, drawn across.
-        title: of the figure.
     """
     figure, (axes,) = new_figure(1, len(stripes), 0.5 + 3.0 * len(stripes), 3.2)
     right = 1.05 * max(_largest(one) for one in stripes) / measure_scale
@@ -78,7 +76,7 @@ def ida_figure(
             label = f"{100 * fraction:.0f} % of the records"
             x, y = grid / measure_scale, np.concatenate(([0.0], curve)) / intensity_scale
             here.plot(x, y, color=MEAN, linewidth=1.8, dashes=_DASHES[fraction], label=label)
-        for name, value in (limits or {}).items():
+        for name, value in limits.items():
             here.axvline(value / measure_scale, color=TARGET, linewidth=0.8, linestyle=":")
             here.annotate(
                 name, (value / measure_scale, top), (2, -2), textcoords="offset points", va="top", color=TARGET
@@ -90,22 +88,17 @@ def ida_figure(
     label_outer(axes, len(axes), measure, intensity)
     handles, labels = axes[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=4)
-    if title:
-        figure.suptitle(title, x=0.01, ha="left", fontsize=9.0)
     return figure
 
 
 @styled
-def fragility_figure(
-    fragilities: Sequence[LimitFragility], intensity: str, intensity_scale: float, title: str = ""
-) -> Figure:
+def fragility_figure(fragilities: Sequence[LimitFragility], intensity: str, intensity_scale: float) -> Figure:
     """Draw fragilities as curves, the observed fractions as points: a panel for each limit, a colour for each variant.
 
     Args:
         fragilities: in any order; of those without a fit the points are drawn.
         intensity: label of the intensity measure, with its unit.
         intensity_scale: that unit in SI.
-        title: of the figure.
     """
     limits = list(dict.fromkeys(one.limit for one in fragilities))
     variants = list(dict.fromkeys(one.variant for one in fragilities))
@@ -132,8 +125,6 @@ def fragility_figure(
     label_outer(axes, len(axes), intensity, "probability")
     named = {label: handle for here in axes for handle, label in zip(*here.get_legend_handles_labels(), strict=True)}
     figure.legend(list(named.values()), list(named), loc="outside lower center", ncols=4)
-    if title:
-        figure.suptitle(title, x=0.01, ha="left", fontsize=9.0)
     return figure
 
 

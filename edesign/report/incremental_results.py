@@ -14,8 +14,8 @@ from edesign.assess.incremental import COLLAPSE, Stripes, collect_stripes
 from edesign.assess.limit_fragility import LimitFragility, limit_fragility
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.summary import all_results
+from edesign.study.plan import INCREMENTAL
 
-PLACE = "incremental"  # of the groups that describe the studies
 DRIFT = "interstorey_drift"
 UNITS = {"m/s^2": ("g", STANDARD_GRAVITY), "1": ("1", 1.0)}
 """Unit of an intensity measure in the archive: how it is shown, and that in SI."""
@@ -68,11 +68,11 @@ def read_incremental(archive: Archive, groups: Mapping[str, Group] | None = None
         archive: complete or partial.
         groups: all its analyses by name, if they have been read already.
     """
-    names = archive.names(PLACE)
+    names = archive.names(INCREMENTAL)
     if not names:
         return []
     groups = all_results(archive) if groups is None else groups
-    found = [_study(archive.group(f"{PLACE}/{name}"), name, groups) for name in names]
+    found = [_study(archive.group(f"{INCREMENTAL}/{name}"), name, groups) for name in names]
     return [one for one in found if one.stripes]
 
 

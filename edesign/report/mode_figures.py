@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.report.captions import plain
-from edesign.report.figures import MEAN, VARIANTS, new_figure, styled
+from edesign.report.figures import MEAN, VARIANTS, new_figure, some_of, styled
 from edesign.report.histories import variant_colors
 from edesign.study.plan import ANALYSES
 
@@ -91,7 +91,7 @@ def mode_figure(structures: Sequence[Shapes]) -> Figure:
         axis.set_xlim(-1.15, 1.15)
         axis.set_xticks((-1.0, 0.0, 1.0))
         axis.set_ylim(0.0, floors[-1] + 0.4)
-        axis.set_yticks(floors if floors.size <= 13 else floors[:: floors.size // 8])
+        axis.set_yticks(some_of(floors))
         if mode:
             axis.tick_params(labelleft=False)
     cells[0].set_ylabel("floor")

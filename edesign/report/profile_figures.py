@@ -12,7 +12,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak, residual
 from edesign.report.captions import at_level, file_name, plain
-from edesign.report.figures import MEAN, RECORDS, grid_figure, label_outer, styled
+from edesign.report.figures import MEAN, RECORDS, grid_figure, label_outer, some_of, styled
 from edesign.report.histories import History, by_level, histories, missing_text, variant_colors
 
 if TYPE_CHECKING:
@@ -167,7 +167,7 @@ def _draw(axis: Axes, panel: Profiles, kind: Kind, limits: Mapping[str, float], 
     axis.plot(np.mean(values, axis=0), height, **_MEAN, color=panel.color)
     axis.set_xlim(0.0, span)
     axis.set_ylim(height[0] - (0.0 if first == 0 else 0.4), height[-1] + 0.4)
-    axis.set_yticks(height if count <= 13 else height[:: count // 8])
+    axis.set_yticks(some_of(height))
     for name, limit in limits.items():
         if limit < span:
             axis.axvline(limit, color=MEAN, lw=0.7, ls=":")

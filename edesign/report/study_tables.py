@@ -13,15 +13,15 @@ from edesign.assess.sets import history_sets
 from edesign.report.archived import archived_study
 from edesign.report.assessment_tables import read_histories
 from edesign.report.design_tables import design_tables
-from edesign.report.incremental_results import PLACE
 from edesign.report.incremental_tables import incremental_tables
 from edesign.report.measure_tables import statistics_tables
 from edesign.report.summary import all_results, entry
 from edesign.report.table import Table, number, seconds, whole
 from edesign.report.verdict_tables import objectives_table, performance_table, verdicts_table
+from edesign.study.outcome import COLLAPSED, COMPLETED, SKIPPED
+from edesign.study.plan import DESIGNS, INCREMENTAL
 
-DESIGNS = "designs"
-EXPECTED = ("collapsed", "skipped")  # ends of histories of incremental studies that are no failures
+EXPECTED = (COLLAPSED, SKIPPED)  # ends of histories of incremental studies that are no failures
 
 
 def study_tables(archive: Archive) -> list[Table]:
@@ -61,7 +61,7 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
         groups: all its analyses by name, if they have been read already.
     """
     stripes = _stripe_entries(archive)
-    ends = ("completed", *(EXPECTED if stripes else ()))
+    ends = (COMPLETED, *(EXPECTED if stripes else ()))
     table = Table("Analyses", ("analyses", "planned", *ends, "steps", "fallbacks", "CPU [s]", "largest energy error"))
     by_entry: dict[str, dict[str, Group]] = defaultdict(dict)
     for name, group in (all_results(archive) if groups is None else groups).items():
@@ -87,7 +87,7 @@ def designs_tables(archive: Archive) -> list[Table]:
 
 def _stripe_entries(archive: Archive) -> tuple[str, ...]:
     """VARIANT.STUDY of the incremental studies, which the names of their histories begin with."""
-    abouts = {name: archive.group(f"{PLACE}/{name}") for name in archive.names(PLACE)}
+    abouts = {name: archive.group(f"{INCREMENTAL}/{name}") for name in archive.names(INCREMENTAL)}
     return tuple(f"{variant}.{name}" for name, about in abouts.items() for variant in about.coords["variant"].values)
 
 

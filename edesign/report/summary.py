@@ -10,6 +10,7 @@ from typing import Any
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.measures import response_measures
+from edesign.assess.sets import NOT_RUN
 from edesign.errors import InputError
 from edesign.study.plan import ANALYSES
 from edesign.study.record_results import RECORDS
@@ -76,7 +77,7 @@ def find(archive: Archive, name: str) -> str:
 def results(archive: Archive, name: str) -> Group:
     """Return the results of an analysis; one that was planned and has none is a group with the status "not run"."""
     path = f"{ANALYSES}/{name}"
-    return archive.group(path) if archive.has(path) else Group(attributes={"status": "not run"})
+    return archive.group(path) if archive.has(path) else Group(attributes={"status": NOT_RUN})
 
 
 def all_results(archive: Archive) -> dict[str, Group]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name
 from edesign.report.figures import AFTER, VARIANTS
-from edesign.report.histories import History, histories, missing_text, with_results
+from edesign.report.histories import by_temperature, histories, missing_text, with_results
 from edesign.report.response_figures import GROUND, ROWS, Series, numbers, response_figure
 
 if TYPE_CHECKING:
@@ -31,15 +31,3 @@ def temperature_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             about = f"Temperature of the dampers: {who}{chosen[0].motion}{at_level(level)}. "
             name = file_name("temperature", variant, level, record)
             yield name, f"{about}{numbers(series)}{missing_text(chosen)}", response_figure(series)
-
-
-def by_temperature(chosen: list[History]) -> dict[tuple[str, str, str], list[History]]:
-    """Histories of which there are several temperatures, by variant, level and record."""
-    found: dict[tuple[str, str, str], list[History]] = {}
-    for history in chosen:
-        found.setdefault((history.variant, history.level, history.record), []).append(history)
-    return {
-        key: sorted(same, key=lambda history: (history.temperature is not None, history.temperature or 0.0))
-        for key, same in found.items()
-        if len({history.temperature for history in same}) > 1
-    }

@@ -65,7 +65,8 @@ def performance_table(sets: Sequence[HistorySet], members: Mapping[str, FrameMem
     transient = "Drift: Table C1-3, transient 0.7, 2.5, 5 %, permanent"
     table.notes.append(f"{transient} {100 * NEGLIGIBLE:g} (taken for `negligible`), 1, 5 %. Members: Table 5-6.")
     table.notes.append(
-        f"A column with P/P_CL > 0.5 is force-controlled: up to {ELASTIC_ROTATION:g} rad count as elastic."
+        f"A column with P/P_CL > 0.5 is force-controlled: up to {ELASTIC_ROTATION:g} rad count as elastic. P is its "
+        "largest compression in the history, with what dampers add; P_CL its buckling strength over the storey (K = 1)."
     )
     table.notes.append("Governs: the history with the largest usage of Collapse Prevention; it is met up to 100 %.")
     if not members:

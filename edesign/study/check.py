@@ -20,7 +20,7 @@ from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.outputs import Outputs
 from edesign.project.problems import keys_text
 from edesign.project.project import Project
-from edesign.project.records import SuiteRecords
+from edesign.project.records import SuiteRecords, record_of
 from edesign.project.study import Study
 from edesign.study.advice import advice
 from edesign.study.dampers import law_warnings
@@ -56,7 +56,7 @@ def check_inputs(project: Project, specs: Iterable[Analysis]) -> dict[str, Found
     if project.hazard is not None:
         checked_hazard(project)
     histories = [spec for spec in specs if isinstance(spec, HistoryAnalysis)]
-    wanted = {spec.record.partition("/")[0] for spec in histories}
+    wanted = {record_of(spec.record) for spec in histories}
     names = [name for name in project.records if name in wanted]
     found = find_recordings(project, [reference for name in names for reference in references(project, name)])
     for spec in histories:
@@ -152,7 +152,7 @@ def check_project(project: Project) -> dict[str, str]:
     """
     plan = make_plan(project)
     found = check_inputs(project, [task.spec for task in plan])
-    unused = [name for name in project.records if all(name != key.partition("/")[0] for key in found)]
+    unused = [name for name in project.records if all(name != record_of(key) for key in found)]
     others = find_recordings(project, [key for name in unused for key in references(project, name)])
     period = fundamental_period(project)
     notes = advice(project, period, [item.record for item in found.values()])
@@ -220,7 +220,7 @@ def _records(project: Project, found: Mapping[str, Found]) -> str:
     """The records, and of suites how many of their recordings are real."""
     texts = []
     for name in project.records:
-        origins = Counter(item.origin for key, item in found.items() if key.partition("/")[0] == name)
+        origins = Counter(item.origin for key, item in found.items() if record_of(key) == name)
         of = ", ".join(f"{count} {ORIGINS[origin]}" for origin, count in origins.items())
         texts.append(f"{name} ({of})" if of and isinstance(project.records[name], SuiteRecords) else name)
     return ", ".join(texts) or "none"

@@ -17,11 +17,10 @@ from edesign.project.study import Study
 from edesign.study.backends.work import Work
 from edesign.study.check import verification_records, wanted_designs
 from edesign.study.design.design import DesignResult, run_design
-from edesign.study.execution import Execution, Prepared, analyse
-from edesign.study.plan import Task, labels
+from edesign.study.execution import Execution, Prepared
+from edesign.study.plan import DESIGNS, Task, labels
 from edesign.study.variants import variant_project
-
-DESIGNS = "designs"  # their group in the archive
+from edesign.study.works import analyse
 
 
 class _Lost(EdesignError):

@@ -1,36 +1,25 @@
-"""Carrying a plan out: every analysis into the archive as soon as it is finished, whatever happens on the way."""
+"""A run under way: what is to be run, and the state that its threads share."""
 
 from __future__ import annotations
 
 import threading
-import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from functools import cache, partial
 from pathlib import Path
 from typing import Literal
 
 from edesign.archive.dataset import Group
-from edesign.archive.writer import ArchiveWriter, partial_path
-from edesign.errors import EdesignError, Interrupted
+from edesign.archive.writer import ArchiveWriter
 from edesign.ground_motion.sources import Found
 from edesign.project.analyses import Analysis
 from edesign.project.project import Project
-from edesign.study import analyses
 from edesign.study.backends import Backend
 from edesign.study.backends.work import Result, Work
-from edesign.study.interrupt import stop_on_signals
-from edesign.study.modal import fundamental_period
-from edesign.study.motions import Motion, match_options, project_motions
-from edesign.study.outcome import COLLAPSED, COMPLETED, FAILED, SKIPPED, Outcome, RunSummary
-from edesign.study.plan import Task, waves
+from edesign.study.motions import Motion
+from edesign.study.outcome import Outcome
+from edesign.study.plan import Task
 from edesign.study.progress import Listener, Progress
-from edesign.study.provenance import IDENTITY, circumstances
-from edesign.study.record_results import project_record_groups
-
-MATCHING = "matching"  # what the progress of the fit of the records is called
-
 
 Prepared = Callable[[Task], tuple[Project, Analysis]]
 """Gives the frame and the analysis of a task; raises an EdesignError if it cannot be run."""
@@ -144,188 +133,3 @@ class Execution:
             yield
         finally:
             self.critical = False
-
-
-def execute(
-    job: Job, path: Path, listener: Listener, backend: Backend, workers: int, fresh: bool = False
-) -> RunSummary:
-    """Run the analyses of a plan and archive them.
-
-    An analysis that fails is archived as failed with its reason, and the run goes on. Results of an interrupted run of
-    the same inputs and versions are reused. The histories of incremental studies run in waves, from the lowest
-    intensity; what is skipped after a collapse depends on its chain alone.
-
-    Args:
-        job: what is to be run.
-        path: the archive.
-        listener: of the progress.
-        backend: that does the work.
-        workers: threads for the records.
-        fresh: True discards the results of an interrupted run.
-
-    Raises:
-        ArchiveError: the archive cannot be written; what was archived before stays in the partial file.
-        EdesignError: of the back end or of a design; likewise.
-        Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
-    """
-    started = time.monotonic()
-    tasks = {task.path: task for task in job.tasks}
-    earlier: dict[str, Outcome] = {}
-
-    def accept(place: str, attributes: Mapping[str, object]) -> bool:
-        if place not in tasks:
-            return place in job.resumable
-        task, status = tasks[place], str(attributes.get("status"))
-        if status != COMPLETED and (task.stripe is None or status != COLLAPSED):
-            return False
-        earlier[place] = Outcome(task.name, status, str(attributes.get("reason") or ""), reused=True)
-        return True
-
-    extra = {"provenance": circumstances()}
-    with ArchiveWriter(path, job.root, IDENTITY, None if fresh else accept, extra) as writer:
-        run = Execution(job, listener, backend, workers, writer)
-        if writer.note:
-            run.note(writer.note)
-        kept = [place for place in writer.kept if place in tasks]
-        if kept or run.resumable:
-            found = "".join(f", with {place}" for place in run.resumable)
-            run.note(f"continuing an interrupted run: {len(kept)} of {len(tasks)} analyses are reused{found}")
-        for note in job.notes:
-            run.note(note)
-        for place in kept:
-            run.ended(earlier[place])
-        with stop_on_signals(run.stop, lambda: run.critical):
-            try:
-                _carry_out(run)
-            except KeyboardInterrupt:
-                run.stop.set()
-            except EdesignError as error:
-                if _keep(run):
-                    error.args = (f"{error}; {_kept(run, path)}",)
-                raise
-            if run.stopped() and len(run.outcomes) < len(tasks):
-                _keep(run)
-                raise Interrupted(_kept_message(run, path))
-            with run.uninterrupted():
-                failed = any(outcome.failed for outcome in run.outcomes.values())
-                writer.finish({"status": FAILED if failed else COMPLETED})
-    outcomes = tuple(run.outcomes[task.name] for task in job.tasks)
-    return RunSummary(path, outcomes, tuple(run.notes), time.monotonic() - started)
-
-
-def analyse(
-    project: Project,
-    spec: Analysis,
-    motion: Motion | None,
-    progress: Callable[[int, int], None],
-    stop: Callable[[], bool],
-) -> Group:
-    """Run one analysis, as a back end calls it."""
-    return analyses.run_analysis(project, spec, progress=progress, stop=stop, motion=motion)
-
-
-def analyse_stripe(
-    project: Project,
-    spec: Analysis,
-    motion: Motion | None,
-    progress: Callable[[int, int], None],
-    stop: Callable[[], bool],
-) -> Group:
-    """Run one history of an incremental study, as a back end calls it; nothing over time is kept."""
-    return analyse(project, spec, motion, progress, stop).without("time")
-
-
-def _carry_out(run: Execution) -> None:
-    run.motions = _prepare_records(run)
-    if run.stopped():
-        return
-    prepared = run.job.prepare(run)
-    if run.stopped():
-        return
-    fallen: dict[str, str] = {}  # why the rest of a chain is skipped
-    for wave in waves(run.job.tasks):
-        for task, stripe in ((task, task.stripe) for task in wave if task.stripe is not None):
-            if stripe.chain in fallen:  # also what an interrupted run has computed, if a failure below it fell now
-                skipped = Group(attributes={"status": SKIPPED})
-                _archive(run, task, Result(task.name, skipped, fallen[stripe.chain]))
-        _perform(run, [task for task in wave if task.name not in run.outcomes], prepared)
-        if run.stopped():
-            return
-        for task in wave:
-            if task.stripe is not None and run.outcomes[task.name].status == COLLAPSED:
-                fallen[task.stripe.chain] = f"collapsed at {task.name.removeprefix(f'{task.stripe.chain}.')}"
-
-
-def _perform(run: Execution, tasks: Sequence[Task], prepared: Prepared) -> None:
-    """Run analyses that do not depend on each other, and archive each as soon as it is finished."""
-    works = []
-    for task in tasks:
-        try:
-            project, spec = prepared(task)
-        except EdesignError as error:
-            _archive(run, task, Result(task.name, reason=str(error)))
-            continue
-        how = analyse if task.stripe is None else analyse_stripe
-        works.append(Work(task.name, how, (project, spec, run.motions.get(task.record or ""))))
-    by_name = {task.name: task for task in tasks}
-    for result in run.results(works):
-        _archive(run, by_name[result.key], result)
-
-
-def _prepare_records(run: Execution) -> dict[str, Motion]:
-    """Fit the records to the spectrum where the project says so, and archive them."""
-    started = time.monotonic()
-    project, recordings = run.job.project, run.job.recordings
-    fits = [name for name in recordings if match_options(project, name) is not None]
-    done: list[str] = []
-
-    def tell(event: Literal["start", "advance", "end"], message: str = "") -> None:
-        if fits:
-            seconds, fraction = time.monotonic() - started, len(done) / len(recordings)
-            run.tell(Progress(event, MATCHING, 0, len(run.job.tasks), fraction, message, seconds))
-
-    def each(motion: Motion) -> None:
-        done.append(motion.name)
-        tell("advance")
-
-    tell("start")
-    period = cache(partial(fundamental_period, project))
-    motions = project_motions(project, recordings, period, run.workers, each, run.stopped)
-    tell("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
-    if not run.stopped():
-        for place, group in project_record_groups(project, motions, period):
-            run.archive(place, group)
-    return motions
-
-
-def _archive(run: Execution, task: Task, result: Result) -> None:
-    group = result.value if isinstance(result.value, Group) else Group(attributes={"status": FAILED})
-    status = str(group.attributes.get("status", COMPLETED))
-    if task.stripe is not None and group.attributes.get("collapsed"):
-        status = COLLAPSED  # what the study looks for
-    reason = result.reason or str(group.attributes.get("reason") or "")
-    attributes = {**group.attributes, **task.labels, "status": status, "reason": reason}
-    run.archive(task.path, Group(group.coords, group.variables, attributes))
-    run.ended(Outcome(task.name, status, reason, seconds=result.seconds))
-
-
-def _keep(run: Execution) -> bool:
-    """Leave the partial file if there is something in it that the next run can use; tell whether there is."""
-    if run.outcomes or run.resumable:
-        return True
-    run.writer.discard()
-    return False
-
-
-def _kept_message(run: Execution, path: Path) -> str:
-    if not run.outcomes and not run.resumable:
-        return f"interrupted before an analysis was finished; {path} is unchanged"
-    return (
-        f"interrupted: {_kept(run, path)}; "
-        f"the same command with {run.job.path} goes on from there (--fresh starts anew)"
-    )
-
-
-def _kept(run: Execution, path: Path) -> str:
-    others = "".join(f", with {place}," for place in run.resumable)
-    return f"{len(run.outcomes)} of {len(run.job.tasks)} analyses are finished{others} and kept in {partial_path(path)}"

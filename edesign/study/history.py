@@ -17,6 +17,7 @@ from edesign.project.analyses import HistoryAnalysis
 from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.project import Project
+from edesign.project.records import record_of
 from edesign.study import quantities as q
 from edesign.study.collapse import collapse_reason, drift_limits
 from edesign.study.dampers import strain_warnings
@@ -118,7 +119,7 @@ def run_history(
 
 def _motion(project: Project, reference: str) -> Motion:
     """The record made ready for one history alone; those of a suite depend on each other."""
-    recordings = find_recordings(project, references(project, reference.partition("/")[0]))
+    recordings = find_recordings(project, references(project, record_of(reference)))
     return project_motions(project, recordings, lambda: fundamental_period(project))[reference]
 
 

@@ -8,18 +8,15 @@ from functools import cache
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.errors import EdesignError, InputError
-from edesign.ground_motion.record import Record
+from edesign.errors import EdesignError
 from edesign.project.analyses import Analysis
 from edesign.project.incremental import Incremental, LevelFactorStudy, SpectralAccelerationStudy
 from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.study.execution import Execution, Prepared
 from edesign.study.intensity import first_period, level_intensity, record_intensity
-from edesign.study.plan import Task
+from edesign.study.plan import INCREMENTAL, Task
 from edesign.study.recording import coordinate
-
-INCREMENTAL = "incremental"  # group of what describes the studies in the archive
 
 
 def study_stripes(study: Study, run: Execution, frames: Prepared) -> Prepared:
@@ -48,7 +45,7 @@ def study_stripes(study: Study, run: Execution, frames: Prepared) -> Prepared:
     def unit(name: str, variant: str, reference: str) -> float:
         task = first[name][variant]
         period = periods(studies[name], task, needed=True)
-        return unit_intensity(frames(task)[0], studies[name], run.motions[reference].record, period)
+        return record_intensity(frames(task)[0], studies[name], run.motions[reference].record, period)
 
     def prepared(task: Task) -> tuple[Project, Analysis]:
         project, spec = frames(task)
@@ -58,24 +55,6 @@ def study_stripes(study: Study, run: Execution, frames: Prepared) -> Prepared:
         return project, spec.model_copy(update={"scale": factor})
 
     return prepared
-
-
-def unit_intensity(project: Project, study: Incremental, record: Record, period: float | None) -> float:
-    """Return the intensity measure of a record as it is applied with the factor 1, m/s2 or a factor.
-
-    Args:
-        project: the validated project of the variant.
-        study: what the study file says.
-        record: made ready, before scaling.
-        period: of the spectral acceleration where the study does not give it, s.
-
-    Raises:
-        InputError: as `record_intensity`, or that of the record is zero.
-    """
-    found = record_intensity(project, study, record, period)
-    if found <= 0.0:
-        raise InputError(f"{record.name}: the record has no {study.intensity} that could be scaled")
-    return found
 
 
 def incremental_group(project: Project, study: Incremental, periods: Mapping[str, float | None]) -> Group:

@@ -35,17 +35,22 @@ def record_intensity(project: Project, study: Incremental, record: Record, perio
         period: of the spectral acceleration where the study does not give it, s.
 
     Raises:
-        InputError: a period is needed and the frame has none, or the project has no hazard with the level.
+        InputError: a period is needed and the frame has none, the project has no hazard with the level, or the record
+            is zero throughout.
     """
     if isinstance(study, PeakAccelerationStudy):
-        return record.pga
-    if isinstance(study, LevelFactorStudy):
+        found = record.pga
+    elif isinstance(study, LevelFactorStudy):
         if project.hazard is None:
             raise InputError(
                 f"{project.path}: hazard: this block is missing; `{study.name}` scales records to its levels"
             )
-        return 1.0 / importance_factor(project.hazard, study.level)
-    return _spectral_acceleration(project, study, record, period)
+        found = 1.0 / importance_factor(project.hazard, study.level)
+    else:
+        found = _spectral_acceleration(project, study, record, period)
+    if found <= 0.0:
+        raise InputError(f"{record.name}: the record has no {study.intensity} that could be scaled")
+    return found
 
 
 def level_intensity(project: Project, study: Incremental, period: float | None) -> float | None:

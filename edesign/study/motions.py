@@ -18,7 +18,7 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.sources import Found
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.project import Project
-from edesign.project.records import SuiteRecords
+from edesign.project.records import SuiteRecords, record_of
 
 
 @dataclass(frozen=True)
@@ -137,7 +137,7 @@ def project_motions(
 
 def match_options(project: Project, reference: str) -> MatchOptions | None:
     """Return how the project wants a recording to be fitted; None if it is to stay as recorded."""
-    spec = project.records[reference.partition("/")[0]].match
+    spec = project.records[record_of(reference)].match
     if spec is None or project.hazard is None:
         return None
     return MatchOptions(
@@ -163,7 +163,7 @@ def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
         try:
             check_record(found.record, options)
         except InputError as error:
-            name = reference.partition("/")[0]
+            name = record_of(reference)
             faults.append(f"{project.where('records', name, 'match')}: records.{name}.match: {error}")
     if faults:
         raise InputError("\n".join(faults))

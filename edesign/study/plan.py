@@ -14,7 +14,8 @@ from edesign.project.problems import did_you_mean
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords
 
-ANALYSES = "analyses"  # their group in the archive
+ANALYSES, DESIGNS, INCREMENTAL = "analyses", "designs", "incremental"
+"""Groups of the archive: analyses, designs of dampers, and what describes incremental studies."""
 
 
 @dataclass(frozen=True)

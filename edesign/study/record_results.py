@@ -17,7 +17,7 @@ from edesign.ground_motion.matching import Match
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.project import Project
-from edesign.project.records import SuiteRecords
+from edesign.project.records import SuiteRecords, record_of
 from edesign.study.motions import Motion
 
 RECORDS = "records"  # their group in the archive
@@ -37,7 +37,7 @@ def project_record_groups(
     Raises:
         AnalysisError: the period of the frame, which a criterion needs, cannot be found.
     """
-    for order, name in enumerate(dict.fromkeys(reference.partition("/")[0] for reference in motions)):
+    for order, name in enumerate(dict.fromkeys(record_of(reference) for reference in motions)):
         spec = project.records[name]
         if not isinstance(spec, SuiteRecords):
             yield f"{RECORDS}/{name}", record_group(motions[name], order)

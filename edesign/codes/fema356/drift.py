@@ -25,14 +25,13 @@ class DriftLimits:
     permanent: float
 
 
-def drift_limits(level: str, negligible: float = NEGLIGIBLE) -> DriftLimits:
+def drift_limits(level: str) -> DriftLimits:
     """Return the drifts that a performance level of steel moment frames allows.
 
     FEMA 356 gives them as what is typical of each level, not as acceptance criteria.
 
     Args:
         level: IO, LS or CP.
-        negligible: permanent drift ratio allowed for Immediate Occupancy.
 
     Raises:
         InputError: there is no such level.
@@ -40,22 +39,10 @@ def drift_limits(level: str, negligible: float = NEGLIGIBLE) -> DriftLimits:
     Source: FEMA 356, Table C1-3, steel moment frames (thesis Table 5.5).
     """
     limits = {
-        "IO": DriftLimits(0.007, negligible),
+        "IO": DriftLimits(0.007, NEGLIGIBLE),
         "LS": DriftLimits(0.025, 0.01),
         "CP": DriftLimits(0.05, 0.05),
     }
     if level not in limits:
         raise unknown("performance level", level, limits)
     return limits[level]
-
-
-def drift_usage(transient: float, permanent: float, level: str, negligible: float = NEGLIGIBLE) -> float:
-    """Return the larger of the two drifts over what a level allows; the level is met up to 1.
-
-    Args:
-        transient: largest interstorey drift ratio.
-        permanent: largest residual interstorey drift ratio.
-        level, negligible: see `drift_limits`.
-    """
-    limits = drift_limits(level, negligible)
-    return max(transient / limits.transient, permanent / limits.permanent)

@@ -9,6 +9,7 @@ from pathlib import Path
 from edesign._version import __version__
 from edesign.archive.files import write_text
 from edesign.archive.reader import open_archive
+from edesign.assess.sets import NOT_RUN
 from edesign.report.page.render import Cover, render
 from edesign.report.page.section import Section
 from edesign.report.page.sections.dampers import dampers
@@ -87,7 +88,7 @@ def _cover(source: Source) -> Cover:
     who = f"edesign {about.get('edesign_version', '')}"
     banner = ""
     if not source.archive.complete:
-        missing = [item["name"] for item in source.entries if item["status"] == "not run"]
+        missing = [item["name"] for item in source.entries if item["status"] == NOT_RUN]
         banner = (
             f"The run goes on or was interrupted: {len(missing)} of {len(source.entries)} analyses have no result yet."
         )

@@ -100,8 +100,7 @@ class Source:
     def text(self, name: str) -> str:
         """Return a text of the archive's root such as "project_text", "" if it is not there."""
         variable = self._root.variables.get(name)
-        value = variable.values.item() if variable is not None and variable.values.ndim == 0 else ""
-        return value.decode() if isinstance(value, bytes) else str(value)
+        return str(variable.values) if variable is not None and variable.values.ndim == 0 else ""
 
     @cached_property
     def _root(self) -> Group:

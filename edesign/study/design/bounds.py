@@ -2,22 +2,18 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
-
-import numpy as np
 
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
 from edesign.project.designs import Bounds
 from edesign.study.design.building import Building
 from edesign.study.design.damping import ModalDamping, modal_damping
-from edesign.study.design.elastomer import Elastomer
+from edesign.study.design.elastomer import Elastomer, Moduli
 from edesign.study.design.estimate import Action, Estimate, estimate
-from edesign.study.design.sizing import Sizing, place_stiffness
+from edesign.study.design.own_frequency import at_own_frequency
+from edesign.study.design.sizing import Sizing
 
-AGREEMENT = 1e-6
-MOST_ITERATIONS = 50
 NAMES = ("lower", "nominal", "upper")
 
 
@@ -103,15 +99,14 @@ def _bound(
     material: Elastomer,
     action: Action,
 ) -> Bound:
-    frame = building.frame
-    frequency = sizing.frequency
-    for _ in range(MOST_ITERATIONS):
-        moduli = material(frequency)
-        ratio = factor * moduli.G_storage / sizing.moduli.G_storage
-        at_places = place_stiffness(building, ratio * sizing.stiffness, moduli.loss_factor, sizing.brace)
-        before, frequency = frequency, float(frame.modes(at_places.real).omega[0]) / (2.0 * math.pi)
-        if abs(frequency - before) <= AGREEMENT * frequency:
-            break
+
+    def ratio(moduli: Moduli) -> float:
+        return factor * moduli.G_storage / sizing.moduli.G_storage
+
+    moduli, at_places, _ = at_own_frequency(
+        building, material, lambda moduli: ratio(moduli) * sizing.stiffness, sizing.brace, sizing.frequency
+    )
     brace = None if sizing.brace is None else building.at_places(sizing.brace)
     response = estimate(building, action, at_places, brace, sizing.thickness)
-    return Bound(name, factor, temperature_C, ratio, modal_damping(frame, frame.modes(), np.array(at_places)), response)
+    damping = modal_damping(building.frame, building.frame.modes(), at_places)
+    return Bound(name, factor, temperature_C, ratio(moduli), damping, response)

@@ -111,9 +111,7 @@ def storey_stiffness(frame: CondensedFrame) -> np.ndarray:
         AnalysisError: a storey does not shear in the first mode.
     """
     mode = frame.modes()
-    here = (frame.influence > 0.0) & (frame.floor_of >= 0)
-    loads = (mode.omega[0] ** 2 * frame.mass * mode.masses[0])[here]
-    shear = storey_shears(np.bincount(frame.floor_of[here], loads, minlength=mode.floors.shape[1]))
+    shear = storey_shears(frame.at_floors(mode.omega[0] ** 2 * frame.mass * mode.masses[0]))
     drift = np.diff(mode.floors[0], prepend=0.0)
     if np.any(shear * drift <= 0.0):
         raise AnalysisError("a storey does not shear in the first mode of the frame: it has no storey stiffness")

@@ -32,6 +32,11 @@ class LinearModes:
     dampers: np.ndarray
     participation: np.ndarray
 
+    @property
+    def first_frequency(self) -> float:
+        """Of the first mode, Hz."""
+        return float(self.omega[0]) / (2.0 * np.pi)
+
 
 @dataclass(frozen=True)
 class CondensedFrame:
@@ -62,11 +67,11 @@ class CondensedFrame:
         """Number of dampers."""
         return self.C.shape[0]
 
-    @property
-    def floor_mass(self) -> np.ndarray:
-        """Mass that moves with each floor along x, (f,) kg."""
+    def at_floors(self, forces: np.ndarray) -> np.ndarray:
+        """Sums over each floor (..., f) of forces along x on the masses (..., m), N."""
         here = (self.influence > 0.0) & (self.floor_of >= 0)
-        return np.bincount(self.floor_of[here], self.mass[here], minlength=self.floor_A.shape[0])
+        rows = [np.bincount(self.floor_of[here], row[here], self.floor_A.shape[0]) for row in np.atleast_2d(forces)]
+        return np.reshape(rows, (*forces.shape[:-1], self.floor_A.shape[0]))
 
     def modes(self, stiffness: np.ndarray | None = None) -> LinearModes:
         """All modes of the frame with dampers of storage stiffness (d,) N/m; without them for None.

@@ -8,8 +8,6 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
 from edesign.archive.dataset import Group
 from edesign.damper.sizing import largest_damping
 from edesign.errors import InputError
@@ -22,7 +20,7 @@ from edesign.study.design.damping import modal_damping
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.elastomer import Elastomer, elastomer, law_moduli
 from edesign.study.design.estimate import Action, make_action
-from edesign.study.design.loop import Outcome, Round, Search, search
+from edesign.study.design.loop import Round, RoundOutcome, Search, search
 from edesign.study.design.results import store_bounds, store_estimate, store_iterations, store_rounds, store_sizing
 from edesign.study.design.simplified import simplified_warnings, size_simplified
 from edesign.study.design.sizing import Sizing
@@ -83,8 +81,8 @@ class Designer:
         ratio = math.inf
         if spec.braces_in_target and isinstance(spec.brace, BraceRatio):
             ratio = spec.brace.ratio
-        frequency = float(self.building.frame.modes().omega[0]) / (2.0 * math.pi)
-        limit = _REACHABLE * largest_damping(self.material(frequency).loss_factor, ratio)
+        moduli = self.material(self.building.frame.modes().first_frequency)
+        limit = _REACHABLE * largest_damping(moduli.loss_factor, ratio)
         return spec.damping, max(limit, spec.damping)
 
     def search(
@@ -98,7 +96,7 @@ class Designer:
             only = Round(1, self._value(sizing, start), sizing)
             return Search((only,), only, sizing.reason)
 
-        def outcome(sizing: Sizing, number: int, value: float) -> Outcome:
+        def outcome(sizing: Sizing, number: int, value: float) -> RoundOutcome:
             found = kept_outcome(resume, number, value, sizing)
             if found is not None:
                 self.progress(f"round {number} is already there")
@@ -133,7 +131,7 @@ class Designer:
         if self.action is not None:
             store_estimate(group, building, sizing, self.action)
             if isinstance(spec, SimplifiedDesign):
-                warnings += simplified_warnings(building, spec, self.action, sizing)
+                warnings += simplified_warnings(spec, self.action, sizing)
             if spec.bounds is not None:
                 found = analyse_bounds(building, sizing, spec.bounds, self._bound_material, self.action)
                 store_bounds(group, building, found)
@@ -157,8 +155,8 @@ class Designer:
             return [str(error)]
         frame = self.building.frame
         # areas are those of the design, so stiffness changes as the modulus does
-        stiffness = sizing.complex_stiffness(self.building, True, moduli)
-        damping = modal_damping(frame, frame.modes(), np.asarray(stiffness)).strain_energy[0]
+        stiffness = sizing.complex_stiffness(self.building, moduli=moduli)
+        damping = modal_damping(frame, frame.modes(), stiffness).strain_energy[0]
         group.attributes |= {
             "law_G_storage_Pa": moduli.G_storage,
             "law_loss_factor": moduli.loss_factor,

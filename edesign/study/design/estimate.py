@@ -98,10 +98,7 @@ def estimate(
         return np.asarray(np.sqrt(np.maximum(np.einsum("ix,ij,jx->x", scaled, correlation, scaled), 0.0)))
 
     floors, deformation = modes.floors[kept], modes.dampers[kept]
-    forces = omega[:, None] ** 2 * frame.mass * frame.influence * modes.masses[kept]
-    here = frame.floor_of >= 0
-    of_floors = np.array([np.bincount(frame.floor_of[here], f[here], minlength=floors.shape[1]) for f in forces])
-    shears = storey_shears(of_floors)
+    shears = storey_shears(frame.at_floors(omega[:, None] ** 2 * frame.mass * modes.masses[kept]))
     columns = shears.copy()
     horizontal = deformation * stiffness.real * building.cosine
     np.add.at(columns.T, building.storeys[building.place_storey] - 1, -horizontal.T)

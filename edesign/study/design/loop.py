@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
 
 from edesign.errors import AnalysisError, InputError
 from edesign.study.design.sizing import Sizing
@@ -15,22 +14,9 @@ _AIM = 0.99  # of the limit
 _MIDDLE = 0.15  # share of a bracket at both ends in which no new trial lies
 
 
-class VerdictLike(Protocol):
-    """What a criterion says of the histories of a round."""
-
-    @property
-    def name(self) -> str: ...
-    @property
-    def value(self) -> float | None: ...
-    @property
-    def limit(self) -> float | None: ...
-    @property
-    def met(self) -> bool | None: ...
-
-
 @dataclass(frozen=True)
-class Verdict:
-    """A kept verdict; value and limit are nan where there is none."""
+class RoundVerdict:
+    """What is kept of a verdict on the histories of a round; value and limit are nan where there is none."""
 
     name: str
     value: float
@@ -39,7 +25,7 @@ class Verdict:
 
 
 @dataclass(frozen=True)
-class Outcome:
+class RoundOutcome:
     """What the histories of a round came to.
 
     Attributes:
@@ -47,7 +33,7 @@ class Outcome:
         failed: names of histories that were not completed.
     """
 
-    verdicts: tuple[Verdict, ...]
+    verdicts: tuple[RoundVerdict, ...]
     failed: tuple[str, ...] = ()
 
     @property
@@ -75,7 +61,7 @@ class Round:
     number: int
     changed: float
     sizing: Sizing
-    outcome: Outcome | None = None
+    outcome: RoundOutcome | None = None
 
 
 @dataclass(frozen=True)
@@ -89,7 +75,7 @@ class Search:
 
 def search(
     make: Callable[[float], Sizing],
-    verify: Callable[[Sizing, int, float], Outcome],
+    verify: Callable[[Sizing, int, float], RoundOutcome],
     start: float,
     largest: float,
     most_rounds: int,
@@ -178,13 +164,13 @@ def _missed(rounds: Sequence[Round], largest: float, most_rounds: int) -> str:
     return f"not met within {most_rounds} rounds; the last, with {rounds[-1].changed:.4g}, misses: {text}"
 
 
-def _said(verdict: Verdict) -> str:
+def _said(verdict: RoundVerdict) -> str:
     if math.isnan(verdict.value) or math.isnan(verdict.limit):
         return verdict.name
     return f"{verdict.name} ({verdict.value:.4g}, limit {verdict.limit:.4g})"
 
 
-def _demand(verdict: Verdict) -> float:
+def _demand(verdict: RoundVerdict) -> float:
     value, limit = verdict.value, verdict.limit
     if not (math.isfinite(value) and math.isfinite(limit)) or value <= 0.0 or limit <= 0.0:
         return 0.9 if verdict.met else 1.1

@@ -36,7 +36,7 @@ def store_sizing(group: Group, building: Building, spec: Design, sizing: Sizing)
     add("computed_storey_stiffness", ("frame_storey",), building.computed_stiffness, "N/m", label)
     label = "horizontal storage stiffness of the dampers of the storey, without braces"
     add("damper_stiffness", ("storey",), sizing.stiffness, "N/m", label)
-    add("layer_area", ("storey",), sizing.area, "m2", "area of one layer of elastomer")
+    add("layer_area", ("storey",), sizing.area, "m^2", "area of one layer of elastomer")
     ratio = sizing.area / building.prototype.layer_area
     add("area_ratio", ("storey",), ratio, "1", "area of a layer over that of the prototype, A_D/A_P")
     if sizing.brace is not None:
@@ -85,12 +85,10 @@ def store_rounds(group: Group, building: Building, rounds: Sequence[Round], chan
     add("round_changed", ("round",), [r.changed for r in rounds], "1", f"what is changed: {changed}")
     add("round_target", ("round",), [r.sizing.target for r in rounds], "1", "target damping ratio, or beta")
     areas = np.array([r.sizing.area for r in rounds])
-    add("round_layer_area", ("round", "storey"), areas, "m2", "area of one layer")
+    add("round_layer_area", ("round", "storey"), areas, "m^2", "area of one layer")
     add("round_layer_thickness", ("round",), [r.sizing.thickness for r in rounds], "m", "thickness of a layer")
-    damping = [
-        modal_damping(building.frame, building.frame.modes(), r.sizing.complex_stiffness(building, True))
-        for r in rounds
-    ]
+    bare = building.frame.modes()
+    damping = [modal_damping(building.frame, bare, r.sizing.complex_stiffness(building)) for r in rounds]
     periods = [2.0 * math.pi / float(d.omega[0]) for d in damping]
     add("round_period", ("round",), periods, "s", "first period with dampers and braces")
     for name, way, label in _WAYS:
@@ -123,7 +121,7 @@ def store_rounds(group: Group, building: Building, rounds: Sequence[Round], chan
 def store_estimate(group: Group, building: Building, sizing: Sizing, action: Action) -> None:
     """Add the response that the spectrum estimates, without and with dampers."""
     brace = None if sizing.brace is None else building.at_places(sizing.brace)
-    stiffness = sizing.complex_stiffness(building, True)
+    stiffness = sizing.complex_stiffness(building)
     with_dampers = estimate(building, action, stiffness, brace, sizing.thickness)
     without = estimate(building, action, 0.0 * stiffness, None, sizing.thickness)
     label = "storey drift over height estimated by the response spectrum"

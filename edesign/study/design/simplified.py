@@ -15,10 +15,9 @@ from edesign.study.design.condensed import LinearModes
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer import Elastomer, Moduli
 from edesign.study.design.estimate import Action
-from edesign.study.design.sizing import Iteration, Sizing, layer_areas, layer_thickness, place_stiffness
+from edesign.study.design.own_frequency import at_own_frequency
+from edesign.study.design.sizing import Iteration, Sizing, layer_areas, layer_thickness
 
-AGREEMENT = 1e-6
-MOST_ITERATIONS = 50
 _ROUNDING = 1e-9  # of the number of steps of beta
 
 
@@ -120,14 +119,9 @@ def static_response(
         (displacements of the elastic structure, as 4.3.4 has them).
     """
     frame = building.frame
-    frequency = float(frame.modes().omega[0]) / (2.0 * math.pi)
-    for _ in range(MOST_ITERATIONS):
-        moduli = material(frequency)
-        at_places = place_stiffness(building, k_D, moduli.loss_factor, brace)
-        modes = frame.modes(at_places.real)
-        before, frequency = frequency, float(modes.omega[0]) / (2.0 * math.pi)
-        if abs(frequency - before) <= AGREEMENT * frequency:
-            break
+    start = frame.modes().first_frequency
+    moduli, at_places, modes = at_own_frequency(building, material, lambda moduli: k_D, brace, start)
+    frequency = modes.first_frequency
     added = float(strain_energy_damping(modes, at_places)[0])
     spectrum = replace(action.spectrum, damping=min(action.inherent_damping + added, 1.0))
     corner = spectrum.parameters.T_C
@@ -141,7 +135,7 @@ def static_response(
     return StaticResponse(frequency, moduli, added, drift, base_shear)
 
 
-def simplified_warnings(building: Building, spec: SimplifiedDesign, action: Action, sizing: Sizing) -> list[str]:
+def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: Sizing) -> list[str]:
     """What is allowed but outside the method's recommendations."""
     found = design_warnings(spec)
     period = 1.0 / sizing.frequency

@@ -59,7 +59,7 @@ class Sizing:
     iterations: tuple[Iteration, ...]
     reason: str = ""
 
-    def complex_stiffness(self, building: Building, braces: bool, moduli: Moduli | None = None) -> np.ndarray:
+    def complex_stiffness(self, building: Building, braces: bool = True, moduli: Moduli | None = None) -> np.ndarray:
         """Stiffness K' + i K'' of the dampers at each place, (d,) N/m.
 
         Args:

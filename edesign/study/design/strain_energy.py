@@ -12,10 +12,8 @@ from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.distribution import distribute
 from edesign.study.design.elastomer import Elastomer
 from edesign.study.design.estimate import Action
+from edesign.study.design.own_frequency import AGREEMENT, MOST_ITERATIONS
 from edesign.study.design.sizing import Iteration, Sizing, layer_areas, layer_thickness, place_stiffness
-
-AGREEMENT = 1e-6  # relative, of two frequencies that follow each other
-MOST_ITERATIONS = 50
 
 
 def size_by_strain_energy(
@@ -48,7 +46,7 @@ def size_by_strain_energy(
     brace = None if math.isinf(ratio) else ratio * building.designed_stiffness
     in_target = brace if spec.braces_in_target else None
     thickness = thickness_factor * layer_thickness(building, spec)
-    frequency = _first_frequency(building.frame.modes().omega)
+    frequency = building.frame.modes().first_frequency
     iterations: list[Iteration] = []
     reason = f"the frequencies did not agree to {AGREEMENT:g} within {MOST_ITERATIONS} iterations"
     wanted: np.ndarray | None = None
@@ -58,7 +56,7 @@ def size_by_strain_energy(
         stiffness = area_factor * wanted
         at_places = place_stiffness(building, stiffness, moduli.loss_factor, in_target)
         modes = building.frame.modes(at_places.real)
-        before, frequency = frequency, _first_frequency(modes.omega)
+        before, frequency = frequency, modes.first_frequency
         damping = float(strain_energy_damping(modes, at_places)[0])
         iterations.append(Iteration(before, moduli, stiffness, frequency, damping, {}))
         if abs(frequency - before) <= AGREEMENT * frequency:
@@ -66,7 +64,3 @@ def size_by_strain_energy(
             break
     area = layer_areas(building, spec, stiffness, thickness, moduli.G_storage)
     return Sizing(target, stiffness, moduli, frequency, thickness, area, brace, tuple(iterations), reason)
-
-
-def _first_frequency(omega: np.ndarray) -> float:
-    return float(omega[0]) / (2.0 * math.pi)

@@ -8,33 +8,33 @@ from collections.abc import Callable, Mapping, Sequence
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.criteria import Verdict
 from edesign.project.dampers import Dampers
-from edesign.study.design.loop import Outcome, Verdict, VerdictLike
+from edesign.study.design.loop import RoundOutcome, RoundVerdict
 from edesign.study.design.sizing import Sizing
 
 Respond = Callable[[Dampers, int], Mapping[str, Group]]
 """Runs the histories of a round (from 1) with these dampers."""
-Judge = Callable[[Mapping[str, Group]], Sequence[VerdictLike]]
+Judge = Callable[[Mapping[str, Group]], Sequence[Verdict]]
 """Verdicts of the criteria of a design on such histories."""
 
 
-def judged(groups: Mapping[str, Group], judge: Judge) -> Outcome:
+def judged(groups: Mapping[str, Group], judge: Judge) -> RoundOutcome:
     """The outcome of a round from its histories; a criterion that says neither yes nor no is not met."""
     failed = tuple(name for name, group in groups.items() if group.attributes.get("status", "completed") != "completed")
     verdicts = []
     taken: set[str] = set()
     for verdict in judge(groups):
-        level = getattr(verdict, "level", "")
-        name = f"{verdict.name}, {level}" if level else verdict.name
+        name = f"{verdict.name}, {verdict.level}" if verdict.level else verdict.name
         while name in taken:
             name += "'"
         taken.add(name)
-        value, limit = (math.nan if x is None else float(x) for x in (verdict.value, verdict.limit))
-        verdicts.append(Verdict(name, value, limit, bool(verdict.met)))
-    return Outcome(tuple(verdicts), failed)
+        value = math.nan if verdict.value is None else verdict.value
+        verdicts.append(RoundVerdict(name, value, verdict.limit, bool(verdict.met)))
+    return RoundOutcome(tuple(verdicts), failed)
 
 
-def kept_outcome(resume: Group | None, number: int, value: float, sizing: Sizing) -> Outcome | None:
+def kept_outcome(resume: Group | None, number: int, value: float, sizing: Sizing) -> RoundOutcome | None:
     """The outcome of a round of an earlier run, if it had the same dampers."""
     if resume is None or "verdict_met" not in resume.variables:
         return None
@@ -55,4 +55,4 @@ def kept_outcome(resume: Group | None, number: int, value: float, sizing: Sizing
     names = [str(criterion) for criterion in resume.coords["criterion"].values]
     verdicts = zip(names, value_of.tolist(), limit_of.tolist(), met_of.tolist(), strict=True)
     failed = resume.attributes.get("failed_histories", {}).get(str(number), ())
-    return Outcome(tuple(Verdict(n, v, x, bool(m)) for n, v, x, m in verdicts), tuple(failed))
+    return RoundOutcome(tuple(RoundVerdict(n, v, x, bool(m)) for n, v, x, m in verdicts), tuple(failed))

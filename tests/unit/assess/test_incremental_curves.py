@@ -6,7 +6,16 @@ import numpy as np
 import pytest
 
 from edesign.archive.dataset import Group
-from edesign.assess.incremental import COLLAPSE, Stripes, capacities, collect_stripes, fractile_curves, stripe_counts
+from edesign.assess.fragility import fit_capacities
+from edesign.assess.incremental import (
+    COLLAPSE,
+    Stripes,
+    capacities,
+    collect_stripes,
+    fractile_curves,
+    last_intensities,
+    stripe_counts,
+)
 from edesign.assess.limit_fragility import limit_fragility
 
 INF, NAN = np.inf, np.nan
@@ -85,3 +94,18 @@ def test_fragility_of_a_limit_or_the_reason_why_not() -> None:
     assert none.fit is not None and none.fit.censored == 2  # collapses count
     none = limit_fragility(Stripes("ida", "bare", "d", ("a",), IM, VALUES[:1]), "far", 0.5, level_intensity=1.0)
     assert none.fit is None and none.margin is None and "no analysis passes" in none.reason
+
+
+def test_a_record_that_was_lost_early_is_censored_where_its_results_end() -> None:
+    """Record b has no result beyond the intensity 2: that it would stand 4 is not known."""
+    values = np.array(
+        [[0.01, 0.02, 0.03, 0.04], [0.01, 0.02, NAN, NAN], [0.02, 0.04, INF, INF], [NAN, 0.02, 0.05, NAN]]
+    )
+    stripes = Stripes("ida", "bare", "interstorey_drift", ("a", "b", "c", "d"), IM, values)
+    assert last_intensities(stripes).tolist() == [4.0, 2.0, 4.0, 3.0]
+    assert last_intensities(STRIPES) == pytest.approx([4.0] * 4 + [NAN], nan_ok=True)
+    found = limit_fragility(stripes, "LS", 0.025, "capacities").fit
+    right = fit_capacities([2.5, INF, 1.25, 2.0 + 5 / 30], [4.0, 2.0, 4.0, 3.0])
+    assert found is not None and found.censored == 1
+    assert (found.theta, found.beta) == pytest.approx((right.theta, right.beta), rel=1e-9)
+    assert found.theta < fit_capacities([2.5, INF, 1.25, 2.0 + 5 / 30], 4.0).theta

@@ -90,7 +90,7 @@ def test_the_number_of_the_record_may_stand_apart_from_its_name(tmp_path: Path) 
         (HEAD + 2 * "  - {id: x, id: y, file: z}\n", "4:13", "the key comes twice"),
         ("edesign_suite: 2\ntitle: x\nrecords: []\n", "1:16", "format `2` is unknown to this version"),
         ("edesign_suite: 1\ntitle: x\nrecords: []\n", "3:10", "the list is empty"),
-        ("edesign: 1\ntitle: x\n", "1:10", "this is a project file; a suite file begins with `edesign_suite: 1`"),
+        ("edesign: 1\ntitle: x\n", "1:1", "this is a project file; a suite file begins with `edesign_suite: 1`"),
         ("", "1:1", "the suite file is empty"),
         ("- 1\n", "1:1", "a suite file is a mapping that begins with `edesign_suite: 1`"),
         ("a: [\n", "2:1", "not valid YAML"),

@@ -6,7 +6,8 @@ import pytest
 
 from edesign.project import parse_project
 from edesign.project.base import Model
-from edesign.project.incremental import Incremental, SpectralAccelerationStudy, check_incremental
+from edesign.project.checks_incremental import check_incremental
+from edesign.project.incremental import Incremental, SpectralAccelerationStudy
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.project.yaml_file import check_model
 

@@ -24,7 +24,7 @@ from edesign.project.printed_unit import unit_factor
         ("Hz", "Hz", 1.0),
         ("kJ", "J", 1e3),
         ("mm^2", "m^2", 1e-6),
-        ("mm2", "m2", 1e-6),
+        ("mm2", "m^2", 1e-6),
         ("t", "kg", 1e3),  # a quantity without a name here
     ],
 )

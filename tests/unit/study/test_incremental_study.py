@@ -18,8 +18,8 @@ from edesign.project.incremental import LevelFactorStudy, PeakAccelerationStudy,
 from edesign.project.study_loader import StudyError
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.study.analyses import run_analysis
-from edesign.study.incremental import incremental_group, unit_intensity
-from edesign.study.intensity import first_period, level_intensity
+from edesign.study.incremental import incremental_group
+from edesign.study.intensity import first_period, level_intensity, record_intensity
 from edesign.study.plan import waves
 from edesign.study.run import run_study
 from edesign.study.study_plan import make_study_plan
@@ -109,12 +109,12 @@ def test_intensities_of_each_measure(tmp_path: Path) -> None:
     peak = PeakAccelerationStudy.model_validate(
         {"name": "p", "records": "shake", "intensity": "pga", "levels": ("1 m/s^2", "3 m/s^2"), "level": "MCE"}
     )
-    assert unit_intensity(project, peak, record, None) == 2.0
+    assert record_intensity(project, peak, record, None) == 2.0
     factors = LevelFactorStudy.model_validate(
         {"name": "f", "records": "shake", "intensity": "level_factor", "levels": (1.0, 2.0), "level": "MCE"}
     )
     importance = (0.02 / 0.10) ** (-1.0 / 3.0)  # EN 1998-1, 2.1(4) Note, k = 3
-    assert 1.0 / unit_intensity(project, factors, record, None) == pytest.approx(importance)
+    assert 1.0 / record_intensity(project, factors, record, None) == pytest.approx(importance)
     # a_g S at the period 0, and the branch of constant velocity: EN 1998-1, 3.2.2.2
     ag_s = importance * 0.36 * STANDARD_GRAVITY * 1.15
     assert level_intensity(project, peak, None) == pytest.approx(ag_s)
@@ -123,9 +123,9 @@ def test_intensities_of_each_measure(tmp_path: Path) -> None:
     assert level_intensity(project, sa, 1.2) == pytest.approx(ag_s * 2.5 * 0.6 / 1.2)
     assert level_intensity(project, spectral(["0.1 g", "0.2 g"]), 1.2) is None
     with pytest.raises(InputError, match="no period"):
-        unit_intensity(project, sa, record, None)
+        record_intensity(project, sa, record, None)
     with pytest.raises(InputError, match="shake: the record has no pga"):
-        unit_intensity(project, peak, Record("shake", np.zeros(4), 0.01, "here", ""), None)
+        record_intensity(project, peak, Record("shake", np.zeros(4), 0.01, "here", ""), None)
 
 
 def test_records_are_scaled_to_the_intensities(tmp_path: Path) -> None:

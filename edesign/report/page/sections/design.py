@@ -1,12 +1,14 @@
-"""How dampers were designed: rounds of the design, sizes over the height."""
+"""How dampers were designed: sizes over the height, the damping they add, rounds of the design, bounds."""
 
 from __future__ import annotations
 
 from edesign.report.design_figures import design_figures
 from edesign.report.page.section import Section
 from edesign.report.page.source import Source
+from edesign.report.study_tables import designs_tables
 
 
 def design(source: Source) -> Section:
-    """The rounds of each design, and the sizes that came of it."""
-    return Section("design", "Design of the dampers", (), source.pictures(design_figures))
+    """The sizes of each design, what they add, the rounds that led to them, and the bounds of the properties."""
+    tables = designs_tables(source.archive)
+    return Section("design", "Design of the dampers", (), (*tables, *source.pictures(design_figures)))

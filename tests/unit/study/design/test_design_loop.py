@@ -34,6 +34,7 @@ class Made:
     value: float
     name: str = "drift"
     limit: float = LIMIT
+    level: str = ""
 
     @property
     def met(self) -> bool:

@@ -1,0 +1,17 @@
+"""Names in YAML files: one of them, or a list."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field
+
+
+def several(value: Any) -> Any:
+    """A single name or quantity is a list of one."""
+    return (value,) if isinstance(value, str) else value
+
+
+Names = Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(several)]
+ShortName = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_+-]*$", max_length=24)]
+"""Of which names of analyses are made, with points between them."""

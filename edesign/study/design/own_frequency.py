@@ -1,0 +1,45 @@
+"""Dampers whose properties are those at the first frequency that the frame has with them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from edesign.study.design.building import Building
+from edesign.study.design.condensed import LinearModes
+from edesign.study.design.elastomer import Elastomer, Moduli
+from edesign.study.design.sizing import place_stiffness
+
+AGREEMENT = 1e-6  # relative, of two frequencies that follow each other
+MOST_ITERATIONS = 50
+
+
+def at_own_frequency(
+    building: Building,
+    material: Elastomer,
+    k_D: Callable[[Moduli], np.ndarray],
+    brace: np.ndarray | None,
+    start: float,
+) -> tuple[Moduli, np.ndarray, LinearModes]:
+    """Follow the frequency until it agrees, or for as many iterations as are allowed.
+
+    Args:
+        building: the frame with its places.
+        material: properties of the elastomer at a frequency.
+        k_D: horizontal storage stiffness of the storeys (s,) N/m that dampers of some properties have.
+        brace: of the storeys, (s,) N/m; None: rigid.
+        start: frequency of the first iteration, Hz.
+
+    Returns:
+        The properties, the complex stiffness at each place with its brace (d,) N/m, and the modes with it.
+    """
+    frequency = start
+    for _ in range(MOST_ITERATIONS):
+        moduli = material(frequency)
+        at_places = place_stiffness(building, k_D(moduli), moduli.loss_factor, brace)
+        modes = building.frame.modes(at_places.real)
+        before, frequency = frequency, modes.first_frequency
+        if abs(frequency - before) <= AGREEMENT * frequency:
+            break
+    return moduli, at_places, modes

@@ -1,0 +1,33 @@
+"""Analyses as pieces of work for a back end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from edesign.archive.dataset import Group
+from edesign.project.analyses import Analysis
+from edesign.project.project import Project
+from edesign.study import analyses
+from edesign.study.motions import Motion
+
+
+def analyse(
+    project: Project,
+    spec: Analysis,
+    motion: Motion | None,
+    progress: Callable[[int, int], None],
+    stop: Callable[[], bool],
+) -> Group:
+    """Run one analysis, as a back end calls it."""
+    return analyses.run_analysis(project, spec, progress=progress, stop=stop, motion=motion)
+
+
+def analyse_stripe(
+    project: Project,
+    spec: Analysis,
+    motion: Motion | None,
+    progress: Callable[[int, int], None],
+    stop: Callable[[], bool],
+) -> Group:
+    """Run one history of an incremental study, as a back end calls it; nothing over time is kept."""
+    return analyse(project, spec, motion, progress, stop).without("time")

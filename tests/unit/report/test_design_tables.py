@@ -1,0 +1,49 @@
+"""Tables of a design: the rounds with what was judged in them, and the bounds with the one that governs."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.archive.dataset import Group, Variable
+from edesign.report.design_tables import bounds_table, design_tables, rounds_table
+
+
+def design() -> Group:
+    group = Group(attributes={"name": "small", "status": "completed", "governing": {"storey_drift": "lower"}})
+
+    def axis(name: str, values: list[object]) -> None:
+        group.coords[name] = Variable((name,), np.asarray(values), "1", name)
+
+    axis("round", [1, 2])
+    axis("storey", [1, 2])
+    axis("criterion", ["drift"])
+    axis("bound", ["lower", "upper"])
+    group.add("round_changed", ("round",), [1.0, 1.5], "1", "factor on the area")
+    group.add("round_damping_strain_energy", ("round",), [0.08, 0.10], "1", "damping")
+    group.add("round_period", ("round",), [1.0, 0.9], "s", "period")
+    group.add("round_layer_area", ("round", "storey"), [[0.2, 0.1], [0.3, 0.15]], "m^2", "area")
+    group.add("round_met", ("round",), [0, 1], "1", "met")
+    group.add("verdict_value", ("round", "criterion"), [[0.015], [0.012]], "1", "value")
+    group.add("bound_factor", ("bound",), [0.85, 1.2], "1", "factor")
+    group.add("bound_storey_drift", ("bound", "storey"), [[0.010, 0.014], [0.008, 0.011]], "1", "drift")
+    group.add("bound_temperature", ("bound",), [35.0, np.nan], "degC", "temperature")
+    return group
+
+
+def test_rounds_say_what_was_judged_and_whether_it_was_met() -> None:
+    table = rounds_table(design())
+    wanted = ["round", "changed", "damping [%]", "T1 [s]", "total area [m2]", "drift", "met"]
+    assert list(table.columns) == wanted
+    assert table.rows[0] == ["1", "1.000", "8.000", "1.000", "0.3000", "0.01500", "no"]
+    assert table.rows[1][4:] == ["0.4500", "0.01200", "yes"]
+
+
+def test_bounds_show_the_largest_over_the_height_and_what_governs() -> None:
+    rows = {row[0]: row[1:] for row in bounds_table(design()).rows}
+    assert rows["storey drift [%]"] == ["1.400", "1.100", "lower"]
+    assert rows["temperature [degC]"] == ["35.00", "-", ""]
+
+
+def test_a_failed_design_shows_its_reason() -> None:
+    (table,) = design_tables(Group(attributes={"name": "x", "status": "failed", "reason": "out of rounds"}))
+    assert table.notes == ["failed: out of rounds"]
