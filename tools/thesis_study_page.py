@@ -21,15 +21,17 @@ from pathlib import Path
 
 from edesign.archive.files import write_text
 from edesign.archive.reader import Archive, open_archive
+from edesign.assess.measures import response_measures
 from edesign.errors import EdesignError, InputError
 from edesign.project.reference_loader import load_reference
 from edesign.report.compared import Comparison
 from edesign.report.comparison import compare
 from edesign.report.comparison_variants import variant_tables
 from edesign.report.comparison_wide import wide_tables
+from edesign.report.measure_columns import MEASURE_ROWS
 from edesign.report.study_tables import study_tables
-from edesign.report.summary import planned, record_entries
-from edesign.report.table import Table
+from edesign.report.summary import all_results, planned, record_entries
+from edesign.report.table import Table, number
 from edesign.study.plan import ANALYSES
 from edesign.study.record_results import RECORDS
 
@@ -50,7 +52,7 @@ def main() -> None:
         reference = load_reference(options.reference)
         with open_archive(options.archive) as opened:
             comparison = compare(opened, reference)
-            blocks = {"archive": about(opened)} | tables(comparison)
+            blocks = {"archive": about(opened), "temperature": temperature(opened)} | tables(comparison)
         if options.causes is not None:
             with open_archive(options.causes) as opened:
                 made = variant_tables(opened, reference, "damped")
@@ -100,6 +102,30 @@ def about(archive: Archive) -> str:
         if simulated:
             lines.append(f"- simulated in place of recordings: {', '.join(simulated)}")
     return "\n".join(lines)
+
+
+def temperature(archive: Archive) -> str:
+    """Response measures of the history at another temperature beside those of the same record at the design's."""
+    histories = {n: g for n, g in all_results(archive).items() if g.attributes.get("kind") == "history"}
+    same = ("variant", "level", "record")
+    usual = {
+        tuple(group.attributes.get(key) for key in same): name
+        for name, group in histories.items()
+        if group.attributes.get("temperature_C") is None
+    }
+    lines = []
+    for name, group in histories.items():
+        other = usual.get(tuple(group.attributes.get(key) for key in same), name)
+        if other == name:
+            continue
+        measures = [response_measures(histories[found]) for found in (other, name)]
+        table = Table("", ("measure", other, name, "diff. %"))
+        for title, measure, unit in MEASURE_ROWS:
+            cold, warm = (found[measure] for found in measures)
+            change = f"{100.0 * (warm - cold) / cold:+.1f}" if cold and warm is not None else "-"
+            table.rows.append([title, number(cold, scale=unit), number(warm, scale=unit), change])
+        lines.append(markdown(table))
+    return "\n\n".join(lines)
 
 
 def redesign(archive: Archive) -> str:
