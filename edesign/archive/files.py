@@ -9,6 +9,8 @@ from pathlib import Path
 
 from edesign.errors import ArchiveError
 
+_HDF5 = b"\x89HDF\r\n\x1a\n"  # how a file of HDF5 begins
+
 
 def check_folder(folder: Path) -> None:
     """Check that files can be written into a folder, or that it can be made, without making it.
@@ -39,11 +41,13 @@ def make_folder(folder: Path) -> None:
 
 
 def write_text(text: str, path: Path) -> None:
-    """Write a text file that appears only when it is whole.
+    """Write a text file that appears only when it is whole; it never takes the place of an archive.
 
     Raises:
         ArchiveError: it cannot be written.
     """
+    if _is_hdf5(path):
+        raise ArchiveError(f"{path}: cannot be written: this file is an archive, and it is left as it is")
     write_whole(path, lambda partial: partial.write_text(text, encoding="utf-8", newline="\n"))
 
 
@@ -67,3 +71,11 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
         if isinstance(error, OSError):
             raise ArchiveError(f"{path}: cannot be written: {error.strerror}") from error
         raise
+
+
+def _is_hdf5(path: Path) -> bool:
+    try:
+        with path.open("rb") as file:
+            return file.read(len(_HDF5)) == _HDF5
+    except OSError:
+        return False

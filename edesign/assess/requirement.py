@@ -19,6 +19,7 @@ from edesign.project.selections import NumberSelection
 KINDS: dict[str, tuple[Kind, ...]] = {"columns": ("column",), "beams": ("beam",), "all": ("column", "beam")}
 UNITS = {"m": ("mm", 1e-3), "N": ("kN", 1e3), "m/s^2": ("m/s2", 1.0), "rad": ("rad", 1.0), "1": ("%", 0.01)}
 """Unit in which values of an SI unit are shown to people, with its size in SI."""
+_ROUNDING = 1e-9  # in SI: far below what any measure means
 
 
 @dataclass(frozen=True)
@@ -87,7 +88,7 @@ def performance_requirement(
 def shown(value: float, unit: str) -> str:
     """Return a value in SI with the unit people read."""
     label, size = UNITS[unit]
-    return f"{value / size:.4g} {label}"
+    return f"{0.0 if abs(value) < _ROUNDING else value / size:.4g} {label}"
 
 
 def _worst(

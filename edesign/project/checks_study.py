@@ -44,8 +44,9 @@ def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> 
         return
     if variant.design is not None and variant.design not in study.designs:
         problems.at_value((*keys, "design"), unknown_name("design", variant.design, study.designs))
-    if variant.dampers == "project" and study.base.dampers is None:
-        problems.at_value((*keys, "dampers"), f"{study.base.path} has no `dampers`")
+    dampers = study.base.dampers
+    if variant.dampers == "project" and (dampers is None or not (dampers.devices or dampers.attachments)):
+        problems.at_value((*keys, "dampers"), f"{study.base.path} has no devices and no attachments under `dampers`")
     if variant.dampers == "none":
         for key in ("temperature", "property_factor"):
             if getattr(variant, key) is not None:

@@ -52,9 +52,12 @@ class Histories(Model):
 
 
 class Modal(Model):
-    """The natural modes that are reported of every variant; dampers add their stiffness at their design strain."""
+    """The natural modes that are reported of every variant; dampers add their stiffness at their design strain.
 
-    modes: ModeNumber = 3
+    Without `modes` the first three, or all that there are.
+    """
+
+    modes: ModeNumber | None = None
     state: State = "gravity"
 
 

@@ -6,6 +6,7 @@ from pathlib import Path
 
 from edesign.archive.reader import Archive
 from edesign.building.profiles import profile_names
+from edesign.errors import ArchiveError
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.study import Study
@@ -37,9 +38,13 @@ def archived_study(archive: Archive) -> Study | None:
 
     Raises:
         InputError: the text is not that of a study of this version.
+        ArchiveError: there is no such text.
     """
     base = archived_project(archive)
     if base is None or not is_study_archive(archive):
         return None
+    text = archive.group().variables.get("study_text")
+    if text is None:
+        raise ArchiveError(f"{archive.path}: damaged: the text of the study (`study_text`) is missing")
     path = Path(str(archive.attributes.get("study_file") or "study.yaml"))
-    return parse_study(str(archive.group().variables["study_text"].values), path, base)
+    return parse_study(str(text.values), path, base)

@@ -12,6 +12,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.assess.measures import response_measures
 from edesign.assess.sets import NOT_RUN
 from edesign.errors import InputError
+from edesign.project.problems import did_you_mean, listed
 from edesign.study.plan import ANALYSES
 from edesign.study.record_results import RECORDS
 
@@ -70,7 +71,8 @@ def find(archive: Archive, name: str) -> str:
     """
     names = planned(archive)
     if name not in names:
-        raise InputError(f"{archive.path}: no analysis is named {name!r}; there are: {', '.join(names) or 'none'}")
+        hint = did_you_mean(name, names)
+        raise InputError(f"{archive.path}: no analysis is named {name!r}{hint} (there are: {listed(names)})")
     return name
 
 

@@ -17,6 +17,8 @@ from edesign.project.project import Project
 from edesign.report.measure_tables import missing_notes
 from edesign.report.table import Table
 
+ENOUGH_FOR_MEANS = 7
+"""Histories from which on codes let the mean response count: EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4."""
 ANSWERS = {True: "met", False: "not met", None: "open"}
 
 
@@ -45,6 +47,7 @@ def verdicts_table(verdicts: Sequence[Verdict], title: str = "Criteria") -> Tabl
         if about:
             place = ", ".join(part for part in (verdict.variant, verdict.level) if part)
             table.notes.append(f"{verdict.name} ({place}): {'; '.join(about)}")
+    table.notes += _few(verdicts)
     return table
 
 
@@ -117,6 +120,7 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
                 table.notes.append(
                     f"{letter}, {verdict.variant or '-'}, {verdict.name.rpartition(' ')[2]}: {'; '.join(about)}"
                 )
+    table.notes += _few(verdicts)
     return table
 
 
@@ -132,6 +136,18 @@ def _usage(worst: tuple[str, Usage] | None) -> str:
     place = usage.member or f"storey {usage.storey}"
     force = ", force-controlled" if usage.force_controlled else ""
     return f"{shown(usage.ratio, '1')} of CP: {usage.governing}, {place}{force}, {history}"
+
+
+def _few(verdicts: Sequence[Verdict]) -> list[str]:
+    """What the codes say of statistics over few histories, if a verdict rests on one."""
+    few = [v for v in verdicts if v.statistic != "maximum" and 0 < v.count + len(v.missing) < ENOUGH_FOR_MEANS]
+    if not few:
+        return []
+    sets = dict.fromkeys(", ".join(part for part in (v.variant, v.level) if part) or "-" for v in few)
+    return [
+        f"Fewer than {ENOUGH_FOR_MEANS} histories: {'; '.join(sets)}. The maximum counts then, not the mean "
+        "(EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4)."
+    ]
 
 
 def _missing(verdict: Verdict) -> str:

@@ -1,26 +1,30 @@
-"""What is allowed in a project, but may not be what its author means."""
+"""What is allowed in a project or a study, but may not be what its author means."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
+from edesign.project.analyses import HistoryAnalysis
+from edesign.project.checks_criteria import objective_level
 from edesign.project.materials import ElasticMaterial
 from edesign.project.problems import listed
 from edesign.project.project import Project
 from edesign.project.sections import ElasticSection
+from edesign.project.study import Study
+from edesign.study.plan import Task
 
 STEPS_A_PERIOD = 10  # Bathe (2014), 9.4.4: the trapezoidal rule lengthens a period by 3 % at ten steps
 
 
-def advice(project: Project, period: float | None, records: Iterable[Record]) -> list[str]:
+def advice(project: Project, period: float | None, records: Mapping[str, Record]) -> list[str]:
     """Return one sentence for each thing that the author should know.
 
     Args:
         project: the validated project.
         period: fundamental period of its frame, s; None if it has no masses.
-        records: as recorded, those that its histories use.
+        records: as recorded, those that its histories use, by reference.
     """
     found = []
     staying = [
@@ -34,20 +38,45 @@ def advice(project: Project, period: float | None, records: Iterable[Record]) ->
             f"{listed(staying, 3)} will not yield: a section given by `area` and `inertia` stays elastic whatever its "
             "material; give plates or `rectangles` for a section that yields"
         )
-    records = tuple(records)
-    found += [f"record {record.name}: {doubt}" for record in records for doubt in doubts(record)]
+    found += [f"record {name}: {doubt}" for name, record in records.items() for doubt in doubts(record)]
     given = project.integration.time_step if project.integration is not None else None
     if given is not None:
-        passed = [record for record in records if given > record.time_step * (1 + 1e-9)]
+        passed = {name: r.time_step for name, r in records.items() if given > r.time_step * (1 + 1e-9)}
         if passed:
-            shortest = min(record.time_step for record in passed)
+            shortest = min(passed.values())
             found.append(
-                f"the time step of {given:g} s is longer than that of {listed([r.name for r in passed], 3)} "
+                f"the time step of {given:g} s is longer than that of {listed(passed, 3)} "
                 f"({shortest:g} s): samples between the steps are passed over"
             )
-    longest = given or max((record.time_step for record in records), default=0.0)
+    longest = given or max((record.time_step for record in records.values()), default=0.0)
     if period is not None and longest > period / STEPS_A_PERIOD:
         found.append(
             f"the time step of {longest:g} s is longer than 1/{STEPS_A_PERIOD} of the period T1 = {period:.4g} s"
         )
+    return found
+
+
+def unjudged(study: Study, plan: Iterable[Task]) -> list[str]:
+    """Return one sentence for each criterion and objective of a study that no history of its plan will be judged by.
+
+    Criteria that designs are verified by are judged there.
+    """
+    planned = {
+        (task.variant, task.spec.level)
+        for task in plan
+        if isinstance(task.spec, HistoryAnalysis) and task.stripe is None
+    }
+    verified = {
+        name for design in study.designs.values() if design.verify is not None for name in design.verify.criteria
+    }
+    asked = [(f"criterion `{c.name}`", c.variants, c.levels) for c in study.criteria if c.name not in verified]
+    for letter in study.objectives:
+        level = objective_level(letter, study.base.hazard)
+        asked.append((f"objective {letter}", (), () if level is None else (level,)))
+    found = []
+    for what, variants, levels in asked:
+        if not any((not variants or v in variants) and (not levels or at in levels) for v, at in planned):
+            of = f" of {listed(variants)}" if variants else ""
+            at = f" at {listed(levels)}" if levels else ""
+            found.append(f"{what} will not be judged: no history{of}{at} is planned")
     return found

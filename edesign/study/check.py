@@ -11,7 +11,6 @@ from edesign.archive.dataset import Group
 from edesign.core import CoreError
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard
-from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found
 from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
@@ -22,11 +21,11 @@ from edesign.project.problems import keys_text
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords, record_of
 from edesign.project.study import Study
-from edesign.study.advice import advice
+from edesign.study.advice import advice, unjudged
 from edesign.study.dampers import law_warnings
 from edesign.study.design.design import check_sizing
 from edesign.study.history import check_motion
-from edesign.study.modal import fundamental_period
+from edesign.study.modal import fundamental_period, mode_count
 from edesign.study.motions import check_fits
 from edesign.study.plan import Task, make_plan
 from edesign.study.requested import requested_quantities
@@ -94,6 +93,9 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
     members = details.members if details is not None else ()
     base = study.base.model_copy(update={"outputs": Outputs(histories=(), members=members)})
     found = check_inputs(base, [*(task.spec for task in plan), *histories])
+    modes = study.modal.modes
+    if modes is not None and modes > (most := mode_count(study.base)):
+        raise InputError(f"{study.where('modal', 'modes')}: modal.modes: {_no_mode(modes, most)}")
     for name in designs:
         try:
             check_sizing(study.base, name, study.designs[name], study.folder)
@@ -130,10 +132,11 @@ def _check_modes(project: Project, specs: tuple[Analysis, ...], most: int) -> No
             wanted.append((("damping", "modes"), damping.modes))
     for keys, count in wanted:
         if count > most:
-            raise InputError(
-                f"{project.where(*keys)}: {keys_text(keys)}: there is no mode {count}; "
-                f"the frame has {most} degrees of freedom with mass"
-            )
+            raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {_no_mode(count, most)}")
+
+
+def _no_mode(count: int, most: int) -> str:
+    return f"there is no mode {count}; the frame has {most} degrees of freedom with mass"
 
 
 def check_project(project: Project) -> dict[str, str]:
@@ -155,9 +158,8 @@ def check_project(project: Project) -> dict[str, str]:
     unused = [name for name in project.records if all(name != record_of(key) for key in found)]
     others = find_recordings(project, [key for name in unused for key in references(project, name)])
     period = fundamental_period(project)
-    notes = advice(project, period, [item.record for item in found.values()])
+    notes = advice(project, period, {name: item.record for name, item in found.items()})
     notes += law_warnings(project)
-    notes += [f"record {name}: {doubt}" for name, item in found.items() for doubt in doubts(item.record)]
     return {
         "title": project.title,
         "frame": _frame(project),
@@ -188,10 +190,10 @@ def check_study(study: Study) -> dict[str, str]:
     found = check_study_inputs(study, plan)
     period = fundamental_period(study.base)
     entries = Counter(task.entry for task in plan)
-    notes = advice(study.base, period, [item.record for item in found.values()])
+    notes = advice(study.base, period, {name: item.record for name, item in found.items()})
     notes += [f"design {name}: {text}" for name, spec in study.designs.items() for text in design_warnings(spec)]
     notes += variant_warnings(study, plan)
-    notes += [f"record {name}: {doubt}" for name, item in found.items() for doubt in doubts(item.record)]
+    notes += unjudged(study, plan)
     return {
         "title": study.title,
         "project": str(study.base.path),

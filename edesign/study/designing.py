@@ -8,7 +8,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict, judge
 from edesign.errors import AnalysisError, EdesignError
 from edesign.ground_motion.matching.one_thread import one_thread
-from edesign.project.analyses import Analysis, HistoryAnalysis
+from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
 from edesign.project.dampers import Dampers
 from edesign.project.designs import Verify
 from edesign.project.outputs import Outputs
@@ -18,6 +18,7 @@ from edesign.study.backends.work import Work
 from edesign.study.check import verification_records, wanted_designs
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.execution import Execution, Prepared
+from edesign.study.modal import mode_count
 from edesign.study.plan import DESIGNS, Task, labels
 from edesign.study.variants import variant_project
 from edesign.study.works import analyse
@@ -59,7 +60,10 @@ def study_designs(study: Study, run: Execution) -> Prepared:
             project = variant_project(study, task.variant, designed, task.temperature_C)
             kept = nothing if task.stripe is not None else whole if task.details else plain
             frames[key] = project.model_copy(update={"outputs": kept})
-        return frames[key], task.spec
+        project, spec = frames[key], task.spec
+        if isinstance(spec, ModalAnalysis) and study.modal.modes is None:  # a small frame may have fewer
+            spec = spec.model_copy(update={"modes": min(spec.modes, mode_count(project))})
+        return project, spec
 
     return prepared
 

@@ -69,7 +69,7 @@ def execute(
             run.note(writer.note)
         kept = [place for place in writer.kept if place in tasks]
         if kept or run.resumable:
-            found = "".join(f", with {place}" for place in run.resumable)
+            found = f", with {_places(run)}" if run.resumable else ""
             run.note(f"continuing an interrupted run: {len(kept)} of {len(tasks)} analyses are reused{found}")
         for note in job.notes:
             run.note(note)
@@ -186,5 +186,9 @@ def _kept_message(run: Execution, path: Path) -> str:
 
 
 def _kept(run: Execution, path: Path) -> str:
-    others = "".join(f", with {place}," for place in run.resumable)
+    others = f", with {_places(run)}," if run.resumable else ""
     return f"{len(run.outcomes)} of {len(run.job.tasks)} analyses are finished{others} and kept in {partial_path(path)}"
+
+
+def _places(run: Execution) -> str:
+    return " and ".join(run.resumable)

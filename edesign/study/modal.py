@@ -55,6 +55,11 @@ def fundamental_period(project: Project) -> float | None:
         raise AnalysisError(f"{project.path}: the first period cannot be found: {error}") from error
 
 
+def mode_count(project: Project) -> int:
+    """Return how many modes a frame has: its degrees of freedom with mass."""
+    return int(np.count_nonzero(make_structure(project).analysis.masses()))
+
+
 def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
     """Add modes to a group: period, frequency, masses, shapes of floors and nodes."""
     frame = structure.frame

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from edesign.project.project import Project
 from edesign.project.study import Study
+from edesign.study.advice import unjudged
 from edesign.study.backends import make_backend
 from edesign.study.check import check_inputs, check_study_inputs
 from edesign.study.dampers import law_warnings
@@ -93,7 +94,7 @@ def run_study(
     checksums = {name: found.record.checksum for name, found in recordings.items()}
     root = study_root_group(study, [task.name for task in plan], checksums)
     resumable = tuple(f"{DESIGNS}/{name}" for name in study.designs)
-    notes = tuple(variant_warnings(study, plan))
+    notes = (*variant_warnings(study, plan), *(() if only else unjudged(study, plan)))
 
     def prepare(run: Execution) -> Prepared:
         frames = study_designs(study, run)

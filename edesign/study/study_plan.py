@@ -15,6 +15,7 @@ from edesign.study.intensity import intensity_text
 from edesign.study.plan import Stripe, Task, selected
 
 MODES, GRAVITY = "modes", "gravity"
+USUAL_MODES = 3
 
 
 def make_study_plan(study: Study, only: Sequence[str] = ()) -> tuple[Task, ...]:
@@ -56,7 +57,7 @@ def _of_variant(study: Study, name: str) -> Iterator[Task]:
             name=f"{name}.{MODES}",
             variant=name,
             dampers=dampers,
-            modes=modal.modes,
+            modes=modal.modes if modal.modes is not None else USUAL_MODES,
             state=modal.state,
             damper_strain=strain,
         )
@@ -119,8 +120,10 @@ def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) 
         record, _, recording = name.partition("/")
         known = references(study.base, record)
         if recording and name not in known:
-            ids = [reference.partition("/")[2] for reference in known]
-            message = unknown_name("recording", recording, [item for item in ids if item])
+            if known == (record,):
+                message = f"`{record}` is a single record, not a suite; write `{record}`"
+            else:
+                message = unknown_name("recording", recording, [key.partition("/")[2] for key in known])
             raise InputError(f"{study.where(*keys, i)}: {keys_text(keys)}: {message}")
         found += [reference for reference in ([name] if recording else known) if reference not in found]
     return tuple(found)

@@ -181,3 +181,24 @@ def test_errors_are_for_people(name: str, tmp_path: Path, capsys: pytest.Capture
     said = capsys.readouterr().err
     assert str(tmp_path / name) in said and "Traceback" not in said
     assert not list(tmp_path.glob("*.html"))
+
+
+@pytest.mark.parametrize("name", ["office.h5", "office.yaml", "office"])
+def test_the_page_takes_no_other_file_s_place(
+    made: Made, tmp_path: Path, name: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Neither the archive it is made of nor the user's files: the ending says whether a page may be written."""
+    archive = Path(shutil.copy(made.archive, tmp_path / "office.h5"))
+    (tmp_path / "office.yaml").write_text("edesign: 1\n", encoding="utf-8")
+    before = {path.name: path.read_bytes() for path in tmp_path.iterdir()}
+    assert main(["report", str(archive), "--output", str(tmp_path / name), "--quiet"]) == 2
+    assert capsys.readouterr().err == f"edesign: {tmp_path / name}: the name of a page ends in .html or .htm\n"
+    assert {path.name: path.read_bytes() for path in tmp_path.iterdir()} == before
+
+
+def test_a_study_without_its_text_is_damaged(made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    archive = Path(shutil.copy(made.archive, tmp_path / "office.h5"))
+    with h5py.File(archive, "r+") as file:
+        file.attrs["kind"] = "study"
+    assert main(["show", str(archive)]) == 4
+    assert capsys.readouterr().err.endswith("damaged: the text of the study (`study_text`) is missing\n")

@@ -7,9 +7,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from edesign._version import __version__
-from edesign.archive.files import write_text
+from edesign.archive.files import check_folder, write_text
 from edesign.archive.reader import open_archive
 from edesign.assess.sets import NOT_RUN
+from edesign.errors import ArchiveError, InputError
 from edesign.report.page.render import Cover, render
 from edesign.report.page.section import Section
 from edesign.report.page.sections.dampers import dampers
@@ -45,6 +46,7 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     provenance,
 )
 """In the order of the page; those without content are left out."""
+PAGE_SUFFIXES = (".html", ".htm")
 
 
 def default_page_path(archive: str | os.PathLike[str]) -> Path:
@@ -67,9 +69,15 @@ def write_page(
         The page.
 
     Raises:
+        InputError: the page has another ending than that of a page.
         ArchiveError: the archive cannot be read, or the page cannot be written.
     """
     path = default_page_path(archive) if path is None else path
+    if path.suffix.lower() not in PAGE_SUFFIXES:  # never over an archive, or a file of the user
+        raise InputError(f"{path}: the name of a page ends in {' or '.join(PAGE_SUFFIXES)}")
+    if not path.parent.is_dir():
+        raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
+    check_folder(path.parent)
     write_text(page_text(archive, tell), path)
     return path
 

@@ -76,7 +76,13 @@ def make_building(project: Project, name: str, spec: Design) -> Building:
     )
     trial = _run(spec, law.layers, law.layer_area, law.layer_thickness)
     empty = project.model_copy(update={"dampers": _dampers(project, trial, keep_attachments=False)})
-    structure = make_structure(empty, dampers=True)
+    try:
+        structure = make_structure(empty, dampers=True)
+    except InputError as error:  # its devices stand in no file: the place is the design
+        _, trial_device, message = str(error).rpartition("dampers.devices[0]: ")
+        if not trial_device:
+            raise
+        raise InputError(f"designs.{name}: {message}; its bays and storeys reach beyond the members") from error
     if spec.state == "gravity":
         structure.apply_gravity()
     frame = condense(structure)

@@ -106,8 +106,13 @@ def search(
         except (InputError, AnalysisError) as error:
             if not rounds:
                 raise
-            reason = str(error)
-            break
+            # what can be reached may shrink as dampers grow, because their properties follow the frequency
+            reached, largest = rounds[-1].changed, min(largest, value)
+            if value - reached <= precision * reached:
+                reason = str(error)
+                break
+            value = 0.5 * (reached + value)
+            continue
         value = actual(sizing, value)
         if sizing.reason:
             rounds.append(Round(len(rounds) + 1, value, sizing))
@@ -122,7 +127,9 @@ def search(
     good = [r for r in rounds if r.outcome is not None and r.outcome.met]
     if good:
         return Search(tuple(rounds), min(good, key=lambda r: r.changed))
-    return Search(tuple(rounds), rounds[-1], reason or _missed(rounds, largest, most_rounds))
+    if rounds[-1].outcome is not None:
+        reason = _missed(rounds, largest, most_rounds, reason)
+    return Search(tuple(rounds), rounds[-1], reason)
 
 
 def _next(rounds: Sequence[Round], largest: float, precision: float) -> float | None:
@@ -152,13 +159,15 @@ def _next(rounds: Sequence[Round], largest: float, precision: float) -> float | 
     return min(x * min(max(step, _SMALLEST_STEP), _LARGEST_STEP), largest)
 
 
-def _missed(rounds: Sequence[Round], largest: float, most_rounds: int) -> str:
+def _missed(rounds: Sequence[Round], largest: float, most_rounds: int, beyond: str) -> str:
     last = rounds[-1].outcome
     assert last is not None
     text = ", ".join(_said(verdict) for verdict in last.verdicts if not verdict.met)
     if last.failed:
         failed = f"{len(last.failed)} histories were not completed, the first {last.failed[0]}"
         text = f"{text}; {failed}" if text else failed
+    if beyond:
+        return f"the largest value that can be reached, {rounds[-1].changed:.4g}, misses: {text}; beyond it {beyond}"
     if rounds[-1].changed >= largest:
         return f"even the largest value, {largest:.4g}, misses: {text}"
     return f"not met within {most_rounds} rounds; the last, with {rounds[-1].changed:.4g}, misses: {text}"

@@ -122,7 +122,7 @@ def test_show_of_one_analysis_has_storeys_and_fallbacks(archive: Path, capsys: p
     fallbacks = lines[lines.index("el_centro: fallbacks") + 3]
     assert fallbacks.split(maxsplit=2) == ["250", "2.500", "halved step  4 substeps"]
     assert main(["show", str(archive), "--analysis", "nothing"]) == 2
-    assert "there are: modes, el_centro, lost, later" in capsys.readouterr().err
+    assert "(there are: `modes`, `el_centro`, `lost`, `later`)" in capsys.readouterr().err
 
 
 def test_show_json_has_the_agreed_form(archive: Path, capsys: pytest.CaptureFixture[str]) -> None:

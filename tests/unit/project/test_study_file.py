@@ -18,7 +18,7 @@ from edesign.cli.main import main
 from edesign.errors import InputError
 from edesign.project.study import Study
 from edesign.project.study_loader import StudyError, is_study, parse_study
-from edesign.study.check import check_study_inputs
+from edesign.study.check import check_study, check_study_inputs
 from edesign.study.study_plan import make_study_plan
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_10_storey" / "study.yaml"
@@ -103,7 +103,11 @@ def test_a_study_that_is_right(tmp_path: Path) -> None:
             FIRST.replace("records: set", "records: @set/frist"),
             "there is no recording `frist`; did you mean `fi",
         ),
-        (WARM, WARM.replace("records: set/first", "records: [set/first, @motion/x]"), "there is no recording `x`"),
+        (
+            WARM,
+            WARM.replace("records: set/first", "records: [set/first, @motion/x]"),
+            "`motion` is a single record, not a",
+        ),
         (FIRST, FIRST.replace("[DBE, MCE], records: set", "@[DBE, MCE], records: motion"), "`motion` is not fitted to"),
         (
             FIRST,
@@ -114,6 +118,7 @@ def test_a_study_that_is_right(tmp_path: Path) -> None:
         (FIRST, FIRST.replace("1 s}", "@1}"), "histories[0].free_vibration: "),
         (WARM, f"{WARM}\n  - @{WARM}", "histories[2]: there is an analysis `warm.DBE.first` already; leave one of"),
         ("[10 degC, 35 degC]", "[10 degC, @35]", "histories[2].temperatures[1]: "),
+        ("modal: {modes: 2}", "modal: {modes: @99}", "modal.modes: there is no mode 99; the frame has "),
         # designs: what only a study knows
         ("criteria: drift,", "criteria: @drfit,", "added.verify.criteria: there is no criterion `drfit`; did you mean"),
         ("criteria: drift,", "criteria: [drift, @drift],", "designs.added.verify.criteria[1]: `drift` comes twice"),
@@ -191,7 +196,8 @@ def test_dampers_of_a_project_that_has_none(tmp_path: Path) -> None:
     text = project.read_text(encoding="utf-8")
     project.write_text(text[: text.index("dampers:")] + text[text.index("analyses:") :], encoding="utf-8")
     assert [message for _, message in faults(path)] == [
-        f"variants.{name}.dampers: {project} has no `dampers`" for name in ("damped", "upper", "warm")
+        f"variants.{name}.dampers: {project} has no devices and no attachments under `dampers`"
+        for name in ("damped", "upper", "warm")
     ]
 
 
@@ -292,3 +298,28 @@ def _places(value: Any) -> list[tuple[Any, Any]]:
     for key in keys:
         found += _places(value[key])
     return found
+
+
+def test_dampers_of_a_project_that_has_laws_alone(tmp_path: Path) -> None:
+    """A frame without any damper is `none`; nothing is taken silently for it."""
+    path = write(tmp_path, (BARE, "  bare: {dampers: project}"))
+    ((_, message),) = faults(path)
+    project = tmp_path / "project.yaml"
+    assert message == f"variants.bare.dampers: {project} has no devices and no attachments under `dampers`"
+
+
+def test_a_place_of_a_design_that_the_frame_lacks(tmp_path: Path) -> None:
+    """The place told is the design; the devices that stand for it are in no file."""
+    gone = ("frame:\n", "frame:\n  missing: {columns: [{lines: A, storeys: 2}], beams: [{bays: 1, floors: 2}]}\n")
+    ((place, message),) = faults(write(tmp_path, project=(gone,)))
+    assert place == place_of(tmp_path / "study.yaml", "method: strain_energy")
+    assert (
+        message == "designs.added: there is no node `A2` in this frame; its bays and storeys reach beyond the members"
+    )
+
+
+def test_what_nothing_will_be_judged_by_is_noted(tmp_path: Path) -> None:
+    study = load_study(write(tmp_path, ("criteria:\n", f"criteria:\n{AT_MCE}"), ("levels: [DBE, MCE]", "levels: DBE")))
+    notes = check_study(study)["notes"]
+    assert notes.count("will not be judged") == 1
+    assert "criterion `at MCE` will not be judged: no history at `MCE` is planned" in notes

@@ -9,11 +9,13 @@ from unit.assess.assessed import FRAME, frame, history, part
 
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
+from edesign.assess.criteria import Verdict
 from edesign.assess.sets import history_sets
 from edesign.report.assessment_tables import assessment_tables, tables_of_histories
 from edesign.report.measure_tables import record_measures_table, statistics_tables
 from edesign.report.table import Table
 from edesign.report.text import plain
+from edesign.report.verdict_tables import verdicts_table
 
 STUDY = part(
     "criteria:\n"
@@ -88,6 +90,20 @@ def test_verdicts_performance_and_objectives() -> None:
     assert by_drift[7] == "100 %"
     assert [cells[3] for cells in objectives.rows] == ["met", "not met", "met", "not met"]
     assert all(len(line) > 0 for table in (verdicts, performance, objectives) for line in plain(table).splitlines())
+
+
+def test_means_of_few_histories_are_remarked() -> None:
+    """EN 1998-1, 4.3.3.4.3(3), and FEMA 356, 3.3.2.2.4: from seven histories on the mean counts, else the largest."""
+
+    def remarks(count: int, statistic: str = "mean", missing: tuple[str, ...] = ()) -> list[str]:
+        found = ("bare.DBE.one", None, "C_A_1", count, missing)
+        verdict = Verdict("drift", "drift", "bare", "DBE", statistic, 0.01, 0.013, "1", True, "", *found)
+        return [note for note in verdicts_table([verdict]).notes if note.startswith("Fewer")]
+
+    (said,) = remarks(6)
+    assert said.startswith("Fewer than 7 histories: bare, DBE. The maximum counts then, not the mean")
+    assert remarks(7) == remarks(6, "maximum") == remarks(6, missing=("bare.DBE.later",)) == []
+    assert remarks(0) == []  # nothing was judged
 
 
 def test_an_archive_is_read_with_what_is_still_to_come(tmp_path: Path) -> None:

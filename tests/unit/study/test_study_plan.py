@@ -7,11 +7,13 @@ from pathlib import Path
 import pytest
 from cases.small_study import HISTORIES, PLANNED, write
 
+from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
 from edesign.errors import InputError
 from edesign.project.analyses import HistoryAnalysis, ModalAnalysis
 from edesign.project.study import Study
 from edesign.study.check import wanted_designs
+from edesign.study.run import run_study
 from edesign.study.study_plan import make_study_plan
 
 WARM = "  - {variants: warm, levels: DBE, records: set/first, free_vibration: 1 s}\n"
@@ -129,3 +131,20 @@ def test_no_masses_no_modes(tmp_path: Path) -> None:
     path.write_text(f"{text[:head]}variants: {{bare: {{dampers: none}}}}\n{text[tail:]}", encoding="utf-8")
     text = path.read_text(encoding="utf-8")
     assert [task.name for task in make_study_plan(load_study(path))] == ["bare.gravity"]
+
+
+@pytest.mark.parametrize(("given", "found"), [("", 1), ("modal: {modes: 1}\n", 1)])
+def test_a_frame_of_one_storey_has_one_mode(tmp_path: Path, given: str, found: int) -> None:
+    """One diaphragm that moves sideways: the three modes that are usual are not demanded of it."""
+    one = (
+        ("storeys: [4 m, 3 m]", "storeys: [4 m]"),
+        ("frame:\n", "frame:\n  diaphragms: all\n"),
+        ("masses: {from_loads: {}}", "masses: {from_loads: {}, directions: horizontal}"),
+        ("damping: {kind: rayleigh, ratio: 2 %}", "damping: {kind: modal, ratio: 2 %, modes: 1}"),
+        ("analyses: [{name: modes, kind: modal, modes: 2}]", "analyses: [{name: gravity, kind: gravity}]"),
+    )
+    path = write(tmp_path, ("modal: {modes: 2}\n", given), project=one)
+    summary = run_study(load_study(path), only=["bare.modes"])
+    assert [outcome.status for outcome in summary.outcomes] == ["completed"]
+    with open_archive(summary.archive) as archive:
+        assert archive.group("analyses/bare.modes").variables["period"].values.size == found

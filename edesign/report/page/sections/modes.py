@@ -12,6 +12,7 @@ from edesign.report.tables import periods_table
 def modes(source: Source) -> Section:
     """Periods of every modal analysis, the shapes, and the stiffness of dampers that they are made with."""
     tables = [periods_table(name, group) for name, group in source.groups.items() if "period" in group.variables]
-    dampers = [damper_stiffness_table(name, group) for name, group in source.groups.items()]
-    folded = tuple(Folded("Stiffness and loss factor of the dampers", (table,)) for table in dampers if table.rows)
+    dampers = {name: damper_stiffness_table(name, group) for name, group in source.groups.items()}
+    title = "Stiffness and loss factor of the dampers"
+    folded = tuple(Folded(f"{title}, {name}", (table,)) for name, table in dampers.items() if table.rows)
     return Section("modes", "Natural modes", (), (*source.pictures(mode_figures), *tables, *folded))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -17,6 +18,8 @@ from edesign.errors import InputError
 from edesign.project.dampers import DamperRun, Dampers
 from edesign.project.project import Project
 from edesign.study.design.design import DesignResult, run_design
+from edesign.study.design.loop import Round, RoundOutcome, RoundVerdict, Search, search
+from edesign.study.design.sizing import Sizing
 from edesign.study.structure import make_structure
 
 TEXT = (
@@ -121,6 +124,33 @@ def test_design_that_cannot_be_met_stops_with_its_history(project: Project) -> N
     target = v["round_target"].values
     assert target.size > 2 and np.all(np.diff(target) > 0.0) and target[-1] == pytest.approx(0.95 * 0.175)
     assert not v["round_met"].values.any()
+
+
+def within_reach(limit: float) -> Search:
+    """A search from 4 % up with targets within reach to 5 %, whatever was said before; the drift is 4e-4 / target."""
+
+    def make(value: float) -> Sizing:
+        if value > 0.05:
+            raise InputError("no damper reaches that")
+        return Sizing(value, *[np.ones(1)] * 2, 1.0, 1.0, np.ones(1), None, ())  # type: ignore[arg-type]
+
+    def verify(sizing: Sizing, number: int, value: float) -> RoundOutcome:
+        drift = 4e-4 / value
+        return RoundOutcome((RoundVerdict("drift", drift, limit, drift <= limit),))
+
+    return search(make, verify, 0.04, 0.16, 12, 0.02)
+
+
+def test_a_target_out_of_reach_is_approached_from_below() -> None:
+    """Properties that follow the frequency may put the next target out of reach; smaller ones than that are tried."""
+    found = within_reach(4e-4 / 0.047)
+    assert not found.reason and 0.047 <= found.chosen.changed <= 0.047 * 1.02
+    missed = within_reach(1e-4)
+    assert 0.05 / 1.02 <= missed.chosen.changed <= 0.05 and isinstance(missed.chosen, Round)
+    assert re.fullmatch(
+        r"the largest value that can be reached, 0.0(49|5)\d*, misses: drift \(.*\); beyond it no damper .*",
+        missed.reason,
+    )
 
 
 def test_design_that_runs_out_of_rounds(project: Project) -> None:

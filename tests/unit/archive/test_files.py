@@ -1,0 +1,29 @@
+"""Text files appear whole or not at all, and never in place of an archive."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import h5py
+import pytest
+
+from edesign.archive.files import write_text
+from edesign.errors import ArchiveError
+
+
+def test_text_never_takes_the_place_of_an_archive(tmp_path: Path) -> None:
+    path = tmp_path / "results.csv"  # whatever its name
+    with h5py.File(path, "w") as file:
+        file["x"] = 1.0
+    before = path.read_bytes()
+    with pytest.raises(ArchiveError, match=r"results.csv: cannot be written: this file is an archive"):
+        write_text("a,b\n", path)
+    assert path.read_bytes() == before and list(tmp_path.iterdir()) == [path]
+
+
+def test_text_takes_the_place_of_text(tmp_path: Path) -> None:
+    path = tmp_path / "table.csv"
+    for text in ("a\n", "b\n"):
+        write_text(text, path)
+        assert path.read_text(encoding="utf-8") == text
+    assert list(tmp_path.iterdir()) == [path]
