@@ -39,7 +39,7 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
         problems.at_key(keys, f"unknown key{hint} (allowed here: {listed(allowed, 40)})")
     elif kind == "union_tag_invalid":
         _wrong_choice(keys, detail["input"], context, problems)
-    elif kind == "too_short" and len(problems.node(keys).items or ()) >= context["min_length"]:
+    elif kind == "too_short" and len(detail["input"]) >= context["min_length"]:
         return  # pydantic counts good items only, and the bad ones have their own problems
     elif kind == "project":
         problems.at_value((*keys, *context["at"]), context["message"])
@@ -81,7 +81,10 @@ def _message(kind: str, detail: ErrorDetails, context: Mapping[str, Any]) -> str
         allowed = re.findall(r"'([^']*)'", str(context["expected"])) or [str(context["expected"])]
         return f"{seen} is unknown{did_you_mean(str(detail['input']), allowed)} (allowed: {listed(allowed)})"
     if kind == "too_short":
-        return "the list is empty" if context.get("actual_length") == 0 else f"{context['min_length']} items are needed"
+        what = "mapping" if isinstance(detail["input"], Mapping) else "list"
+        return (
+            f"the {what} is empty" if context.get("actual_length") == 0 else f"{context['min_length']} items are needed"
+        )
     if kind == "too_long":
         return f"too many items: {context['max_length']} are needed"
     if kind == "string_too_short":

@@ -9,7 +9,7 @@ from pydantic import BeforeValidator, Field
 
 def several(value: Any) -> Any:
     """A single name or quantity is a list of one."""
-    return (value,) if isinstance(value, str) else value
+    return (value,) if isinstance(value, (str, int, float)) else value
 
 
 Names = Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(several)]

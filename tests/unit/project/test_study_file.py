@@ -118,6 +118,16 @@ def test_a_study_that_is_right(tmp_path: Path) -> None:
         (FIRST, FIRST.replace("1 s}", "@1}"), "histories[0].free_vibration: "),
         (WARM, f"{WARM}\n  - @{WARM}", "histories[2]: there is an analysis `warm.DBE.first` already; leave one of"),
         ("[10 degC, 35 degC]", "[10 degC, @35]", "histories[2].temperatures[1]: "),
+        (
+            "temperatures: [10 degC, 35 degC]",
+            "temperatures: @35",
+            "histories[2].temperatures: `35` is no temperature; write number",
+        ),
+        (
+            "temperatures: [10 degC, 35 degC]",
+            "temperatures: @-300 degC",
+            "histories[2].temperatures: `-300 degC` is below absolute zero",
+        ),
         ("modal: {modes: 2}", "modal: {modes: @99}", "modal.modes: there is no mode 99; the frame has "),
         # designs: what only a study knows
         ("criteria: drift,", "criteria: @drfit,", "added.verify.criteria: there is no criterion `drfit`; did you mean"),
