@@ -111,7 +111,7 @@ def _check_workers(client: distributed.Client) -> None:
     def state() -> dict[str, str]:  # travels as it is, so that a worker without edesign can answer
         try:
             from edesign.study.backends.state import program_state
-        except Exception as error:
+        except Exception as error:  # however an installation may be broken
             return {"edesign": f"missing or of another version ({error})"}
         return dict(program_state())
 

@@ -134,7 +134,7 @@ class Session:
             raise self._lost() from error
         except InputError:  # a worker of another program
             raise
-        except Exception as error:
+        except Exception as error:  # one work must not take the others with it
             self._check_connection()
             log.exception("analysis %s", work.key)
             result = Result(work.key, reason=internal_error(error))

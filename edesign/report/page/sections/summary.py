@@ -94,14 +94,16 @@ def _located(histories: HistorySet, found: Statistics, measure: str, unit: float
 
 
 def _tiles(sets: Iterable[Measured]) -> tuple[Headline, ...]:
-    """Means of one variant, or of two beside each other, for each level; of more there is only the table."""
+    """Means of one variant, or of two beside each other, for each level; where one level has more, only the table."""
     levels: dict[str, list[Measured]] = {}
     for histories, found in sets:
         if " at " not in histories.variant and histories.completed:
             levels.setdefault(histories.level, []).append((histories, found))
+    if any(len(beside) > 2 for beside in levels.values()):
+        return ()
     tiles = []
     for level, beside in levels.items():
-        for label, measure, unit, factor in TILES if len(beside) <= 2 else ():
+        for label, measure, unit, factor in TILES:
             means = [(histories.variant, found[measure]) for histories, found in beside]
             shown = [(variant, s.mean / factor, s.count) for variant, s in means if s.mean is not None]
             if len(shown) == len(beside):
