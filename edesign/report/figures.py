@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Sequence
 from functools import wraps
 from io import StringIO
@@ -86,21 +85,14 @@ def save(figure: Figure, path: Path) -> None:
         write_whole(path, lambda partial: figure.savefig(partial, dpi=160, metadata=metadata))
 
 
-def svg_text(figure: Figure, prefix: str) -> str:
-    """Return a figure as an <svg> element for a page.
-
-    Args:
-        figure: as drawn by a `styled` function.
-        prefix: of all ids in it, so that those of several figures of a page differ.
-    """
+def svg_text(figure: Figure) -> str:
+    """Return a figure, as drawn by a `styled` function, as an <svg> element; its ids are its own only."""
     import matplotlib
 
     text = StringIO()
     with matplotlib.rc_context(_STYLE):
         figure.savefig(text, format="svg", metadata={"Date": None})
-    element = text.getvalue()
-    element = re.sub(r'\bid="', f'id="{prefix}-', element[element.index("<svg") :])
-    return re.sub(r'(url\(#|href="#)', rf"\g<1>{prefix}-", element)
+    return text.getvalue()[text.getvalue().index("<svg") :]
 
 
 def grid_figure(count: int, columns: int, width: float, height: float) -> tuple[Figure, list[Axes]]:

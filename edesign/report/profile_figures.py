@@ -11,6 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak, residual
+from edesign.assess.statistics import FRACTION, counted_percentile
 from edesign.report.captions import at_level, file_name, plain
 from edesign.report.figures import MEAN, RECORDS, grid_figure, label_outer, some_of, styled
 from edesign.report.histories import History, by_level, histories, missing_text, variant_colors
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-FRACTION = 84.0  # %, of the counted percentile that is drawn
 COLUMNS = 3
 _MANY: Any = {"color": RECORDS, "lw": 0.6}
 _WORST: Any = {"color": "#55595f", "lw": 0.9, "ls": "-."}
@@ -163,7 +163,8 @@ def _draw(axis: Axes, panel: Profiles, kind: Kind, limits: Mapping[str, float], 
             if name != governing:
                 axis.plot(profile, height, **_MANY)
         axis.plot(panel.values[governing], height, **_WORST)
-        axis.plot(np.percentile(values, FRACTION, axis=0, method="inverted_cdf"), height, **_HIGH, color=panel.color)
+        high = [counted_percentile(list(at), FRACTION) for at in np.transpose(values)]
+        axis.plot(high, height, **_HIGH, color=panel.color)
     axis.plot(np.mean(values, axis=0), height, **_MEAN, color=panel.color)
     axis.set_xlim(0.0, span)
     axis.set_ylim(height[0] - (0.0 if first == 0 else 0.4), height[-1] + 0.4)

@@ -76,16 +76,8 @@ def _of_histories(study: Study, index: int, histories: Histories) -> Iterator[Ta
                 warm = [f"{temperature_C:g}C"] if temperature_C is not None else []
                 entry = ".".join([variant, *warm, *([level] if level else [])])
                 for reference in wanted:
-                    spec = HistoryAnalysis.model_construct(
-                        kind="history",
-                        name=f"{entry}.{reference.rpartition('/')[2]}",
-                        variant=variant,
-                        dampers=study.variants[variant].dampers != "none",
-                        record=reference,
-                        free_vibration=histories.free_vibration,
-                        collapse_drift=histories.collapse_drift,
-                        level=level,
-                    )
+                    name = f"{entry}.{reference.rpartition('/')[2]}"
+                    spec = _history(study, histories, name, variant, reference, level)
                     yield Task(0, spec, entry, variant, temperature_C, reference in whole)
 
 
@@ -93,20 +85,28 @@ def _of_incremental(study: Study, index: int, incremental: Incremental) -> Itera
     wanted = recordings(study, incremental.records, ("incremental", index, "records"))
     for variant in study.variants_of(incremental):
         entry = f"{variant}.{incremental.name}"
+        level = incremental.level if isinstance(incremental, LevelFactorStudy) else ""
         for reference in wanted:
             chain = f"{entry}.{reference.rpartition('/')[2]}"
             for step, intensity in enumerate(incremental.intensities):
-                spec = HistoryAnalysis.model_construct(
-                    kind="history",
-                    name=f"{chain}.{intensity_text(incremental, intensity)}",
-                    variant=variant,
-                    dampers=study.variants[variant].dampers != "none",
-                    record=reference,
-                    free_vibration=incremental.free_vibration,
-                    collapse_drift=incremental.collapse_drift,
-                    level=incremental.level if isinstance(incremental, LevelFactorStudy) else "",
-                )
+                name = f"{chain}.{intensity_text(incremental, intensity)}"
+                spec = _history(study, incremental, name, variant, reference, level)
                 yield Task(0, spec, entry, variant, stripe=Stripe(incremental.name, intensity, step, chain))
+
+
+def _history(
+    study: Study, asked: Histories | Incremental, name: str, variant: str, reference: str, level: str
+) -> HistoryAnalysis:
+    return HistoryAnalysis.model_construct(
+        kind="history",
+        name=name,
+        variant=variant,
+        dampers=study.variants[variant].dampers != "none",
+        record=reference,
+        free_vibration=asked.free_vibration,
+        collapse_drift=asked.collapse_drift,
+        level=level,
+    )
 
 
 def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) -> tuple[str, ...]:

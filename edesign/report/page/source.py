@@ -147,5 +147,5 @@ def _picture(name: str, caption: str, figure: Figure) -> Picture:
 
     anchor = f"figure-{name}"
     title, _, description = caption.partition(". ")
-    svg, width = inline_svg(svg_text(figure, "f"), anchor, title.rstrip("."), description)
+    svg, width = inline_svg(svg_text(figure), anchor, title.rstrip("."), description)
     return Picture(anchor, caption, svg, width)

@@ -8,9 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from unit.assess.known_history import known_history
 
-from edesign.assess.profile import profile_statistics
 from edesign.assess.statistics import STATISTICS, counted_percentile, statistics
 
 
@@ -47,16 +45,3 @@ def test_infinite_values_leave_order_statistics_finite() -> None:
     found = statistics({"a": 1.0, "b": 2.0, "c": math.inf})
     assert (found.median, found.maximum, found.mean) == (2.0, math.inf, math.inf)
     assert found.dispersion is None
-
-
-def test_profiles_of_two_completed_histories_and_a_failed_one() -> None:
-    one, other, failed = known_history(), known_history(), known_history(status="failed")
-    other.variables["storey_drift_max"].values[:] = [0.0225, 0.03]
-    found = profile_statistics({"one": one, "other": other, "failed": failed})
-    drift = found["storey_drift"]  # peaks 0.0125, 0.057 and 0.0225, 0.057
-    assert (drift.count, drift.missing) == (2, ("failed",))
-    np.testing.assert_allclose(drift.mean, [0.0175, 0.057], rtol=1e-14)
-    np.testing.assert_allclose(drift.median, [0.0175, 0.057], rtol=1e-14)
-    np.testing.assert_allclose(drift.percentile_84, [0.0225, 0.057], rtol=1e-14)
-    np.testing.assert_allclose(drift.maximum, [0.0225, 0.057], rtol=1e-14)
-    assert profile_statistics({"failed": failed}) == {}

@@ -20,7 +20,7 @@ def _drawing(values: np.ndarray, title: str) -> str:
     axes.plot(np.arange(values.size), values, "-", gid="curve")
     axes.plot([0.0, 1.0], [0.0, 1.0], "o")
     axes.set_title(title)
-    return svg_text(figure, "x")
+    return svg_text(figure)
 
 
 def _points(path: str) -> np.ndarray:
@@ -66,7 +66,7 @@ def test_curves_lose_points_and_stay_within_half_a_pixel() -> None:
     t = np.arange(6000) / 100.0
     values = np.exp(-0.03 * t) * np.sin(2.0 * np.pi * 1.3 * t) + 0.05 * np.sin(2.0 * np.pi * 11.0 * t)
     with matplotlib.rc_context({"path.simplify": False}):
-        full = re.search(r'id="x-curve">\s*<path d="([^"]+)"', _drawing(values, ""))
+        full = re.search(r'id="curve">\s*<path d="([^"]+)"', _drawing(values, ""))
     thinned, _ = inline_svg(_drawing(values, ""), "one", "")
     assert full is not None
     numbers = re.findall(r"[ML] (\S+) (\S+)", full[1])
