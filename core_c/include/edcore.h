@@ -87,6 +87,8 @@ int ed_model_link(ed_model *model, const char *name, int i, int j, double kx, do
 int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters, const double *parameters, double brace,
                     double force_scale, double deformation_scale, int n_terms, const int *node, const int *degree,
                     const double *coefficient);
+/* Adds an amendment (below) to a damper of the model, in the units of its law. */
+int ed_model_amend_damper(ed_model *model, int damper, int kind, int n_parameters, const double *parameters);
 
 int ed_model_pattern(ed_model *model);
 int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, double fy, double mz);
@@ -259,6 +261,29 @@ typedef struct ed_damper ed_damper;
 ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, double brace, int *status, char *message,
                          int size);
 void ed_damper_free(ed_damper *damper);
+
+/* Amendments: effects that a law has not. F = phi F_law + parallel forces, phi the product of the factors. Their drivers are those of
+ * the ends of steps, all zero at rest: envelope a1 = max(|u1|, a exp(-h/tau_a)), largest deformation M, path s += |u1 - u0|, work E of
+ * phi F_law by the trapezoidal rule, heat q1 = q exp(-h/tau_h) + beta dE. E and q act from the next step on; g = (a/a0)^m / (1 + (a/a0)^m). */
+enum {
+  ED_AMEND_CONSTANT = 0,                  /* factor: phi = factor */
+  ED_AMEND_PAYNE_WHOLE = 1,               /* d a0 m tau_a: phi = 1 - d g(a) */
+  ED_AMEND_PAYNE_ELASTIC = 2,             /* k a0 m tau_a: -k g(a) u */
+  ED_AMEND_MULLINS_PATH = 3,              /* m s0: phi = 1 + m exp(-s/s0) */
+  ED_AMEND_MULLINS_MAXIMUM = 4,           /* m r: phi = 1 - m erf((M - |u|)/r) */
+  ED_AMEND_MULLINS_ELASTIC = 5,           /* k s0: k exp(-s/s0) u */
+  ED_AMEND_DEGRADATION_ENERGY = 6,        /* d E0: phi = 1 - d (1 - exp(-max(E, 0)/E0)) */
+  ED_AMEND_SELF_HEATING_RATE = 7,         /* beta tau_h: phi = exp(-q) */
+  ED_AMEND_HARDENING_POWER = 8,           /* k p r: k u (|u|/r)^(p-1) */
+  ED_AMEND_HARDENING_THRESHOLD = 9,       /* k u0: k max(|u| - u0, 0) sgn u */
+  ED_AMEND_ONE_SIDED_FACTOR = 10,         /* b side(1, -1): phi = 1 + b where side u > 0; with a brace rising over 1e-5 m */
+  ED_AMEND_ONE_SIDED_SPRING = 11,         /* k u0 side(1, -1): k max(side u - u0, 0) side */
+  ED_AMEND_RELAXATION_BRANCH_MAXWELL = 12,/* k tau: Q' + Q/tau = k v, v linear over the step */
+  ED_AMEND_VELOCITY_POWER_DASHPOT = 13    /* c alpha: c |v|^alpha sgn v */
+};
+/* Adds one to a damper, before its first state is made; several act together. A brace stands in series with the amended damper; laws
+ * without exact step refuse amendments with a brace. `message` (size bytes) says why it is refused, and then nothing has changed. */
+int ed_damper_amend(ed_damper *damper, int kind, int n_parameters, const double *parameters, char *message, int size);
 int ed_damper_state_size(const ed_damper *damper);            /* doubles */
 void ed_damper_start(const ed_damper *damper, double *state); /* at rest */
 
@@ -272,6 +297,12 @@ int ed_damper_step(const ed_damper *damper, int method, double tolerance, const 
  * *done: samples that were reached when it fails. */
 int ed_damper_history(const ed_damper *damper, int method, double tolerance, int n, const double *time, const double *u,
                       const double *v, double *force, int *done);
+/* The same in series with a rig of a stiffness (> 0) whose pins have play (>= 0, end to end): u = u_d + e, and factor F(u_d) +
+ * added = stiffness * (e beyond play/2, either way); within the play the force is zero. factor (>= 0), added: n, or NULL for 1 and 0.
+ * force: n, through rig and damper; own: n, deformation u_d of the damper. e is linear between samples. */
+int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
+                                const double *factor, const double *added, double stiffness, double play, double *force,
+                                double *own, int *done);
 
 /* ---- oscillators under ground acceleration ---------------------------------------------------------------------- */
 

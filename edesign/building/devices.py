@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from edesign.building.named_section import cross_section
 from edesign.building.profiles import profile_names
-from edesign.core import LawValues, Model
+from edesign.core import CoreError, LawValues, Model
 from edesign.errors import InputError
 from edesign.project import names
 from edesign.project.dampers import BraceSection, BraceStiffness, DamperBetween, DamperRun
@@ -24,7 +24,7 @@ class DeviceLaw:
     """A law with its parameters, and the layers of elastomer they belong to.
 
     Attributes:
-        law: for the core.
+        law: for the core, with its amendments; these are of the prototype, as its parameters are.
         layers, layer_area (m2), layer_thickness (m): of the prototype; None: the law has no size of its own.
         tested_strain: largest shear strain of the tests that it comes from; None: not known.
         property_factor: on all forces.
@@ -117,7 +117,10 @@ def add_devices(
             force_scale, deformation_scale, thickness = _scales(run, law, place)
             brace = _brace(project, run, place, i)
             name = _free(place.name, found)
-            number = model.damper(name, law.law, place.terms, brace, force_scale, deformation_scale)
+            try:
+                number = model.damper(name, law.law, place.terms, brace, force_scale, deformation_scale)
+            except CoreError as error:  # an effect that the law cannot have with a brace
+                raise InputError(f"{where}: {error}") from error
             scales = (force_scale, deformation_scale, brace, law.tested_strain)
             found.append(Device(name, number, run.law, law.law, place.storey, place.terms, thickness, *scales))
     return tuple(found)

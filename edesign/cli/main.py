@@ -13,6 +13,7 @@ from typing import Annotated
 import typer
 
 from edesign._version import __version__
+from edesign.cli.calibrate import calibrate
 from edesign.cli.characterise import characterise
 from edesign.cli.check import check
 from edesign.cli.compare import compare
@@ -41,7 +42,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (new, check, run, show, compare, report, spectrum, match, laws, test, characterise, fit):
+for command in (new, check, run, show, compare, report, spectrum, match, laws, test, characterise, fit, calibrate):
     app.command()(command)
 
 

@@ -2,7 +2,7 @@
 
 from edesign.core._edcore import ffi, lib
 from edesign.core.analysis import Analysis
-from edesign.core.damper import CoreDamper, LawValues
+from edesign.core.damper import AmendmentValues, CoreDamper, LawValues
 from edesign.core.errors import CoreError
 from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
 from edesign.core.materials import Bilinear, Elastic, MenegottoPinto, Steel
@@ -12,6 +12,7 @@ from edesign.core.response import Channel, Response
 
 __all__ = [
     "HHT",
+    "AmendmentValues",
     "Analysis",
     "Bilinear",
     "Channel",

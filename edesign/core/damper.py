@@ -19,11 +19,20 @@ TOLERANCE = 1e-6
 
 
 @dataclass(frozen=True)
+class AmendmentValues:
+    """An amendment of a law by its name, e.g. "payne.whole", and its parameters in the order of the core, SI units."""
+
+    kind: str
+    values: tuple[float, ...]
+
+
+@dataclass(frozen=True)
 class LawValues:
-    """A damper law by its name, and its parameters in the order of the core, SI units."""
+    """A damper law by its name, its parameters in the order of the core, SI units, and its amendments."""
 
     law: str
     values: tuple[float, ...]
+    amendments: tuple[AmendmentValues, ...] = ()
 
 
 def law_number(law: str) -> int:
@@ -31,25 +40,42 @@ def law_number(law: str) -> int:
     return int(getattr(lib, f"ED_LAW_{law.upper()}"))
 
 
+def amendment_number(kind: str) -> int:
+    """The core's number of an amendment, ED_AMEND_*."""
+    return int(getattr(lib, f"ED_AMEND_{kind.upper().replace('.', '_')}"))
+
+
 class CoreDamper:
-    """A damper law of the core with its parameters, and a brace in series.
+    """A damper law of the core with its parameters and amendments, and a brace in series with them.
 
     Args:
         law: name of the law, e.g. "mgmm".
         parameters: in the order of the core, SI units.
         brace: stiffness in series, N/m; 0: rigid.
+        amendments: effects that the law has not; they act together.
 
     Raises:
-        CoreError: a parameter is not allowed.
+        CoreError: a parameter is not allowed, or the law takes no amendments with a brace.
     """
 
-    def __init__(self, law: str, parameters: Sequence[float], brace: float = 0.0) -> None:
+    def __init__(
+        self,
+        law: str,
+        parameters: Sequence[float],
+        brace: float = 0.0,
+        amendments: Sequence[AmendmentValues] = (),
+    ) -> None:
         status, message = ffi.new("int *"), ffi.new("char[256]")
         values = [float(value) for value in parameters]
         handle = lib.ed_damper_new(law_number(law), len(values), values, brace, status, message, 256)
         if handle == ffi.NULL:
             raise CoreError(status_name(status[0]), ffi.string(message).decode(errors="replace"))
         self._handle = ffi.gc(handle, lib.ed_damper_free)
+        for amendment in amendments:
+            number, values = amendment_number(amendment.kind), [float(value) for value in amendment.values]
+            refused = lib.ed_damper_amend(handle, number, len(values), values, message, 256)
+            if refused != lib.ED_OK:
+                raise CoreError(status_name(refused), ffi.string(message).decode(errors="replace"))
 
     def force(
         self,
@@ -93,6 +119,72 @@ class CoreDamper:
             text = ffi.string(lib.ed_status_text(status)).decode()
             raise CoreError(status_name(status), f"damper history: {text} at sample {done[0] + 1} of {t.size}")
         return result
+
+    def force_in_series(
+        self,
+        time: ArrayLike,
+        deformation: ArrayLike,
+        velocity: ArrayLike,
+        stiffness: float,
+        play: float = 0.0,
+        factor: ArrayLike | None = None,
+        added: ArrayLike | None = None,
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Force history in series with a rig whose pins have play and whose parts are flexible.
+
+        The force factor F + added, F that of the damper under its own deformation, is stiffness times the stretch of
+        the rig beyond half the play, either way: none within the play, where the damper moves by itself. Held at the
+        first deformation for long before. The stretch is linear between samples.
+
+        Args:
+            time: (n,) s, ascending.
+            deformation: (n,) m, of damper and rig.
+            velocity: (n,) m/s; between samples the cubic through deformation and velocity.
+            stiffness: of the rig, N/m, above 0.
+            play: of the pins from end to end, m, at least 0.
+            factor: (n,) of the damper's force, at least 0; None: 1.
+            added: (n,) N, carried by the rig beside the damper's force; None: 0.
+
+        Returns:
+            Force through rig and damper (n,) N, and the damper's own deformation (n,) m.
+
+        Raises:
+            CoreError: a value that is not allowed, samples that are not finite or not ascending, or no balance.
+        """
+        t, u, v = (np.ascontiguousarray(values, dtype=float).ravel() for values in (time, deformation, velocity))
+        if not t.size == u.size == v.size >= 1:
+            raise ValueError(f"{t.size} times, {u.size} deformations, {v.size} velocities")
+        given = []
+        for name, values in (("factors", factor), ("added forces", added)):
+            one = None if values is None else np.ascontiguousarray(values, dtype=float).ravel()
+            if one is not None and one.size != t.size:
+                raise ValueError(f"{t.size} times, {one.size} {name}")
+            if name == "factors" and one is not None and np.any(one < 0.0):
+                raise CoreError("ED_E_ARGUMENT", f"damper in series: factor = {one.min():g} is not allowed: at least 0")
+            given.append(ffi.NULL if one is None else ffi.from_buffer("double[]", one))
+        if not (stiffness > 0.0 and np.isfinite(stiffness)):
+            text = f"stiffness = {stiffness:g} is not allowed: finite and above 0"
+            raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
+        if not (play >= 0.0 and np.isfinite(play)):
+            raise CoreError("ED_E_ARGUMENT", f"damper in series: play = {play:g} is not allowed: finite, at least 0")
+        force, own, done = np.empty_like(t), np.empty_like(t), ffi.new("int *")
+        status = lib.ed_damper_history_in_series(
+            self._handle,
+            t.size,
+            ffi.from_buffer("double[]", t),
+            ffi.from_buffer("double[]", u),
+            ffi.from_buffer("double[]", v),
+            *given,
+            stiffness,
+            play,
+            ffi.from_buffer("double[]", force),
+            ffi.from_buffer("double[]", own),
+            done,
+        )
+        if status != lib.ED_OK:
+            text = ffi.string(lib.ed_status_text(status)).decode()
+            raise CoreError(status_name(status), f"damper in series: {text} at sample {done[0] + 1} of {t.size}")
+        return force, own
 
     def start(self) -> np.ndarray:
         """State at rest, for `step`."""

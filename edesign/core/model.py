@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.damper import LawValues, law_number
+from edesign.core.damper import LawValues, amendment_number, law_number
 from edesign.core.errors import CoreError, status_name
 from edesign.core.materials import Bilinear, Elastic, MenegottoPinto, Steel
 
@@ -166,7 +166,7 @@ class Model:
         """Add a damper; it carries nothing before `Analysis.install_dampers`.
 
         Args:
-            law: the law with its parameters.
+            law: the law with its parameters and amendments.
             terms: (coefficient, node, degree) of each displacement that its deformation is the sum of; degrees 0 ux,
                 1 uy, 2 rz. They should have mass.
             brace: stiffness in series at the size of the device, N/m; 0: rigid.
@@ -187,6 +187,9 @@ class Model:
             [coefficient for coefficient, _, _ in terms],
         )
         self._checked(number)
+        for amendment in law.amendments:
+            kind, values = amendment_number(amendment.kind), list(amendment.values)
+            self._checked(lib.ed_model_amend_damper(self._c, number, kind, len(values), values))
         self.damper_names.append(name)
         self.damper_terms.append(tuple(terms))
         return number

@@ -1,17 +1,19 @@
-"""A damper: a law with parameters, at the size of the device."""
+"""A damper: a law with parameters and amendments, at the size of the device."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.core.damper import CoreDamper, Method
+from edesign.damper.amendments import Amendment, parameters_at
 from edesign.damper.history import spline_velocity
 from edesign.damper.law import Law
+from edesign.damper.temperature import TemperatureModel
 
 
 @dataclass(frozen=True)
@@ -22,11 +24,16 @@ class Damper:
         law: the law.
         parameters: by name, SI units; completed with defaults and checked.
         brace: stiffness in series, N/m; 0: rigid.
+        amendments: effects that the law has not.
+        temperature_C: of the damper, degC, for amendments that change with it; the parameters are those of this
+            temperature. None: the one at which these amendments have no effect.
     """
 
     law: Law
     parameters: Mapping[str, float]
     brace: float = 0.0
+    amendments: tuple[Amendment, ...] = ()
+    temperature_C: float | None = None
     values: dict[str, float] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -35,7 +42,17 @@ class Damper:
     @cached_property
     def core(self) -> CoreDamper:
         """The damper in the core."""
-        return CoreDamper(self.law.name, list(self.values.values()), self.brace)
+        amendments = [one.for_core(self.temperature_C) for one in self.amendments]
+        return CoreDamper(self.law.name, list(self.values.values()), self.brace, amendments)
+
+    def at(self, temperature_C: float, model: TemperatureModel | None = None) -> tuple[Damper, tuple[str, ...]]:
+        """The damper at a temperature (degC) if its parameters are those of the reference; warnings.
+
+        Raises:
+            InputError: as of `temperature.at`.
+        """
+        values, warnings = parameters_at(self.law, self.values, self.amendments, temperature_C, model)
+        return replace(self, parameters=values, temperature_C=temperature_C), warnings
 
     def force(
         self, time: ArrayLike, deformation: ArrayLike, velocity: ArrayLike | None = None, method: Method = "best"

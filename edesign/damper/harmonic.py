@@ -15,10 +15,10 @@ SAMPLES = 100
 def complex_stiffness(law: LawValues, amplitude: float, frequency: float, brace: float = 0.0) -> complex:
     """Stiffness of a damper in a steady sine: in phase with the deformation and, imaginary, with the velocity.
 
-    First harmonic of the last of 12 cycles.
+    First harmonic of the last of 12 cycles; amendments that count what happened are as far as they are there.
 
     Args:
-        law: the law with its parameters.
+        law: the law with its parameters and amendments.
         amplitude: of the deformation of damper and brace, m.
         frequency: Hz.
         brace: stiffness in series, N/m; 0: rigid.
@@ -29,7 +29,7 @@ def complex_stiffness(law: LawValues, amplitude: float, frequency: float, brace:
     omega = 2.0 * np.pi * frequency
     time = np.arange(CYCLES * SAMPLES + 1) / (SAMPLES * frequency)
     phase = omega * time
-    force = CoreDamper(law.law, law.values, brace).force(
+    force = CoreDamper(law.law, law.values, brace, law.amendments).force(
         time, amplitude * np.sin(phase), amplitude * omega * np.cos(phase)
     )
     last, angle = force[-SAMPLES:], phase[-SAMPLES:]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean
@@ -63,8 +64,10 @@ class Law:
         equation: in plain text.
         source: thesis equation and paper.
         rate_dependent: whether the force depends on the speed of the deformation.
+        kind: what messages call it.
     """
 
+    kind: ClassVar[str] = "law"
     name: str
     title: str
     parameters: tuple[Parameter, ...]
@@ -107,17 +110,19 @@ class Law:
         for name in values:
             if name not in known:
                 raise InputError(
-                    f"law {self.name}: unknown parameter `{name}`{did_you_mean(name, known)}; "
+                    f"{self.kind} {self.name}: unknown parameter `{name}`{did_you_mean(name, known)}; "
                     f"it has {', '.join(known)}{' ...' if self.branch else ''}"
                 )
         found = {}
         for parameter in parameters:
             value = values.get(parameter.name, parameter.default)
             if value is None:
-                raise InputError(f"law {self.name}: parameter `{parameter.name}` ({parameter.meaning}) is missing")
+                raise InputError(
+                    f"{self.kind} {self.name}: parameter `{parameter.name}` ({parameter.meaning}) is missing"
+                )
             if not parameter.allows(value):
                 raise InputError(
-                    f"law {self.name}: {parameter.name} = {value:g} {parameter.unit} is out of range: "
+                    f"{self.kind} {self.name}: {parameter.name} = {value:g} {parameter.unit} is out of range: "
                     f"{parameter.allowed} is allowed"
                 )
             found[parameter.name] = float(value)

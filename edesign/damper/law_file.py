@@ -3,17 +3,20 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from pydantic import ValidationError
 
-from edesign.core import CoreError
+from edesign.core import CoreError, LawValues
 from edesign.core.damper import CoreDamper
+from edesign.damper.amendments import Amendment, parameters_at
+from edesign.damper.effects_file import EffectsError, read_effects
 from edesign.damper.law import Law
 from edesign.damper.laws import law
 from edesign.damper.parameters import PARAMETER_SETS, ParameterError, read_parameters
-from edesign.damper.temperature import REFERENCE_C, FerryShift, GammaT, at
+from edesign.damper.temperature import REFERENCE_C, FerryShift, GammaT
 from edesign.damper.temperature_file import TemperatureLaw
 from edesign.errors import InputError
 from edesign.project.dampers import LawDescription
@@ -25,6 +28,31 @@ from edesign.project.yaml_nodes import Node, find
 _WHAT = "law file"
 _RANGE_PERCENT = re.compile(r"\s*([0-9.]+)(?:\s*to\s*([0-9.]+))?\s*%\s*")
 _RANGE_C = re.compile(r"\s*(-?[0-9.]+)(?:\s*to\s*(-?[0-9.]+))?\s*degC\s*")
+
+
+@dataclass(frozen=True)
+class ResolvedLaw:
+    """A law as a file or a project describes it, at a temperature.
+
+    Attributes:
+        law: the law.
+        values: all its parameters, SI units.
+        amendments: its effects.
+        temperature_C: degC; None: that of the parameters.
+        warnings: a temperature outside the range of tests or tables names that range.
+    """
+
+    law: Law
+    values: dict[str, float]
+    amendments: tuple[Amendment, ...]
+    temperature_C: float | None
+    warnings: tuple[str, ...]
+
+    @property
+    def for_core(self) -> LawValues:
+        """The law as the core takes it."""
+        amendments = tuple(one.for_core(self.temperature_C) for one in self.amendments)
+        return LawValues(self.law.name, tuple(self.values.values()), amendments)
 
 
 @dataclass(frozen=True)
@@ -66,8 +94,8 @@ def read_law_file(path: Path) -> tuple[LawDescription, Source]:
 
 def resolve(
     described: LawDescription, source: Source, temperature_C: float | None, asked: Source | None = None
-) -> tuple[Law, dict[str, float], tuple[str, ...]]:
-    """The law and its parameters at a temperature.
+) -> ResolvedLaw:
+    """The law, its parameters and its effects at a temperature.
 
     Args:
         described: has type and parameters.
@@ -75,11 +103,8 @@ def resolve(
         temperature_C: degC; None: that of the parameters.
         asked: where the temperature is asked for; None: where the law stands.
 
-    Returns:
-        The law, its parameters (SI), and warnings: a temperature outside the range of tests or tables names that range.
-
     Raises:
-        InputError: no such law, wrong parameters, or no parameters at this temperature.
+        InputError: no such law or effect, wrong parameters, or no parameters at this temperature.
     """
     try:
         chosen = law(described.type or "")
@@ -92,15 +117,21 @@ def resolve(
         raise InputError("\n".join(lines)) from error
     except InputError as error:
         raise source.refuse(("parameters",), error) from error
+    try:
+        amendments = read_effects(described.effects)
+    except EffectsError as error:
+        lines = [str(source.refuse(("effects", *keys), message)) for keys, message in error.problems]
+        raise InputError("\n".join(lines)) from error
     warnings: tuple[str, ...] = ()
     if temperature_C is not None:
         change = _temperature_law(described, source)
         low, high = _tested_C(described) or (REFERENCE_C, REFERENCE_C)
         held_at = min(max(temperature_C, low), high)  # one set of parameters holds for all tests
         try:
-            values, warnings = at(chosen, values, temperature_C, change, held_at)
+            values, warnings = parameters_at(chosen, values, amendments, temperature_C, change, held_at)
         except InputError as error:
-            culprit = "temperature_law" if change is not None and chosen.name not in change.laws else "temperature"
+            of_law = change is not None and (chosen.name not in change.laws or _changes(amendments))
+            culprit = "temperature_law" if of_law else "temperature"
             place = source if culprit == "temperature_law" else asked or source
             raise place.refuse((culprit,), error) from error
         warnings += _outside_tests(described, temperature_C)
@@ -108,7 +139,12 @@ def resolve(
         CoreDamper(chosen.name, list(values.values()))
     except CoreError as error:
         raise source.refuse(("parameters",), error) from error
-    return chosen, values, warnings
+    return ResolvedLaw(chosen, values, amendments, temperature_C, warnings)
+
+
+def _changes(amendments: Sequence[Amendment]) -> bool:
+    """Whether one of them changes with temperature."""
+    return any(one.name == "temperature_law" for one in amendments)
 
 
 def strain_of_tests(described: LawDescription) -> float | None:

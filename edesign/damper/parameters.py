@@ -12,6 +12,7 @@ from edesign.damper.law import Law, Parameter
 from edesign.damper.parameter_sets import PARAMETER_SETS, ParameterSet
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean, listed
+from edesign.project.temperature import parse_temperature
 from edesign.project.units import Kind, parse_quantity, parse_ratio
 
 __all__ = ["PARAMETER_SETS", "ParameterError", "ParameterSet", "parameter_set", "read_parameters", "write_parameters"]
@@ -19,6 +20,7 @@ __all__ = ["PARAMETER_SETS", "ParameterError", "ParameterSet", "parameter_set", 
 _EXPONENT = re.compile(r"\^([A-Za-z_]\w*)")  # a parameter as exponent in the unit of another
 _BASE = re.compile(r"\b[Nm]\b")
 _PRACTICAL = {"N": "kN", "m": "mm"}
+_CELSIUS = "degC"
 _DIGITS = 15  # of numbers written; they read back to 1e-14
 _EXPONENT_TOLERANCE = 1e-9  # of the exponent in a unit against the parameter it stands for
 
@@ -32,7 +34,9 @@ class ParameterError(InputError):
 
     def __init__(self, law: Law, problems: Sequence[tuple[str, str]]) -> None:
         self.problems = tuple(problems)
-        super().__init__("\n".join(f"law {law.name}: parameter `{name}`: {message}" for name, message in problems))
+        super().__init__(
+            "\n".join(f"{law.kind} {law.name}: parameter `{name}`: {message}" for name, message in problems)
+        )
 
 
 def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, float]:
@@ -111,7 +115,9 @@ def write_parameters(law: Law, values: Mapping[str, float]) -> dict[str, str]:
     exponents = {name: float(text) for name, text in plain.items()}
     written = {}
     for parameter in law.all_parameters(complete):
-        if parameter.unit:
+        if parameter.unit == _CELSIUS:
+            written[parameter.name] = f"{complete[parameter.name]:.{_DIGITS}g} {_CELSIUS}"
+        elif parameter.unit:
             unit = practical_unit(parameter, plain)
             one = parse_quantity(f"1 {unit}", _kind(parameter, exponents))
             written[parameter.name] = f"{complete[parameter.name] / one:.{_DIGITS}g} {unit}"
@@ -135,6 +141,8 @@ def _read(parameter: Parameter, value: object, found: Mapping[str, float]) -> fl
             return float(value)
         bounds = (parameter.lower, parameter.upper, parameter.lower_allowed, parameter.upper_allowed)
         return parse_ratio(value, *bounds)
+    if parameter.unit == _CELSIUS:
+        return parse_temperature(value)
     exponents = {name: found[name] for name in _EXPONENT.findall(parameter.unit)}
     kind = _kind(parameter, exponents)
     text = _exponents_in(value, exponents)

@@ -12,6 +12,7 @@ import numpy as np
 from edesign.damper import signals
 from edesign.damper.campaign import Campaign, write_campaign
 from edesign.damper.damper import Damper
+from edesign.damper.effects_file import read_effects
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
 from edesign.damper.programme_file import Programme, RandomTest, RecordTest, SineTest, SweepTest
@@ -19,7 +20,6 @@ from edesign.damper.properties import CYCLES, Properties, properties
 from edesign.damper.property_table import from_properties, usable, write_property_table
 from edesign.damper.read_test import read_displacement
 from edesign.damper.specimen import Specimen
-from edesign.damper.temperature import at
 from edesign.damper.test_record import DamperTest
 from edesign.errors import AnalysisError, InputError
 
@@ -59,7 +59,9 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
     folder = Path(folder)
     specimen, law = programme.specimen.specimen, law_of(programme.law.type)
     assert programme.law.parameters is not None  # checked by load_programme
-    values = read_parameters(law, programme.law.parameters)
+    reference = Damper(
+        law, read_parameters(law, programme.law.parameters), amendments=read_effects(programme.law.effects)
+    )
     planned = list(planned_tests(programme, specimen))
     tests, found = [], {}
     warnings: dict[str, None] = {}
@@ -69,8 +71,7 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
             progress(i + 1, len(planned), test.name)
         celsius = test.temperature_C
         if celsius not in dampers:
-            shifted, said = at(law, values, celsius)
-            dampers[celsius] = Damper(law, shifted)
+            dampers[celsius], said = reference.at(celsius)
             warnings.update(dict.fromkeys(said))
         try:
             force = dampers[celsius].force(test.time, test.displacement)

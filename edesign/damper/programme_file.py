@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Discriminator, Field, PrivateAttr, Tag
 from pydantic_core import PydanticCustomError
 
+from edesign.damper.effects_file import EffectsError, read_effects
 from edesign.damper.test_files import (
     LawBlock,
     SpecimenBlock,
@@ -21,6 +22,7 @@ from edesign.damper.test_files import (
 )
 from edesign.damper.test_record import Use
 from edesign.project.base import Model, by_key, refuse
+from edesign.project.dampers import Effect
 from edesign.project.problems import FileProblems, Problems
 from edesign.project.temperature import parse_temperature
 from edesign.project.units import (
@@ -148,12 +150,18 @@ class Noise(Model):
     seed: Annotated[int, Field(ge=0)]
 
 
+class VirtualLaw(LawBlock):
+    """The law of the virtual specimen; `effects` are in its forces, but not in the law that the campaign names."""
+
+    effects: tuple[Effect, ...] = ()
+
+
 class Programme(Model):
     """A checked programme of tests; made by `load_programme`."""
 
     title: str = ""
     specimen: SpecimenBlock
-    law: LawBlock
+    law: VirtualLaw
     sampling_rate: Frequency = 1000.0
     noise: Noise | None = None
     tests: Annotated[tuple[TestPlan, ...], Field(min_length=1)]
@@ -181,6 +189,11 @@ def load_programme(path: Path | str) -> Programme:
     if programme.law.parameters is None:
         problems.under(("law",), "parameters", "this key is missing")
     check_law(programme.law, problems, complete=True)
+    try:
+        read_effects(programme.law.effects)
+    except EffectsError as error:
+        for keys, message in error.problems:
+            problems.at_value(("law", "effects", *keys), message)
     for i, test in enumerate(programme.tests):
         _check_test(test, i, path, problems)
     if problems.found:

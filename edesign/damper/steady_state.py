@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.damper.damper import Damper
-from edesign.damper.temperature import REFERENCE_C, TemperatureModel, at
+from edesign.damper.temperature import REFERENCE_C, TemperatureModel
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
@@ -102,8 +102,7 @@ def _dampers(
     found: dict[float, Damper] = {}
     warnings: list[str] = []
     for T in np.unique(temperature).tolist():
-        values, more = at(damper.law, damper.values, T, model)
-        found[T] = Damper(damper.law, values, damper.brace)
+        found[T], more = damper.at(T, model)
         warnings += more
     return found, tuple(dict.fromkeys(warnings))
 

@@ -56,8 +56,8 @@ def _law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
             if getattr(law, key) is None:
                 problems.under(keys, key, "this key is missing (or `file`, a law file)")
         return
-    for key in ("type", "parameters", "temperature_law", "standard_errors", "tested"):
-        if getattr(law, key) is not None:
+    for key in ("type", "parameters", "temperature_law", "effects", "standard_errors", "tested"):
+        if getattr(law, key) not in (None, ()):
             problems.at_key((*keys, key), f"the law file `{law.file}` says this; leave one of them out")
 
 

@@ -32,17 +32,26 @@ class Prototype(Model):
     layer_thickness: PositiveLength
 
 
+class Effect(Model):
+    """An effect that tests have shown and the law has not; `parameters` are read by the effect itself."""
+
+    name: str
+    form: str
+    parameters: dict[str, Any] = {}
+
+
 class LawDescription(Model):
     """A law with its parameters, as a project and a law file (of `edesign fit`) give it.
 
     `parameters` are read by the law itself: a mapping of values with units, or the name of a published set; so is
-    `temperature_law`. `standard_errors` and `tested` come from a fit: how sure the parameters are, and the range of the
-    tests.
+    `temperature_law`. `effects` amend the law. `standard_errors` and `tested` come from a fit: how sure the parameters
+    are, and the range of the tests.
     """
 
     type: str | None = None
     parameters: str | dict[str, Any] | None = None
     temperature_law: dict[str, Any] | None = None
+    effects: tuple[Effect, ...] = ()
     prototype: Prototype | None = None
     standard_errors: dict[str, Any] | None = None
     tested: dict[str, str] | None = None

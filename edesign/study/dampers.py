@@ -8,7 +8,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from edesign.building.devices import Attached, Device, DeviceLaw
-from edesign.core import LawValues
 from edesign.damper.law_file import Source, read_law_file, resolve, strain_of_tests
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
@@ -50,8 +49,8 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
             if (project.folder / spec.file).is_file():
                 raise
             raise source.refuse(("file",), error) from error
-    chosen, values, warnings = resolve(described, source, spec.temperature, asked)
-    numbers = LawValues(chosen.name, tuple(values.values()))
+    resolved = resolve(described, source, spec.temperature, asked)
+    numbers, warnings = resolved.for_core, resolved.warnings
     prototype = spec.prototype or described.prototype
     if prototype is None:
         return DeviceLaw(numbers, property_factor=spec.property_factor), warnings

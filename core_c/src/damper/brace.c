@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { MOST_ITERATIONS = 40, MOST_HALVINGS = 8 };
+enum { MOST_ITERATIONS = 40, MOST_HALVINGS = 8, PATIENCE = 20 };
 static const double TOLERANCE = 1e-9; /* of the forces that balance: a hundredth of what a frame asks of its own balance */
 static const double BETWEEN_TRIALS = 1e-3;
 
@@ -41,7 +41,7 @@ typedef struct {
 
 static int evaluate(const ed_damper *d, const double *committed, double h, const double total[2], ed_stage *stage, double *trial)
 {
-  const double kb = d->brace, u0 = committed[d->n_ode + d->n_memory];
+  const double kb = d->brace, u0 = committed[ed_damper_own_size(d)];
   ed_path whole, direction[2];
   parabola(&whole, h, u0, stage->a, stage->b);
   parabola(&direction[0], h, 0.0, 1.0, 0.0);
@@ -50,9 +50,9 @@ static int evaluate(const ed_damper *d, const double *committed, double h, const
   third.h = third_direction[0].h = third_direction[1].h = THIRD * h;
   ed_damper_force at_third = {0};
   stage->end = (ed_damper_force){0};
-  int status = d->law->step(d, committed, &third, third_direction, trial, &at_third);
+  int status = ed_damper_own_step(d, committed, &third, third_direction, trial, &at_third);
   if (status == ED_OK)
-    status = d->law->step(d, committed, &whole, direction, trial, &stage->end);
+    status = ed_damper_own_step(d, committed, &whole, direction, trial, &stage->end);
   if (status != ED_OK)
     return status;
   stage->residual[0] = at_third.force - kb * (total[0] - u0 - stage->a);
@@ -142,10 +142,22 @@ static int improve(const ed_damper *d, const double *committed, double h, const 
   return evaluate(d, committed, h, total, stage, trial); /* `trial` is that of the stage */
 }
 
+/* Moves the stage by the whole tangent, however far from balance that leads: over a fall of the force, before which steps that must come
+ * nearer stop. */
+static int leap(const ed_damper *d, const double *committed, double h, const double total[2], ed_stage *stage, double *trial)
+{
+  double move[2];
+  if (!solve(stage->slope, -stage->residual[0], -stage->residual[1], move))
+    return ED_E_NOT_CONVERGED;
+  stage->a += move[0];
+  stage->b += move[1];
+  return evaluate(d, committed, h, total, stage, trial);
+}
+
 static int viscous(const ed_damper *d, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                    ed_damper_force *out)
 {
-  const int own = d->n_ode + d->n_memory;
+  const int own = ed_damper_own_size(d);
   const double h = path->h, kb = d->brace, u0 = committed[own];
   const double total[2] = {ed_path_u(path, THIRD * h), ed_path_u(path, h)};
   ed_stage stage;
@@ -160,7 +172,8 @@ static int viscous(const ed_damper *d, const double *committed, const ed_path *p
       break;
     if (i == MOST_ITERATIONS)
       return ED_E_NOT_CONVERGED;
-    status = improve(d, committed, h, total, &stage, trial);
+    status = d->n_amendments > 0 && i >= PATIENCE ? leap(d, committed, h, total, &stage, trial)
+                                                  : improve(d, committed, h, total, &stage, trial);
   }
   double rest_of[2] = {0.0};
   if (!solve(stage.slope, -stage.residual[0], -stage.residual[1], rest_of))
@@ -211,12 +224,17 @@ static int meet(const ed_damper *d, const double *committed, double u0, const do
   for (int i = 0; i < 2 * MOST_ITERATIONS; i++) {
     ed_path path, direction[2];
     own_path(u0, turn, u, &path, direction);
-    const int status = d->law->step(d, committed, &path, direction, trial, out);
+    const int status = ed_damper_own_step(d, committed, &path, direction, trial, out);
     if (status != ED_OK)
       return status;
     const double residual = out->force - kb * (total - u), slope = out->slope[1] + kb;
     if (!isfinite(residual))
       return ED_E_NOT_FINITE;
+    if (i == 0 && d->n_amendments > 0) { /* their factors may let the force fall while the damper is deformed further */
+      const double reach = 4.0 * fabs(residual) / kb;
+      low = u - reach;
+      high = u + reach;
+    }
     *found = u;
     if (fabs(residual) <= TOLERANCE * (fabs(out->force) + kb * (fabs(total) + fabs(u))))
       return ED_OK;
@@ -233,7 +251,7 @@ static int meet(const ed_damper *d, const double *committed, double u0, const do
 static int hysteretic(const ed_damper *d, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                       ed_damper_force *out)
 {
-  const int own = d->n_ode + d->n_memory;
+  const int own = ed_damper_own_size(d);
   const double kb = d->brace, u0 = committed[own], end = ed_path_u(path, path->h);
   double at[2], start = path->c[0], turn = 0.0, turned[2] = {0.0}, found;
   const int reversals = ed_path_reversals(path, at);

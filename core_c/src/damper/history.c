@@ -20,6 +20,15 @@ ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, do
   return NULL;
 }
 
+int ed_damper_amend(ed_damper *damper, int kind, int n_parameters, const double *parameters, char *message, int size)
+{
+  char text[ED_DAMPER_MESSAGE] = "";
+  const int status = ed_damper_add_amendment(damper, kind, n_parameters, parameters, text);
+  if (status != ED_OK)
+    snprintf(message, (size_t)size, "%s", text);
+  return status;
+}
+
 void ed_damper_free(ed_damper *damper)
 {
   if (!damper)
@@ -101,6 +110,43 @@ static int exact_history(const ed_damper *damper, double *state, double *trial, 
   return ED_OK;
 }
 
+/* A step so short that it leads to the first velocity and nowhere else. */
+static void jump_path(ed_path *path, int n, const double *time, const double *u, const double *v)
+{
+  const double h = 1e-9 * (n > 1 ? time[1] - time[0] : 1.0);
+  ed_path_hermite(path, h, u[0], v[0], u[0] + h * v[0], v[0]);
+}
+
+/* Amends the law's forces at all samples. held: the force before the first velocity. */
+static int amend_history(const ed_damper *damper, double *state, double *trial, int n, const double *time, const double *u,
+                         const double *v, double slowly, double held, double *force, int *done)
+{
+  const size_t size = (size_t)ed_damper_state_size(damper) * sizeof *state;
+  const ed_path none[2] = {{0}};
+  ed_path path;
+  ed_damper_force out = {.force = held};
+  ed_path_hermite(&path, slowly, 0.0, 0.0, u[0], 0.0);
+  int status = ed_amend(damper, state, &path, none, trial, &out);
+  memcpy(state, trial, size);
+  if (status == ED_OK && v[0] != 0.0) {
+    jump_path(&path, n, time, u, v);
+    out.force = force[0];
+    status = ed_amend(damper, state, &path, none, trial, &out);
+    ed_amendments_jump(damper, state, trial);
+  }
+  force[0] = out.force;
+  *done = 1;
+  for (int i = 1; status == ED_OK && i < n; i++) {
+    ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
+    out.force = force[i];
+    status = ed_amend(damper, state, &path, none, trial, &out);
+    memcpy(state, trial, size);
+    force[i] = out.force;
+    *done = i + (status == ED_OK);
+  }
+  return status;
+}
+
 int ed_damper_history(const ed_damper *damper, int method, double tolerance, int n, const double *time, const double *u,
                       const double *v, double *force, int *done)
 {
@@ -117,10 +163,11 @@ int ed_damper_history(const ed_damper *damper, int method, double tolerance, int
     return ED_E_MEMORY;
   }
   ed_damper_start(damper, state);
+  ed_amendments_start(damper, state, 0);
   /* to the first deformation so slowly that nothing viscous is left of the way, then a stop */
   const double slowly = 1e6 * (time[n - 1] - time[0] + 1.0);
   const double ramp_time[2] = {0.0, slowly}, ramp_u[2] = {0.0, u[0]}, ramp_v[2] = {0.0, 0.0};
-  double ramp_force[2];
+  double ramp_force[2] = {0.0};
   *done = 1;
   if (system) {
     int reached = 0;
@@ -128,6 +175,8 @@ int ed_damper_history(const ed_damper *damper, int method, double tolerance, int
       status = ed_ode_system_history(system, state, 2, ramp_time, ramp_u, ramp_v, ramp_force, &reached);
     if (status == ED_OK)
       status = ed_ode_system_history(system, state, n, time, u, v, force, done);
+    if (status == ED_OK && damper->n_amendments > 0)
+      status = amend_history(damper, state, state + size, n, time, u, v, slowly, ramp_force[1], force, done);
   } else {
     ed_path hold;
     const ed_path none[2] = {{0}};
@@ -138,10 +187,10 @@ int ed_damper_history(const ed_damper *damper, int method, double tolerance, int
     force[0] = out.force; /* corrected below for a first velocity */
     if (status == ED_OK && v[0] != 0.0) { /* the jump to the first velocity: a step of no deformation */
       ed_path start;
-      const double h = 1e-9 * (n > 1 ? time[1] - time[0] : 1.0);
-      ed_path_hermite(&start, h, u[0], v[0], u[0] + h * v[0], v[0]);
+      jump_path(&start, n, time, u, v);
       status = ed_damper_advance(damper, NULL, state, &start, none, state + size, &out);
       force[0] = out.force;
+      ed_amendments_jump(damper, state, state + size);
     }
     if (status == ED_OK)
       status = exact_history(damper, state, state + size, n, time, u, v, force, done);

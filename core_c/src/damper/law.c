@@ -81,12 +81,15 @@ int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double
 void ed_damper_clear(ed_damper *damper)
 {
   free(damper->derived);
+  free(damper->amendments);
   damper->derived = NULL;
+  damper->amendments = NULL;
+  damper->n_amendments = damper->n_amended = 0;
 }
 
 int ed_damper_state_size(const ed_damper *damper)
 {
-  return damper->n_ode + damper->n_memory + (damper->brace > 0.0 && ed_damper_has_exact_step(damper) ? ED_BRACE_STATE : 0);
+  return ed_damper_own_size(damper) + (damper->brace > 0.0 && ed_damper_has_exact_step(damper) ? ED_BRACE_STATE : 0);
 }
 
 void ed_damper_start(const ed_damper *damper, double *state)
@@ -94,6 +97,7 @@ void ed_damper_start(const ed_damper *damper, double *state)
   memset(state, 0, (size_t)ed_damper_state_size(damper) * sizeof *state);
   if (damper->law->start)
     damper->law->start(damper, state);
+  ed_amendments_start(damper, state, 1);
 }
 
 int ed_damper_has_exact_step(const ed_damper *damper)
@@ -108,5 +112,5 @@ int ed_damper_advance(const ed_damper *damper, ed_ode_system *system, const doub
     return ed_ode_system_step(system, &committed, path, (const ed_path(*)[2])direction, &trial, out);
   if (damper->brace > 0.0)
     return ed_brace_step(damper, committed, path, direction, trial, out);
-  return damper->law->step(damper, committed, path, direction, trial, out);
+  return ed_damper_own_step(damper, committed, path, direction, trial, out);
 }

@@ -33,6 +33,7 @@ typedef struct {
 } ed_damper_rate;
 
 typedef struct ed_law ed_law;
+typedef struct ed_amendment ed_amendment;
 
 /* A law with its parameters; read-only once prepared (ed_damper in edcore.h). */
 struct ed_damper {
@@ -44,7 +45,9 @@ struct ed_damper {
   int n_ode, n_memory;
   int diagonal_ode;
   double brace;         /* stiffness in series; 0: none (rigid) */
-  int rate_independent; /* as its law, unless `prepare` finds that its parameters make it so */
+  int rate_independent; /* as its law, unless `prepare` finds that its parameters make it so, or amendments that they do not */
+  int n_amendments, n_amended;
+  ed_amendment *amendments; /* effects that the law has not (amendment.h), with n_amended doubles of state behind the law's; owned */
 };
 
 struct ed_law {
@@ -87,6 +90,32 @@ struct ed_ode_system;
 int ed_damper_advance(const ed_damper *damper, struct ed_ode_system *system, const double *committed, const ed_path *path,
                       const ed_path direction[2], double *trial, ed_damper_force *out);
 int ed_damper_has_exact_step(const ed_damper *damper);
+
+/* Amendments (amendment.h). */
+int ed_damper_add_amendment(ed_damper *damper, int id, int n_parameters, const double *parameters,
+                            char message[ED_DAMPER_MESSAGE]);
+/* Of a state at rest: whether the deformation of the next step counts as way and work, or only leads to the first one. */
+void ed_amendments_start(const ed_damper *damper, double *state, int begun);
+/* After a jump of the velocity from `state`, in no time, to `after`: the next step begins with the force there. */
+void ed_amendments_jump(const ed_damper *damper, double *state, const double *after);
+/* Turns the force of the law at the end of a path, and its derivatives, into those with the amendments; the law's part of `trial` is
+ * left alone. ED_OK, ED_E_NOT_FINITE. */
+int ed_amend(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+             ed_damper_force *out);
+
+/* Doubles of the state of a damper without its brace. */
+static inline int ed_damper_own_size(const ed_damper *damper)
+{
+  return damper->n_ode + damper->n_memory + damper->n_amended;
+}
+
+/* The exact step of a damper without its brace. */
+static inline int ed_damper_own_step(const ed_damper *damper, const double *committed, const ed_path *path,
+                                     const ed_path direction[2], double *trial, ed_damper_force *out)
+{
+  const int status = damper->law->step(damper, committed, path, direction, trial, out);
+  return damper->n_amendments == 0 || status != ED_OK ? status : ed_amend(damper, committed, path, direction, trial, out);
+}
 
 /* Helpers for `prepare`. */
 int ed_refuse_parameter(char message[ED_DAMPER_MESSAGE], const char *name, double value, const char *allowed); /* ED_E_ARGUMENT */

@@ -243,8 +243,12 @@ int ed_start_devices(ed_analysis *a)
     a->trial.u[i] += a->duration * a->trial.v[i];
   const int status = ed_update_devices(a);
   memcpy(a->trial.u, a->committed.u, (size_t)a->n * sizeof(double));
-  for (int i = 0; status == ED_OK && i < a->model->n_devices; i++)
-    block_of(a, &a->committed, i)[FORCE] = block_of(a, &a->trial, i)[FORCE];
+  for (int i = 0; status == ED_OK && i < a->model->n_devices; i++) {
+    double *before = block_of(a, &a->committed, i);
+    const double *after = block_of(a, &a->trial, i);
+    before[FORCE] = after[FORCE];
+    ed_amendments_jump(&a->model->devices[i].damper, before + LAW_STATE, after + LAW_STATE);
+  }
   ed_revert(a);
   memcpy(a->committed.resisting, a->trial.resisting, (size_t)a->n * sizeof(double)); /* of which the first step takes its share */
   return status;

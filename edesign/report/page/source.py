@@ -116,7 +116,7 @@ class Source:
             try:
                 for name, caption, figure in maker(self.archive):
                     self._tell(f"figure {name}")
-                    found.append(_picture(name, caption, figure))
+                    found.append(picture_of(name, caption, figure))
             except EdesignError as error:  # the rest of the report is worth having
                 self.left_out.append(f"{maker.__name__.replace('_', ' ')}: {error}")
         return tuple(found)
@@ -142,7 +142,7 @@ def headed(pictures: Iterable[Picture], levels: Iterable[str]) -> list[Part]:
     return parts
 
 
-def _picture(name: str, caption: str, figure: Figure) -> Picture:
+def picture_of(name: str, caption: str, figure: Figure) -> Picture:
     from edesign.report.figures import svg_text
 
     anchor = f"figure-{name}"

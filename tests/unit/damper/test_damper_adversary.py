@@ -84,13 +84,15 @@ tested: {shear_strain: 10 to 50 %, frequency: 0.25 to 4 Hz, temperature: RANGE}
 """
     path = tmp_path / "law.yaml"
     path.write_text(text.replace("RANGE", "25 degC"))
-    law, values, warnings = resolve(*read_law_file(path), 25.0)
+    found = resolve(*read_law_file(path), 25.0)
+    values, warnings = found.values, found.warnings
     assert values == TABLE_4_2 and warnings == ()
-    _, values, warnings = resolve(*read_law_file(path), 30.0)
+    found = resolve(*read_law_file(path), 30.0)
+    values, warnings = found.values, found.warnings
     assert values["k_b"] == pytest.approx(TABLE_4_2["k_b"] * 0.875 / 0.935, rel=1e-12)  # Table 4.4
     assert any("it was tested at 25 degC and is used at 30 degC" in warning for warning in warnings)
     path.write_text(text.replace("RANGE", "22 to 28 degC"))  # one set for all of them
-    assert resolve(*read_law_file(path), 27.0)[1] == TABLE_4_2
+    assert resolve(*read_law_file(path), 27.0).values == TABLE_4_2
 
 
 def test_far_outside_the_range_the_message_names_all_of_it() -> None:

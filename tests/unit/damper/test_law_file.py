@@ -49,10 +49,11 @@ def folder(tmp_path: Path) -> Path:
 
 def test_a_law_file_is_read_with_its_size_and_its_range(folder):
     described, source = read_law_file(folder / "law.yaml")
-    law, values, warnings = resolve(described, source, 20.0)
-    assert law.name == "zener"
-    assert values == pytest.approx({"k0": 2e6, "k1": 5e6, "c1": 1e5})
-    assert warnings == ()
+    found = resolve(described, source, 20.0)
+    assert found.law.name == "zener"
+    assert found.values == pytest.approx({"k0": 2e6, "k1": 5e6, "c1": 1e5})
+    assert found.amendments == ()
+    assert found.warnings == ()
 
 
 def test_a_project_uses_it_as_it_is_and_warns_outside_its_tests(folder):

@@ -1,0 +1,53 @@
+"""Makes campaigns, runs the calibration on them, and judges; what has been run is not run again."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+from typing import Any
+
+from blind.generate import generate
+from blind.judge import judge
+from blind.plan import Planned
+from blind.run import calibrate, result
+from blind.write import truth_path
+
+SCORES = "scores.json"
+
+
+def score(
+    planned: Sequence[Planned],
+    seed: int,
+    folder: Path,
+    jobs: int = 1,
+    again: bool = False,
+    tell: Callable[[dict[str, Any]], None] = lambda score: None,
+) -> list[dict[str, Any]]:
+    """Score campaigns, and write scores.json.
+
+    Args:
+        planned: what to make and run.
+        seed: of everything.
+        folder: for all files.
+        jobs: calibrations at a time.
+        again: also run those that have been run.
+        tell: is given each score when it is there.
+
+    Returns:
+        Scores (see `judge`), in the order of the campaigns.
+    """
+
+    def one(each: Planned) -> dict[str, Any]:
+        campaign = generate(each, seed, folder)
+        outcome = calibrate(campaign, again)
+        truth = json.loads(truth_path(campaign).read_text(encoding="ascii"))
+        judged = judge(truth, None if outcome["failure"] else result(campaign), outcome)
+        tell(judged)
+        return judged
+
+    with ThreadPoolExecutor(jobs) as pool:
+        scores = list(pool.map(one, planned))
+    (folder / SCORES).write_text(json.dumps(scores, indent=1) + "\n", encoding="utf-8")
+    return scores

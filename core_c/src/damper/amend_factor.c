@@ -1,0 +1,108 @@
+/* Amendments that multiply the force of the law. */
+#include "damper/amendment.h"
+
+#include <math.h>
+
+double ed_payne_share(double a0, double m, double tau, double before, const ed_ends *ends, double *after, double *by_u1)
+{
+  const double now = fabs(ends->u1), faded = before * exp(-ends->h / tau), a = fmax(now, faded);
+  const double power = pow(a / a0, m), g = power / (1.0 + power);
+  *after = a;
+  *by_u1 = now >= faded && a > 0.0 ? m * g / (1.0 + power) / a * ed_sign(ends->u1) : 0.0;
+  return g;
+}
+
+double ed_path_share(double s0, double before, const ed_ends *ends, double *after, double *by_u1)
+{
+  *after = before + fabs(ends->du);
+  const double share = exp(-*after / s0);
+  *by_u1 = -share / s0 * ed_sign(ends->du);
+  return share;
+}
+
+static void constant(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  (void)before, (void)ends, (void)after;
+  out->value = p[0];
+}
+
+const ed_amendment_kind ed_amend_constant = {
+    .name = "constant", .is_factor = 1, .n_parameters = 1, .parameter = {{"factor", ED_POSITIVE}}, .at_end = constant};
+
+static void payne_whole(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  out->value = 1.0 - p[0] * ed_payne_share(p[1], p[2], p[3], before, ends, after, &out->by_u1);
+  out->by_u1 *= -p[0];
+}
+
+const ed_amendment_kind ed_amend_payne_whole = {
+    .name = "payne.whole", .is_factor = 1, .has_state = 1, .on_speed = 1, .n_parameters = 4,
+    .parameter = {{"d", ED_AT_MOST_ONE}, {"a0", ED_POSITIVE}, {"m", ED_POSITIVE}, {"tau_a", ED_POSITIVE}}, .at_end = payne_whole};
+
+static void mullins_path(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  out->value = 1.0 + p[0] * ed_path_share(p[1], before, ends, after, &out->by_u1);
+  out->by_u1 *= p[0];
+}
+
+const ed_amendment_kind ed_amend_mullins_path = {
+    .name = "mullins.path", .is_factor = 1, .has_state = 1, .n_parameters = 2,
+    .parameter = {{"m", ED_ABOVE_MINUS_ONE}, {"s0", ED_POSITIVE}}, .at_end = mullins_path};
+
+/* Pseudo-elasticity [Ogden & Roxburgh 1999] with the deformation in place of the energy. */
+static void mullins_maximum(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  const double u = fabs(ends->u1), largest = fmax(before, u), below = (largest - u) / p[1];
+  *after = largest;
+  out->value = 1.0 - p[0] * erf(below);
+  out->by_u1 = u < before ? p[0] * M_2_SQRTPI * exp(-below * below) / p[1] * ed_sign(ends->u1) : 0.0;
+}
+
+const ed_amendment_kind ed_amend_mullins_maximum = {
+    .name = "mullins.maximum", .is_factor = 1, .has_state = 1, .n_parameters = 2,
+    .parameter = {{"m", ED_AT_MOST_ONE}, {"r", ED_POSITIVE}}, .at_end = mullins_maximum};
+
+/* Work and heat grow slowly: the factor takes those of the beginning of the step. */
+static void degradation_energy(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  (void)ends, (void)after;
+  out->value = 1.0 - p[0] * (1.0 - exp(-fmax(before, 0.0) / p[1]));
+}
+
+static double add_work(const double *p, double before, double h, double work)
+{
+  (void)p, (void)h;
+  return before + work;
+}
+
+const ed_amendment_kind ed_amend_degradation_energy = {
+    .name = "degradation.energy", .is_factor = 1, .has_state = 1, .n_parameters = 2,
+    .parameter = {{"d", ED_AT_MOST_ONE}, {"E0", ED_POSITIVE}}, .at_end = degradation_energy, .worked = add_work};
+
+static void self_heating_rate(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  (void)p, (void)ends, (void)after;
+  out->value = exp(-before);
+}
+
+static double add_heat(const double *p, double before, double h, double work)
+{
+  return before * exp(-h / p[1]) + p[0] * work;
+}
+
+const ed_amendment_kind ed_amend_self_heating_rate = {
+    .name = "self_heating.rate", .is_factor = 1, .has_state = 1, .on_speed = 1, .n_parameters = 2,
+    .parameter = {{"beta", ED_ANY}, {"tau_h", ED_POSITIVE}}, .at_end = self_heating_rate, .worked = add_heat};
+
+static void one_sided_factor(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  (void)before, (void)after;
+  const double u = p[1] * ends->u1;
+  const int rises = u > 0.0 && u < ends->jump;
+  out->value = 1.0 + (rises ? p[0] * u / ends->jump : u > 0.0 ? p[0] : 0.0);
+  out->by_u1 = rises ? p[0] * p[1] / ends->jump : 0.0;
+}
+
+const ed_amendment_kind ed_amend_one_sided_factor = {
+    .name = "one_sided.factor", .is_factor = 1, .n_parameters = 2,
+    .parameter = {{"b", ED_ABOVE_MINUS_ONE}, {"side", ED_SIDE}}, .at_end = one_sided_factor};

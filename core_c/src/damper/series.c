@@ -1,0 +1,163 @@
+/* A damper in a test rig whose pins have play and whose parts are flexible: u = u_d + e, and
+ *
+ *   factor F(u_d) + added = stiffness * (e beyond half the play, either way).
+ *
+ * The stretch e of the rig is linear in time over a step and balances at its end; what the damper's own deformation u_d then does
+ * is a cubic, that its law meets exactly. The force of the law falls as e grows, that of the rig rises: there is one balance.
+ * Newton's method with the law's own tangent finds it, the corners of the rig taken as they are; bisection where that leaves the
+ * bracket.
+ *
+ * Second order in the sampling step; first order for laws whose force jumps with the velocity (a bare dashpot), where a power of
+ * the velocity is steep at rest, and where e turns a corner of the rig inside a step. */
+#include "damper/law.h"
+#include "damper/ode_system.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST_ITERATIONS = 200, PATIENCE = 8 };
+/* Of the largest force so far. Laws that SUNDIALS integrates carry its tolerance, a tenth of theirs here. */
+static const double TOLERANCE = 1e-10, ODE_TOLERANCE = 1e-7;
+
+typedef struct {
+  const ed_damper *damper;
+  ed_ode_system *system; /* for laws without exact step */
+  double stiffness, gap; /* of the rig; half the play */
+  double tolerance, largest;
+} series;
+
+static double carried(const series *in, double stretch)
+{
+  const double beyond = fabs(stretch) - in->gap;
+  return beyond > 0.0 ? copysign(in->stiffness * beyond, stretch) : 0.0;
+}
+
+/* Where a force that falls by `slope` (>= 0) from `force` at a stretch meets that of the rig. */
+static double meet(const series *in, double stretch, double force, double slope)
+{
+  const double at_high = force - slope * (in->gap - stretch), at_low = force + slope * (in->gap + stretch);
+  if (at_high > 0.0)
+    return in->gap + at_high / (in->stiffness + slope);
+  if (at_low < 0.0)
+    return at_low / (in->stiffness + slope) - in->gap;
+  return slope > 0.0 ? stretch + force / slope : fmax(-in->gap, fmin(in->gap, stretch));
+}
+
+/* The stretch at the end of a step in which the damper follows `path` + (stretch - from) * direction; *stretch: a first guess. */
+static int settle(series *in, const double *committed, double *trial, const ed_path *path, const ed_path direction[2], double from,
+                  double factor, double added, double *stretch)
+{
+  const double rise = fabs(ed_path_u(path, path->h) - path->c[0]);
+  double low = -INFINITY, high = INFINITY, next = *stretch, before = 0.0;
+  memcpy(trial, committed, (size_t)ed_damper_state_size(in->damper) * sizeof *trial); /* no guess from an older step */
+  for (int i = 0; i < MOST_ITERATIONS; i++) {
+    const double e = *stretch = next;
+    ed_path own = *path;
+    for (int j = 0; j < 4; j++)
+      own.c[j] += (e - from) * direction[0].c[j];
+    ed_damper_force out = {0};
+    const int status = ed_damper_advance(in->damper, in->system, committed, &own, direction, trial, &out);
+    if (status != ED_OK)
+      return status;
+    const double force = factor * out.force + added, residual = force - carried(in, e);
+    const int swings = residual * before < 0.0 && fabs(residual) > 0.5 * fabs(before);
+    const double slope = fmax(-factor * (out.slope[0] + (swings ? out.chord[0] : 0.0)), 0.0);
+    if (!isfinite(residual + slope))
+      return ED_E_NOT_FINITE;
+    const double largest = fmax(in->largest, fabs(factor * out.force) + fabs(added));
+    if (fabs(residual) <= in->tolerance * fmax(largest, slope * rise)) {
+      in->largest = largest;
+      return ED_OK;
+    }
+    *(residual > 0.0 ? &low : &high) = e;
+    before = residual;
+    next = meet(in, e, force, slope);
+    if (isfinite(low) && isfinite(high) && ((i > PATIENCE && i % 2) || !(next > low && next < high)))
+      next = 0.5 * (low + high);
+    if (next == low || next == high)
+      return ED_OK; /* the last digit */
+  }
+  return ED_E_NOT_CONVERGED;
+}
+
+static int check(int n, const double *time, const double *u, const double *v, const double *factor, const double *added,
+                 int *done)
+{
+  for (*done = 0; *done < n; ++*done) {
+    const int i = *done;
+    if (!isfinite(time[i] + u[i] + v[i]) || (factor && !isfinite(factor[i])) || (added && !isfinite(added[i])))
+      return ED_E_NOT_FINITE;
+    if ((i > 0 && !(time[i] > time[i - 1])) || (factor && factor[i] < 0.0))
+      return ED_E_ARGUMENT;
+  }
+  *done = 0;
+  return n >= 1 ? ED_OK : ED_E_ARGUMENT;
+}
+
+/* From rest to the first deformation so slowly that nothing viscous is left of the way. */
+static int begin(series *in, const double *state, double *trial, double slowly, double u, double factor, double added,
+                 double *stretch)
+{
+  ed_path path, direction[2] = {{slowly, {0.0, 0.0, -3.0 / (slowly * slowly), 2.0 / (slowly * slowly * slowly)}}, {slowly, {0.0}}};
+  ed_path_hermite(&path, slowly, 0.0, 0.0, u, 0.0);
+  *stretch = fmax(-in->gap, fmin(in->gap, u)); /* pins that nothing pushes move the damper no more than they must */
+  return settle(in, state, trial, &path, direction, 0.0, factor, added, stretch);
+}
+
+static int run(series *in, double *state, double *trial, int n, const double *time, const double *u, const double *v,
+               const double *factor, const double *added, double *force, double *own, int *done)
+{
+  double stretch, speed = 0.0;
+  int status = begin(in, state, trial, 1e6 * (time[n - 1] - time[0] + 1.0), u[0], factor ? factor[0] : 1.0, added ? added[0] : 0.0,
+                     &stretch);
+  for (int i = 0; status == ED_OK; i++) {
+    double *swap = state;
+    state = trial;
+    trial = swap;
+    force[i] = carried(in, stretch);
+    own[i] = u[i] - stretch;
+    *done = i + 1;
+    if (i + 1 == n)
+      break;
+    const double h = time[i + 1] - time[i], from = stretch;
+    const ed_path direction[2] = {{h, {0.0, -1.0 / h, 0.0, 0.0}}, {h, {0.0}}};
+    ed_path path;
+    ed_path_hermite(&path, h, u[i], v[i], u[i + 1], v[i + 1]);
+    path.c[0] -= from;
+    stretch = from + h * speed;
+    status = settle(in, state, trial, &path, direction, from, factor ? factor[i + 1] : 1.0, added ? added[i + 1] : 0.0, &stretch);
+    speed = (stretch - from) / h;
+  }
+  return status;
+}
+
+int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
+                                const double *factor, const double *added, double stiffness, double play, double *force,
+                                double *own, int *done)
+{
+  *done = 0;
+  if (!(stiffness > 0.0) || !(play >= 0.0) || !isfinite(stiffness + play))
+    return ED_E_ARGUMENT;
+  int status = check(n, time, u, v, factor, added, done);
+  if (status != ED_OK)
+    return status;
+  series in = {.damper = damper, .stiffness = stiffness, .gap = 0.5 * play, .tolerance = TOLERANCE};
+  if (!ed_damper_has_exact_step(damper)) {
+    in.tolerance = ODE_TOLERANCE;
+    in.system = ed_ode_system_new(1, &damper, 0.1 * ODE_TOLERANCE, &status);
+    if (!in.system)
+      return status;
+  }
+  const size_t size = (size_t)ed_damper_state_size(damper);
+  double *state = calloc(2 * size + 1, sizeof *state);
+  status = state ? ED_OK : ED_E_MEMORY;
+  if (state) {
+    ed_damper_start(damper, state);
+    ed_amendments_start(damper, state, 0);
+    status = run(&in, state, state + size, n, time, u, v, factor, added, force, own, done);
+  }
+  free(state);
+  ed_ode_system_free(in.system);
+  return status;
+}

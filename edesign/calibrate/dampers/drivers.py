@@ -1,0 +1,115 @@
+"""Histories inside a test that drive effects, on its samples; edesign.damper.amendments takes the same in steps."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from scipy.linalg import solve_banded
+from scipy.signal import lfilter
+from scipy.special import gamma
+
+from edesign.calibrate.dampers.trial import Motion
+
+_SWEEPS = 40
+_STILL = 1e-6  # relative
+
+
+def envelope(motion: Motion, forgets: float) -> np.ndarray:
+    """Fading envelope (n,) m of the displacement: a = max(|u|, a before * exp(-h / forgets)), zero before the test."""
+    elapsed = (motion.time - motion.time[0]) / forgets
+    size = np.log(np.maximum(np.abs(motion.displacement), 1e-300))
+    return np.asarray(np.exp(np.maximum.accumulate(size + elapsed) - elapsed))
+
+
+def largest(motion: Motion, before: float) -> np.ndarray:
+    """Largest displacement (n,) m ever, `before` the one of earlier tests."""
+    return np.maximum.accumulate(np.maximum(np.abs(motion.displacement), before))
+
+
+def work(motion: Motion, force: np.ndarray) -> np.ndarray:
+    """Work (n,) J done by a force (n,) N since the beginning of the test."""
+    return np.concatenate(([0.0], np.cumsum(0.5 * (force[1:] + force[:-1]) * np.diff(motion.displacement))))
+
+
+def relaxed(motion: Motion, tau: float) -> np.ndarray:
+    """Deformation (n,) m of the spring of a Maxwell branch, q' + q / tau = v: exact for v linear between samples.
+
+    Args:
+        motion: of the branch; it has been held before.
+        tau: relaxation time, s.
+    """
+    x = motion.steps / tau
+    decay, mean = np.exp(-x), -np.expm1(-x) / x
+    v = motion.velocity
+    made = tau * ((1.0 - mean) * v[1:] + (mean - decay) * v[:-1])
+    return fading(decay, made, 0.0)
+
+
+def fading(decay: np.ndarray, made: np.ndarray, before: float) -> np.ndarray:
+    """q (n,) with q_i = decay_i q_(i-1) + made_i, each (n - 1,)."""
+    first = float(decay[0])
+    if np.ptp(decay) <= 1e-9 * first:  # even steps
+        return np.concatenate(([before], lfilter([1.0], [1.0, -first], made, zi=[first * before])[0]))
+    bands = np.ones((2, made.size + 1))
+    bands[1, :-1] = -decay
+    right = np.concatenate(([before], made))
+    return np.asarray(solve_banded((1, 0), bands, right, overwrite_ab=True, overwrite_b=True, check_finite=False))
+
+
+def fractional_rate(motion: Motion, order: float) -> np.ndarray:
+    """Derivative (n,) m/s^order of the displacement since the beginning of the test, held before (Caputo).
+
+    Args:
+        motion: of the specimen.
+        order: of the derivative, in (0, 1).
+
+    Source: scheme L1, exact for a displacement linear between samples: Oldham & Spanier (1974), section 8.2.
+    """
+    time, n = motion.time, motion.time.size
+    even = np.linspace(time[0], time[-1], n)
+    change = np.diff(np.interp(even, time, motion.displacement))
+    power = np.arange(n) ** (1.0 - order)
+    size = 1 << (2 * n).bit_length()
+    summed = np.fft.irfft(np.fft.rfft(change, size) * np.fft.rfft(np.diff(power), size), size)[: n - 1]
+    scale = gamma(2.0 - order) * (even[1] - even[0]) ** order
+    return np.interp(time, even, np.concatenate(([0.0], summed / scale)))
+
+
+def worked(
+    motion: Motion,
+    force: np.ndarray,
+    factor: Callable[[np.ndarray], np.ndarray],
+    before: float = 0.0,
+    gain: float = 1.0,
+    forgets: float = math.inf,
+) -> tuple[np.ndarray, float]:
+    """A factor of e that follows the work of the force that it lowers: e' = gain F v - e / forgets, F = factor F_law.
+
+    The definition is in steps, the factor at the end of a step taking e of its beginning. All steps are iterated at
+    once, from no softening on, until e stays (Picard): its errors fall as those of an exponential series.
+
+    Args:
+        motion: of the specimen.
+        force: of the law (n,) N.
+        factor: of e (n,).
+        before: e at the beginning.
+        gain: 1 for e in J.
+        forgets: s.
+
+    Returns:
+        The factor (n,); e at the end.
+    """
+    decay = np.exp(-motion.steps / forgets)
+    half = 0.5 * gain * np.diff(motion.displacement)
+    e = np.full(force.size, before)
+    for _ in range(_SWEEPS):
+        phi = np.concatenate((factor(e[:1]), factor(e[:-1])))
+        softened = phi * force
+        after = fading(decay, half * (softened[1:] + softened[:-1]), before)
+        moved = float(np.max(np.abs(after - e)))
+        e = after
+        if moved <= _STILL * float(np.max(np.abs(e))):
+            break
+    return phi, float(e[-1])

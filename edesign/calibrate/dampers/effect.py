@@ -1,0 +1,125 @@
+"""What an effect is: a plug-in that changes how the force of a test is predicted.
+
+The prediction of a test runs through these stages; a form of an effect overrides those at which it acts:
+
+    measured motion -> `actuator`  the motion that the rig really made (faults of the displacement channel)
+                    -> `specimen`  the motion of the elastomer inside (pre-shear, backlash)
+                    -> `law`       parameters of the law in this test (temperature)
+                    -> force of the law, in series with the rig if a part gives `series`
+                    -> `factor`    factors of the law's force (softening, damage, heat)
+                    -> `parallel`  forces beside it (springs, branches, friction, masses)
+                    -> `channel`   what the load cell and its amplifier make of the sum
+                    -> `columns`   shares that are each test's own (phase of hum), projected out of the residual
+
+Tests are predicted in their order; `memory` is a dict of the part's own, empty in the virgin specimen, in which a form
+carries what the specimen remembers from one test to the next."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from copy import copy
+from typing import Any, ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+Memory = dict[str, Any]
+Series = tuple[float, float]
+"""Stiffness N/m and play m of what stands in series with the specimen."""
+
+
+class Form:
+    """One form of an effect.
+
+    Attributes:
+        name: of the effect, shared by its forms.
+        form: how it acts.
+        kind: whose the effect is: damper, rig, instrument.
+        title: for people.
+        signature: what it leaves in the residual of a model without it, for people.
+        source: paper, book.
+        remembers: whether `memory` carries something from test to test.
+        may_be_inside: whether its factor or force may also stand inside the law, where what relaxes in the law relaxes it too.
+        inside: whether it does.
+        refined: steps into which one between samples is cut, for forms with corners that do not fall on samples.
+        amendment: whether a law file can carry it (edesign.damper.amendments has this name and form).
+    """
+
+    name: ClassVar[str]
+    form: ClassVar[str]
+    kind: ClassVar[Kind]
+    title: ClassVar[str]
+    signature: ClassVar[str]
+    source: ClassVar[str]
+    amendment: ClassVar[bool] = False
+    remembers: ClassVar[bool] = False
+    refined: ClassVar[int] = 1
+    may_be_inside: ClassVar[bool] = False
+    inside = False
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        """Parameters with bounds that suit a campaign; () if the campaign cannot show the effect."""
+        raise NotImplementedError
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        """Values (SI) to start from, a grid over what acts non-linearly; amplitudes about a twentieth of the force."""
+        raise NotImplementedError
+
+    def starts_from_residuals(
+        self, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
+    ) -> tuple[tuple[float, ...], ...]:
+        """The starts, if they depend on residuals (n_i,) N of trials."""
+        return self.starts(sizes)
+
+    def fixed(self, sizes: Sizes) -> Mapping[str, float]:
+        """Numbers of the form that are no unknowns (a reference, a side), SI; they are in `p` of the stages too."""
+        return {}
+
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        """The motion that was made, of the one that was measured."""
+        return motion
+
+    def specimen(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        """The motion of the elastomer, of that of the specimen."""
+        return motion
+
+    def law(self, p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
+        """Parameters of the law in this test."""
+        return values
+
+    def series(self, p: Values) -> Series | None:
+        """What stands in series with the specimen; None: nothing."""
+        return None
+
+    def factor(
+        self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory
+    ) -> np.ndarray | float | None:
+        """Factor (n,) of the law's force (n,) N; None: the form is no factor."""
+        return None
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray | float | None:
+        """Force (n,) N beside that of the law; None: the form is none."""
+        return None
+
+    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
+        """The force that is recorded, of the true one (n,) N."""
+        return force
+
+    def within(self) -> Form:
+        """The same inside the law."""
+        other = copy(self)
+        vars(other).update(
+            form=f"{self.form}_inside",
+            title=f"{self.title}, inside the law",
+            inside=True,
+            amendment=False,
+            refined=max(self.refined, 3),  # the force inside is taken as linear over a step of its relaxation
+        )
+        return other
+
+    def columns(self, p: Values, trial: Trial) -> np.ndarray | None:
+        """Columns (n, k) whose share is each test's own; None: there are none."""
+        return None

@@ -1,0 +1,71 @@
+"""Ageing: from test to test the specimen gets stiffer or softer, whatever is done to it."""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+_LARGEST = 0.9  # change of the force up to the last test
+
+
+class _Ageing(Form):
+    name: ClassVar[str] = "ageing"
+    kind: ClassVar[Kind] = "damper"
+    signature: ClassVar[str] = "a factor of the force, constant within a test, that goes with the order of the tests"
+
+    def _age(self, tests: int) -> float:
+        """What the rate is multiplied by after a number of tests."""
+        raise NotImplementedError
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        if not self.starts(sizes):
+            return ()
+        last = self._age(sizes.tests - 1)
+        return (Unknown("rate", "", -_LARGEST / last, 10.0 * _LARGEST / last, 0.3 / last),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.1 / self._age(sizes.tests - 1),),) if sizes.tests > 1 else ()
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> float:
+        return 1.0 + p["rate"] * self._age(trial.order)
+
+
+class Linear(_Ageing):
+    """The force changes by as much from test to test: F = (1 + rate n) F_law."""
+
+    form: ClassVar[str] = "linear"
+    title: ClassVar[str] = "ageing by as much from test to test"
+    source: ClassVar[str] = "phenomenological: first order in the number of tests; ISO 22762-1:2018, 6.6 (ageing)"
+    amendment: ClassVar[bool] = True
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"n": sizes.tests - 1.0}  # for a law file: the state of the last test
+
+    def _age(self, tests: int) -> float:
+        return float(tests)
+
+
+class Logarithmic(_Ageing):
+    """The force changes quickly at first and ever more slowly: F = (1 + rate ln(1 + n)) F_law."""
+
+    form: ClassVar[str] = "logarithmic"
+    title: ClassVar[str] = "ageing that slows down from test to test"
+    source: ClassVar[str] = (
+        "physical ageing in proportion to the logarithm of time: Struik (1978), Physical Aging in Amorphous Polymers"
+    )
+
+    def _age(self, tests: int) -> float:
+        return math.log1p(tests)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return super().starts(sizes) if sizes.tests > 2 else ()  # with two tests it is the linear form
+
+
+FORMS = (Linear, Logarithmic)

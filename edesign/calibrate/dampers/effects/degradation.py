@@ -1,0 +1,80 @@
+"""Degradation: work or path wears the damper for good, over the whole campaign."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.drivers import worked
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+
+class _Degradation(Form):
+    name: ClassVar[str] = "degradation"
+    kind: ClassVar[Kind] = "damper"
+    remembers: ClassVar[bool] = True
+
+
+class Energy(_Degradation):
+    """The force falls with the work done in its life: F = (1 - d (1 - exp(-max(E, 0)/E0))) F_law."""
+
+    form: ClassVar[str] = "energy"
+    title: ClassVar[str] = "lasting degradation by dissipated energy"
+    signature: ClassVar[str] = (
+        "the force falls within heavy tests and stays so in all later ones: a test repeated at the end is softer"
+    )
+    source: ClassVar[str] = (
+        "Baber & Wen (1981), J. Eng. Mech. Div. ASCE 107, 1069-1087 (energy); Simo (1987) (exponential saturation)"
+    )
+    amendment: ClassVar[bool] = True
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        w = sizes.work
+        return Unknown("d", "", -0.95, 0.95, 0.5), Unknown("E0", "J", 1e-3 * w, 1e2 * w, 0.3 * w, logarithmic=True)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.1, share * sizes.work) for share in (0.02, 0.1, 0.5)) + ((0.3, 3.0 * sizes.work),)
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        d, scale = p["d"], -1.0 / p["E0"]
+
+        def left(energy: np.ndarray) -> np.ndarray:
+            return np.asarray(1.0 + d * np.expm1(scale * np.maximum(energy, 0.0)))
+
+        phi, memory["energy"] = worked(motion, force, left, memory.get("energy", 0.0))
+        return phi
+
+
+class Path(_Degradation):
+    """The force falls with a power of the path travelled in its life, without end: F = (1 - d (s/S)^p) F_law."""
+
+    form: ClassVar[str] = "path"
+    title: ClassVar[str] = "lasting degradation by the path travelled"
+    signature: ClassVar[str] = (
+        "the force falls from test to test with the path travelled, small amplitudes counting as much as large ones"
+    )
+    source: ClassVar[str] = (
+        "wear by travelled path: Archard (1953), J. Appl. Phys. 24, 981-988; power of the damage sum: Marco & Starkey "
+        "(1954), Trans. ASME 76, 627-632"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return Unknown("d", "", -0.95, 0.95, 0.5), Unknown("p", "", 0.1, 6.0, 1.0, logarithmic=True)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return (0.1, 0.3), (0.1, 1.0), (0.1, 2.5)
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"S": sizes.path}
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        travelled = memory.get("path", 0.0) + motion.path
+        memory["path"] = float(travelled[-1])
+        return np.asarray(1.0 - p["d"] * (travelled / p["S"]) ** p["p"])
+
+
+FORMS = (Energy, Path)

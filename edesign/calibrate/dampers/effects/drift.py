@@ -1,0 +1,121 @@
+"""Drift of the force channel's zero: warming amplifiers, creeping strain gauges."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.shares import shares_of
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+_MOST_COSINES = 8
+_SLOW = 0.01  # share of a motion's power below what is called its slowest frequency
+
+
+class _Drift(Form):
+    name: ClassVar[str] = "drift"
+    kind: ClassVar[Kind] = "instrument"
+    source: ClassVar[str] = "Doebelin, Measurement Systems, chapter 2 (zero drift)"
+
+
+class PerTestLine(_Drift):
+    """The zero runs away at one rate in every test, set anew before each: F + rate t."""
+
+    form: ClassVar[str] = "per_test_line"
+    title: ClassVar[str] = "drift of the force channel at one rate, set to zero before each test"
+    signature: ClassVar[str] = "grows in proportion to time in every test, at one rate, whatever the motion"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        rate = sizes.force / sizes.duration
+        return (Unknown("rate", "N/s", -rate, rate, 0.1 * rate),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.05 * sizes.force / sizes.duration,),)
+
+    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
+        return np.asarray(force + p["rate"] * (trial.motion.time - trial.motion.time[0]))
+
+
+class Campaign(_Drift):
+    """The zero runs away at one rate from the first test to the last: F + rate (time tested so far)."""
+
+    form: ClassVar[str] = "campaign"
+    title: ClassVar[str] = "drift of the force channel through the whole campaign"
+    signature: ClassVar[str] = "grows in proportion to time in every test and goes on in the next"
+    remembers: ClassVar[bool] = True
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        rate = sizes.force / sizes.duration
+        return (Unknown("rate", "N/s", -rate, rate, 0.1 * rate / sizes.tests),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.05 * sizes.force / (sizes.duration * sizes.tests),),)
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        before = memory.get("elapsed", 0.0)
+        since = before + motion.time - motion.time[0]
+        memory["elapsed"] = float(since[-1])
+        return np.asarray(p["rate"] * since)
+
+
+class _Own(_Drift):
+    """Each test's own drift: no parameters, but shares of columns."""
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return ()
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((),)
+
+
+class EachOwn(_Own):
+    """Each test has a zero and a rate of its own."""
+
+    form: ClassVar[str] = "each_own"
+    title: ClassVar[str] = "drift of the force channel, another in each test"
+    signature: ClassVar[str] = "a straight line over time in each test, another from test to test"
+
+    def columns(self, p: Values, trial: Trial) -> np.ndarray:
+        since = trial.motion.time - trial.motion.time[0]
+        return np.column_stack((np.ones_like(since), since / since[-1]))
+
+    def shares(self, p: Values, trial: Trial, residual: np.ndarray) -> dict[str, float]:
+        """The test's own share of a residual (n,) N."""
+        offset, rise = shares_of(self.columns(p, trial), residual)
+        duration = float(trial.motion.time[-1] - trial.motion.time[0])
+        return {"offset_N": float(offset), "rate_N_per_s": float(rise) / duration}
+
+
+class Wandering(_Own):
+    """The zero wanders: in each test a sum of cosines, all slower than half the slowest motion of the test."""
+
+    form: ClassVar[str] = "wandering"
+    title: ClassVar[str] = "zero of the force channel that wanders slowly"
+    signature: ClassVar[str] = "slower than anything that moves, another in each test"
+
+    def columns(self, p: Values, trial: Trial) -> np.ndarray:
+        time = trial.motion.time
+        duration = float(time[-1] - time[0])
+        # the cosine of order j has the frequency j / (2 duration)
+        orders = np.arange(min(_MOST_COSINES, int(duration * slowest_frequency(trial.motion))) + 1)
+        return np.asarray(np.cos(np.pi * np.outer((time - time[0]) / duration, orders)))
+
+    def shares(self, p: Values, trial: Trial, residual: np.ndarray) -> dict[str, float]:
+        """The test's own share of a residual (n,) N."""
+        columns = self.columns(p, trial)
+        return {"range_N": float(np.ptp(columns @ shares_of(columns, residual)))}
+
+
+def slowest_frequency(motion: Motion) -> float:
+    """Frequency Hz below which a hundredth of the power of the displacement lies."""
+    u = (motion.displacement - motion.displacement.mean()) * np.hanning(motion.displacement.size)
+    power = np.cumsum(np.abs(np.fft.rfft(u)) ** 2)
+    at = int(np.searchsorted(power, _SLOW * power[-1]))
+    return at / float(motion.time[-1] - motion.time[0])
+
+
+FORMS = (PerTestLine, Campaign, EachOwn, Wandering)

@@ -1,0 +1,80 @@
+"""Gain of a channel: a wrong calibration factor."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+
+class _Gain(Form):
+    name: ClassVar[str] = "gain"
+    kind: ClassVar[Kind] = "instrument"
+    source: ClassVar[str] = "ISO 376:2011 (calibration of load cells); Doebelin, Measurement Systems, chapter 2"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (Unknown("g", "", -0.5, 1.0, 0.1),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.05,),)
+
+
+class Force(_Gain):
+    """The force channel shows (1 + g) of the force, in all tests."""
+
+    form: ClassVar[str] = "force"
+    title: ClassVar[str] = "gain of the force channel"
+    signature: ClassVar[str] = "proportional to the force itself, by the same share in all tests"
+
+    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
+        return np.asarray((1.0 + p["g"]) * force)
+
+
+class Displacement(_Gain):
+    """The displacement channel shows (1 + g) of the displacement: the specimen moves by u / (1 + g)."""
+
+    form: ClassVar[str] = "displacement"
+    title: ClassVar[str] = "gain of the displacement channel"
+    signature: ClassVar[str] = "that of a gain of the force where the law is linear; by its tangent where it is not"
+
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        share = 1.0 / (1.0 + p["g"])
+        return Motion(motion.time, share * motion.displacement, share * motion.velocity, share * motion.acceleration)
+
+
+class ForceFromTest(_Gain):
+    """The gain of the force channel changed between two tests: (1 + g) from there on. One form for each place.
+
+    Args:
+        first: the test from which it is changed; 2 is the second of the campaign.
+    """
+
+    form: ClassVar[str] = "force_from_test"
+    title: ClassVar[str] = "gain of the force channel that changed between tests"
+    signature: ClassVar[str] = "proportional to the force itself, by one share in all tests from one on"
+
+    def __init__(self, first: int) -> None:
+        vars(self).update(
+            form=f"force_from_test_{first}", title=f"gain of the force channel that changed before test {first}"
+        )
+        self.first = first
+
+    def fixed(self, sizes: Sizes) -> Mapping[str, float]:
+        return {"first_test": float(self.first)}
+
+    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
+        return np.asarray((1.0 + p["g"]) * force) if trial.order + 1 >= self.first else force
+
+
+def forms_of(sizes: Sizes) -> tuple[Form, ...]:
+    """A form for each place between two tests: which one it is, is no number that a search could move."""
+    return tuple(ForceFromTest(first) for first in range(2, sizes.tests + 1))
+
+
+FORMS = (Force, Displacement)

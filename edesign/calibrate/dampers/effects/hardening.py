@@ -1,0 +1,99 @@
+"""Hardening at large strain: the chains of the rubber come to their length."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+
+class _Hardening(Form):
+    name: ClassVar[str] = "hardening"
+    may_be_inside: ClassVar[bool] = True
+    kind: ClassVar[Kind] = "damper"
+    signature: ClassVar[str] = (
+        "too little force at the tips of large loops alone, odd in the deformation, the same at all frequencies"
+    )
+
+
+class _FromLargest(_Hardening):
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"r": sizes.displacement}
+
+
+class Power(_FromLargest):
+    """A spring beside the law that stiffens with a power of the deformation: k u (|u|/r)^(p-1)."""
+
+    form: ClassVar[str] = "power"
+    title: ClassVar[str] = "elastic hardening at large strain"
+    source: ClassVar[str] = (
+        "odd power of the simple shear of Yeoh (1990), Rubber Chem. Technol. 63, 792-805, with a free exponent"
+    )
+    amendment: ClassVar[bool] = True
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        k = sizes.stiffness
+        return Unknown("k", "N/m", -2.0 * k, 5.0 * k, 0.5 * k), Unknown("p", "", 1.5, 15.0, 3.0, logarithmic=True)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.1 * sizes.stiffness, p) for p in (2.0, 3.0, 5.0, 9.0))
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        u = motion.displacement
+        return np.asarray(p["k"] * u * (np.abs(u) / p["r"]) ** (p["p"] - 1.0))
+
+
+class Threshold(_Hardening):
+    """A spring beside the law that begins at a deformation: k max(|u| - u0, 0) sgn u."""
+
+    form: ClassVar[str] = "threshold"
+    title: ClassVar[str] = "a second stiffness beyond a deformation"
+    source: ClassVar[str] = (
+        "bilinear hardening of high damping rubber: Grant, Fenves & Whittaker (2004), J. Struct. Eng. 130, 1683-1693"
+    )
+    amendment: ClassVar[bool] = True
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return Unknown("k", "N/m", -5.0 * k, 20.0 * k, k), Unknown("u0", "m", 0.0, 0.98 * u, 0.3 * u)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return tuple((0.1 * k / (1.0 - share), share * u) for share in (0.3, 0.6, 0.8))
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        u = motion.displacement
+        return np.asarray(p["k"] * np.maximum(np.abs(u) - p["u0"], 0.0) * np.sign(u))
+
+
+class Inside(_FromLargest):
+    """The whole law stiffens, its relaxing forces too: it sees u (1 + b (|u|/r)^p)."""
+
+    form: ClassVar[str] = "inside"
+    title: ClassVar[str] = "hardening at large strain of all forces, quasi-linear viscoelasticity"
+    signature: ClassVar[str] = (
+        "too little force towards the tips of large loops, and too little damping in them, at all frequencies"
+    )
+    source: ClassVar[str] = "Fung (1993), Biomechanics: Mechanical Properties of Living Tissues, section 7.6"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return Unknown("b", "", -0.3, 3.0, 0.3), Unknown("p", "", 1.0, 10.0, 2.0, logarithmic=True)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return (0.1, 2.0), (0.1, 4.0), (0.1, 8.0)
+
+    def specimen(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        u, v, b, m = motion.displacement, motion.velocity, p["b"], p["p"]
+        x = np.abs(u) / p["r"]
+        more = b * x**m
+        slope = 1.0 + (1.0 + m) * more
+        bend = b * m * (1.0 + m) * x ** (m - 1.0) * np.sign(u) / p["r"]
+        return Motion(motion.time, u * (1.0 + more), slope * v, slope * motion.acceleration + bend * v * v)
+
+
+FORMS = (Power, Threshold, Inside)

@@ -1,0 +1,83 @@
+"""Hum of the mains in the force channel: narrow-band tones with each test's own phase."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.peaks import common_tones
+from edesign.calibrate.dampers.shares import shares_of
+from edesign.calibrate.dampers.trial import Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+_LOWEST, _HIGHEST = 5.0, 1000.0  # Hz
+_MAINS = (50.0, 60.0)  # Hz
+
+
+@dataclass(frozen=True)
+class Frequency(Unknown):
+    """A frequency that data of long duration tell sharply: differences are taken in its size, not in its value."""
+
+    def step(self, coordinate: float) -> float:
+        step = 1e-2
+        return step if coordinate + step <= self.span[1] else -step
+
+
+class _Hum(Form):
+    name: ClassVar[str] = "hum"
+    kind: ClassVar[Kind] = "instrument"
+    source: ClassVar[str] = "Lomb (1976), Astrophys. Space Sci. 39, 447-462 (least squares of sines); EN 50160 (mains)"
+    _orders: ClassVar[tuple[int, ...]] = (1,)
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        # a tone that is off by 0.3 / duration is out of step by a third of a turn at the end
+        return (Frequency("frequency", "Hz", _LOWEST, _HIGHEST, 0.3 / sizes.duration),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((frequency,) for frequency in _MAINS)
+
+    def starts_from_residuals(
+        self, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
+    ) -> tuple[tuple[float, ...], ...]:
+        """Frequencies of narrow peaks of the residuals (n_i,) N of trials; those of the mains if there are none."""
+        found = [f for f in common_tones(trials, residuals) if _LOWEST < f < _HIGHEST]
+        return tuple((frequency,) for frequency in found) or self.starts(sizes)
+
+    def columns(self, p: Values, trial: Trial) -> np.ndarray:
+        angle = 2.0 * np.pi * p["frequency"] * (trial.motion.time - trial.motion.time[0])
+        return np.column_stack([wave(order * angle) for order in self._orders for wave in (np.sin, np.cos)])
+
+    def shares(self, p: Values, trial: Trial, residual: np.ndarray) -> dict[str, float]:
+        """The test's own amplitude a and phase of a sin(2 pi f t + phase) in a residual (n,) N."""
+        found = shares_of(self.columns(p, trial), residual)
+        named: dict[str, float] = {}
+        for order, sine, cosine in zip(self._orders, found[::2], found[1::2], strict=True):
+            suffix = "" if order == 1 else f"_{order}"
+            named[f"amplitude{suffix}_N"] = float(np.hypot(sine, cosine))
+            named[f"phase{suffix}_rad"] = float(np.arctan2(cosine, sine))
+        return named
+
+
+class Tone(_Hum):
+    """One tone: a sin(2 pi f t + phase), f the same in all tests, a and phase each test's own."""
+
+    form: ClassVar[str] = "tone"
+    title: ClassVar[str] = "hum of one frequency in the force channel"
+    signature: ClassVar[str] = "a narrow peak of the spectrum at one frequency in all tests, far above the motion"
+
+
+class Harmonics(_Hum):
+    """A tone with twice and three times its frequency, as rectifiers make them."""
+
+    form: ClassVar[str] = "harmonics"
+    title: ClassVar[str] = "hum with harmonics in the force channel"
+    signature: ClassVar[str] = "narrow peaks of the spectrum at a frequency, twice and three times it, in all tests"
+    _orders: ClassVar[tuple[int, ...]] = (1, 2, 3)
+
+
+FORMS = (Tone, Harmonics)

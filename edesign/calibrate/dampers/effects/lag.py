@@ -1,0 +1,70 @@
+"""Lag between the channels: the force is recorded later than the displacement, or earlier."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+from scipy.signal import lfilter, lfiltic
+
+from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.trial import Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+_LONGEST = 0.05  # of the slowest period: more is another test, not a lag
+
+
+class _Lag(Form):
+    name: ClassVar[str] = "lag"
+    kind: ClassVar[Kind] = "instrument"
+    signature: ClassVar[str] = (
+        "proportional to the rate of the force: loops too fat or too thin by as much at all amplitudes, in proportion to frequency"
+    )
+
+
+class Delay(_Lag):
+    """The force channel is late by a time: F(t) = F_true(t - lag)."""
+
+    form: ClassVar[str] = "delay"
+    title: ClassVar[str] = "lag between the channels of force and displacement"
+    source: ClassVar[str] = "Horiuchi et al. (1999), Earthquake Engng Struct. Dyn. 28, 1121-1141; thesis chapter 6"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        longest = _LONGEST * sizes.period
+        return (Unknown("lag", "s", -longest, longest, 0.1 * longest),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.002 * sizes.period,),)
+
+    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
+        time = trial.motion.time
+        return np.asarray(CubicSpline(time, force)(np.clip(time - p["lag"], time[0], time[-1])))
+
+
+class Filter(_Lag):
+    """A first-order filter in the force channel: tau F' + F = F_true."""
+
+    form: ClassVar[str] = "filter"
+    title: ClassVar[str] = "analogue filter in the force channel alone"
+    source: ClassVar[str] = "first-order low-pass; Doebelin, Measurement Systems, section 3.3"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        longest = _LONGEST * sizes.period
+        return (Unknown("time_constant", "s", 1e-6 * longest, longest, 0.1 * longest, logarithmic=True),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.002 * sizes.period,),)
+
+    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
+        # exact for a force that is linear between samples
+        step, tau = float(np.median(trial.motion.steps)), p["time_constant"]
+        decay = np.exp(-step / tau)
+        ramp = tau / step * (1.0 - decay)
+        b, a = [1.0 - ramp, ramp - decay], [1.0, -decay]
+        start = lfiltic(b, a, [force[0]], [force[0]])
+        return np.asarray(lfilter(b, a, force, zi=start)[0])
+
+
+FORMS = (Delay, Filter)

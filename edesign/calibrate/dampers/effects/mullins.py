@@ -1,0 +1,159 @@
+"""Mullins softening: the virgin specimen is stiffer, and its first cycles take that away for long."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+from scipy.special import erf
+
+from edesign.calibrate.dampers.drivers import largest
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+
+class _Mullins(Form):
+    name: ClassVar[str] = "mullins"
+    may_be_inside: ClassVar[bool] = True
+    kind: ClassVar[Kind] = "damper"
+    amendment: ClassVar[bool] = True
+    remembers: ClassVar[bool] = True
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {} if sizes.tests > 1 else {"recovery": 0.0}  # a single test cannot show what comes back between tests
+
+    def _recovery(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (Unknown("recovery", "", 0.0, 1.0, 1.0),) if sizes.tests > 1 else ()
+
+    def _each_recovery(self, rows: tuple[tuple[float, ...], ...], sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*row, share) for share in (0.0, 1.0) for row in rows) if sizes.tests > 1 else rows
+
+
+class _ByPath(_Mullins):
+    signature: ClassVar[str] = (
+        "too little force in the first cycles of the specimen's life (or of every test), at all amplitudes, fading "
+        "with the path travelled"
+    )
+    source: ClassVar[str] = (
+        "Mullins (1969), Rubber Chem. Technol. 42, 339-362; Kelly & Konstantinidis (2011), Mechanics of Rubber "
+        "Bearings, section 2.4 (scragging)"
+    )
+
+    def _unknowns(self, amplitude: Unknown, sizes: Sizes) -> tuple[Unknown, ...]:
+        s0 = Unknown("s0", "m", 0.1 * sizes.displacement, 10.0 * sizes.path, sizes.path / sizes.tests, logarithmic=True)
+        return (amplitude, s0, *self._recovery(sizes))
+
+    def _starts(self, amplitude: float, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        own = sizes.path / sizes.tests
+        rows = tuple((amplitude, s0) for s0 in (0.1 * own, 0.4 * own, 1.5 * own))
+        beyond = ((amplitude, 0.4 * sizes.path, 0.0),) if sizes.tests > 3 else ()
+        return (*self._each_recovery(rows, sizes), *beyond)
+
+    def _virgin(self, p: Values, motion: Motion, memory: Memory) -> np.ndarray:
+        """exp(-s / s0) (n,): what is left of the virgin specimen."""
+        worn = memory.get("left")
+        left = 1.0 if worn is None else worn + p["recovery"] * (1.0 - worn)
+        found = left * np.exp(-motion.path / p["s0"])
+        memory["left"] = float(found[-1])
+        return np.asarray(found)
+
+
+class Path(_ByPath):
+    """The whole force softens with the path travelled: F = (1 + m exp(-s/s0)) F_law."""
+
+    form: ClassVar[str] = "path"
+    title: ClassVar[str] = "softening of the virgin specimen with the path travelled"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return self._unknowns(Unknown("m", "", -0.9, 3.0, 0.5), sizes)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return self._starts(0.15, sizes)
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return np.asarray(1.0 + p["m"] * self._virgin(p, motion, memory))
+
+
+class Elastic(_ByPath):
+    """A spring wears off with the path travelled: F = F_law + k exp(-s/s0) u."""
+
+    form: ClassVar[str] = "elastic"
+    title: ClassVar[str] = "softening of the virgin specimen's elastic force with the path travelled"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return self._unknowns(
+            Unknown("k", "N/m", -2.0 * sizes.stiffness, 5.0 * sizes.stiffness, sizes.stiffness), sizes
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return self._starts(0.15 * sizes.stiffness, sizes)
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        return np.asarray(p["k"] * self._virgin(p, motion, memory) * motion.displacement)
+
+
+class _ByMaximum(_Mullins):
+    def _largest(self, p: Values, motion: Motion, memory: Memory) -> np.ndarray:
+        found = largest(motion, (1.0 - p["recovery"]) * memory.get("largest", 0.0))
+        memory["largest"] = float(found[-1])
+        return found
+
+
+class Maximum(_ByMaximum):
+    """Soft below the largest deformation ever, whole again at it: F = (1 - m erf((M - |u|)/r)) F_law."""
+
+    form: ClassVar[str] = "maximum"
+    title: ClassVar[str] = "softening below the largest deformation so far"
+    signature: ClassVar[str] = (
+        "too much force in cycles smaller than one before, right again where the deformation reaches its largest so far"
+    )
+    source: ClassVar[str] = "Ogden & Roxburgh (1999), Proc. R. Soc. Lond. A 455, 2861-2877"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u = sizes.displacement
+        m, r = Unknown("m", "", -0.9, 0.95, 0.5), Unknown("r", "m", 0.02 * u, 20.0 * u, 0.3 * u, logarithmic=True)
+        return (m, r, *self._recovery(sizes))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return self._each_recovery(tuple((0.15, r * sizes.displacement) for r in (0.1, 0.4, 1.5)), sizes)
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        below = self._largest(p, motion, memory) - np.abs(motion.displacement)
+        return np.asarray(1.0 - p["m"] * erf(below / p["r"]))
+
+
+class Damage(_ByMaximum):
+    """Damage by the largest deformation ever, the same at all deformations: F = (1 - m (1 - exp(-(M/r)^p))) F_law."""
+
+    form: ClassVar[str] = "damage"
+    title: ClassVar[str] = "lasting softening by the largest deformation so far"
+    signature: ClassVar[str] = (
+        "the stiffness falls where the deformation goes beyond its largest so far, and stays lower in smaller cycles "
+        "after it"
+    )
+    source: ClassVar[str] = (
+        "Simo (1987), Comput. Methods Appl. Mech. Engrg 60, 153-173; Miehe (1995), Eur. J. Mech. A 14, 697-720"
+    )
+    amendment: ClassVar[bool] = False
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u = sizes.displacement
+        return (
+            Unknown("m", "", -0.9, 0.95, 0.5),
+            Unknown("r", "m", 0.02 * u, 20.0 * u, 0.5 * u, logarithmic=True),
+            Unknown("p", "", 0.3, 6.0, 1.0, logarithmic=True),
+            *self._recovery(sizes),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        u = sizes.displacement
+        return self._each_recovery(((0.1, 0.15 * u, 1.0), (0.1, 0.5 * u, 1.0), (0.15, u, 2.0)), sizes)
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        ratio = self._largest(p, motion, memory) / p["r"]
+        return np.asarray(1.0 + p["m"] * np.expm1(-(ratio ** p["p"])))
+
+
+FORMS = (Path, Maximum, Elastic, Damage)

@@ -1,0 +1,99 @@
+"""Unequal sides: the damper answers differently to the two directions."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+
+class _OneSided(Form):
+    name: ClassVar[str] = "one_sided"
+    may_be_inside: ClassVar[bool] = True
+    kind: ClassVar[Kind] = "damper"
+    amendment: ClassVar[bool] = True
+    side: ClassVar[float]
+    amendment_form: ClassVar[str]
+    """The form in a law file, which names the side as a parameter of its own."""
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"side": self.side}
+
+
+class _Spring(_OneSided):
+    signature: ClassVar[str] = (
+        "too little force at the tips of one side of the loops alone: even multiples of the frequency"
+    )
+    source: ClassVar[str] = (
+        "contact by a one-sided spring: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (linear case)"
+    )
+    amendment_form: ClassVar[str] = "spring"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return Unknown("k", "N/m", -5.0 * k, 20.0 * k, k), Unknown("u0", "m", 0.0, 0.98 * u, 0.3 * u)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return tuple((0.1 * k / (1.0 - share), share * u) for share in (0.0, 0.3, 0.6, 0.8))
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        side = p["side"]
+        return np.asarray(side * p["k"] * np.maximum(side * motion.displacement - p["u0"], 0.0))
+
+
+class SpringPositive(_Spring):
+    """A spring that begins at a positive deformation: k max(u - u0, 0)."""
+
+    form: ClassVar[str] = "spring_positive"
+    title: ClassVar[str] = "contact or hardening on the positive side"
+    side: ClassVar[float] = 1.0
+
+
+class SpringNegative(_Spring):
+    """A spring that begins at a negative deformation: -k max(-u - u0, 0)."""
+
+    form: ClassVar[str] = "spring_negative"
+    title: ClassVar[str] = "contact or hardening on the negative side"
+    side: ClassVar[float] = -1.0
+
+
+class _Factor(_OneSided):
+    signature: ClassVar[str] = "loops larger on one side than on the other by a share of the force, at all amplitudes"
+    source: ClassVar[str] = (
+        "phenomenological: a law with a stiffness for each side, as for cracked or partly debonded layers"
+    )
+    amendment_form: ClassVar[str] = "factor"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (Unknown("b", "", -0.9, 3.0, 0.5),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.1,),)
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return np.where(p["side"] * motion.displacement > 0.0, 1.0 + p["b"], 1.0)
+
+
+class FactorPositive(_Factor):
+    """The force is larger by a share at positive deformations: F = (1 + b) F_law where u > 0."""
+
+    form: ClassVar[str] = "factor_positive"
+    title: ClassVar[str] = "larger or smaller force on the positive side"
+    side: ClassVar[float] = 1.0
+
+
+class FactorNegative(_Factor):
+    """The force is larger by a share at negative deformations: F = (1 + b) F_law where u < 0."""
+
+    form: ClassVar[str] = "factor_negative"
+    title: ClassVar[str] = "larger or smaller force on the negative side"
+    side: ClassVar[float] = -1.0
+
+
+FORMS = (SpringPositive, SpringNegative, FactorPositive, FactorNegative)

@@ -1,0 +1,84 @@
+"""Play in the pins between actuator and specimen."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.effect import Form, Series
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.dampers.turning_points import with_turning_points
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+
+class _Play(Form):
+    name: ClassVar[str] = "play"
+    refined: ClassVar[int] = 4
+    kind: ClassVar[Kind] = "rig"
+
+    def _play(self, sizes: Sizes) -> Unknown:
+        return Unknown("play", "m", 0.0, 0.5 * sizes.displacement, 0.1 * sizes.displacement)
+
+
+class Gap(_Play):
+    """Pins with a clearance, in series with the specimen: no force while they cross it, a stiff rig beyond it."""
+
+    form: ClassVar[str] = "gap"
+    title: ClassVar[str] = "clearance of the pins in series with the specimen"
+    signature: ClassVar[str] = "a step of no force where the force changes its sign; the same length at all amplitudes"
+    source: ClassVar[str] = "Nordin & Gutman (2002), Automatica 38, 1633-1649, section 2.1 (dead zone)"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        k = sizes.stiffness
+        return (self._play(sizes), Unknown("stiffness", "N/m", 2.0 * k, 1e4 * k, 100.0 * k, logarithmic=True))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.02 * sizes.displacement, k * sizes.stiffness) for k in (1000.0, 30.0))
+
+    def series(self, p: Values) -> Series:
+        return p["stiffness"], p["play"]
+
+
+class Backlash(_Play):
+    """The specimen follows through a play: it rests until the clearance is crossed, whatever its force."""
+
+    form: ClassVar[str] = "backlash"
+    title: ClassVar[str] = "backlash between the measured motion and the specimen"
+    signature: ClassVar[str] = "the force rests after every reversal of the motion, over one length at all amplitudes"
+    source: ClassVar[str] = "Krasnosel'skii & Pokrovskii (1989), Systems with Hysteresis, section 2.1 (play operator)"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (self._play(sizes),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.02 * sizes.displacement,),)
+
+    def specimen(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        points, index = with_turning_points(motion)
+        own = follow(points, p["play"])[index]
+        # it either rests or goes along: differences over the corners would smooth them
+        half = 0.5 * p["play"]
+        along = (own == motion.displacement - half) | (own == motion.displacement + half)
+        return Motion(
+            motion.time, own, np.where(along, motion.velocity, 0.0), np.where(along, motion.acceleration, 0.0)
+        )
+
+
+def follow(displacement: np.ndarray, play: float) -> np.ndarray:
+    """What follows a displacement (n,) m through a play end to end, as near to zero at first as the play lets it.
+
+    Exact for a displacement that is monotone from sample to sample."""
+    half, at = 0.5 * play, 0.0
+    found = []
+    for u in displacement.tolist():
+        if at < u - half:
+            at = u - half
+        elif at > u + half:
+            at = u + half
+        found.append(at)
+    return np.array(found)
+
+
+FORMS = (Gap, Backlash)

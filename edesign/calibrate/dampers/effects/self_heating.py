@@ -1,0 +1,76 @@
+"""Self-heating: dissipated work warms the elastomer within a test, and warm it is softer."""
+
+from __future__ import annotations
+
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.drivers import worked
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+
+def _softened(q: np.ndarray) -> np.ndarray:
+    return np.asarray(np.exp(np.clip(-q, -50.0, 50.0)))  # a search may ask for more heat than a float can follow
+
+
+class Rate(Form):
+    """Heat by work, lost in time, none at the beginning of a test: F = exp(-q) F_law, q' = beta F v - q/tau_h."""
+
+    name: ClassVar[str] = "self_heating"
+    form: ClassVar[str] = "rate"
+    kind: ClassVar[Kind] = "damper"
+    title: ClassVar[str] = "softening by self-heating within a test"
+    signature: ClassVar[str] = (
+        "the force falls with the work done within a test, fastest in large and fast tests, comes back in pauses, and "
+        "is whole again in the next test"
+    )
+    source: ClassVar[str] = (
+        "Kasai, Munshi, Lai & Maison (1993), ATC-17-1; lumped heat balance, Incropera & DeWitt, Fundamentals of Heat "
+        "and Mass Transfer, section 5.1"
+    )
+    amendment: ClassVar[bool] = True
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        each = sizes.tests / sizes.work  # q = 1 by the work of one test
+        return (
+            Unknown("beta", "1/J", 0.0, 20.0 * each, each),
+            Unknown("tau_h", "s", 0.3 * sizes.period, 1e4 * sizes.duration, sizes.duration, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        each = sizes.tests / sizes.work
+        quick = max(0.2 * sizes.duration, sizes.period)
+        return (0.2 * each, quick), *((0.1 * each, t * sizes.duration) for t in (1.0, 3.0, 1e3))
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return worked(motion, force, _softened, 0.0, p["beta"], p["tau_h"])[0]
+
+
+class Carried(Rate):
+    """As `rate`, but a share of the heat is still there when the next test begins."""
+
+    form: ClassVar[str] = "carried"
+    title: ClassVar[str] = "softening by self-heating, part of which lasts into the next test"
+    signature: ClassVar[str] = "as self_heating.rate, and a test that follows a heavy one begins with too little force"
+    amendment: ClassVar[bool] = False
+    remembers: ClassVar[bool] = True
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), Unknown("kept", "", 0.0, 1.0, 1.0)) if sizes.tests > 1 else ()
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        if sizes.tests < 2:
+            return ()
+        return tuple((*row, 0.5) for row in super().starts(sizes))
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        before = p["kept"] * memory.get("heat", 0.0)
+        phi, memory["heat"] = worked(motion, force, _softened, before, p["beta"], p["tau_h"])
+        return phi
+
+
+FORMS = (Rate, Carried)

@@ -1,0 +1,58 @@
+"""The specimen was mounted crooked: a pre-shear or a dead load that stays."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import ClassVar
+
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+
+class _StaticOffset(Form):
+    name: ClassVar[str] = "static_offset"
+    kind: ClassVar[Kind] = "rig"
+
+
+class PreShear(_StaticOffset):
+    """The specimen is sheared by more than was measured: u + offset, long enough before the test to have relaxed."""
+
+    form: ClassVar[str] = "pre_shear"
+    title: ClassVar[str] = "shear of the specimen before its displacement was set to zero"
+    signature: ClassVar[str] = (
+        "a constant force of the elastic part alone, larger where the specimen is stiffer; bent loops if not linear"
+    )
+    source: ClassVar[str] = "relaxation to the long-term modulus: Ferry, Viscoelastic Properties of Polymers, chapter 1"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u = sizes.displacement
+        return (Unknown("offset", "m", -u, u, 0.1 * u),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.05 * sizes.displacement,),)
+
+    def specimen(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        return replace(motion, displacement=motion.displacement + p["offset"])
+
+
+class ConstantForce(_StaticOffset):
+    """A dead load beside the specimen: F + P."""
+
+    form: ClassVar[str] = "constant_force"
+    title: ClassVar[str] = "dead load along the axis of the actuator"
+    signature: ClassVar[str] = "a constant force, the same in all tests"
+    source: ClassVar[str] = "equilibrium"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (Unknown("P", "N", -sizes.force, sizes.force, 0.1 * sizes.force),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.05 * sizes.force,),)
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> float:
+        return p["P"]
+
+
+FORMS = (PreShear, ConstantForce)

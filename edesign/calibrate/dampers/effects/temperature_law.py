@@ -1,0 +1,88 @@
+"""Temperature of the tests: the elastomer is softer and relaxes faster when warm."""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+from edesign.damper.fitting.scales import Scales
+from edesign.damper.law import Parameter
+from edesign.damper.laws import LAWS
+from edesign.damper.temperature import REFERENCE_C
+
+_LEAST_SPAN = 1.0  # K: tests at one temperature tell nothing of it
+
+
+class _Temperature(Form):
+    name: ClassVar[str] = "temperature_law"
+    kind: ClassVar[Kind] = "damper"
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"T0": REFERENCE_C}
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (Unknown("b", "1/K", -0.5, 0.5, 0.05),) if _shown(sizes) else ()
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.01,),) if _shown(sizes) else ()
+
+
+class Exponential(_Temperature):
+    """The whole force falls with temperature: F = exp(-b (T - T0)) F_law."""
+
+    form: ClassVar[str] = "exponential"
+    title: ClassVar[str] = "softening with temperature"
+    signature: ClassVar[str] = (
+        "a factor of the force that goes with the temperature of the tests, stiffness and damping alike"
+    )
+    source: ClassVar[str] = (
+        "Chang, Soong, Oh & Lai (1992), Struct. Des. Tall Build. 1; Kasai, Munshi, Lai & Maison (1993), ATC-17-1; "
+        "thesis Eq. 4.34"
+    )
+    amendment: ClassVar[bool] = True
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return np.asarray(np.exp(-p["b"] * (trial.temperature - p["T0"])))
+
+
+class Shift(_Temperature):
+    """All relaxation speeds up with temperature: the law's times are multiplied by a_T = exp(-b (T - T0))."""
+
+    form: ClassVar[str] = "shift"
+    title: ClassVar[str] = "relaxation that speeds up with temperature"
+    signature: ClassVar[str] = (
+        "warm tests look like slower ones: damping falls with temperature, the static stiffness does not"
+    )
+    source: ClassVar[str] = (
+        "Ferry (1980), Viscoelastic Properties of Polymers, chapter 11, near one temperature; thesis Eq. 4.33"
+    )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.05,),) if _shown(sizes) else ()
+
+    def law(self, p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
+        a_t = math.exp(-p["b"] * (float(np.mean(trial.temperature)) - p["T0"]))
+        slower = Scales(
+            1.0, 1.0, 1.0 / a_t
+        )  # a second becomes a_T seconds: units tell which power of a_T a parameter takes
+        return {q.name: values[q.name] * slower.of(q.unit, values) for q in _parameters(values)}
+
+
+def _shown(sizes: Sizes) -> bool:
+    low, high = sizes.temperatures
+    return high - low >= _LEAST_SPAN
+
+
+def _parameters(values: Values) -> tuple[Parameter, ...]:
+    """Parameters with units of the law that has these names; where two laws have them, units are the same."""
+    every = (law.all_parameters(values) for law in LAWS.values())
+    return next(own for own in every if {parameter.name for parameter in own} == set(values))
+
+
+FORMS = (Exponential, Shift)

@@ -1,0 +1,72 @@
+"""Viscous force with another power of the velocity than the law has."""
+
+from __future__ import annotations
+
+import math
+from typing import ClassVar
+
+import numpy as np
+
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Kind
+from edesign.calibrate.unknown import Unknown
+
+_LEAST, _MOST = 0.1, 3.0  # below it is friction; above it there is no damper
+
+
+class _Velocity(Form):
+    name: ClassVar[str] = "velocity_power"
+    may_be_inside: ClassVar[bool] = True
+    kind: ClassVar[Kind] = "damper"
+    signature: ClassVar[str] = (
+        "in phase with the velocity, largest where the deformation passes zero, with a power of amplitude times "
+        "frequency; nothing at the tips"
+    )
+
+
+class Dashpot(_Velocity):
+    """A dashpot with a power of the velocity beside the law: c |v|^alpha sgn v."""
+
+    form: ClassVar[str] = "dashpot"
+    title: ClassVar[str] = "viscous force with a power of the velocity that the law lacks"
+    source: ClassVar[str] = "Constantinou & Symans (1993), Struct. Des. Tall Build. 2, 93-132; thesis Eq. 2.24"
+    amendment: ClassVar[bool] = True
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        largest = 2.0 * sizes.force / min(sizes.velocity**_LEAST, sizes.velocity**_MOST)
+        size = 0.3 * sizes.force / sizes.velocity
+        return (
+            Unknown("c", "N*(s/m)^alpha", -largest, largest, size),
+            Unknown("alpha", "", _LEAST, _MOST, 1.0, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.08 * sizes.force / sizes.velocity**alpha, alpha) for alpha in (0.2, 0.5, 1.0, 2.0))
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        v = motion.velocity
+        return np.asarray(p["c"] * np.abs(v) ** p["alpha"] * np.sign(v))
+
+
+class Flow(_Velocity):
+    """Activated flow beside the law, linear when slow and logarithmic when fast: f asinh(v/v0)."""
+
+    form: ClassVar[str] = "flow"
+    title: ClassVar[str] = "viscous force that saturates with the velocity"
+    source: ClassVar[str] = "Eyring (1936), J. Chem. Phys. 4, 283-291"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        force, v = sizes.force, sizes.velocity
+        return Unknown("f", "N", -force, force, 0.1 * force), Unknown(
+            "v0", "m/s", 1e-4 * v, v, 0.1 * v, logarithmic=True
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.06 * sizes.force / math.asinh(1.0 / x), x * sizes.velocity) for x in (0.01, 0.1, 0.5))
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        return np.asarray(p["f"] * np.arcsinh(motion.velocity / p["v0"]))
+
+
+FORMS = (Dashpot, Flow)

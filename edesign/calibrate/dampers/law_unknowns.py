@@ -1,0 +1,33 @@
+"""The parameters of a damper law as unknowns of the loop."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+from edesign.calibrate.dampers.trial import Sizes
+from edesign.calibrate.unknown import Unknown
+from edesign.damper.fitting.scales import Scales
+from edesign.damper.law import Law, Parameter
+
+_INSIDE = 1e-9  # share of a size that is kept from a bound which is not allowed itself
+
+
+def law_unknowns(law: Law, declared: Mapping[str, float], sizes: Sizes) -> tuple[Unknown, ...]:
+    """Unknowns for the parameters of a law that data can tell, about the declared ones.
+
+    A positive one is searched by its logarithm, in units of its declared value; one that is zero in units that the
+    campaign suggests.
+    """
+    scales = Scales(sizes.force, sizes.displacement, sizes.velocity)
+    return tuple(
+        _unknown(parameter, declared, scales) for parameter in law.all_parameters(declared) if parameter.fitted
+    )
+
+
+def _unknown(parameter: Parameter, declared: Mapping[str, float], scales: Scales) -> Unknown:
+    value = declared[parameter.name]
+    size = abs(value) if value else scales.of(parameter.unit, declared)
+    lower = parameter.lower + (0.0 if parameter.lower_allowed or math.isinf(parameter.lower) else _INSIDE * size)
+    upper = parameter.upper - (0.0 if parameter.upper_allowed or math.isinf(parameter.upper) else _INSIDE * size)
+    return Unknown(parameter.name, parameter.unit, lower, upper, size, logarithmic=value > 0.0 and lower >= 0.0)

@@ -1,0 +1,42 @@
+"""The effects that damper tests may show."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.effects import MODULES
+from edesign.calibrate.dampers.trial import Sizes, Trial
+from edesign.calibrate.problem import Candidate
+
+
+def candidates(
+    sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray], relaxes: bool
+) -> tuple[Candidate, ...]:
+    """All forms of all effects that a campaign can show.
+
+    Args:
+        sizes: of the campaign.
+        trials, residuals: tests, and what is left of them (n_i,) N: some forms take their starts from it.
+        relaxes: whether the law relaxes all its forces, so that effects may stand inside it.
+    """
+    found = []
+    for module in MODULES:
+        for form in (*(kind() for kind in module.FORMS), *getattr(module, "forms_of", lambda _: ())(sizes)):
+            for place in (form, form.within()) if relaxes and form.may_be_inside else (form,):
+                candidate = candidate_of(place, sizes, trials, residuals)
+                if candidate is not None:
+                    found.append(candidate)
+    return tuple(found)
+
+
+def candidate_of(
+    form: Form, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
+) -> Candidate | None:
+    """A form with its unknowns for a campaign; None if the campaign cannot show it."""
+    starts = form.starts_from_residuals(sizes, trials, residuals)
+    if not starts:
+        return None
+    return Candidate(form.name, form.form, form.kind, form.unknowns(sizes), starts, (form, dict(form.fixed(sizes))))

@@ -1,0 +1,106 @@
+"""Which further test would separate the effects that the tests made so far cannot tell apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.calibrate.dampers.trial import Motion, Trial
+from edesign.calibrate.evidence import Judged
+from edesign.calibrate.problem import PredictionError
+from edesign.calibrate.result import NextTest
+from edesign.calibrate.selection import Selection
+from edesign.damper.history import spline_velocity
+
+_RATE = 250.0  # Hz, of the tests thought of
+_FREQUENCIES = (0.1, 0.5, 2.0, 5.0)  # Hz
+_SHARES = (0.1, 0.5, 1.0, 1.3)  # of the largest displacement so far
+_CYCLES = 12
+_WARMER = 15.0  # K
+
+
+def next_test(problem: DamperProblem, found: Selection) -> NextTest | None:
+    """The test, of those a laboratory can make, in which look-alikes would differ most.
+
+    Each model predicts each test that could be made after the campaign; the one with the largest NRMS between two predictions
+    is told. None: no effect has a look-alike among effects.
+    """
+    best: NextTest | None = None
+    for adopted in found.adopted:
+        for name, other in adopted.alike.items():
+            if name == "refit":
+                continue
+            told = _best_test(problem, found.final, other, (adopted.candidate.name, name))
+            if told is not None and (best is None or told.difference > best.difference):
+                best = told
+    return best
+
+
+def _best_test(problem: DamperProblem, one: Judged, other: Judged, names: tuple[str, str]) -> NextTest | None:
+    so_far = max(_differences(problem, one, other), default=0.0)
+    best: tuple[float, str] | None = None
+    for text, trial in _tests(problem):
+        further = replace(problem, trials=(*problem.trials, trial))
+        try:
+            difference = _differences(further, one, other)[-1]
+        except PredictionError:
+            continue
+        if best is None or difference > best[0]:
+            best = (difference, text)
+    return None if best is None else NextTest(best[1], names, best[0], so_far)
+
+
+def _differences(problem: DamperProblem, one: Judged, other: Judged) -> list[float]:
+    """NRMS between two models' predictions of each test."""
+    first, second = (problem.predict(j.fitted.base, j.fitted.parts, ("fit", "validate")) for j in (one, other))
+    return [
+        float(np.sum((a - b) ** 2)) / max(float(a @ a), 1e-300)
+        for a, b in zip(first, second, strict=True)
+        if a is not None and b is not None
+    ]
+
+
+def _tests(problem: DamperProblem) -> Iterator[tuple[str, Trial]]:
+    """Tests that could be made after the campaign."""
+    largest = problem.sizes.displacement
+    temperature = float(np.mean(problem.trials[-1].temperature))
+    for frequency in _FREQUENCIES:
+        for share in _SHARES:
+            amplitude = share * largest
+            text = f"{_CYCLES} cycles of {1e3 * amplitude:.3g} mm at {frequency:g} Hz"
+            motion = _sine(amplitude, frequency)
+            yield f"{text}, {temperature:g} degC", _trial(problem, motion, temperature)
+            if share == 0.5:
+                warm = temperature + _WARMER
+                yield f"{text}, {warm:g} degC", _trial(problem, motion, warm)
+    for side in ("stretch", "push back"):
+        sign = 1.0 if side == "stretch" else -1.0
+        yield (
+            f"{side} by {1e3 * 0.5 * largest:.3g} mm in 0.2 s, hold for 60 s, {temperature:g} degC",
+            _trial(problem, _hold(sign * 0.5 * largest), temperature),
+        )
+
+
+def _trial(problem: DamperProblem, motion: Motion, temperature: float) -> Trial:
+    n = motion.time.size
+    return Trial("next", "validate", len(problem.trials), motion, np.ones(n), np.full(n, temperature))
+
+
+def _sine(amplitude: float, frequency: float) -> Motion:
+    """Cycles with half a cycle to grow."""
+    time = np.arange(0.0, _CYCLES / frequency, 1.0 / max(_RATE, 50.0 * frequency))
+    grow = np.clip(2.0 * frequency * time, 0.0, 1.0)
+    return _motion(time, amplitude * grow * np.sin(2.0 * np.pi * frequency * time))
+
+
+def _hold(displacement: float) -> Motion:
+    time = np.arange(0.0, 60.0, 0.01)
+    return _motion(time, displacement * 0.5 * (1.0 - np.cos(np.pi * np.clip(time / 0.2, 0.0, 1.0))))
+
+
+def _motion(time: np.ndarray, displacement: np.ndarray) -> Motion:
+    velocity = spline_velocity(time, displacement)
+    return Motion(time, displacement, velocity, spline_velocity(time, velocity))

@@ -1,0 +1,86 @@
+"""Narrow peaks that the spectra of several residuals have in common."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.fft import next_fast_len
+from scipy.ndimage import median_filter
+from scipy.special import gammainccinv
+
+from edesign.calibrate.dampers.trial import Trial
+
+_ABOVE_MOTION = 7.5  # the first seven harmonics of the motion are the specimen's
+_MOST = 3
+_HIGHEST = 200.0  # Hz
+_FINENESS = 8  # points within 1 / duration
+_NEIGHBOURS = 20.0  # half width of the background, in 1 / duration
+_ONE_TEST = 30.0  # most that one test counts, so that a peak of its own is none of all
+_FALSE_ALARM = 0.01
+_MAINS, _NEAR_MAINS = (50.0, 60.0, 100.0, 120.0, 150.0, 180.0, 200.0), 0.5  # Hz
+
+
+def common_tones(trials: Sequence[Trial], residuals: Sequence[np.ndarray]) -> tuple[float, ...]:
+    """Frequencies Hz of narrow peaks above the noise, the highest first.
+
+    In each test only what is above the seventh harmonic of its motion counts. Samples cannot tell a tone from its
+    aliases; where all tests have one rate, the one near a multiple of the mains is taken, else the lowest.
+
+    Args:
+        trials: tests.
+        residuals: (n_i,) N of each.
+    """
+    longest = max(float(t.motion.time[-1] - t.motion.time[0]) for t in trials)
+    grid = np.arange(1.0, _HIGHEST * longest * _FINENESS) / (longest * _FINENESS)
+    height, capped, tests = np.zeros_like(grid), np.zeros_like(grid), np.zeros(grid.size, dtype=int)
+    for trial, residual in zip(trials, residuals, strict=True):
+        own, counts = _heights(trial, residual, grid)
+        height += own
+        capped += np.minimum(own, _ONE_TEST)
+        tests += counts
+    # of noise alone the sum has a gamma distribution of as many tests as count
+    limit = np.where(tests > 0, gammainccinv(np.maximum(tests, 1), _FALSE_ALARM / grid.size), np.inf)
+    shortest = min(float(t.motion.time[-1] - t.motion.time[0]) for t in trials)
+    found: list[float] = []
+    for _ in range(_MOST):
+        excess = np.where(capped > limit, capped / limit, 0.0)
+        at = int(np.argmax(excess))
+        if excess[at] == 0.0:
+            break
+        near = np.abs(grid - grid[at]) < 2.0 / shortest
+        top = grid[near][np.argmax(height[near])]
+        aliases = _aliases(top, trials)
+        same = [f for f in aliases if abs(np.interp(f, grid, excess) - excess[at]) < 0.05 * excess[at]] or [top]
+        found.append(float(min(same, key=lambda f: (_from_mains(f) > _NEAR_MAINS, f))))
+        for alias in (top, *aliases):
+            capped[np.abs(grid - alias) < 4.0 / shortest] = 0.0
+    return tuple(found)
+
+
+def _heights(trial: Trial, residual: np.ndarray, grid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Power over that of the background, 1 on average, at frequencies (m,) Hz; and whether the test counts there."""
+    motion, step = trial.motion, float(np.median(trial.motion.steps))
+    size = next_fast_len(_FINENESS * residual.size, real=True)
+    power = np.abs(np.fft.rfft((residual - residual.mean()) * np.hanning(residual.size), size)) ** 2
+    width = int(2.0 * _NEIGHBOURS * size / residual.size)
+    thin = max(1, size // residual.size // 2)  # neighbours of finer spacing than that are one
+    background = median_filter(power[::thin], max(3, width // thin), mode="nearest") / np.log(2.0)
+    frequencies = np.arange(power.size) / (size * step)
+    folded = np.abs(grid - np.round(grid * step) / step)
+    level = np.interp(folded, frequencies[::thin], np.maximum(background, 1e-12 * power.max() + 1e-300))
+    fastest = np.sqrt(np.mean(motion.acceleration**2) / max(np.mean(motion.velocity**2), 1e-300)) / (2.0 * np.pi)
+    counts = folded > max(_ABOVE_MOTION * fastest, 2.0 / (step * residual.size))
+    return np.where(counts, np.interp(folded, frequencies, power) / level, 0.0), counts
+
+
+def _aliases(frequency: float, trials: Sequence[Trial]) -> list[float]:
+    """The frequency and others that the samples of the first test cannot tell from it, up to the highest."""
+    rate = 1.0 / float(np.median(trials[0].motion.steps))
+    orders = np.arange(np.ceil(_HIGHEST / rate) + 1.0) * rate
+    folded = abs(frequency - round(frequency / rate) * rate)
+    return [float(f) for f in np.unique(np.concatenate((orders - folded, orders + folded))) if 0.0 < f <= _HIGHEST]
+
+
+def _from_mains(frequency: float) -> float:
+    return min(abs(frequency - f) for f in _MAINS)

@@ -1,0 +1,137 @@
+"""From a campaign of damper tests to the loop: the declared law, tests freed from displacement noise, and what looks wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
+from edesign.calibrate.noise import smooth
+from edesign.damper.campaign import Campaign
+from edesign.damper.laws import law as law_of
+from edesign.damper.parameters import read_parameters
+from edesign.damper.test_record import DamperTest
+from edesign.errors import InputError
+
+_ABSURD = 30.0  # ratio of measured to predicted force beyond which a unit is wrong, not a law
+_OPPOSITE = -0.3  # correlation of measured and predicted force below which the sign is wrong
+
+
+def damper_problem(campaign: Campaign) -> DamperProblem:
+    """The problem of a campaign at full rate.
+
+    Raises:
+        InputError: there is no law, or too few tests, or the tests cannot be those of this law.
+    """
+    if campaign.law is None or campaign.law.parameters is None:
+        raise InputError(
+            f"{campaign.path}: law: the loop needs the declared law with its parameters, for example "
+            "`law: {type: mgmm, parameters: thesis_table_4_2}`"
+        )
+    _check_tests(campaign)
+    chosen = law_of(campaign.law.type)
+    start = read_parameters(chosen, campaign.law.parameters)
+    prepared = [_trial(test, order) for order, test in enumerate(campaign.tests)]
+    trials = tuple(trial for trial, _ in prepared)
+    problem = DamperProblem(chosen, start, None, trials, Sizes.of(trials))
+    _check_forces(problem, campaign)
+    return _with_motion_noise(problem, [noise for _, noise in prepared])
+
+
+def thinned(problem: DamperProblem) -> DamperProblem:
+    """The same at the rate of a fit."""
+    return replace(problem, trials=tuple(trial.thinned() for trial in problem.trials))
+
+
+def _check_tests(campaign: Campaign) -> None:
+    fitted, validating = campaign.used_for("fit"), campaign.used_for("validate")
+    if len(fitted) < 2:
+        raise InputError(
+            f"{campaign.path}: tests: {len(fitted)} with `use: fit`; an effect is adopted when it lowers the error on "
+            "tests it was not fitted to, so that two are the least (six or more are better)"
+        )
+    if not validating:
+        raise InputError(
+            f"{campaign.path}: tests: none has `use: validate`; the error before and after is reported on tests that "
+            "nothing was fitted to, so that one is the least"
+        )
+    for test in campaign.tests:
+        test.varying_force()
+
+
+def _trial(test: DamperTest, order: int) -> tuple[Trial, float]:
+    """The test, and the noise of its displacement, m."""
+    displacement, velocity, acceleration, noise = smooth(test.time, test.displacement)
+    history = test.temperature_history
+    temperature = np.full(test.time.size, test.temperature_C) if history is None else history
+    motion = Motion(test.time, displacement, velocity, acceleration)
+    return Trial(test.name, test.use, order, motion, test.measured_force(), temperature), noise
+
+
+def _with_motion_noise(problem: DamperProblem, noise: Sequence[float]) -> DamperProblem:
+    """What noise of the displacement (m, of each test) makes of force: the same noise added and taken off once more."""
+    random = np.random.default_rng(len(noise))
+    again = []
+    for trial, size in zip(problem.trials, noise, strict=True):
+        motion = trial.motion
+        if size > 0.0:
+            noisy = motion.displacement + size * random.standard_normal(motion.time.size)
+            motion = Motion(motion.time, *smooth(motion.time, noisy)[:3])
+        again.append(replace(trial, motion=motion))
+    twice = replace(problem, trials=tuple(again))
+    forces = [p.predict(p.declared, (), ("fit", "validate")) for p in (problem, twice)]
+    trials = []
+    for trial, one, other in zip(problem.trials, *forces, strict=True):
+        assert one is not None and other is not None
+        trials.append(replace(trial, motion_noise=float(np.sqrt(np.mean((one - other) ** 2)))))
+    return replace(problem, trials=tuple(trials))
+
+
+def _check_forces(problem: DamperProblem, campaign: Campaign) -> None:
+    """Refuse forces of the wrong sign or unit, which no effect is to absorb."""
+    small = thinned(problem)
+    predicted = small.predict(small.declared, (), ("fit", "validate"))
+    flipped, scales = [], []
+    for trial, test, force in zip(small.trials, campaign.tests, predicted, strict=True):
+        assert force is not None
+        size = float(np.sqrt((force @ force) * (trial.force @ trial.force)))
+        if size and float(force @ trial.force) / size < _OPPOSITE:
+            flipped.append(test)
+        scales.append(float(np.sqrt((trial.force @ trial.force) / max(force @ force, 1e-300))))
+    if flipped:
+        raise InputError(
+            _told(
+                flipped,
+                campaign,
+                "the force is negative where the damper is stretched; a positive force "
+                "must go with a positive displacement: change the sign of one of the channels",
+            )
+        )
+    wrong = [test for test, scale in zip(campaign.tests, scales, strict=True) if not 1 / _ABSURD < scale < _ABSURD]
+    if wrong:
+        middle = float(np.median([s for s in scales if not 1 / _ABSURD < s < _ABSURD]))
+        raise InputError(_told(wrong, campaign, _scale_text(middle)))
+
+
+def _scale_text(scale: float) -> str:
+    thousand = next((f for f in (1e-6, 1e-3, 1e3, 1e6) if 1 / 5.0 < scale / f < 5.0), None)
+    text = f"the force is {scale:.3g} times what the declared law gives"
+    if thousand == 1e3:
+        return text + ", a scale of 1000: is it in N, and declared as kN?"
+    if thousand == 1e-3:
+        return (
+            text
+            + ", a scale of 1/1000: is it in kN or MN and declared as N or kN, or the displacement in m declared as mm?"
+        )
+    if thousand is not None:
+        return text + f", a scale of {thousand:g}: are the units of the columns right?"
+    return text + ": are the units of the columns and the parameters of the law right?"
+
+
+def _told(tests: Sequence[DamperTest], campaign: Campaign, what: str) -> str:
+    if len(tests) == len(campaign.tests):
+        return f"{campaign.path}: all {len(tests)} tests: {what}"
+    return f"{campaign.path}: {', '.join(test.where for test in tests)}: {what}"

@@ -1,0 +1,259 @@
+"""A campaign of damper tests as a problem of the loop: predicts the force of every test with a law and effects."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+
+from edesign.calibrate.dampers.band import band_power
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.law_unknowns import law_unknowns
+from edesign.calibrate.dampers.inside import before_relaxation, relaxation_time, relaxed_force
+from edesign.calibrate.dampers.library import candidates
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
+from edesign.calibrate.unknown import Unknown
+from edesign.core import CoreError
+from edesign.core.damper import CoreDamper
+from edesign.damper.law import Law
+from edesign.damper.temperature import TemperatureModel, at
+from edesign.errors import InputError
+
+_KEPT = 64  # force histories of the law alone: those of one set of parameters, for the searches of two threads
+
+
+@dataclass(frozen=True, eq=False)
+class DamperProblem:
+    """Tests of one specimen in the order in which they were made.
+
+    Attributes:
+        law: declared.
+        start: its parameters, SI.
+        temperature_law: how they change with temperature; None: the law's own.
+        trials: at the rate of a fit, or at full rate.
+        sizes: of the campaign.
+    """
+
+    law: Law
+    start: Mapping[str, float]
+    temperature_law: TemperatureModel | None
+    trials: tuple[Trial, ...]
+    sizes: Sizes
+
+    @cached_property
+    def names(self) -> tuple[str, ...]:
+        """Of the tests."""
+        return tuple(trial.name for trial in self.trials)
+
+    @cached_property
+    def uses(self) -> tuple[Use, ...]:
+        """Of the tests."""
+        return tuple(trial.use for trial in self.trials)
+
+    @cached_property
+    def base(self) -> tuple[Unknown, ...]:
+        """Parameters of the law."""
+        return law_unknowns(self.law, self.start, self.sizes)
+
+    @cached_property
+    def declared(self) -> np.ndarray:
+        """Their declared values, SI."""
+        return np.array([self.start[unknown.name] for unknown in self.base])
+
+    @cached_property
+    def measured(self) -> tuple[np.ndarray, ...]:
+        """Force (n_i,) N of each test."""
+        return tuple(trial.force for trial in self.trials)
+
+    def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
+        """Effects that the campaign can show."""
+        fitted = [trial for trial in self.trials if trial.use == "fit"]
+        return candidates(self.sizes, fitted, residuals, relaxation_time(self.law, self.start) is not None)
+
+    def law_values(self, base: np.ndarray) -> dict[str, float]:
+        """Parameters of the law, all of them, of the values of the unknown ones."""
+        return {**self.start, **{u.name: float(v) for u, v in zip(self.base, base, strict=True)}}
+
+    def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
+        """Force (n_i,) N of each test used so; None for others.
+
+        Tests that come later than those asked for are left out; earlier ones are run through where a part remembers.
+        """
+        acting = [_Acting.of(part) for part in parts]
+        values = self.law_values(base)
+        wanted = [trial.use in uses for trial in self.trials]
+        remembers = any(part.form.remembers for part in acting)
+        parts_of_step = max((part.form.refined for part in acting), default=1)
+        found: list[np.ndarray | None] = []
+        for trial, asked in zip(self.trials, wanted, strict=True):
+            force = (
+                self._force((trial.finer(parts_of_step) if parts_of_step > 1 else trial), values, acting)
+                if asked or remembers
+                else None
+            )
+            found.append(None if force is None or not asked else force[::parts_of_step])
+        return found
+
+    def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
+        """Columns (n_i, k) of what is each test's own; None: there is nothing."""
+        acting = [_Acting.of(part) for part in parts]
+        columns = [part.form.columns(part.p, self.trials[index]) for part in acting]
+        given = [c for c in columns if c is not None]
+        return np.hstack(given) if given else None
+
+    def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
+        """Power of the residuals in the band of the motion over that of noise there, or of all over all, whichever is more.
+
+        The noise in the band is white noise as strong as above it, and what noise of the displacement makes through the law.
+        """
+        fitted = [trial for trial in self.trials if trial.use == "fit"]
+        inside = expected = 0.0
+        for residual, trial, size in zip(residuals, fitted, noise, strict=True):
+            power, white = band_power(residual, trial.motion)
+            inside += power
+            expected += white + 0.5 * residual.size * (trial.motion_noise / size) ** 2  # of a one-sided spectrum
+        return max(inside / expected, sum(float(r @ r) for r in residuals) / sum(r.size for r in residuals))
+
+    def _force(self, trial: Trial, values: dict[str, float], acting: Sequence[_Acting]) -> np.ndarray:
+        motion = trial.motion
+        for part in acting:
+            motion = part.form.actuator(part.p, trial, motion)
+        own = motion
+        for part in acting:
+            own = part.form.specimen(part.p, trial, own)
+        for part in acting:
+            values = part.form.law(part.p, trial, values)
+        series = [s for s in (part.form.series(part.p) for part in acting) if s is not None]
+        law_force = self._law_force(trial, own, values)
+        factor, parallel = _factor_and_parallel(trial, own, law_force, acting, relaxation_time(self.law, values))
+        if series:
+            force = self._in_series(trial, own, values, factor, parallel, series)
+        else:
+            force = np.asarray(factor * law_force + parallel)
+        for part in acting:
+            force = part.form.channel(part.p, trial, force)
+        if not np.all(np.isfinite(force)):
+            raise PredictionError("the force is not finite")
+        return force
+
+    def _in_series(
+        self,
+        trial: Trial,
+        motion: Motion,
+        values: dict[str, float],
+        factor: np.ndarray | float,
+        parallel: np.ndarray | float,
+        series: Sequence[tuple[float, float]],
+    ) -> np.ndarray:
+        """Force with the rig in series; springs add by their compliance, plays by their widths.
+
+        Factors and parallel forces are those of the whole motion: what the rig takes of it is small.
+        """
+        stiffness = 1.0 / sum(1.0 / s for s, _ in series)
+        play = sum(g for _, g in series)
+        n = motion.time.size
+        damper = _damper(self.law.name, self._at(trial, values))
+        try:
+            force, _ = damper.force_in_series(
+                motion.time,
+                motion.displacement,
+                motion.velocity,
+                stiffness,
+                play,
+                None if np.isscalar(factor) and factor == 1.0 else np.broadcast_to(factor, n),
+                None if np.isscalar(parallel) and parallel == 0.0 else np.broadcast_to(parallel, n),
+            )
+        except CoreError as error:
+            raise PredictionError(str(error)) from error
+        return force
+
+    def _law_force(self, trial: Trial, motion: Motion, values: dict[str, float]) -> np.ndarray:
+        law = self._at(trial, values)
+        if motion is trial.motion:
+            return _kept_force(self.law.name, law, _Same(motion))
+        return _force(self.law.name, law, motion)
+
+    def _at(self, trial: Trial, values: dict[str, float]) -> tuple[float, ...]:
+        """Parameters of the law at the temperature of a test, in the order of the core."""
+        try:
+            found, _ = at(self.law, values, float(np.mean(trial.temperature)), self.temperature_law)
+        except InputError as error:
+            raise PredictionError(str(error)) from error
+        return tuple(found.values())
+
+
+@dataclass
+class _Acting:
+    """A part in one prediction of the campaign."""
+
+    form: Form
+    p: Values
+    memory: Memory
+
+    @staticmethod
+    def of(part: Part) -> _Acting:
+        candidate, values = part
+        form, fixed = candidate.effect
+        p: dict[str, Any] = {u.name: float(v) for u, v in zip(candidate.unknowns, values, strict=True)}
+        return _Acting(form, {**p, **fixed}, {})
+
+
+def _factor_and_parallel(
+    trial: Trial, motion: Motion, law_force: np.ndarray, acting: Sequence[_Acting], relaxes: float | None
+) -> tuple[np.ndarray | float, np.ndarray | float]:
+    """Factor of the law's force, and force beside it; what acts inside the law comes through its relaxation."""
+    factor: np.ndarray | float = 1.0
+    parallel: np.ndarray | float = 0.0
+    inside: np.ndarray | None = None
+    for part in acting:
+        own = part.form.factor(part.p, trial, motion, law_force, part.memory)
+        beside = part.form.parallel(part.p, trial, motion, part.memory)
+        if part.form.inside and relaxes is not None:
+            added = 0.0 if beside is None else beside
+            if own is not None:
+                added = added + (own - 1.0) * before_relaxation(motion, law_force, relaxes)
+            inside = added if inside is None else inside + added
+            continue
+        factor = factor if own is None else factor * own
+        parallel = parallel if beside is None else parallel + beside
+    if inside is not None and relaxes is not None:
+        parallel = parallel + relaxed_force(motion, np.broadcast_to(inside, law_force.shape), relaxes)
+    return factor, parallel
+
+
+class _Same:
+    """A motion as a key of kept results: the same object, not the same numbers."""
+
+    def __init__(self, motion: Motion) -> None:
+        self.motion = motion
+
+    def __hash__(self) -> int:
+        return id(self.motion)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.motion is self.motion
+
+
+def _damper(law: str, values: tuple[float, ...]) -> CoreDamper:
+    try:
+        return CoreDamper(law, values)
+    except CoreError as error:
+        raise PredictionError(str(error)) from error
+
+
+def _force(law: str, values: tuple[float, ...], motion: Motion) -> np.ndarray:
+    try:
+        return _damper(law, values).force(motion.time, motion.displacement, motion.velocity)
+    except CoreError as error:
+        raise PredictionError(str(error)) from error
+
+
+@lru_cache(maxsize=_KEPT)
+def _kept_force(law: str, values: tuple[float, ...], motion: _Same) -> np.ndarray:
+    force = _force(law, values, motion.motion)
+    force.setflags(write=False)
+    return force

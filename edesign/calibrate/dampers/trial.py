@@ -1,0 +1,168 @@
+"""Damper tests as the loop sees them: motion freed from noise, measured force, temperature, place in the campaign."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import CubicHermiteSpline
+
+from edesign.calibrate.problem import Use
+
+_RATE = 120.0  # samples per second that a fit needs at least: 30 in a cycle of 4 Hz, exact to 1e-5 through cubics
+_PER_CYCLE = 30
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """What a device is made to do: arrays (n,) of time s, displacement m, velocity m/s, acceleration m/s2."""
+
+    time: np.ndarray
+    displacement: np.ndarray
+    velocity: np.ndarray
+    acceleration: np.ndarray
+
+    def thinned(self, stride: int) -> Motion:
+        """Every so many samples."""
+        return Motion(
+            *(
+                np.ascontiguousarray(a[::stride])
+                for a in (self.time, self.displacement, self.velocity, self.acceleration)
+            )
+        )
+
+    @cached_property
+    def steps(self) -> np.ndarray:
+        """Durations (n - 1,) between samples, s."""
+        return np.diff(self.time)
+
+    @cached_property
+    def path(self) -> np.ndarray:
+        """Path length (n,) since the beginning of the test, m."""
+        return np.concatenate(([0.0], np.cumsum(np.abs(np.diff(self.displacement)))))
+
+    def moved(self, displacement: np.ndarray) -> Motion:
+        """Another displacement (n,) at the same times, with its velocity and acceleration by differences of the change."""
+        change = displacement - self.displacement
+        rate = np.gradient(change, self.time)
+        return Motion(self.time, displacement, self.velocity + rate, self.acceleration + np.gradient(rate, self.time))
+
+
+@dataclass(frozen=True, eq=False)
+class Trial:
+    """A test at one rate.
+
+    Attributes:
+        name: of the test.
+        use: fit or validate.
+        order: number of tests made before.
+        motion: measured, freed from noise.
+        force: measured (n,) N.
+        temperature: (n,) degC: measured, or ambient.
+        motion_noise: standard deviation of the force that noise of the displacement makes through the law, N.
+    """
+
+    name: str
+    use: Use
+    order: int
+    motion: Motion
+    force: np.ndarray
+    temperature: np.ndarray
+    motion_noise: float = 0.0
+
+    def thinned(self) -> Trial:
+        """With no more samples than a fit needs."""
+        step = float(np.median(self.motion.steps))
+        fastest = float(
+            np.sqrt(np.mean(self.motion.acceleration**2) / max(np.mean(self.motion.velocity**2), 1e-300))
+            / (2.0 * np.pi)
+        )
+        stride = max(1, int(1.0 / (max(_RATE, _PER_CYCLE * fastest) * step)))
+        return replace(
+            self,
+            motion=self.motion.thinned(stride),
+            force=np.ascontiguousarray(self.force[::stride]),
+            temperature=np.ascontiguousarray(self.temperature[::stride]),
+        )
+
+    @cached_property
+    def _finer(self) -> dict[int, Trial]:
+        return {}
+
+    def finer(self, parts: int) -> Trial:
+        """With every step cut into so many, along the cubics between samples; kept, as models ask for it again and again."""
+        if parts not in self._finer:
+            time = self.motion.time
+            fine = np.interp(np.arange((time.size - 1) * parts + 1) / parts, np.arange(time.size), time)
+            curve = CubicHermiteSpline(time, self.motion.displacement, self.motion.velocity)
+            rate = CubicHermiteSpline(time, self.motion.velocity, self.motion.acceleration)
+            motion = Motion(fine, curve(fine), rate(fine), np.interp(fine, time, self.motion.acceleration))
+            force, temperature = (np.interp(fine, time, values) for values in (self.force, self.temperature))
+            self._finer[parts] = replace(self, motion=motion, force=force, temperature=temperature)
+        return self._finer[parts]
+
+
+@dataclass(frozen=True)
+class Sizes:
+    """How large things are in a campaign, over the tests fitted to; SI.
+
+    Attributes:
+        force, displacement, velocity, acceleration: largest.
+        duration: of the longest test.
+        path: of all tests.
+        work: dissipated in all tests.
+        tests: number in the campaign.
+        period: of the slowest motion (longest time between reversals, times two).
+        temperatures: lowest and highest, degC.
+    """
+
+    force: float
+    displacement: float
+    velocity: float
+    acceleration: float
+    duration: float
+    path: float
+    work: float
+    tests: int
+    period: float
+    temperatures: tuple[float, float]
+
+    @property
+    def stiffness(self) -> float:
+        """Largest force over largest displacement, N/m."""
+        return self.force / self.displacement
+
+    @staticmethod
+    def of(trials: Sequence[Trial]) -> Sizes:
+        """Sizes in trials."""
+        fitted = [trial for trial in trials if trial.use == "fit"]
+
+        def largest(values: Sequence[np.ndarray]) -> float:
+            return max(float(np.max(np.abs(v))) for v in values)
+
+        work = sum(float(np.sum(0.5 * (t.force[1:] + t.force[:-1]) * np.diff(t.motion.displacement))) for t in trials)
+        return Sizes(
+            force=largest([t.force for t in fitted]),
+            displacement=largest([t.motion.displacement for t in fitted]),
+            velocity=largest([t.motion.velocity for t in fitted]),
+            acceleration=largest([t.motion.acceleration for t in fitted]),
+            duration=max(float(t.motion.time[-1] - t.motion.time[0]) for t in trials),
+            path=sum(float(t.motion.path[-1]) for t in trials),
+            work=abs(work),
+            tests=len(trials),
+            period=max(_slowest(t.motion) for t in fitted),
+            temperatures=(
+                min(float(t.temperature.min()) for t in trials),
+                max(float(t.temperature.max()) for t in trials),
+            ),
+        )
+
+
+def _slowest(motion: Motion) -> float:
+    return float(2.0 * np.pi * np.sqrt(np.mean(motion.displacement**2) / max(np.mean(motion.velocity**2), 1e-300)))
+
+
+Values = Mapping[str, float]
+"""Parameters by name, SI."""

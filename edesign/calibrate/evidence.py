@@ -1,0 +1,104 @@
+"""Whether one model is better than another by more than chance."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from edesign.calibrate.cross_validation import HeldOut, leave_one_out
+from edesign.calibrate.fit import Fitted, correlation_length
+
+AT_FLOOR = 1.2
+"""Power left where the tests move, over that of the noise there, up to which a residual is at the noise floor."""
+
+_LEAST_BIC = 10.0  # Kass and Raftery (1995): "very strong"
+_LEAST_T = 1.0  # of the tests' improvements: one test that improves against all others passes only if it is much
+
+
+@dataclass(frozen=True, eq=False)
+class Judged:
+    """A fitted model with its errors on tests left out."""
+
+    fitted: Fitted
+
+    @cached_property
+    def held_out(self) -> HeldOut:
+        """Each test left out in turn."""
+        return leave_one_out(self.fitted)
+
+    @property
+    def at_floor(self) -> bool:
+        """Whether nothing but noise is left."""
+        return self.left <= AT_FLOOR
+
+    @cached_property
+    def left(self) -> float:
+        """Power of the residual over that of the noise, where the tests move; about 1 at the noise floor."""
+        model = self.fitted.model
+        noise = [s for s, use in zip(model.noise, model.problem.uses, strict=True) if use == "fit"]
+        return model.problem.left(self.fitted.residuals, noise)
+
+    @property
+    def excess(self) -> float:
+        """chi2 on tests left out that noise does not explain."""
+        return self.held_out.excess
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """How a model compares with a rival on the same tests.
+
+    Attributes:
+        share: of the rival's excess over noise that the model removes: the smaller one of that on the tests fitted to and that on
+            tests left out.
+        t: sum of the tests' improvements over the root of their squares: sqrt(tests) if all improve alike, 1 if one alone does.
+        bic: information criterion of the rival minus that of the model; above 10 is very strong.
+        better, tests: how many tests improve when they are left out, of how many.
+    """
+
+    share: float
+    t: float
+    bic: float
+    better: int
+    tests: int
+
+    @property
+    def beyond_chance(self) -> bool:
+        """Whether cross-validation and information criterion agree that the model is better."""
+        return self.share > 0.0 and self.t >= _LEAST_T and self.bic > _LEAST_BIC
+
+    @property
+    def text(self) -> str:
+        """For people."""
+        return (
+            f"removes {100.0 * self.share:.1f} % of the excess over noise in tests left out; {self.better} of {self.tests} "
+            f"tests improve (t = {self.t:.1f}); BIC falls by {self.bic:.0f}"
+        )
+
+
+def compare(model: Judged, rival: Judged) -> Evidence:
+    """Evidence for a model against a rival.
+
+    Source of the criterion: Schwarz (1978), Ann. Statist. 6, 461-464, with as many samples as the correlation of the model's
+    residual leaves independent.
+    """
+    before, after = rival.held_out, model.held_out
+    gains = before.chi2 - after.chi2
+    size = math.sqrt(float(gains @ gains))
+    fitted = (rival.fitted.chi2 - model.fitted.chi2) / max(rival.fitted.chi2 - rival.fitted.samples, 1e-12)
+    return Evidence(
+        share=min(float(gains.sum()) / max(before.excess, 1e-12), fitted),
+        t=float(gains.sum()) / size if size > 0.0 else 0.0,
+        bic=_bic(rival.fitted, model.fitted) - _bic(model.fitted, model.fitted),
+        better=int(np.sum(gains > 0.0)),
+        tests=gains.size,
+    )
+
+
+def _bic(fitted: Fitted, correlated_as: Fitted) -> float:
+    """n ln(chi2 / n) + p ln n with the independent samples n of a residual."""
+    n = sum(r.size / correlation_length(r) for r in correlated_as.residuals)
+    return n * math.log(max(fitted.chi2, 1e-300) / fitted.samples) + fitted.x.size * math.log(max(n, 2.0))

@@ -1,0 +1,306 @@
+"""Fit a base model with effects to the tests of a problem: Levenberg-Marquardt on residuals in units of their noise."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem, Use
+from edesign.calibrate.unknown import Unknown
+
+BELIEF = 0.5
+"""How far the declared parameters are believed, in coordinates: a factor of e^0.5. It decides what the tests cannot tell."""
+_MOST_STEPS = 15
+_ENOUGH = 1e-4  # relative change of the sum of squares that ends a search
+_REFRESH = (
+    0.3  # a step that lowers the sum of squares by less than this share of what was hoped for asks for new slopes
+)
+
+
+@dataclass(frozen=True)
+class Model:
+    """A base model with effects, before their parameters are known.
+
+    Attributes:
+        problem: what it is of.
+        noise: (tests,) standard deviation by which residuals are measured.
+        effects: in the order of adoption.
+        held: whether the base keeps its declared parameters.
+        misfit: standard deviation of what is left by the models compared, in units of noise and as if it were white: what no model
+            explains does not make the parameters sure, so the belief in the declared ones counts by as much more.
+    """
+
+    problem: Problem
+    noise: tuple[float, ...]
+    effects: tuple[Candidate, ...] = ()
+    held: bool = False
+    misfit: float = 1.0
+
+    @cached_property
+    def base(self) -> tuple[Unknown, ...]:
+        """Unknowns of the base that are searched."""
+        return () if self.held else self.problem.base
+
+    @cached_property
+    def unknowns(self) -> tuple[Unknown, ...]:
+        """All unknowns."""
+        return (*self.base, *(unknown for effect in self.effects for unknown in effect.unknowns))
+
+    def coordinates(self, base: np.ndarray | None = None, parts: Sequence[Part] = ()) -> np.ndarray:
+        """Coordinates (p,) of values of the base (None: declared) and of the parts; effects without a part at their first start."""
+        given = {candidate.label: values for candidate, values in parts}
+        values = [] if self.held else list(self.problem.declared if base is None else base)
+        for effect in self.effects:
+            values.extend(given.get(effect.label, effect.starts[0]))
+        return np.array([unknown.coordinate(float(v)) for unknown, v in zip(self.unknowns, values, strict=True)])
+
+    def pull(self, x: np.ndarray) -> np.ndarray:
+        """Half the slope (p,) of the belief in the declared parameters."""
+        return np.asarray(_belief(self) ** 2 * (x - self.coordinates()))
+
+    def base_values(self, x: np.ndarray) -> np.ndarray:
+        """Values of the base's parameters, SI."""
+        if self.held:
+            return self.problem.declared
+        return np.array([unknown.value(float(c)) for unknown, c in zip(self.base, x, strict=False)])
+
+    def parts(self, x: np.ndarray) -> tuple[Part, ...]:
+        """The effects with their values, SI."""
+        found: list[Part] = []
+        at = len(self.base)
+        for effect in self.effects:
+            own = x[at : at + len(effect.unknowns)]
+            values = np.array([u.value(float(c)) for u, c in zip(effect.unknowns, own, strict=True)])
+            found.append((effect, values))
+            at += len(effect.unknowns)
+        return tuple(found)
+
+    def residuals(self, x: np.ndarray, uses: Sequence[Use] = ("fit",)) -> list[np.ndarray]:
+        """Residuals (n_i,) of the tests used so, in units of noise, freed from what is each test's own."""
+        parts = self.parts(x)
+        predicted = self.problem.predict(self.base_values(x), parts, uses)
+        found = []
+        for i, values in enumerate(predicted):
+            if values is None:
+                continue
+            residual = (self.problem.measured[i] - values) / self.noise[i]
+            columns = self.problem.nuisance(parts, i) if parts else None
+            if columns is not None:
+                residual = residual - columns @ np.linalg.lstsq(columns, residual, rcond=None)[0]
+            found.append(residual)
+        return found
+
+
+@dataclass(frozen=True)
+class Fitted:
+    """A model with its parameters.
+
+    Attributes:
+        model: what was fitted.
+        x: (p,) coordinates found.
+        residuals: (n_i,) of each test fitted to, in units of noise.
+        slopes: (n_i, p) of each test's residual to x.
+    """
+
+    model: Model
+    x: np.ndarray
+    residuals: tuple[np.ndarray, ...]
+    slopes: tuple[np.ndarray, ...]
+
+    @cached_property
+    def chi2(self) -> float:
+        """Sum of squared residuals."""
+        return float(sum(r @ r for r in self.residuals))
+
+    @cached_property
+    def samples(self) -> int:
+        """Number of residuals."""
+        return sum(r.size for r in self.residuals)
+
+    @property
+    def reduced(self) -> float:
+        """chi2 per sample: 1 at the noise floor."""
+        return self.chi2 / self.samples
+
+    @property
+    def parts(self) -> tuple[Part, ...]:
+        """The effects with their values, SI."""
+        return self.model.parts(self.x)
+
+    @property
+    def base(self) -> np.ndarray:
+        """Values of the base's parameters, SI."""
+        return self.model.base_values(self.x)
+
+    @cached_property
+    def hessian(self) -> np.ndarray:
+        """J^T J (p, p) of the tests and of the belief in the declared parameters."""
+        total = np.diag(_belief(self.model) ** 2)
+        for slopes in self.slopes:
+            total = total + slopes.T @ slopes
+        return np.asarray(total)
+
+    @cached_property
+    def covariance(self) -> np.ndarray:
+        """Covariance (p, p) of x: noise inflated to what is left, with as many independent samples as its correlation leaves."""
+        return np.asarray(np.linalg.pinv(self.hessian) * self.misfit**2)
+
+    @cached_property
+    def misfit(self) -> float:
+        """Standard deviation of the residuals as if they were white, at least that of the noise."""
+        return math.sqrt(max(sum(float(r @ r) * correlation_length(r) for r in self.residuals) / self.samples, 1.0))
+
+
+def correlation_length(residual: np.ndarray) -> float:
+    """Samples over which a residual (n,) is correlated: 1 for white noise (Geyer's initial positive sequence)."""
+    n = residual.size
+    r = residual - residual.mean()
+    power = float(r @ r)
+    if power <= 0.0 or n < 4:
+        return 1.0
+    size = 1 << (2 * n - 1).bit_length()
+    spectrum = np.fft.rfft(r, size)
+    rho = np.fft.irfft(spectrum * np.conj(spectrum), size)[: n // 2] / power
+    pairs = rho[1::2][: rho.size // 2 - 1] + rho[2::2][: rho.size // 2 - 1]
+    negative = np.flatnonzero(pairs <= 0.0)
+    last = int(negative[0]) if negative.size else pairs.size
+    return max(1.0, 1.0 + 2.0 * float(pairs[:last].sum()))
+
+
+def fit(
+    model: Model,
+    start: np.ndarray,
+    most_steps: int = _MOST_STEPS,
+    enough: float = _ENOUGH,
+    frozen: Sequence[np.ndarray] | None = None,
+) -> Fitted:
+    """Search from a start (p,) of coordinates.
+
+    Args:
+        model: what to fit.
+        start: moved inside the bounds.
+        most_steps: of the search.
+        enough: relative change of the sum of squares that ends it.
+        frozen: slopes (n_i, q) to the first unknowns, taken as known all along: those of the base, which effects change little.
+
+    Raises:
+        PredictionError: the model cannot predict at the start.
+    """
+    low, high = _bounds(model)
+    x = np.clip(start, low, high)
+    weights, centre = _belief(model), model.coordinates()
+    residuals = model.residuals(x)
+    cost = _cost(residuals, x, weights, centre)
+    slopes, slopes_x = slopes_at(model, x, residuals, frozen), x
+    damping = 1e-3
+    for _ in range(most_steps if x.size else 0):
+        hessian, gradient = _normal(residuals, slopes, x, weights, centre)
+        fresh = slopes_x is x
+        for _ in range(8 if fresh else 2):
+            step, hoped = _step(hessian, gradient, damping, x, low, high)
+            try:
+                tried = model.residuals(x + step)
+                tried_cost = _cost(tried, x + step, weights, centre)
+            except PredictionError:
+                tried_cost = np.inf
+            if tried_cost < cost:
+                break
+            damping *= 10.0
+        if not tried_cost < cost:
+            if fresh:
+                break
+            slopes, slopes_x = slopes_at(model, x, residuals, frozen), x
+            continue
+        gain = cost - tried_cost
+        x, residuals, cost = x + step, tried, tried_cost
+        damping = max(damping * (0.1 if gain > 0.5 * hoped else 1.0), 1e-9)
+        if gain < enough * cost:
+            break
+        if gain < _REFRESH * hoped or frozen is not None:
+            slopes, slopes_x = slopes_at(model, x, residuals, frozen), x
+    if slopes_x is not x:
+        slopes = slopes_at(model, x, residuals, frozen)
+    return Fitted(model, x, tuple(residuals), tuple(slopes))
+
+
+def slopes_at(
+    model: Model, x: np.ndarray, residuals: Sequence[np.ndarray], frozen: Sequence[np.ndarray] | None = None
+) -> list[np.ndarray]:
+    """Slopes (n_i, p) of the residuals to the coordinates, by differences; those of the first unknowns may be given."""
+    slopes = [np.empty((r.size, x.size)) for r in residuals]
+    known = 0
+    if frozen is not None:
+        known = frozen[0].shape[1]
+        for own, given in zip(slopes, frozen, strict=True):
+            own[:, :known] = given
+    for j, unknown in list(enumerate(model.unknowns))[known:]:
+        moved = x.copy()
+        step = unknown.step(float(x[j]))
+        moved[j] += step
+        try:
+            after = model.residuals(moved)
+        except PredictionError:
+            moved[j] = x[j] - step
+            step = -step
+            after = model.residuals(moved)
+        for i, r in enumerate(residuals):
+            slopes[i][:, j] = (after[i] - r) / step
+    return slopes
+
+
+def _bounds(model: Model) -> tuple[np.ndarray, np.ndarray]:
+    spans = [unknown.span for unknown in model.unknowns]
+    return np.array([low for low, _ in spans]), np.array([high for _, high in spans])
+
+
+def _belief(model: Model) -> np.ndarray:
+    """Weight (p,) of the declared value of each unknown; effects have none but what keeps the equations regular."""
+    known, added = len(model.base), len(model.unknowns) - len(model.base)
+    return model.misfit * np.array([1.0 / BELIEF] * known + [1e-3] * added)
+
+
+def _cost(residuals: Sequence[np.ndarray], x: np.ndarray, weights: np.ndarray, centre: np.ndarray) -> float:
+    cost = float(sum(r @ r for r in residuals)) + float(np.sum((weights * (x - centre)) ** 2))
+    return cost if np.isfinite(cost) else np.inf
+
+
+def _normal(
+    residuals: Sequence[np.ndarray],
+    slopes: Sequence[np.ndarray],
+    x: np.ndarray,
+    weights: np.ndarray,
+    centre: np.ndarray,
+) -> tuple[np.ndarray, np.ndarray]:
+    hessian, gradient = np.diag(weights**2), weights**2 * (x - centre)
+    for r, j in zip(residuals, slopes, strict=True):
+        hessian = hessian + j.T @ j
+        gradient = gradient + j.T @ r
+    return hessian, gradient
+
+
+def _step(
+    hessian: np.ndarray, gradient: np.ndarray, damping: float, x: np.ndarray, low: np.ndarray, high: np.ndarray
+) -> tuple[np.ndarray, float]:
+    """A damped Gauss-Newton step inside the bounds, and the reduction it hopes for; unknowns that push at a bound stay there."""
+    free = ~(((x <= low) & (gradient > 0.0)) | ((x >= high) & (gradient < 0.0)))
+    step = np.zeros_like(x)
+    for _ in range(x.size + 1):
+        index = np.flatnonzero(free)
+        if index.size == 0:
+            break
+        h = hessian[np.ix_(index, index)]
+        fixed = np.flatnonzero(~free)
+        right = gradient[index] + hessian[np.ix_(index, fixed)] @ step[fixed]
+        own = np.linalg.lstsq(h + damping * np.diag(np.diag(h)), -right, rcond=1e-14)[0]
+        step[index] = own
+        over = index[(x[index] + own < low[index]) | (x[index] + own > high[index])]
+        if over.size == 0:
+            break
+        step[over] = np.clip(x[over] + step[over], low[over], high[over]) - x[over]
+        free[over] = False
+    step = np.clip(x + step, low, high) - x
+    return step, float(-(2.0 * gradient @ step + step @ hessian @ step))

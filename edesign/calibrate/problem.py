@@ -1,0 +1,84 @@
+"""What the loop works on: tests with measured values, a base model that predicts them, and effects it may lack.
+
+Damper tests, property tables and records of structures are problems of one form, and one loop serves them all."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol
+
+import numpy as np
+
+from edesign.calibrate.unknown import Unknown
+
+Kind = Literal["damper", "rig", "instrument", "structure"]
+Use = Literal["fit", "validate"]
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """One form of an effect that a model may lack.
+
+    Attributes:
+        name: of the effect.
+        form: how it acts; an effect may have several forms.
+        kind: whose it is.
+        unknowns: its parameters.
+        starts: values (SI) to start from, one row each; the first start is that of a typical size.
+        effect: what the problem needs to predict with it.
+    """
+
+    name: str
+    form: str
+    kind: Kind
+    unknowns: tuple[Unknown, ...]
+    starts: tuple[tuple[float, ...], ...]
+    effect: Any
+
+    @property
+    def label(self) -> str:
+        """Name and form."""
+        return f"{self.name}.{self.form}"
+
+
+Part = tuple[Candidate, np.ndarray]
+"""An effect with the values (p,) of its parameters, SI."""
+
+
+class Problem(Protocol):
+    """What the loop works on.
+
+    Attributes:
+        names: of the tests, in the order in which they were made.
+        uses: of the tests.
+        base: unknowns of the base model.
+        declared: their values, SI.
+        measured: (n_i,) of each test, at the rate at which models are fitted.
+    """
+
+    names: tuple[str, ...]
+    uses: tuple[Use, ...]
+    base: tuple[Unknown, ...]
+    declared: np.ndarray
+    measured: tuple[np.ndarray, ...]
+
+    def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
+        """Effects the model may lack, with starts that suit residuals (n_i,) of the tests fitted to, in the unit of `measured`."""
+
+    def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
+        """Predicted values (n_i,) of each test used so; None for the others.
+
+        Raises:
+            PredictionError: the model has no prediction for these values.
+        """
+
+    def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
+        """Columns (n_i, k) whose share is each test's own, such as the phase of hum; None: there are none."""
+
+    def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
+        """Power of the residuals of the tests fitted to, in units of their noise, over that of noise; 1 where only noise is left."""
+
+
+class PredictionError(Exception):
+    """A model cannot predict with these parameters: the search goes elsewhere."""

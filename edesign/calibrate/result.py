@@ -1,0 +1,155 @@
+"""What a calibration found: the errors before and after, the effects, and what the data cannot tell."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from edesign.calibrate.problem import Kind, Use
+
+Verdict = Literal["none", "explained", "partly_explained", "unexplained"]
+Stage = Literal["declared", "refit", "corrected"]
+
+
+@dataclass(frozen=True)
+class Errors:
+    """NRMS of a model: sum of squared errors over sum of squared measured values.
+
+    Attributes:
+        fit, validate: over all samples of the tests used so.
+        tests: of each test.
+    """
+
+    fit: float
+    validate: float
+    tests: Mapping[str, float]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A number with its standard error, in one unit."""
+
+    value: float
+    standard_error: float
+    unit: str
+
+    @property
+    def interval(self) -> tuple[float, float]:
+        """95 % confidence interval."""
+        return self.value - 1.96 * self.standard_error, self.value + 1.96 * self.standard_error
+
+
+@dataclass(frozen=True)
+class Effect:
+    """An effect that the model lacked.
+
+    Attributes:
+        name, form, kind: of the library.
+        amendment: form by which a law file carries it (edesign.damper.amendments); "" if it cannot.
+        title: for people.
+        parameters: by name, SI.
+        fixed: further numbers of the form, by name, SI.
+        delta_validate: NRMS of the validation tests without it, the others fitted again, minus that with it.
+        evidence: for people.
+        share: of the excess over noise in tests left out that it removes.
+        indistinguishable_from: names of effects that the tests cannot tell from it.
+    """
+
+    name: str
+    form: str
+    kind: Kind
+    title: str
+    amendment: str
+    parameters: Mapping[str, Estimate]
+    fixed: Mapping[str, float]
+    delta_validate: float
+    evidence: str
+    share: float
+    indistinguishable_from: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class NextTest:
+    """A further test that would separate what these cannot.
+
+    Attributes:
+        text: for people.
+        separates: names of the two effects.
+        difference: NRMS between their predictions in that test.
+        largest: the same in the tests that were made.
+    """
+
+    text: str
+    separates: tuple[str, str]
+    difference: float
+    largest: float
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """Histories of one test at full rate.
+
+    Attributes:
+        name, title, use, order: of the test.
+        time: (n,) s.
+        displacement: (n,) m, freed from noise.
+        velocity: (n,) m/s.
+        measured: (n,) N.
+        predicted: (n,) N by stage: declared, refit, corrected.
+        temperature: (n,) degC.
+        noise: standard deviation of the noise, N.
+    """
+
+    name: str
+    title: str
+    use: Use
+    order: int
+    time: np.ndarray
+    displacement: np.ndarray
+    velocity: np.ndarray
+    measured: np.ndarray
+    predicted: Mapping[Stage, np.ndarray]
+    temperature: np.ndarray
+    noise: float
+
+
+@dataclass(frozen=True, eq=False)
+class Calibration:
+    """What the loop found in a campaign.
+
+    Attributes:
+        title: of the campaign.
+        law: name of the declared law.
+        errors: by stage.
+        noise_floor: NRMS of the noise in the validation tests, below which no model comes; `noise_floor_fit` in the others.
+        effects: in the order of adoption.
+        verdict: none: nothing is missing; explained: what was missing is found, noise is left; partly_explained: more than noise
+            is left; unexplained: something is missing and nothing known explains it.
+        unexplained_share: of the error of the refitted law over noise, in the validation tests, that is left.
+        unexplained_shape: for people; "" if only noise is left.
+        next_test: what would separate look-alikes; None: nothing is left to separate.
+        refused: effects that came nearest to being adopted, with the evidence against.
+        parameters: of the law, by stage (refit: with standard errors).
+        law_held: whether the corrected law keeps the declared parameters.
+        series: of each test.
+        seconds: that the calibration took.
+    """
+
+    title: str
+    law: str
+    errors: Mapping[Stage, Errors]
+    noise_floor: float
+    noise_floor_fit: float
+    effects: tuple[Effect, ...]
+    verdict: Verdict
+    unexplained_share: float
+    unexplained_shape: str
+    next_test: NextTest | None
+    refused: tuple[tuple[str, str], ...]
+    parameters: Mapping[Stage, Mapping[str, Estimate]]
+    law_held: bool
+    series: tuple[Series, ...]
+    seconds: float

@@ -1,0 +1,131 @@
+"""Which effects are worth a fit: how much of the residual the signature of each could explain, beside what the model can already do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from edesign.calibrate.fit import Fitted, Model
+from edesign.calibrate.problem import Candidate, PredictionError
+
+_FAR = 1.5  # a linear step is not believed farther, in logarithmic coordinates
+
+
+@dataclass(frozen=True)
+class Signature:
+    """What a candidate, linear about one of its starts, would do.
+
+    Attributes:
+        candidate: the form of an effect.
+        model: the model with it.
+        start: (p,) coordinates from which a fit of that model would go.
+        frozen: (n_i, q) of each test: slopes to the parameters of the model without it.
+        gain: reduction of chi2.
+        columns: (N, q) slopes to its unknowns, and the change at its start, free from what the model can do; for pairs.
+    """
+
+    candidate: Candidate
+    model: Model
+    start: np.ndarray
+    frozen: tuple[np.ndarray, ...]
+    gain: float
+    columns: np.ndarray
+
+
+class Screen:
+    """The residual of a fitted model, and the part of it that the model's own parameters cannot explain."""
+
+    def __init__(self, fitted: Fitted) -> None:
+        self.fitted = fitted
+        self.residual = np.concatenate(fitted.residuals)
+        self.slopes = np.vstack(fitted.slopes) if fitted.x.size else np.empty((self.residual.size, 0))
+        self.basis = np.linalg.qr(self.slopes)[0] if fitted.x.size else self.slopes
+        self.inverse = np.linalg.pinv(fitted.hessian)
+
+    def free(self, values: np.ndarray) -> np.ndarray:
+        """Values (N,) or (N, k) without what the model's own parameters can make of them."""
+        return values - self.basis @ (self.basis.T @ values)
+
+    def signature(self, candidate: Candidate) -> Signature | None:
+        """The best of a candidate's starts; None: none of them can be predicted."""
+        fitted = self.fitted
+        model = replace(fitted.model, effects=(*fitted.model.effects, candidate))
+        best: Signature | None = None
+        for start in candidate.starts:
+            x = np.concatenate(
+                (fitted.x, [u.coordinate(float(v)) for u, v in zip(candidate.unknowns, start, strict=True)])
+            )
+            try:
+                found = self._at(model, candidate, x)
+            except PredictionError:
+                continue
+            if best is None or found.gain > best.gain:
+                best = found
+        return best
+
+    def _at(self, model: Model, candidate: Candidate, x: np.ndarray) -> Signature:
+        first = self.fitted.x.size
+        here = np.concatenate(model.residuals(x))
+        columns = np.empty((here.size, len(candidate.unknowns)))
+        for j, unknown in enumerate(candidate.unknowns):
+            step = unknown.step(float(x[first + j]))
+            moved = x.copy()
+            moved[first + j] += step
+            columns[:, j] = (np.concatenate(model.residuals(moved)) - here) / step
+        free_here, free_columns = self.free(here), self.free(columns)
+        move = np.linalg.lstsq(free_columns, -free_here, rcond=1e-8)[0] if columns.shape[1] else np.empty(0)
+        move = _within(candidate, x[first:], move)
+        left = free_here + free_columns @ move
+        cost, at_start = float(left @ left), float(free_here @ free_here)
+        if at_start < cost:
+            move, cost = np.zeros_like(move), at_start
+        base = -self.inverse @ (self.slopes.T @ (here + columns @ move) + self.fitted.model.pull(self.fitted.x))
+        start = x + np.concatenate((np.clip(base, -_FAR, _FAR), move))
+        change = free_here - self.free(self.residual)
+        return Signature(
+            candidate,
+            model,
+            start,
+            self.fitted.slopes,
+            self.fitted.chi2 - cost,
+            np.column_stack((free_columns, change)),
+        )
+
+
+def _within(candidate: Candidate, x: np.ndarray, move: np.ndarray) -> np.ndarray:
+    found = np.empty_like(move)
+    for j, unknown in enumerate(candidate.unknowns):
+        low, high = unknown.span
+        far = _FAR if unknown.logarithmic else np.inf
+        found[j] = min(max(x[j] + min(max(move[j], -far), far), low), high) - x[j]
+    return found
+
+
+Mapper = Callable[[Callable[[Candidate], "Signature | None"], Iterable[Candidate]], Iterable["Signature | None"]]
+
+
+def screen(fitted: Fitted, candidates: Sequence[Candidate], run: Mapper = map) -> list[Signature]:
+    """Signatures of candidates, those that explain most first.
+
+    Args:
+        fitted: the model so far.
+        candidates: forms of effects it may lack.
+        run: maps a function over candidates, in any number of threads.
+    """
+    whole = Screen(fitted)
+    found = [signature for signature in run(whole.signature, candidates) if signature is not None]
+    return sorted(found, key=lambda signature: -signature.gain)
+
+
+def joint_gain(fitted: Fitted, first: Signature, second: Signature) -> float:
+    """Reduction of chi2 that two effects together could bring, linear about their starts."""
+    whole = Screen(fitted)
+    columns = np.column_stack((first.columns, second.columns))
+    size = np.linalg.norm(columns, axis=0)
+    columns = columns[:, size > 0.0] / size[size > 0.0]
+    residual = whole.free(whole.residual)
+    share = np.linalg.lstsq(columns, residual, rcond=1e-6)[0]
+    left = residual - columns @ share
+    return float(residual @ residual - left @ left)

@@ -1,0 +1,364 @@
+"""The loop: find what a model lacks, add it, and stop when noise is left, or when nothing known explains what is left."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field, replace
+from typing import TypeVar
+
+import numpy as np
+
+from edesign.calibrate.evidence import Evidence, Judged, compare
+from edesign.calibrate.fit import Fitted, Model, fit
+from edesign.calibrate.problem import Candidate, PredictionError, Problem
+from edesign.calibrate.screening import Signature, joint_gain, screen
+
+SHARE = 0.25
+"""Least share of the excess over noise that an effect must remove to be adopted: less is a symptom of something else."""
+_SMALL = 0.01
+"""Least share of all that the refitted law leaves over noise: below it stands what the equations of effects found before miss."""
+_CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
+_FITTED = 10  # forms fitted in a round
+_PER_EFFECT = 2  # forms of one effect among them
+_PAIRS = 4  # pairs fitted in a round
+_WELL_FITTED = 5  # forms or pairs of those that are fitted to the end
+_ROUGH_STEPS, _ROUGH, _WELL = 8, 1e-2, 1e-3  # steps, and changes of chi2 that end a search
+_MOST = 4  # effects
+_ALIKE = 0.1  # effects whose excess differs by less than this share of what either removes cannot be told apart
+_UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
+
+T = TypeVar("T")
+S = TypeVar("S")
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Adopted:
+    """An effect of the final model.
+
+    Attributes:
+        candidate: the form.
+        values: (p,) of its parameters, SI.
+        evidence: for the model with it against the model without.
+        without: the model without it, fitted again.
+        alike: models, by the name of the effect in its place, that the tests cannot tell from the one with it.
+    """
+
+    candidate: Candidate
+    values: np.ndarray
+    evidence: Evidence
+    without: Judged
+    alike: Mapping[str, Judged]
+
+
+@dataclass(frozen=True, eq=False)
+class Selection:
+    """What the loop found.
+
+    Attributes:
+        declared: the model as it was declared.
+        refit: the same with its parameters fitted: the rival of every effect.
+        final: the model with effects.
+        adopted: the effects, in the order of adoption.
+        refused: the effects that came nearest to being adopted in the last round, with the evidence.
+        noise: (tests,) standard deviations by which residuals are measured.
+    """
+
+    declared: Judged
+    refit: Judged
+    final: Judged
+    adopted: tuple[Adopted, ...]
+    refused: tuple[tuple[Candidate, Evidence], ...] = field(default=())
+
+    @property
+    def law_held(self) -> bool:
+        """Whether the law keeps its declared parameters beside the effects."""
+        return self.final.fitted.model.held
+
+
+class Loop:
+    """The search for what a model lacks.
+
+    Args:
+        problem: tests, model, and effects it may lack.
+        noise: (tests,) standard deviation of each test's noise.
+        refit: whether the parameters of the model may be fitted.
+        workers: threads.
+        progress: told what is done.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        noise: Sequence[float],
+        refit: bool = True,
+        workers: int = 2,
+        progress: Progress = lambda _: None,
+    ) -> None:
+        self.problem = problem
+        self.noise = tuple(noise)
+        self.may_refit = refit
+        self.workers = workers
+        self.tell = progress
+        self.material = 0.0
+        self.rivals: dict[frozenset[str], list[Judged]] = {}
+
+    def run(self) -> Selection:
+        """Find the effects."""
+        held = Model(self.problem, self.noise, held=True)
+        declared = Judged(fit(held, held.coordinates()))
+        refit = declared
+        if self.may_refit:
+            self.tell("refitting the declared law")
+            free = Model(self.problem, self.noise)
+            refit = _refitted(Judged(fit(free, free.coordinates(), most_steps=40)))
+        if declared.at_floor:
+            return Selection(declared, refit, declared, ())
+        final, refused = self._search(declared, refit)
+        adopted = self._explain(final, declared, refit)
+        return Selection(declared, refit, final, adopted, refused)
+
+    def _search(self, declared: Judged, refit: Judged) -> tuple[Judged, tuple[tuple[Candidate, Evidence], ...]]:
+        simple = self._held_suffices(declared, refit)
+        if simple is not None:
+            return simple, ()
+        current, refused = refit, ()
+        self.material = _SMALL * (refit.fitted.chi2 - refit.fitted.samples)
+        while not current.at_floor and len(current.fitted.model.effects) < _MOST:
+            found, refused = self._round(current)
+            if found is None:
+                break
+            current = _refitted(self._prune(self._reconsider(found)))
+        return self._held_again(current), refused
+
+    def _round(self, current: Judged) -> tuple[Judged | None, tuple[tuple[Candidate, Evidence], ...]]:
+        """The best next model, or None; and what was tried."""
+        known = current.fitted.model.effects
+        number = len(known) + 1
+        pool = [c for c in self._candidates(current) if _may_join(c, known)]
+        self.tell(f"effect {number}: screening {len(pool)} forms of effects")
+        signatures = screen(current.fitted, pool, run=self._map)
+        short = _shortlist(signatures)
+        self.tell(f"effect {number}: fitting {', '.join(dict.fromkeys(s.candidate.name for s in short))}")
+        elsewhere = []
+        if not known and not current.fitted.model.held:
+            # the refit may have gone far to make up for what is missing, and searches from there may not find back
+            elsewhere = _shortlist(screen(self._unfitted(current), pool, run=self._map))
+        fitted = self._fit_best([*short, *elsewhere])
+        self.rivals[_labels(known)] = fitted
+        tried = sorted(((j, compare(j, current)) for j in fitted), key=lambda item: item[0].held_out.total)
+        refused = tuple((j.fitted.model.effects[-1], evidence) for j, evidence in tried[:3])
+        if not tried:
+            return None, ()
+        best, evidence = tried[0]
+        if evidence.share < _CLEAR and len(known) + 2 <= _MOST:
+            pair = self._pair(current, short, signatures)
+            if pair is not None:
+                both = compare(pair, current)
+                alone = max(evidence.share, 0.0)
+                needed = both.share - alone > SHARE * (1.0 - alone) and both.share > 2.0 * SHARE
+                if both.beyond_chance and needed and self._matters(pair, current):
+                    return pair, refused
+        if evidence.beyond_chance and evidence.share >= SHARE and self._matters(best, current):
+            return best, refused
+        return None, refused
+
+    def _matters(self, judged: Judged, current: Judged) -> bool:
+        """Whether what new effects remove is more than the equations of the known ones may miss; further forms of these may do less."""
+        known = {effect.name for effect in current.fitted.model.effects}
+        new = any(effect.name not in known for effect in judged.fitted.model.effects)
+        return not new or current.fitted.chi2 - judged.fitted.chi2 >= self.material
+
+    def _pair(self, current: Judged, tried: Sequence[Signature], all_: Sequence[Signature]) -> Judged | None:
+        """The best pair of effects that a linear estimate makes look good together."""
+        pool = list({id(s): s for s in (*tried, *all_[: 2 * _FITTED])}.values())
+        scored = sorted(
+            (
+                (joint_gain(current.fitted, a, b), a, b)
+                for a, b in itertools.combinations(pool, 2)
+                if a.candidate.name != b.candidate.name
+            ),
+            key=lambda item: -item[0],
+        )
+        chosen: dict[frozenset[str], tuple[Signature, Signature]] = {}
+        for _, a, b in scored:
+            chosen.setdefault(frozenset((a.candidate.name, b.candidate.name)), (a, b))
+        pairs = list(chosen.values())[:_PAIRS]
+        self.tell("fitting pairs: " + ", ".join(f"{a.candidate.name} + {b.candidate.name}" for a, b in pairs))
+        found = self._fit_best([_both(*pair) for pair in pairs])
+        return min(found, key=lambda j: j.held_out.total, default=None)
+
+    def _reconsider(self, current: Judged) -> Judged:
+        """Each effect against what could stand in its place, now that the others are there."""
+        effects = current.fitted.model.effects
+        if len(effects) < 2:
+            return current
+        for effect in effects[:-1]:
+            self.tell(f"reconsidering {effect.name}")
+            rivals = self._alternatives(current, effect)
+            better = min(rivals, key=lambda j: j.held_out.total, default=None)
+            if better is not None and compare(better, current).beyond_chance:
+                current = better
+        return current
+
+    def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
+        """Models in which another effect, or another form, stands in the place of one."""
+        others = [e for e in current.fitted.model.effects if e is not effect]
+        if _labels(others) in self.rivals:
+            return self.rivals[_labels(others)]
+        without = self._without(current, effect)
+        pool = [c for c in self._candidates(without) if _may_join(c, others) and c.label != effect.label]
+        short = _shortlist(screen(without.fitted, pool, run=self._map))
+        self.rivals[_labels(others)] = self._fit_best(short)
+        return self.rivals[_labels(others)]
+
+    def _without(self, current: Judged, effect: Candidate) -> Judged:
+        model = current.fitted.model
+        effects = tuple(e for e in model.effects if e is not effect)
+        smaller = replace(model, effects=effects)
+        return Judged(fit(smaller, smaller.coordinates(current.fitted.base, current.fitted.parts)))
+
+    def _prune(self, current: Judged) -> Judged:
+        """Without the effects that others made needless."""
+        for effect in current.fitted.model.effects[:-1]:
+            without = self._without(current, effect)
+            if not compare(current, without).beyond_chance or compare(current, without).share < _UNCHANGED:
+                current = without
+        return current
+
+    def _held_suffices(self, declared: Judged, refit: Judged) -> Judged | None:
+        """A single effect beside the law as declared that explains as much as all parameters of the law fitted, or more.
+
+        A gain, say, is all moduli changed alike: one number against nine.
+        """
+        if not self.may_refit:
+            return None
+        signatures = screen(declared.fitted, self._candidates(declared), run=self._map)
+        short = _shortlist(signatures)
+        found = self._fit_best(short)
+        self.rivals[_labels(())] = found
+        good = [j for j in found if j.at_floor and not _worse(j, refit)]
+        return min(good, key=lambda j: j.held_out.total, default=None)
+
+    def _held_again(self, current: Judged) -> Judged:
+        """With the law as declared, if that explains the tests as well once the effects are there."""
+        model = current.fitted.model
+        if model.held or not model.effects:
+            return current
+        held = replace(model, held=True)
+        start = held.coordinates(None, current.fitted.parts)
+        found = Judged(fit(held, start))
+        return current if _worse(found, current) else found
+
+    def _explain(self, final: Judged, declared: Judged, refit: Judged) -> tuple[Adopted, ...]:
+        """The evidence for each effect of the final model, and what cannot be told from it."""
+        found = []
+        for effect, values in final.fitted.parts:
+            self.tell(f"telling {effect.name} apart from others")
+            without = self._without(final, effect)
+            removed = without.excess - final.excess
+            alike = {}
+            for other in sorted(self._alternatives(final, effect), key=lambda j: j.held_out.total):
+                if _labels(other.fitted.model.effects) == _labels(final.fitted.model.effects):
+                    continue
+                near = other.excess - final.excess < _ALIKE * removed and not compare(final, other).beyond_chance
+                if near and _replacement(other, final).name != effect.name:
+                    alike.setdefault(_replacement(other, final).name, other)
+            if final.fitted.model.held and len(final.fitted.parts) == 1 and not _worse(refit, final):
+                alike["refit"] = refit
+            found.append(Adopted(effect, values, compare(final, without), without, alike))
+        return tuple(found)
+
+    def _fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
+        """Models fitted from their starts: all of them roughly, with slopes known before, then the best of them well."""
+
+        def rough(signature: Signature) -> Fitted | None:
+            try:
+                return fit(
+                    signature.model, signature.start, most_steps=_ROUGH_STEPS, enough=_ROUGH, frozen=signature.frozen
+                )
+            except PredictionError:
+                return None
+
+        def well(found: Fitted) -> Judged | None:
+            try:
+                judged = Judged(fit(found.model, found.x, enough=_WELL))
+                _ = judged.held_out
+            except PredictionError:
+                return None
+            return judged
+
+        best: dict[tuple[str, ...], Fitted] = {}
+        for found in self._map(rough, signatures):
+            if found is not None:
+                key = tuple(effect.label for effect in found.model.effects)
+                best[key] = min(best.get(key, found), found, key=lambda f: f.chi2)
+        near = sorted(best.values(), key=lambda f: f.chi2)[:_WELL_FITTED]
+        return [judged for judged in self._map(well, near) if judged is not None]
+
+    def _unfitted(self, refit: Judged) -> Fitted:
+        """The model of a refit with the parameters as declared."""
+        model = refit.fitted.model
+        return fit(model, model.coordinates(), most_steps=0)
+
+    def _candidates(self, judged: Judged) -> tuple[Candidate, ...]:
+        """Effects that may be missing in a model."""
+        noise = [s for s, use in zip(self.noise, self.problem.uses, strict=True) if use == "fit"]
+        return self.problem.candidates([s * r for s, r in zip(noise, judged.fitted.residuals, strict=True)])
+
+    def _map(self, function: Callable[[T], S], items: Iterable[T]) -> list[S]:
+        if self.workers < 2:
+            return [function(item) for item in items]
+        with ThreadPoolExecutor(self.workers) as pool:
+            return list(pool.map(function, items))
+
+
+def _shortlist(signatures: Sequence[Signature]) -> list[Signature]:
+    """The best forms, not too many of one effect."""
+    count: dict[str, int] = {}
+    found = []
+    for signature in signatures:
+        name = signature.candidate.name
+        if signature.gain > 0.0 and count.get(name, 0) < _PER_EFFECT and len(found) < _FITTED:
+            count[name] = count.get(name, 0) + 1
+            found.append(signature)
+    return found
+
+
+def _refitted(judged: Judged) -> Judged:
+    """With the belief in the declared parameters that suits what is left."""
+    fitted = judged.fitted
+    model = replace(fitted.model, misfit=fitted.misfit)
+    return Judged(fit(model, fitted.x))
+
+
+def _labels(effects: Sequence[Candidate]) -> frozenset[str]:
+    return frozenset(effect.label for effect in effects)
+
+
+def _may_join(candidate: Candidate, others: Sequence[Candidate]) -> bool:
+    """Whether a form may stand beside others: a second one of the same effect may, to follow its shape more closely."""
+    alike = [other for other in others if other.name == candidate.name]
+    return len(alike) < 2 and all(other.label != candidate.label for other in alike)
+
+
+def _both(first: Signature, second: Signature) -> Signature:
+    """Both effects, each from its own start."""
+    own = second.start[-len(second.candidate.unknowns) :] if second.candidate.unknowns else np.empty(0)
+    return replace(
+        first,
+        model=replace(first.model, effects=(*first.model.effects, second.candidate)),
+        start=np.concatenate((first.start, own)),
+    )
+
+
+def _worse(model: Judged, rival: Judged) -> bool:
+    """Whether a simpler model leaves more than a rival by more than chance."""
+    return compare(rival, model).bic > 0.0
+
+
+def _replacement(judged: Judged, of: Judged) -> Candidate:
+    known = {effect.label for effect in of.fitted.model.effects}
+    return next(effect for effect in judged.fitted.model.effects if effect.label not in known)

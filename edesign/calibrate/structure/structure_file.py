@@ -1,0 +1,120 @@
+"""Campaign files of structures: the building as declared, its instruments, and the files of its tests."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BeforeValidator, Field
+
+from edesign.calibrate.problem import Use
+from edesign.calibrate.structure.damping import DampingKind
+from edesign.damper.test_files import LawBlock, Text
+from edesign.project.base import Model
+from edesign.project.problems import Problems
+from edesign.project.units import (
+    ACCELERATION,
+    LENGTH,
+    TIME,
+    Kind,
+    PositiveLength,
+    PositiveMass,
+    PositiveRatio,
+    PositiveStiffness,
+    parse_quantity,
+)
+
+_DASHPOT = Kind("damping coefficient", "N*s/m", "100 kN*s/m")
+Dashpot = Annotated[float, BeforeValidator(lambda value: parse_quantity(value, _DASHPOT, "not negative"))]
+Mode = Annotated[int, Field(ge=1)]
+
+
+def _unit(kind: Kind) -> BeforeValidator:
+    """A unit, which becomes its factor to SI."""
+    return BeforeValidator(lambda value: parse_quantity(f"1 {value}", kind))
+
+
+class DampingBlock(Model):
+    """Damping of the building on a fixed base."""
+
+    type: DampingKind
+    ratio: PositiveRatio
+    modes: Annotated[tuple[Mode, ...], Field(min_length=2, max_length=2)] = (1, 2)
+
+
+class StructureBlock(Model):
+    """A shear building, from below; storeys of an isolated one are those above its isolation layer."""
+
+    name: Text = "structure"
+    base: Literal["fixed", "isolated"]
+    floor_masses: Annotated[tuple[PositiveMass, ...], Field(min_length=1, max_length=60)]
+    storey_stiffness: tuple[PositiveStiffness, ...] = ()
+    storey_heights: tuple[PositiveLength, ...] | None = None
+    storey_dashpots: tuple[Dashpot, ...] | None = None
+    damping: DampingBlock | None = None
+    refit: bool = True
+
+
+class UnitsBlock(Model):
+    """Units of the columns."""
+
+    time: Annotated[float, _unit(TIME)] = 1.0
+    acceleration: Annotated[float, _unit(ACCELERATION)] = 1.0
+    displacement: Annotated[float, _unit(LENGTH)] = 1.0
+
+
+class ChannelsBlock(Model):
+    """Headers of the columns; floors from below, `null` for one without the instrument."""
+
+    time: Text
+    base_acceleration: Text
+    floor_accelerations: tuple[Text | None, ...] | None = None
+    floor_displacements: tuple[Text | None, ...] | None = None
+    units: UnitsBlock
+
+
+class StructureTestEntry(Model):
+    """A test: its CSV file (.csv or .csv.gz), relative to the campaign file."""
+
+    file: Text
+    title: str = ""
+    use: Use = "fit"
+
+
+class StructureFile(Model):
+    """A campaign file of a structure."""
+
+    title: str = ""
+    structure: StructureBlock
+    law: LawBlock | None = None
+    channels: ChannelsBlock
+    tests: Annotated[tuple[StructureTestEntry, ...], Field(min_length=1)]
+
+
+def check_structure(file: StructureFile, problems: Problems) -> None:
+    """Check what no key alone can tell: numbers of storeys and channels, the law of the isolation layer."""
+    block = file.structure
+    floors = len(block.floor_masses)
+    storeys = floors - 1 if block.base == "isolated" else floors
+    for key in ("storey_stiffness", "storey_heights", "storey_dashpots"):
+        given = getattr(block, key)
+        if given is not None and len(given) != storeys:
+            above = " above the isolation layer" if block.base == "isolated" else ""
+            problems.at_value(("structure", key), f"{len(given)} values; {floors} floors have {storeys} storeys{above}")
+    if storeys and block.damping is None:
+        problems.under(("structure",), "damping", "this key is missing, for example `{type: modal, ratio: 2 %}`")
+    if block.base == "isolated" and file.law is None:
+        problems.under((), "law", "an isolated building needs the law of its isolation layer")
+    if block.base == "isolated" and file.law is not None and file.law.parameters is None:
+        problems.under(("law",), "parameters", "the parameters of the isolation layer are missing")
+    if block.base == "fixed" and file.law is not None:
+        problems.at_key(("law",), "a building on a fixed base has no isolation layer that could follow a law")
+    given = False
+    for key in ("floor_accelerations", "floor_displacements"):
+        headers = getattr(file.channels, key)
+        if headers is not None and len(headers) != floors:
+            problems.at_value(
+                ("channels", key), f"{len(headers)} headers for {floors} floors; write `null` for one without"
+            )
+        given = given or any(header is not None for header in headers or ())
+    if not given:
+        problems.at_key(("channels",), "no floor is measured: `floor_accelerations` or `floor_displacements` is needed")

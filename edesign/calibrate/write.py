@@ -1,0 +1,156 @@
+"""A calibration as files: JSON for programs, the corrected law for projects, histories in an archive."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import yaml
+
+from edesign.archive.dataset import Group
+from edesign.calibrate.result import Calibration, Estimate, Stage
+from edesign.damper.amendments import AMENDMENTS, Amendment
+from edesign.damper.campaign import Campaign
+from edesign.damper.effects_file import write_effects
+from edesign.damper.laws import law as law_of
+from edesign.damper.parameters import read_parameters, write_parameters
+
+_STAGES: tuple[Stage, ...] = ("declared", "refit", "corrected")
+
+
+def calibration_json(found: Calibration) -> dict[str, Any]:
+    """All that was found, in SI; NRMS as ratios, numbers that are not finite as null."""
+    return {
+        "title": found.title,
+        "law": found.law,
+        "verdict": found.verdict,
+        "error": {
+            stage: {
+                "fit": found.errors[stage].fit,
+                "validate": found.errors[stage].validate,
+                "tests": dict(found.errors[stage].tests),
+            }
+            for stage in _STAGES
+        },
+        "noise_floor": found.noise_floor,
+        "noise_floor_fit": found.noise_floor_fit,
+        "effects": [
+            {
+                "name": effect.name,
+                "kind": effect.kind,
+                "form": effect.form,
+                "title": effect.title,
+                "parameters": {name: _estimate(value) for name, value in effect.parameters.items()},
+                "delta_validate": _finite(effect.delta_validate),
+                "evidence": effect.evidence,
+                "indistinguishable_from": list(effect.indistinguishable_from),
+            }
+            for effect in found.effects
+        ],
+        "unexplained": {"share": _finite(found.unexplained_share), "shape": found.unexplained_shape},
+        "next_test": None
+        if found.next_test is None
+        else {
+            "test": found.next_test.text,
+            "separates": list(found.next_test.separates),
+            "difference": _finite(found.next_test.difference),
+            "largest_so_far": _finite(found.next_test.largest),
+        },
+        "refused": [{"effect": label, "evidence": evidence} for label, evidence in found.refused],
+        "law_held": found.law_held,
+        "parameters": {
+            stage: {name: _estimate(value) for name, value in found.parameters[stage].items()} for stage in _STAGES
+        },
+        "seconds": round(found.seconds, 2),
+    }
+
+
+def law_text(found: Calibration, campaign: Campaign) -> str:
+    """The corrected law as a law file: parameters, effects of the damper, specimen, what the tests covered.
+
+    Faults of rig and instrument are no part of it. What ages or wears is as after the last test.
+    """
+    assert campaign.law is not None
+    law = law_of(found.law)
+    values = read_parameters(law, campaign.law.parameters or {})
+    values |= {name: estimate.value for name, estimate in found.parameters["corrected"].items()}
+    data: dict[str, Any] = {"type": found.law, "parameters": write_parameters(law, values)}
+    carried, left_out = [], []
+    for effect in found.effects:
+        if effect.kind != "damper":
+            left_out.append(f"{effect.name} ({effect.kind}): {effect.title}; no part of the damper")
+        elif (effect.name, effect.amendment) not in AMENDMENTS:
+            left_out.append(f"{effect.name}.{effect.form}: law files cannot carry this form")
+        else:
+            own = {name: estimate.value for name, estimate in effect.parameters.items()} | dict(effect.fixed)
+            carried.append(Amendment(effect.name, effect.amendment, own))
+    if carried:
+        data["effects"] = write_effects(carried)
+    specimen = campaign.specimen
+    data["prototype"] = {
+        "layers": specimen.layers,
+        "layer_area": f"{1e6 * specimen.layer_area:.12g} mm^2",
+        "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
+    }
+    data["tested"] = _tested(found, specimen.layer_thickness)
+    error = found.errors["corrected"]
+    head = [
+        f"# {law.title}, calibrated by {len(found.series)} tests of {found.title}: {found.verdict.replace('_', ' ')}",
+        f"# NRMS (thesis Eq. 4.28) of the validation tests {100 * error.validate:.3g} %, as declared "
+        f"{100 * found.errors['declared'].validate:.3g} %, noise {100 * found.noise_floor:.3g} %",
+        *(f"# left out: {text}" for text in left_out),
+    ]
+    return "\n".join(head) + "\n" + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
+
+
+def archive_groups(found: Calibration) -> dict[str, Group]:
+    """Histories of every test: motion, measured and predicted force; by the name of the group."""
+    groups = {}
+    for series in found.series:
+        group = Group(
+            attributes={"title": series.title, "use": series.use, "order": series.order, "noise": series.noise}
+        )
+        group.add("time", ("sample",), series.time, "s", "time")
+        group.add("displacement", ("sample",), series.displacement, "m", "displacement, freed from noise")
+        group.add("temperature", ("sample",), series.temperature, "degC", "temperature")
+        group.add("measured_force", ("sample",), series.measured, "N", "measured force")
+        for stage in _STAGES:
+            group.add(
+                f"{stage}_force", ("sample",), series.predicted[stage], "N", f"force predicted by the {stage} law"
+            )
+        group.coords["sample"] = _samples(series.time.size)
+        groups[f"tests/{series.name}"] = group
+    return groups
+
+
+def _samples(count: int) -> Any:
+    from edesign.archive.dataset import Variable
+
+    return Variable(("sample",), np.arange(count), "1", "sample")
+
+
+def _tested(found: Calibration, thickness: float) -> dict[str, str]:
+    strains = [100.0 * float(np.max(np.abs(series.displacement))) / thickness for series in found.series]
+    temperatures = [float(np.mean(series.temperature)) for series in found.series]
+    return {
+        "shear_strain": _span(min(strains), max(strains), "%"),
+        "temperature": _span(min(temperatures), max(temperatures), "degC"),
+    }
+
+
+def _span(low: float, high: float, unit: str) -> str:
+    texts = f"{low:.4g}", f"{high:.4g}"
+    return f"{texts[0]} {unit}" if texts[0] == texts[1] else f"{texts[0]} to {texts[1]} {unit}"
+
+
+def _estimate(estimate: Estimate) -> dict[str, Any]:
+    return {
+        "value": _finite(estimate.value),
+        "standard_error": _finite(estimate.standard_error),
+        "unit": estimate.unit,
+    }
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if math.isfinite(value) else None

@@ -1,0 +1,57 @@
+"""`edesign calibrate`: what a damper law lacks, found in measured tests."""
+
+from __future__ import annotations
+
+import json
+import time
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def calibrate(
+    campaign: Annotated[Path, typer.Argument(metavar="CAMPAIGN", help="Campaign file (.yaml).", show_default=False)],
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", "--out", metavar="DIR", help="Where the files go; the folder of the campaign if not said."
+        ),
+    ] = None,
+    page: Annotated[bool, typer.Option("--page/--no-page", help="Write calibration.html.")] = True,
+    json_output: Annotated[bool, typer.Option("--json", help="Print calibration.json instead of tables.")] = False,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Threads.")] = 2,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
+) -> None:
+    """Predict measured tests, find what the declared law lacks, add it, and report the error before and after."""
+    from edesign.archive.files import check_folder
+    from edesign.calibrate.files import write_files
+    from edesign.calibrate.run import calibrate as run
+    from edesign.calibrate.write import calibration_json
+    from edesign.damper.campaign import load_campaign
+    from edesign.report.calibration_tables import tables_of, verdict_text
+    from edesign.report.page.calibration import write_calibration_page
+    from edesign.report.text import print_tables
+
+    folder = campaign.parent if output is None else output
+    check_folder(folder)  # rather than after the search
+    begin = time.monotonic()
+
+    def tell(what: str) -> None:
+        if not quiet:
+            typer.echo(f"{time.monotonic() - begin:6.1f} s  {what}", err=True)
+
+    tell("reading the tests")
+    loaded = load_campaign(campaign)
+    found = run(loaded, workers, tell)
+    written = write_files(found, loaded, folder)
+    if page:
+        tell("drawing the report")
+        written.append(write_calibration_page(found, folder / "calibration.html"))
+    if json_output:
+        typer.echo(json.dumps(calibration_json(found), indent=1, allow_nan=False))
+    elif not quiet:
+        print_tables(tables_of(found))
+        typer.echo(verdict_text(found))
+        for path in written:
+            typer.echo(f"written: {path}")

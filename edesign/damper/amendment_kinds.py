@@ -1,0 +1,260 @@
+"""The kinds of amendments of damper laws: names and forms of effects, with their parameters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+from edesign.damper.law import Law, Parameter
+from edesign.errors import InputError
+from edesign.project.problems import did_you_mean, listed
+
+_PAYNE = "Payne (1962), J. Appl. Polym. Sci. 6, 57-63; Kraus (1984), J. Appl. Polym. Sci. Symp. 39, 75-92"
+_MULLINS = "Mullins (1969), Rubber Chem. Technol. 42, 339-362"
+_ANY = -math.inf
+
+
+@dataclass(frozen=True)
+class AmendmentKind(Law):
+    """A form of an effect; `parameters` in the order of the core, then those that the core does not take.
+
+    Attributes:
+        for_core: how many parameters the core takes.
+        constant: whether it is a factor that does not change in a run: the core takes the factor alone.
+    """
+
+    kind: ClassVar[str] = "effect"
+    for_core: int = 0
+    constant: bool = False
+
+    def complete(self, values: Mapping[str, float]) -> dict[str, float]:
+        """As of a law; a side is 1 or -1."""
+        found = super().complete(values)
+        if found.get("side", 1.0) not in (1.0, -1.0):
+            raise InputError(f"effect {self.name}: side = {found['side']:g} is neither 1 nor -1")
+        return found
+
+
+def _positive(name: str, meaning: str, unit: str) -> Parameter:
+    return Parameter(name, meaning, unit)
+
+
+def _any(name: str, meaning: str, unit: str) -> Parameter:
+    return Parameter(name, meaning, unit, lower=_ANY)
+
+
+def _share(name: str, meaning: str) -> Parameter:
+    return Parameter(name, meaning, "", lower=_ANY, upper=1.0)
+
+
+_BROKEN = (
+    _positive("a0", "envelope of the deformation at which half of it is gone", "m"),
+    _positive("m", "exponent of the envelope", ""),
+    _positive("tau_a", "time constant with which the envelope fades", "s"),
+)
+_RECOVERY = Parameter(
+    "recovery",
+    "share regained between two tests; not used in a project",
+    "",
+    upper=1.0,
+    lower_allowed=True,
+    default=0.0,
+    fitted=False,
+)
+_SIDE = Parameter(
+    "side", "1: where the deformation is positive; -1: where it is negative", "", -1.0, 1.0, True, fitted=False
+)
+
+
+def _kinds() -> tuple[AmendmentKind, ...]:
+    def kind(
+        name: str,
+        title: str,
+        equation: str,
+        source: str,
+        parameters: Sequence[Parameter],
+        rate_dependent: bool = False,
+        more: Sequence[Parameter] = (),
+        constant: bool = False,
+    ) -> AmendmentKind:
+        every = (*parameters, *more)
+        return AmendmentKind(
+            name, title, every, equation, source, rate_dependent, for_core=len(parameters), constant=constant
+        )
+
+    return (
+        kind(
+            "payne.whole",
+            "softening with amplitude of the whole force",
+            "phi = 1 - d g(a), g = (a/a0)^m / (1 + (a/a0)^m)",
+            _PAYNE,
+            (_share("d", "share of the force that goes"), *_BROKEN),
+            True,
+        ),
+        kind(
+            "payne.elastic",
+            "softening with amplitude of the elastic force",
+            "-k g(a) u",
+            _PAYNE,
+            (_any("k", "stiffness that goes", "N/m"), *_BROKEN),
+            True,
+        ),
+        kind(
+            "mullins.path",
+            "softening with the path of the whole force",
+            "phi = 1 + m exp(-s/s0)",
+            _MULLINS,
+            (
+                Parameter("m", "share by which the virgin damper is stronger", "", lower=-1.0),
+                _positive("s0", "path after which 1/e of it is left", "m"),
+            ),
+            more=(_RECOVERY,),
+        ),
+        kind(
+            "mullins.maximum",
+            "softening below the largest deformation",
+            "phi = 1 - m erf((M - |u|)/r)",
+            "Ogden and Roxburgh (1999), Proc. R. Soc. Lond. A 455, 2861-2877, with deformation in place of energy",
+            (
+                _share("m", "share of the force that goes far below the largest deformation"),
+                _positive("r", "distance from the largest deformation over which it goes", "m"),
+            ),
+            more=(_RECOVERY,),
+        ),
+        kind(
+            "mullins.elastic",
+            "softening with the path of the elastic force",
+            "k exp(-s/s0) u",
+            _MULLINS,
+            (
+                _any("k", "stiffness that the virgin damper has more", "N/m"),
+                _positive("s0", "path after which 1/e of it is left", "m"),
+            ),
+            more=(_RECOVERY,),
+        ),
+        kind(
+            "degradation.energy",
+            "softening with the work done",
+            "phi = 1 - d (1 - exp(-max(E, 0)/E0))",
+            "degradation with dissipated energy: Baber and Wen (1981), J. Eng. Mech. Div. 107, 1069-1087",
+            (
+                _share("d", "share of the force that goes in the end"),
+                _positive("E0", "work after which 1 - 1/e of it has gone", "J"),
+            ),
+        ),
+        kind(
+            "self_heating.rate",
+            "softening by the heat of the work done",
+            "phi = exp(-q), q' = -q/tau_h + beta F u'",
+            "heat balance of a lump; Kasai, Munshi, Lai and Maison (1993), ATC-17-1",
+            (_any("beta", "softening per work", "1/J"), _positive("tau_h", "time constant of cooling", "s")),
+            True,
+        ),
+        kind(
+            "temperature_law.exponential",
+            "change with temperature",
+            "phi = exp(-b (T - T0))",
+            "exponential softening in a small range of temperatures; Ferry (1980), Viscoelastic Properties of Polymers",
+            (),
+            more=(
+                _any("b", "softening per temperature", "1/K"),
+                Parameter("T0", "temperature at which phi is 1", "degC", _ANY, fitted=False),
+            ),
+            constant=True,
+        ),
+        kind(
+            "ageing.linear",
+            "change from test to test",
+            "phi = 1 + rate n",
+            "trend over the order of the tests",
+            (),
+            more=(
+                _any("rate", "change of the force from one test to the next", ""),
+                Parameter("n", "tests before: the state that is used", "", lower_allowed=True, fitted=False),
+            ),
+            constant=True,
+        ),
+        kind(
+            "hardening.power",
+            "hardening spring",
+            "k u (|u|/r)^(p-1)",
+            "Duffing's spring for p = 3; hardening of elastomers: Treloar (1975), The Physics of Rubber Elasticity",
+            (
+                _any("k", "secant stiffness at r", "N/m"),
+                Parameter("p", "exponent", "", lower=1.0, lower_allowed=True),
+                Parameter("r", "deformation at which the secant stiffness is k", "m", fitted=False),
+            ),
+        ),
+        kind(
+            "hardening.threshold",
+            "hardening beyond a deformation",
+            "k max(|u| - u0, 0) sgn u",
+            "bilinear spring with a gap",
+            (
+                _any("k", "stiffness beyond u0", "N/m"),
+                Parameter("u0", "deformation at which it begins", "m", lower_allowed=True),
+            ),
+        ),
+        kind(
+            "one_sided.factor",
+            "stronger to one side",
+            "phi = 1 + b where side u > 0",
+            "asymmetric loops",
+            (Parameter("b", "share by which it is stronger", "", lower=-1.0), _SIDE),
+        ),
+        kind(
+            "one_sided.spring",
+            "spring to one side",
+            "k max(side u - u0, 0) side",
+            "contact with a gap",
+            (
+                _any("k", "stiffness beyond u0", "N/m"),
+                Parameter("u0", "deformation at which it begins", "m", lower_allowed=True),
+                _SIDE,
+            ),
+        ),
+        kind(
+            "relaxation_branch.maxwell",
+            "further Maxwell branch",
+            "Q' + Q/tau = k u'",
+            "Maxwell (1867); thesis Eq. 4.19",
+            (_any("k", "stiffness of the branch", "N/m"), _positive("tau", "relaxation time", "s")),
+            True,
+        ),
+        kind(
+            "velocity_power.dashpot",
+            "further power-law dashpot",
+            "c |u'|^alpha sgn u'",
+            "Soong and Dargush (1997), Passive Energy Dissipation Systems in Structural Engineering",
+            (
+                _any("c", "damping coefficient", "N*(s/m)^alpha"),
+                Parameter("alpha", "exponent of the velocity", ""),
+            ),
+            True,
+        ),
+    )
+
+
+AMENDMENTS: dict[tuple[str, str], AmendmentKind] = {
+    (name, form): kind for kind in _kinds() for name, form in (kind.name.split("."),)
+}
+"""All amendments by name of the effect and form."""
+
+
+def amendment_kind(name: str, form: str) -> AmendmentKind:
+    """The kind of an amendment.
+
+    Raises:
+        InputError: there is no such effect, or it has no such form.
+    """
+    forms = {kind: value for (effect, kind), value in AMENDMENTS.items() if effect == name}
+    if not forms:
+        names = list(dict.fromkeys(effect for effect, _ in AMENDMENTS))
+        hint = did_you_mean(name, names)
+        raise InputError(f"there is no effect `{name}` of a damper law{hint} (there are: {listed(names)})")
+    if form not in forms:
+        hint = did_you_mean(form, forms)
+        raise InputError(f"the effect `{name}` has no form `{form}`{hint} (there are: {listed(forms)})")
+    return forms[form]

@@ -1,0 +1,89 @@
+"""Amendments of damper laws: effects that tests have shown and the law has not, as law files and projects carry them.
+
+The force is phi F_law + parallel forces, phi the product of the factors (docs/laws/effects.md)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+from edesign.core import AmendmentValues
+from edesign.damper.amendment_kinds import AMENDMENTS, AmendmentKind, amendment_kind
+from edesign.damper.law import Law
+from edesign.damper.temperature import REFERENCE_C, TemperatureModel, at
+from edesign.errors import InputError
+
+__all__ = ["AMENDMENTS", "Amendment", "AmendmentKind", "amendment_kind", "parameters_at"]
+
+
+@dataclass(frozen=True)
+class Amendment:
+    """An effect beside or on a damper law.
+
+    Attributes:
+        name: of the effect, e.g. "payne".
+        form: how it acts, e.g. "whole".
+        values: parameters by name, SI units; completed with defaults and checked.
+
+    Raises:
+        InputError: no such effect or form, or wrong parameters.
+    """
+
+    name: str
+    form: str
+    values: Mapping[str, float]
+    kind: AmendmentKind = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        kind = amendment_kind(self.name, self.form)
+        object.__setattr__(self, "kind", kind)
+        object.__setattr__(self, "values", kind.complete(self.values))
+
+    def for_core(self, temperature_C: float | None = None) -> AmendmentValues:
+        """The amendment as the core takes it, at a temperature; None: that at which its factor is 1.
+
+        Raises:
+            InputError: a constant factor is not greater than zero.
+        """
+        if self.kind.constant:
+            return AmendmentValues("constant", (self._factor(temperature_C),))
+        return AmendmentValues(self.kind.name, tuple(self.values.values())[: self.kind.for_core])
+
+    def _factor(self, temperature_C: float | None) -> float:
+        if self.name == "temperature_law":
+            warmer = 0.0 if temperature_C is None else temperature_C - self.values["T0"]
+            return math.exp(-self.values["b"] * warmer)
+        factor = 1.0 + self.values["rate"] * self.values["n"]
+        if not factor > 0.0:
+            raise InputError(f"effect {self.kind.name}: 1 + rate n = {factor:g} must be greater than 0")
+        return factor
+
+
+def parameters_at(
+    law: Law,
+    values: Mapping[str, float],
+    amendments: Sequence[Amendment],
+    temperature_C: float,
+    model: TemperatureModel | None = None,
+    reference_C: float = REFERENCE_C,
+) -> tuple[dict[str, float], tuple[str, ...]]:
+    """Parameters of an amended law at a temperature: as of the law, unless an amendment tells how it changes with it.
+
+    Args:
+        law, values, temperature_C, model, reference_C: as of `temperature.at`.
+        amendments: of the law; one that changes with temperature takes the place of `model`.
+
+    Returns:
+        All parameters at that temperature, SI units; warnings.
+
+    Raises:
+        InputError: both a model and an amendment are given, or as of `temperature.at`.
+    """
+    if not any(one.name == "temperature_law" for one in amendments):
+        return at(law, values, temperature_C, model, reference_C)
+    if model is not None:
+        raise InputError(
+            "the effect `temperature_law` says how the force changes with temperature; leave one of them out"
+        )
+    return law.complete(values), ()

@@ -1,0 +1,64 @@
+"""How amendments of a damper law are written in YAML: the key `effects`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+from edesign.damper.amendments import AMENDMENTS, Amendment, amendment_kind
+from edesign.damper.parameters import ParameterError, read_parameters, write_parameters
+from edesign.errors import InputError
+from edesign.project.dampers import Effect
+from edesign.project.problems import Keys
+
+
+class EffectsError(InputError):
+    """Effects of a law are wrong; the message lists all problems.
+
+    Attributes:
+        problems: keys below `effects`, and what is wrong there.
+    """
+
+    def __init__(self, problems: Sequence[tuple[Keys, str]]) -> None:
+        self.problems = tuple(problems)
+        super().__init__("\n".join(message for _, message in problems))
+
+
+def read_effects(effects: Sequence[Effect]) -> tuple[Amendment, ...]:
+    """The amendments that a file describes.
+
+    Raises:
+        EffectsError: an effect or form does not exist, or parameters are wrong; tells all of them.
+    """
+    problems: list[tuple[Keys, str]] = []
+    found = []
+    for i, effect in enumerate(effects):
+        try:
+            kind = amendment_kind(effect.name, effect.form)
+        except InputError as error:
+            key = "form" if any(effect.name == name for name, _ in AMENDMENTS) else "name"
+            problems.append(((i, key), str(error)))
+            continue
+        try:
+            amendment = Amendment(effect.name, effect.form, read_parameters(kind, effect.parameters))
+            amendment.for_core()  # a factor that is none
+        except ParameterError as error:
+            problems += [((i, "parameters", name), message) for name, message in error.problems]
+        except InputError as error:
+            problems.append(((i, "parameters"), str(error)))
+        else:
+            found.append(amendment)
+    if problems:
+        raise EffectsError(problems)
+    return tuple(found)
+
+
+def write_effects(amendments: Sequence[Amendment]) -> list[dict[str, Any]]:
+    """Amendments as a file describes them, with parameters in kN, mm and s; `read_effects` reads them back."""
+    written = []
+    for one in amendments:
+        units = {parameter.name: parameter.unit for parameter in one.kind.parameters}
+        texts = write_parameters(one.kind, one.values)
+        parameters = {name: text if units[name] else float(text) for name, text in texts.items()}
+        written.append({"name": one.name, "form": one.form, "parameters": parameters})
+    return written

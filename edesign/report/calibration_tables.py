@@ -1,0 +1,139 @@
+"""What a calibration found: a verdict in words, and tables for the terminal and the page."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from edesign.calibrate.result import Calibration, Effect, Series, Stage
+from edesign.damper.laws import LAWS
+from edesign.report.calibration_effect_tables import effect_name, effect_tables
+from edesign.report.calibration_units import error_text, percent, plus_minus, practical, value_text
+from edesign.report.table import Table
+
+STAGES: dict[Stage, str] = {"declared": "as declared", "refit": "refitted", "corrected": "corrected"}
+"""Of a law, in words."""
+
+_TOLD = 2  # parameters of an effect in a sentence
+_CHANGED = 1.05  # ratio of errors that is worth telling
+
+
+def tables_of(calibration: Calibration) -> list[Table]:
+    """All tables, in the order of a report on a terminal."""
+    return [
+        errors_table(calibration),
+        each_test_table(calibration),
+        *effect_tables(calibration),
+        law_parameters_table(calibration),
+    ]
+
+
+def errors_table(calibration: Calibration) -> Table:
+    """Errors of the law before and after, and the noise floor."""
+    table = Table("Errors", ("law", "fitted tests: NRMS [%]", "validation tests: NRMS [%]"))
+    for stage, label in STAGES.items():
+        errors = calibration.errors[stage]
+        table.rows.append([label, percent(errors.fit), percent(errors.validate)])
+    table.rows.append(["noise floor", percent(calibration.noise_floor_fit), percent(calibration.noise_floor)])
+    table.notes.append("NRMS: sum of squared errors over sum of squared measured forces, no root (thesis Eq. 4.28)")
+    return table
+
+
+def each_test_table(calibration: Calibration) -> Table:
+    """Errors of each test in the order in which they were made."""
+    columns = ("test", "use", *(f"{label} [%]" for label in STAGES.values()), "noise floor [%]")
+    table = Table("NRMS of each test", columns, left=2)
+    for series in calibration.series:
+        errors = [percent(calibration.errors[stage].tests[series.name]) for stage in STAGES]
+        table.rows.append([label_of(series), series.use, *errors, percent(noise_of(series))])
+    return table
+
+
+def label_of(series: Series) -> str:
+    """Name of a test and its title, if it has one."""
+    return f"{series.name}: {series.title}" if series.title and series.title != series.name else series.name
+
+
+def noise_of(series: Series) -> float:
+    """NRMS of the noise of a test."""
+    power = float(np.mean(series.measured**2))
+    return series.noise**2 / power if power > 0.0 else math.nan
+
+
+def law_parameters_table(calibration: Calibration) -> Table:
+    """Parameters of the law at each stage with standard errors."""
+    law = LAWS.get(calibration.law)
+    title = f"{calibration.law}: {law.title}" if law is not None else calibration.law
+    columns = ("parameter", "unit", "declared", "refitted", "std. error", "corrected", "std. error")
+    table = Table(f"Law {title}", columns)
+    stages = {stage: calibration.parameters[stage] for stage in STAGES}
+    for name in stages["declared"]:
+        shown = {stage: practical(found[name], found) for stage, found in stages.items() if name in found}
+        row = [name, shown["declared"].unit or "-", f"{shown['declared'].value:.4g}"]
+        for stage in ("refit", "corrected"):
+            one = shown.get(stage)
+            row += ["-", "-"] if one is None else [value_text(one), error_text(one)]
+        table.rows.append(row)
+    if calibration.law_held:
+        table.notes.append("corrected: the declared parameters were kept; fitting them too explains nothing more")
+    return table
+
+
+def verdict_text(calibration: Calibration) -> str:
+    """The verdict in a plain paragraph, with its governing numbers."""
+    return " ".join((_found(calibration), _errors(calibration), *_doubts(calibration)))
+
+
+def _found(calibration: Calibration) -> str:
+    effects = "; and ".join(effect_text(effect) for effect in calibration.effects)
+    return {
+        "none": f"None: no effect is missing from the law {calibration.law}{_again(calibration)}.",
+        "explained": f"Explained: {effects}.",
+        "partly_explained": f"Partly explained: {effects}.",
+        "unexplained": "Unexplained: something is missing, and no effect known here explains it.",
+    }[calibration.verdict]
+
+
+def _again(calibration: Calibration) -> str:
+    return "" if calibration.law_held else " once its parameters are fitted again"
+
+
+def effect_text(effect: Effect) -> str:
+    """An effect in words, with its first parameters."""
+    estimates = list(effect.parameters.items())[:_TOLD]
+    shown = {name: plus_minus(practical(estimate, effect.parameters)) for name, estimate in estimates}
+    numbers = ", ".join(f"{name} = {text}" for name, text in shown.items())
+    return f"{effect.title} ({effect.kind}{', ' + numbers if numbers else ''})"
+
+
+def _errors(calibration: Calibration) -> str:
+    declared, refit, corrected = (calibration.errors[stage].validate for stage in STAGES)
+    floor = f"noise floor of {percent(calibration.noise_floor)} %"
+    fallen = declared > _CHANGED * corrected
+    if fallen:
+        alone = f" ({percent(refit)} % if the law alone is fitted again)" if refit > _CHANGED * corrected else ""
+        how = "" if calibration.effects else " with the law fitted again"
+        text = (
+            f"The validation error (NRMS) falls from {percent(declared)} % as declared to {percent(corrected)} %"
+            f"{how}{alone}"
+        )
+    else:
+        text = f"The validation error (NRMS) is {percent(corrected)} %"
+    at_floor = calibration.verdict in ("none", "explained")
+    return f"{text}, at the {floor}." if at_floor else f"{text}, above the {floor}."
+
+
+def _doubts(calibration: Calibration) -> list[str]:
+    texts = []
+    if calibration.verdict in ("partly_explained", "unexplained"):
+        share = percent(calibration.unexplained_share, 2)
+        texts.append(f"Of the error of the refitted law above noise {share} % is left: {calibration.unexplained_shape}")
+    for effect in calibration.effects:
+        if effect.indistinguishable_from:
+            alike = " or ".join(effect_name(name) for name in effect.indistinguishable_from)
+            texts.append(f"These tests cannot tell {effect_name(effect.name)} from {alike}.")
+    if calibration.next_test is not None:
+        names = " from ".join(effect_name(name) for name in calibration.next_test.separates)
+        texts.append(f"To tell {names}: {calibration.next_test.text}.")
+    return texts

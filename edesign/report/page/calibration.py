@@ -1,0 +1,60 @@
+"""The report of a calibration: one HTML page that needs nothing beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+from edesign._version import __version__
+from edesign.archive.files import check_folder, write_text
+from edesign.calibrate.result import Calibration
+from edesign.errors import ArchiveError, InputError
+from edesign.report.calibration_view import View
+from edesign.report.page.document import PAGE_SUFFIXES
+from edesign.report.page.render import Cover, render
+from edesign.report.page.sections.calibration import SECTIONS
+
+
+def write_calibration_page(
+    calibration: Calibration, path: Path, tell: Callable[[str], None] = lambda line: None
+) -> Path:
+    """Write the report of a calibration.
+
+    Args:
+        calibration: what was found.
+        path: the page, whole or not at all.
+        tell: called with a line for each section.
+
+    Returns:
+        The page.
+
+    Raises:
+        InputError: the page has another ending than that of a page.
+        ArchiveError: it cannot be written.
+    """
+    if path.suffix.lower() not in PAGE_SUFFIXES:
+        raise InputError(f"{path}: the name of a page ends in {' or '.join(PAGE_SUFFIXES)}")
+    if not path.parent.is_dir():
+        raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
+    check_folder(path.parent)
+    write_text(calibration_page_text(calibration, tell), path)
+    return path
+
+
+def calibration_page_text(calibration: Calibration, tell: Callable[[str], None] = lambda line: None) -> str:
+    """Return the report as HTML; arguments as `write_calibration_page`."""
+    view = View(calibration)
+    made = []
+    for section in SECTIONS:
+        found = section(view)
+        tell(f"section {found.title}")
+        made.append(found)
+    tests = calibration.series
+    validated = sum(one.use == "validate" for one in tests)
+    cover = Cover(
+        title=calibration.title,
+        kind="Calibration report",
+        about=f"law {calibration.law} · {len(tests)} tests, {validated} of them for validation · edesign {__version__}",
+        footer=f"Made by edesign {__version__}. All numbers are computed from the measured tests.",
+    )
+    return render(cover, [section for section in made if section])

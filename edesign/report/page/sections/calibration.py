@@ -1,0 +1,185 @@
+"""The sections of the report of a calibration."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from edesign._version import __version__
+from edesign.calibrate.result import Calibration
+from edesign.report.calibration_effect_figures import effect_figures
+from edesign.report.calibration_effect_tables import effect_name, effect_parameters_table, effects_table, refused_table
+from edesign.report.calibration_figures import Figures
+from edesign.report.calibration_history_figures import error_figures, loop_figures, residual_figures
+from edesign.report.calibration_residual_figures import dependence_figures, harmonic_figures, map_figures
+from edesign.report.calibration_tables import (
+    each_test_table,
+    errors_table,
+    label_of,
+    law_parameters_table,
+    verdict_text,
+)
+from edesign.report.calibration_units import percent
+from edesign.report.calibration_view import View
+from edesign.report.page.section import Facts, Headline, Headlines, Part, Picture, Section
+from edesign.report.page.source import picture_of
+from edesign.report.table import Table, number
+
+_VERDICTS = {
+    "none": ("None", "no effect is missing from the law", "good"),
+    "explained": ("Explained", "only noise is left", "good"),
+    "partly_explained": ("Partly explained", "more than noise is left", ""),
+    "unexplained": ("Unexplained", "no effect known here explains what is left", "bad"),
+}
+
+
+def verdict(view: View) -> Section:
+    """What a reader should know who reads nothing else."""
+    found = view.calibration
+    word, detail, state = _VERDICTS[found.verdict]
+    declared, corrected = (found.errors[stage].validate for stage in ("declared", "corrected"))
+    effects = ", ".join(effect_name(effect.name) for effect in found.effects)
+    kinds = ", ".join(dict.fromkeys(effect.kind for effect in found.effects))
+    changed = bool(found.effects) or not found.law_held
+    error = f"{percent(declared)} → {percent(corrected)} %" if changed else f"{percent(declared)} %"
+    tiles = (
+        Headline(word, "Verdict", detail, state),
+        Headline(error, "Validation error (NRMS)", " → ".join(view.stages.values())),
+        Headline(f"{percent(found.noise_floor)} %", "Noise floor", "the error that noise alone leaves, as estimated"),
+        Headline(effects or "-", "Effects found", f"kind: {kinds}" if kinds else "none was adopted"),
+    )
+    return Section("verdict", "Verdict", (verdict_text(found),), (Headlines(tiles),))
+
+
+def errors(view: View) -> Section:
+    """Errors before and after, by use and by test."""
+    return Section(
+        "errors", "Errors before and after", (), (errors_table(view.calibration), *_pictures(view, error_figures))
+    )
+
+
+def effects(view: View) -> Section:
+    """Effects, their parameters with intervals, and candidates that were not adopted."""
+    found = view.calibration
+    parts: list[Part] = [effects_table(found)]
+    parts += [table for table in (effect_parameters_table(found), refused_table(found)) if table.rows]
+    return Section("effects", "Effects, and how sure they are", (), (*parts, *_pictures(view, effect_figures)))
+
+
+def left(view: View) -> Section:
+    """What is left unexplained."""
+    found = view.calibration
+    rows: tuple[tuple[str, str], ...]
+    if found.unexplained_shape:
+        rows = (
+            ("Share left", f"{percent(found.unexplained_share, 2)} % of the error of the refitted law above noise"),
+            ("Shape", found.unexplained_shape),
+        )
+    else:
+        rows = (("Left", f"only noise, {percent(found.noise_floor)} % of the squared force in the validation tests"),)
+    return Section("left", "What is left", (), (Facts(rows),))
+
+
+def open_questions(view: View) -> Section:
+    """Look-alikes and the test that would separate them."""
+    found = view.calibration
+    rows = [
+        (
+            effect_name(effect.name),
+            "cannot be told from " + " or ".join(map(effect_name, effect.indistinguishable_from)),
+        )
+        for effect in found.effects
+        if effect.indistinguishable_from
+    ]
+    further = found.next_test
+    if further is not None:
+        names = " and ".join(map(effect_name, further.separates))
+        rows.append(("Next test", further.text))
+        rows.append(
+            (
+                "What it would tell",
+                f"{names} would differ by an NRMS of {percent(further.difference)} %, against "
+                f"{percent(further.largest)} % at most in the tests so far",
+            )
+        )
+    if not rows:
+        rows.append(
+            (
+                "Look-alikes",
+                "no other known effect explains the tests as well" if found.effects else "no effect was adopted",
+            )
+        )
+    return Section("open", "What the data cannot tell, and the next test", (), (Facts(tuple(rows)),))
+
+
+def residuals(view: View) -> Section:
+    """Loops and residuals before and after."""
+    makers = (loop_figures, residual_figures, dependence_figures, harmonic_figures, map_figures)
+    return Section("residual", "Residual before and after", (), _pictures(view, *makers))
+
+
+def campaign(view: View) -> Section:
+    """What was measured, and the error of each test."""
+    return Section("tests", "Tests", (), (tests_table(view.calibration), each_test_table(view.calibration)))
+
+
+def tests_table(found: Calibration) -> Table:
+    """Range and noise of each test."""
+    columns = ("test", "use", "duration [s]", "samples", "displacement [mm]", "velocity [mm/s]", "force [kN]")
+    table = Table("Largest absolute values", (*columns, "temperature [degC]", "noise of the force [kN]"), left=2)
+    for one in found.series:
+        largest = [float(np.max(np.abs(values))) for values in (one.displacement, one.velocity, one.measured)]
+        row = [label_of(one), one.use, number(float(np.ptp(one.time)), 3), str(one.time.size)]
+        row += [number(value, 3, scale) for value, scale in zip(largest, (1e-3, 1e-3, 1e3), strict=True)]
+        table.rows.append([*row, f"{float(np.mean(one.temperature)):.1f}", number(one.noise, 3, 1e3)])
+    return table
+
+
+def law(view: View) -> Section:
+    """Parameters of the law before and after."""
+    return Section("law", "The law", (), (law_parameters_table(view.calibration),))
+
+
+def provenance(view: View) -> Section:
+    """How the numbers were made."""
+    found = view.calibration
+    samples = sum(one.time.size for one in found.series)
+    rows = (
+        ("edesign", __version__),
+        ("Measured", f"{len(found.series)} tests, {samples:,} samples"),
+        ("Time taken", f"{found.seconds:.1f} s"),
+        ("NRMS", "sum of squared errors over sum of squared measured forces; no root is taken (thesis Eq. 4.28)"),
+        ("As declared", "the law with the parameters it was given; no fit"),
+        ("Refitted", "the same law fitted to the tests for fitting, without effects: the rival of every effect"),
+        (
+            "Corrected",
+            "the law with the effects found, fitted to the tests for fitting; shares that are each test's own, such as "
+            "the phase of hum, are taken from that test",
+        ),
+        ("Interval", "95 %, 1.96 standard errors on each side, for residuals as correlated as they are"),
+        (
+            "Adoption",
+            "an effect is adopted if it lowers the error of tests left out of the fit by more than chance, and the "
+            "information criterion (BIC) agrees",
+        ),
+    )
+    return Section("provenance", "Provenance and definitions", (), (Facts(rows),))
+
+
+def _pictures(view: View, *makers: Figures) -> tuple[Picture, ...]:
+    return tuple(picture_of(*item) for maker in makers for item in maker(view))
+
+
+SECTIONS: tuple[Callable[[View], Section], ...] = (
+    verdict,
+    errors,
+    effects,
+    left,
+    open_questions,
+    residuals,
+    campaign,
+    law,
+    provenance,
+)
+"""In the order of the page."""

@@ -1,0 +1,145 @@
+"""What every effect of a damper test owes the loop: unknowns and starts inside bounds, finite predictions, a page."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.effects import MODULES
+from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
+from edesign.calibrate.problem import Candidate
+from edesign.damper.amendments import AMENDMENTS
+from edesign.damper.laws import law
+
+PAGES = Path(__file__).parents[3] / "docs" / "effects"
+LAW = {"k0": 1e6, "k1": 2e6, "c1": 2e5}
+
+
+def trials() -> tuple[Trial, ...]:
+    """Four short tests: growing sines, the second at another temperature, the last to validate."""
+    found = []
+    for order, (frequency, amplitude) in enumerate(((0.5, 0.004), (1.0, 0.01), (2.0, 0.006), (1.0, 0.008))):
+        t = np.arange(0.0, 4.0, 1.0 / 60.0)
+        w = 2.0 * np.pi * frequency
+        growing, slope = np.minimum(t, 2.0) / 2.0, np.where(t < 2.0, 0.5, 0.0)
+        u = amplitude * growing * np.sin(w * t)
+        v = amplitude * (growing * w * np.cos(w * t) + slope * np.sin(w * t))
+        motion = Motion(t, u, v, np.gradient(v, t))
+        warm = np.full(t.size, 20.0 + 8.0 * (order % 2))
+        found.append(Trial(f"t{order}", "validate" if order == 3 else "fit", order, motion, 1e6 * u + 5e4 * v, warm))
+    return tuple(found)
+
+
+@cache
+def problem() -> DamperProblem:
+    zener = law("zener")
+    bare = trials()
+    plain = DamperProblem(zener, LAW, None, bare, Sizes.of(bare))
+    forces = plain.predict(plain.declared, (), ("fit", "validate"))
+    measured = tuple(replace(t, force=f) for t, f in zip(bare, forces, strict=True) if f is not None)
+    return DamperProblem(zener, LAW, None, measured, Sizes.of(measured))
+
+
+FORMS: list[Form] = [kind() for module in MODULES for kind in module.FORMS]
+CANDIDATES = list(problem().candidates([np.zeros_like(t.force) for t in problem().trials if t.use == "fit"]))
+BY_LABEL = {candidate.label: candidate for candidate in CANDIDATES}
+
+
+def change(candidate: Candidate, values: tuple[float, ...]) -> float:
+    """Root mean square of what a candidate adds to the force, over that of the force; finite or the test fails."""
+    found = problem().predict(problem().declared, [(candidate, np.array(values))], ("fit", "validate"))
+    total = 0.0
+    for i, (predicted, force) in enumerate(zip(found, problem().measured, strict=True)):
+        assert predicted is not None and predicted.shape == force.shape and np.all(np.isfinite(predicted))
+        columns = problem().nuisance([(candidate, np.array(values))], i)
+        assert columns is None or (columns.shape[0] == force.size and np.all(np.isfinite(columns)))
+        total += float(np.sum((predicted - force) ** 2))
+    return float(np.sqrt(total / sum(float(f @ f) for f in problem().measured)))
+
+
+def test_labels_are_unique_and_every_form_can_be_shown_by_a_rich_campaign() -> None:
+    assert len(BY_LABEL) == len(CANDIDATES)
+    assert {f"{form.name}.{form.form}" for form in FORMS} <= set(BY_LABEL)
+
+
+@pytest.mark.parametrize("candidate", CANDIDATES, ids=lambda c: c.label)
+def test_starts_lie_inside_the_bounds_and_are_few(candidate: Candidate) -> None:
+    names = [unknown.name for unknown in candidate.unknowns]
+    assert len(names) == len(set(names)) <= 4
+    assert not set(names) & set(candidate.effect[1])
+    assert 1 <= len(candidate.starts) <= 12
+    for start in candidate.starts:
+        assert len(start) == len(names)
+        for unknown, value in zip(candidate.unknowns, start, strict=True):
+            assert unknown.lower <= value <= unknown.upper, unknown.name
+            x = unknown.coordinate(value)
+            # sizes are those of the campaign, but for frequencies of tones, which are told by 1/duration
+            assert abs(x) < 12.0 or unknown.unit == "Hz", unknown.name
+            assert unknown.value(x) == pytest.approx(value, rel=1e-12, abs=1e-15 * unknown.size)
+            assert unknown.span[0] <= x + unknown.step(x) <= unknown.span[1]
+
+
+@pytest.mark.parametrize("candidate", CANDIDATES, ids=lambda c: c.label)
+def test_starts_are_seen_but_not_wild(candidate: Candidate) -> None:
+    if problem().nuisance([(candidate, np.array(candidate.starts[0]))], 0) is not None:
+        pytest.skip("its share is each test's own")
+    changes = [change(candidate, start) for start in candidate.starts]
+    assert 1e-5 < max(changes) and max(changes) < 1.0
+
+
+@pytest.mark.parametrize("candidate", CANDIDATES, ids=lambda c: c.label)
+def test_corners_of_the_bounds_can_be_predicted(candidate: Candidate) -> None:
+    spans = [unknown.span for unknown in candidate.unknowns]
+    for corner in itertools.product(*spans):
+        change(candidate, tuple(u.value(c) for u, c in zip(candidate.unknowns, corner, strict=True)))
+
+
+@pytest.mark.parametrize("candidate", CANDIDATES, ids=lambda c: c.label)
+def test_a_prediction_leaves_nothing_behind(candidate: Candidate) -> None:
+    # memory goes from test to test of one prediction, not to the next one
+    assert change(candidate, candidate.starts[0]) == change(candidate, candidate.starts[0])
+
+
+@pytest.mark.parametrize("form", FORMS, ids=lambda form: f"{form.name}.{form.form}")
+def test_form_tells_people_what_it_is(form: Form) -> None:
+    assert all(len(text) > 10 for text in (form.title, form.signature, form.source))
+    assert form.kind in ("damper", "rig", "instrument")
+    assert form.__doc__
+
+
+@pytest.mark.parametrize("form", FORMS, ids=lambda form: f"{form.name}.{form.form}")
+def test_page_names_form_and_parameters(form: Form) -> None:
+    text = (PAGES / f"{form.name}.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| `(\w+)` \|", text, re.M)
+    candidate = BY_LABEL[f"{form.name}.{form.form}"]
+    assert {unknown.name for unknown in candidate.unknowns} | set(candidate.effect[1]) <= set(rows)
+    assert form.form in text
+    for part in ("Signature", "Source", *(("State",) if form.kind == "damper" else ())):
+        assert re.search(rf"^{part}\b", text, re.M), part
+
+
+def test_index_links_to_every_page() -> None:
+    linked = set(re.findall(r"\]\((\w+)\.md\)", (PAGES / "README.md").read_text(encoding="utf-8")))
+    assert {module.FORMS[0].name for module in MODULES} <= linked
+    assert linked <= {page.stem for page in PAGES.glob("*.md")}
+
+
+@pytest.mark.parametrize("form", [f for f in FORMS if f.amendment], ids=lambda form: f"{form.name}.{form.form}")
+def test_amendment_has_the_parameters_of_the_form(form: Form) -> None:
+    kind = AMENDMENTS[form.name, getattr(form, "amendment_form", form.form)]
+    candidate = BY_LABEL[f"{form.name}.{form.form}"]
+    own = {unknown.name: unknown.unit for unknown in candidate.unknowns}
+    given = {parameter.name for parameter in kind.parameters if parameter.default is None}
+    assert set(own) | set(candidate.effect[1]) <= {parameter.name for parameter in kind.parameters}
+    assert given <= set(own) | set(candidate.effect[1])
+    for unknown in candidate.unknowns:
+        parameter = next(p for p in kind.parameters if p.name == unknown.name)
+        assert parameter.allows(unknown.lower) and parameter.allows(unknown.upper), unknown.name

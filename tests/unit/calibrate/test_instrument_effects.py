@@ -1,0 +1,206 @@
+"""Effects of the instruments against analytic signals, loops over samples and known spectra."""
+
+from __future__ import annotations
+
+import pickle
+
+import numpy as np
+import pytest
+
+from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.effects import drift, gain, hum, inertia, lag, offset
+from edesign.calibrate.dampers.effects.drift import slowest_frequency
+from edesign.calibrate.dampers.peaks import common_tones
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
+
+W = 2.0 * np.pi
+PARAMETRIC = [kind for module in (lag, gain, offset, drift, inertia, hum) for kind in module.FORMS]
+
+
+def _trial(rate: float, duration: float, frequency: float = 1.0, order: int = 0, amplitude: float = 0.01) -> Trial:
+    time = 0.37 + np.arange(int(round(duration * rate)) + 1) / rate
+    angle = W * frequency * (time - time[0])
+    u = amplitude * np.sin(angle)
+    v = amplitude * W * frequency * np.cos(angle)
+    motion = Motion(time, u, v, -((W * frequency) ** 2) * u)
+    return Trial(f"test {order + 1}", "fit", order, motion, 1e7 * u, np.full(time.size, 20.0))
+
+
+def _sizes(tests: int = 1) -> Sizes:
+    return Sizes.of([_trial(100.0, 10.0, order=i) for i in range(tests)])
+
+
+@pytest.mark.parametrize("kind", PARAMETRIC)
+def test_starts_are_complete_and_inside_the_bounds(kind: type[Form]) -> None:
+    unknowns, starts = kind().unknowns(_sizes()), kind().starts(_sizes())
+    assert starts
+    for start in starts:
+        assert len(start) == len(unknowns)
+        for value, unknown in zip(start, unknowns, strict=True):
+            assert unknown.lower < value < unknown.upper
+            assert unknown.value(unknown.coordinate(value)) == pytest.approx(value, rel=1e-12)
+
+
+def test_no_amplitude_leaves_the_force_unchanged() -> None:
+    trial = _trial(100.0, 5.0)
+    for form, p in (
+        (gain.Force(), {"g": 0.0}),
+        (gain.ForceFromTest(2), {"g": 0.0, "first_test": 2.0}),
+        (offset.Constant(), {"offset": 0.0}),
+        (drift.PerTestLine(), {"rate": 0.0}),
+    ):
+        np.testing.assert_array_equal(form.channel(p, trial, trial.force), trial.force)
+    # a spline at its own knots: rounding
+    np.testing.assert_allclose(lag.Delay().channel({"lag": 0.0}, trial, trial.force), trial.force, atol=1e-12 * 1e5)
+    same = gain.Displacement().actuator({"g": 0.0}, trial, trial.motion)
+    np.testing.assert_array_equal(same.velocity, trial.motion.velocity)
+    np.testing.assert_array_equal(same.displacement, trial.motion.displacement)
+    np.testing.assert_array_equal(drift.Campaign().parallel({"rate": 0.0}, trial, trial.motion, {}), 0.0)
+    np.testing.assert_array_equal(inertia.Mass().parallel({"mass": 0.0}, trial, trial.motion, {}), 0.0)
+
+
+def test_a_delay_is_that_of_a_sine() -> None:
+    # not-a-knot cubics of 60 samples in a cycle: (w h)^4 / 384 = 3e-7 inside, ten times that at the ends
+    trial = _trial(60.0, 5.0)
+    late = lag.Delay().channel({"lag": 0.0123}, trial, trial.force)
+    time = trial.motion.time - trial.motion.time[0]
+    np.testing.assert_allclose(late[1:], 1e5 * np.sin(W * (time[1:] - 0.0123)), atol=1e5 * 5e-6)
+
+
+def test_a_filter_has_the_gain_and_phase_of_first_order() -> None:
+    # H = 1 / (1 + i w tau) once the start has died out; linear between 100 samples in a cycle: (w h)^2 / 12 = 3e-4
+    trial, tau = _trial(100.0, 10.0), 0.03
+    found = lag.Filter().channel({"time_constant": tau}, trial, trial.force)
+    time = trial.motion.time - trial.motion.time[0]
+    response = 1.0 / (1.0 + 1j * W * tau)
+    exact = 1e5 * np.imag(response * np.exp(1j * W * time))
+    settled = time > 20.0 * tau
+    np.testing.assert_allclose(found[settled], exact[settled], atol=1e5 * 4e-4)
+
+
+def test_gains_scale_their_channel() -> None:
+    trial = _trial(100.0, 2.0)
+    np.testing.assert_allclose(gain.Force().channel({"g": 0.04}, trial, trial.force), 1.04 * trial.force, rtol=1e-14)
+    true = gain.Displacement().actuator({"g": 0.25}, trial, trial.motion)
+    np.testing.assert_allclose(1.25 * true.displacement, trial.motion.displacement, rtol=1e-14)
+    np.testing.assert_allclose(1.25 * true.velocity, trial.motion.velocity, rtol=1e-14)
+    np.testing.assert_allclose(1.25 * true.acceleration, trial.motion.acceleration, rtol=1e-14)
+
+
+def test_a_gain_that_changes_has_a_form_for_each_place() -> None:
+    forms = gain.forms_of(_sizes(4))
+    assert [form.form for form in forms] == ["force_from_test_2", "force_from_test_3", "force_from_test_4"]
+    assert gain.forms_of(_sizes(1)) == ()
+    for form in forms:
+        first = form.fixed(_sizes(4))["first_test"]
+        p = {"g": 0.1, **form.fixed(_sizes(4))}
+        for order in range(4):
+            trial = _trial(100.0, 1.0, order=order)
+            changed = order + 1 >= first
+            np.testing.assert_allclose(
+                form.channel(p, trial, trial.force), (1.1 if changed else 1.0) * trial.force, rtol=1e-14
+            )
+    copied = pickle.loads(pickle.dumps(forms[1]))
+    assert (copied.form, copied.first) == ("force_from_test_3", 3)
+
+
+def test_lines_of_drift_begin_with_the_test_or_go_on_through_the_campaign() -> None:
+    trials = [_trial(100.0, duration, order=i) for i, duration in enumerate((3.0, 5.0, 2.0))]
+    memory: dict[str, float] = {}
+    before = 0.0
+    for trial, duration in zip(trials, (3.0, 5.0, 2.0), strict=True):
+        since = np.arange(trial.force.size) / 100.0
+        own = drift.PerTestLine().channel({"rate": 7.0}, trial, trial.force) - trial.force
+        np.testing.assert_allclose(own, 7.0 * since, atol=1e-9 * 1e5)
+        through = drift.Campaign().parallel({"rate": 7.0}, trial, trial.motion, memory)
+        np.testing.assert_allclose(through, 7.0 * (before + since), atol=1e-9)
+        before += duration
+    assert drift.Campaign.remembers
+
+
+def test_own_columns_take_a_line_out_and_tell_its_share() -> None:
+    trial = _trial(100.0, 4.0)
+    since = trial.motion.time - trial.motion.time[0]
+    line = 120.0 - 30.0 * since
+    each = drift.EachOwn()
+    assert each.shares({}, trial, line) == pytest.approx({"offset_N": 120.0, "rate_N_per_s": -30.0}, rel=1e-9)
+    assert offset.PerTest().shares({}, trial, line) == pytest.approx({"offset_N": 60.0}, rel=1e-9)
+    assert drift.Wandering().shares({}, trial, 5.0 + np.cos(np.pi * since / 4.0)) == pytest.approx({"range_N": 2.0})
+
+
+def test_wandering_leaves_the_motion_alone() -> None:
+    # a sine of 12 cycles: slowest frequency 1 Hz less the Hann window's width of 2 / duration
+    trial = _trial(100.0, 12.0)
+    assert 1.0 - 2.0 / 12.0 <= slowest_frequency(trial.motion) <= 1.0
+    columns = drift.Wandering().columns({}, trial)
+    since = (trial.motion.time - trial.motion.time[0]) / 12.0
+    for j in range(columns.shape[1]):
+        np.testing.assert_allclose(columns[:, j], np.cos(np.pi * j * since), atol=1e-12)
+    assert columns.shape[1] == 9
+    share = columns @ np.linalg.lstsq(columns, trial.force, rcond=None)[0]
+    # whole cycles are orthogonal to the even cosines, nearly so to the odd ones
+    assert np.sum(share**2) < 0.03 * np.sum(trial.force**2)
+    # half a cycle in the test: the motion is as slow as anything, and only the constant is left
+    assert drift.Wandering().columns({}, _trial(100.0, 0.5)).shape[1] <= 2
+
+
+def test_inertia_is_mass_times_acceleration() -> None:
+    trial = _trial(100.0, 2.0)
+    force = inertia.Mass().parallel({"mass": 40.0}, trial, trial.motion, {})
+    np.testing.assert_allclose(force, -40.0 * W**2 * trial.motion.displacement, rtol=1e-12)
+
+
+def test_a_tone_is_removed_and_its_amplitude_and_phase_told() -> None:
+    trial = _trial(120.0, 10.0)
+    since = trial.motion.time - trial.motion.time[0]
+    tone = 25.0 * np.sin(W * 50.02 * since + 0.7) + 4.0 * np.sin(W * 100.04 * since - 1.1)
+    p = {"frequency": 50.02}
+    shares = hum.Harmonics().shares(p, trial, tone)
+    assert shares["amplitude_N"] == pytest.approx(25.0, rel=1e-8)
+    assert shares["phase_rad"] == pytest.approx(0.7, rel=1e-8)
+    assert shares["amplitude_2_N"] == pytest.approx(4.0, rel=1e-8)
+    assert shares["phase_2_rad"] == pytest.approx(-1.1, rel=1e-8)
+    assert shares["amplitude_3_N"] == pytest.approx(0.0, abs=1e-6)
+    assert hum.Tone().shares(p, trial, tone)["amplitude_N"] == pytest.approx(25.0, rel=1e-2)
+
+
+def test_differences_of_a_frequency_stay_within_its_peak() -> None:
+    # out of step by 2 pi df T at the end: far below one turn
+    (unknown,) = hum.Tone().unknowns(_sizes())
+    x = unknown.coordinate(50.0)
+    moved = unknown.value(x + unknown.step(x)) - unknown.value(x)
+    assert 0.0 < W * moved * _sizes().duration < 0.05
+
+
+def _noise(trials: list[Trial], seed: int) -> list[np.ndarray]:
+    rng = np.random.default_rng(seed)
+    return [rng.normal(scale=20.0, size=t.force.size) for t in trials]
+
+
+def test_hum_below_the_noise_is_found_in_what_several_tests_have_in_common() -> None:
+    trials = [_trial(rate, 20.0, f, i) for i, (rate, f) in enumerate(((120.0, 0.5), (125.0, 1.0), (150.0, 2.0)))]
+    residuals = _noise(trials, 1)
+    for i, (trial, residual) in enumerate(zip(trials, residuals, strict=True)):
+        residual += 8.0 * np.sin(W * 49.93 * trial.motion.time + i)
+    starts = hum.Tone().starts_from_residuals(Sizes.of(trials), trials, residuals)
+    # to a quarter of the resolution of 20 s
+    assert starts[0][0] == pytest.approx(49.93, abs=0.25 / 20.0)
+
+
+def test_hum_above_half_the_rate_is_told_from_its_alias() -> None:
+    trials = [_trial(120.0, 20.0, f, i) for i, f in enumerate((0.5, 1.0))]
+    residuals = _noise(trials, 2)
+    for trial, residual in zip(trials, residuals, strict=True):
+        residual += 8.0 * np.sin(W * 100.05 * trial.motion.time)
+    assert common_tones(trials, residuals)[0] == pytest.approx(100.05, abs=0.25 / 20.0)
+
+
+def test_harmonics_of_the_motion_and_noise_are_no_hum() -> None:
+    trials = [_trial(120.0, 20.0, f, i) for i, f in enumerate((2.0, 2.0, 2.0))]
+    residuals = _noise(trials, 4)
+    assert common_tones(trials, residuals) == ()
+    for trial, residual in zip(trials, residuals, strict=True):
+        since = trial.motion.time - trial.motion.time[0]
+        residual += sum(200.0 / n * np.sin(W * 2.0 * n * since) for n in (1, 3, 5, 7))
+    assert common_tones(trials, residuals) == ()
+    assert hum.Tone().starts_from_residuals(Sizes.of(trials), trials, residuals) == ((50.0,), (60.0,))

@@ -1,0 +1,218 @@
+"""Analysis of residuals with one known part beside white noise."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from residual_examples import ALPHA, NOISE, RATE, C, Example, K, analysed, campaign, cycles, force
+from scipy.special import gamma
+
+from edesign.calibrate.residual.analysis import analyse
+from edesign.calibrate.residual.harmonics import coefficients, harmonics
+from edesign.calibrate.residual.lag import find_lag
+from edesign.calibrate.residual.motion import Motion, reversals
+from edesign.calibrate.residual.pool import bins
+from edesign.calibrate.residual.record import Residual
+from edesign.calibrate.residual.tones import find_tones
+from edesign.calibrate.residual.whiteness import effective_samples
+from edesign.errors import InputError
+
+LATE = 4e-3  # s
+
+
+def late(example: Example) -> np.ndarray:
+    return force(*example.at(example.time - LATE)) - example.predicted
+
+
+def path(example: Example) -> np.ndarray:
+    return np.concatenate(([0.0], np.cumsum(np.abs(np.diff(example.displacement)))))
+
+
+@pytest.mark.parametrize(
+    ("extra", "words"),
+    [
+        (lambda e: 6e7 * e.displacement**2, "a force even in the displacement"),
+        (lambda e: 1e10 * e.displacement**3, "a force odd in the displacement"),
+        (lambda e: 3e3 * np.sign(e.velocity), "a force with the sign of the velocity"),
+        (lambda e: 2e3, "a constant force"),
+        (lambda e: 0.03 * e.predicted, "a factor on the whole force, +3 %"),
+        (late, "a force 4 ms late"),
+        (lambda e: 0.2 * np.exp(-path(e) / 0.05) * e.predicted, "a factor that falls with the path from +1"),
+        (lambda e: -0.05 * (e.order % 3) * e.predicted, "a factor that falls with the temperature"),
+        (lambda e: 0.02 * e.order * e.predicted, "a factor that rises with the test order"),
+        (lambda e: 0.3 * (e.frequency == 0.25) * e.predicted, "a factor that depends on the test order, +30 % at 4"),
+        (lambda e: 400.0 * e.time, "a force that rises with the time"),
+    ],
+)
+def test_a_known_part_is_told_first(extra: object, words: str) -> None:
+    shape = analysed(extra).shape  # type: ignore[arg-type]
+    # a trend is too slow to be sure of before the constant is taken away
+    assert words in (shape if "time" in words else shape.split(", then")[0])
+
+
+def test_noise_alone_is_told_as_noise() -> None:
+    found = analysed()
+    assert "all of it noise" in found.shape
+    # a share of white noise follows chance, (bins - 1)/n on average: below four times it for 22 dependences
+    assert all(one.share < 4.0 * one.chance for one in found.against)
+    assert all(one.whiteness.structured < 0.02 for one in found.tests)
+    # 8 % is two to three times the scatter of an estimate from 3000 samples
+    assert [one.whiteness.noise for one in found.tests] == pytest.approx([NOISE] * 6, rel=0.08)
+
+
+def test_nothing_left_is_told() -> None:
+    assert analysed(noise=0.0).shape == "Nothing is left."
+
+
+def test_binned_means_are_those_of_the_known_function() -> None:
+    """e = 3000 N sgn v over the rms force; and a factor of 5 % a kelvin."""
+    tests = campaign(lambda e: 3e3 * np.sign(e.velocity), noise=0.0)[:1]
+    sign = next(d for d in analyse(tests).against if d.driver == "sign of velocity" and d.way == "force")
+    assert sign.mean[[0, -1]] * tests[0].rms_force == pytest.approx([-3e3, 3e3], rel=1e-9)
+    tests = campaign(lambda e: 0.01 * (e.order % 3) * e.predicted, noise=0.0)
+    warm = next(d for d in analyse(tests, cycles()).against if d.driver == "temperature" and d.way == "factor")
+    assert warm.centre == pytest.approx([20.0, 25.0, 30.0])
+    assert warm.mean == pytest.approx([0.0, 0.01, 0.02], abs=1e-12)
+    assert warm.share + _common(tests) == pytest.approx(1.0, abs=1e-9)
+
+
+def _common(tests: list[Residual]) -> float:
+    """Share of the squared residual that one factor explains, each test over its rms force."""
+    e = np.concatenate([test.residual / test.rms_force for test in tests])
+    p = np.concatenate([test.predicted / test.rms_force for test in tests])
+    return float(e @ p) ** 2 / float(p @ p) / float(e @ e)
+
+
+def test_harmonics_of_a_cubic_spring_beside_a_dashpot() -> None:
+    """(U sin)^3 = U^3 (3 sin - sin 3)/4; c v = c U w cos; quadratic: U^2 (1 - cos 2)/2. Added to the prediction."""
+    k3, k2, c = 2e10, 5e7, 2e5
+    test = campaign(lambda e: k3 * e.displacement**3 + k2 * e.displacement**2 + c * e.velocity, noise=0.0)[2]
+    (found,) = harmonics(test, cycles()[2])
+    u = 12e-3
+    expected = np.zeros((8, 2))
+    expected[0, 0] = k2 * u**2 / 2.0
+    expected[1] = 0.75 * k3 * u**3, c * u * 2.0 * np.pi
+    expected[2, 1] = -k2 * u**2 / 2.0
+    expected[3, 0] = -k3 * u**3 / 4.0
+    assert found.frequency == pytest.approx(1.0, rel=1e-6)
+    # zeros of the cycles are found to 1e-6 of one, times the largest force
+    assert found.residual == pytest.approx(expected, abs=1e-4 * k3 * u**3)
+    assert found.force - found.prediction == pytest.approx(found.residual, abs=1e-6)
+
+
+def test_coefficients_of_functions_they_consist_of() -> None:
+    phase = 2.0 * np.pi * np.arange(100) / 50.0
+    found = coefficients(phase, 2.0 + 3.0 * np.sin(phase) - 4.0 * np.cos(5.0 * phase))[0]
+    expected = np.zeros((8, 2))
+    expected[0, 0], expected[1, 0], expected[5, 1] = 2.0, 3.0, -4.0
+    assert found == pytest.approx(expected, abs=1e-12)
+
+
+def test_lag_of_a_sine_has_its_value_and_error() -> None:
+    """Error of a lag in white noise s on F0 sin(wt), n samples: s sqrt(2/n) / (F0 w), the Cramer-Rao bound."""
+    time = np.arange(0.0, 10.0, 1.0 / RATE)
+    omega, f0, s = 2.0 * np.pi * 1.5, 80e3, 800.0
+    rng = np.random.default_rng(11)
+    u, v = 0.01 * np.sin(omega * time), 0.01 * omega * np.cos(omega * time)
+    predicted = f0 * np.sin(omega * time)
+    measured = f0 * np.sin(omega * (time - 7.3e-3)) + s * rng.standard_normal(time.size)
+    lag = find_lag([Residual("a", 0, "fit", time, u, v, measured, predicted, 20.0)])
+    bound = s * np.sqrt(2.0 / time.size) / (f0 * omega)
+    assert lag.error == pytest.approx(bound, rel=0.1)  # scatter of the rms of 2500 samples: 1.4 %; ends: 5 %
+    assert lag.value == pytest.approx(7.3e-3, abs=4.0 * bound)
+    # all but the noise, of the mean square 2 F0^2 sin^2(w lag/2) of the difference of two sines
+    difference = 2.0 * (f0 * np.sin(0.5 * omega * 7.3e-3)) ** 2
+    assert lag.share == pytest.approx(difference / (difference + s**2), abs=0.005)
+
+
+def test_tests_of_all_frequencies_agree_on_a_lag_but_not_on_damping() -> None:
+    lag = analysed(late).lag
+    assert lag.value == pytest.approx(LATE, abs=4.0 * lag.error)
+    assert lag.of_tests[:, 0] == pytest.approx(LATE, rel=0.05)
+    damping = analysed(lambda e: -2e5 * e.velocity).lag
+    # damping is late by c U w / (F0 w) with a force F0 that grows with amplitude and frequency: no two tests alike
+    assert np.std(damping.of_tests[:, 0]) > 0.3 * np.abs(np.mean(damping.of_tests[:, 0]))
+
+
+def test_tone_is_found_with_frequency_and_amplitude() -> None:
+    tests = campaign(lambda e: 250.0 * np.sin(2.0 * np.pi * 50.3 * e.time + 1.0))
+    for test, motion in zip(tests, cycles(), strict=True):
+        (tone,) = find_tones(motion, test.residual)
+        # Cramer-Rao for n = 3000: sqrt(6/n) s / (pi A T) = 1.4 mHz, s sqrt(2/n) = 8 N; windows lose a factor of two
+        assert tone.frequency == pytest.approx(50.3, abs=0.015)
+        assert tone.amplitude == pytest.approx(250.0, abs=60.0)
+        assert tone.chance < 1e-4
+
+
+def test_harmonics_of_the_motion_and_noise_are_no_tones() -> None:
+    for test, motion in zip(campaign(lambda e: 3e3 * np.sign(e.velocity)), cycles(), strict=True):
+        assert find_tones(motion, test.residual) == ()
+
+
+def test_effective_samples_of_white_and_of_coloured_noise() -> None:
+    """First-order autoregression with coefficient a: sum of the squared correlation is (1 + a^2)/(1 - a^2)."""
+    rng = np.random.default_rng(0)
+    white = rng.standard_normal(200_000)
+    assert effective_samples(white) == pytest.approx(white.size, rel=0.02)
+    a = 0.9
+    coloured = np.empty_like(white)
+    state = 0.0
+    for i, x in enumerate(white):
+        state = a * state + x
+        coloured[i] = state
+    assert effective_samples(coloured) == pytest.approx(white.size * (1.0 - a**2) / (1.0 + a**2), rel=0.1)
+
+
+def test_map_and_loop_hold_the_known_residual() -> None:
+    tests = campaign(lambda e: 2e6 * e.displacement, noise=0.0)[2:3]
+    found = analyse(tests)
+    centre = 0.5 * (found.map.displacement[1:] + found.map.displacement[:-1])
+    width = found.map.displacement[1] - found.map.displacement[0]
+    expected = np.broadcast_to((2e6 * centre / tests[0].rms_force)[:, None], found.map.mean.shape)
+    filled = found.map.count > 0
+    assert found.map.count.sum() == tests[0].time.size
+    assert np.max(np.abs(found.map.mean - expected)[filled]) <= 0.5 * 2e6 * width / tests[0].rms_force * (1.0 + 1e-9)
+    loop = found.tests[0].loop
+    assert loop is not None and loop.cycles >= 9
+    assert loop.residual == pytest.approx(2e6 * loop.displacement, abs=1e-6)
+    # the loop's area: 4 (2^alpha) Gamma^2(1 + alpha/2)/Gamma(2 + alpha) c w^alpha U^(1+alpha), Soong & Constantinou
+    # (1994), 4.3
+    area = abs(float(np.sum(loop.measured * (np.roll(loop.displacement, -1) - np.roll(loop.displacement, 1)) / 2.0)))
+    share = 2.0**ALPHA * gamma(1.0 + ALPHA / 2.0) ** 2 / gamma(2.0 + ALPHA)
+    work = 4.0 * 12e-3 * C * (12e-3 * 2.0 * np.pi / 0.01) ** ALPHA * share
+    assert area == pytest.approx(work, rel=0.01)  # 64 points a cycle
+
+
+def test_half_cycles_of_a_growing_triangle() -> None:
+    """Reversals at 1, -2, 3, each after its own time: strokes 1, 3, 5."""
+    time = np.array([0.0, 1.0, 3.0, 6.0])
+    fine = np.linspace(0.0, 6.0, 601)
+    u = np.interp(fine, time, [0.0, 1.0, -2.0, 3.0])
+    half = Motion(fine, u).half_cycles
+    assert half.number[[50, 200, 500]].tolist() == [0, 1, 2]
+    assert half.amplitude[[50, 200, 500]] == pytest.approx([0.5, 1.5, 2.5])
+    assert half.frequency[[50, 200, 500]] == pytest.approx([0.5, 0.25, 1.0 / 6.0])
+    assert reversals(u + 0.001 * np.sin(90.0 * fine), 0.05) == pytest.approx([0, 100, 300, 600], abs=2)
+
+
+def test_bins_hold_equal_values_together() -> None:
+    assert bins(np.array([3.0, 1.0, 3.0, 2.0]), 4).tolist() == [2, 0, 2, 1]
+    assert bins(np.full(5, 2.0), 4).tolist() == [0] * 5
+    assert np.bincount(bins(np.arange(1000.0), 10)).tolist() == [100] * 10
+
+
+def test_records_that_do_not_fit_are_refused() -> None:
+    time = np.arange(20.0)
+    with pytest.raises(InputError, match="19 samples of measured, 20 of time"):
+        Residual("a", 0, "fit", time, time, time, time[1:], time, 20.0)
+    with pytest.raises(InputError, match="sample 3 is nan"):
+        Residual("a", 0, "fit", time, time, time, time, np.where(time == 2.0, np.nan, time), 20.0)
+    with pytest.raises(InputError, match="at least one test"):
+        analyse([])
+
+
+def test_stiffness_is_the_first_harmonic_in_phase() -> None:
+    """Of a residual of 10 % of K u it is 0.1 K U; the scatter of a coefficient is s sqrt(2/n)."""
+    test = campaign(lambda e: 0.1 * K * e.displacement)[2]
+    (found,) = harmonics(test, cycles()[2])
+    assert found.residual[1] == pytest.approx([0.1 * K * 12e-3, 0.0], abs=4.0 * NOISE * np.sqrt(2.0 / 2500.0))

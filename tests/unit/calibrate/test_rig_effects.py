@@ -1,0 +1,201 @@
+"""Effects of the rig against loops over samples, textbook recursions and closed forms."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.effects.friction import Presliding, Stribeck, Tanh
+from edesign.calibrate.dampers.effects.play import Backlash, Gap, follow
+from edesign.calibrate.dampers.effects.series_flexibility import Linear
+from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
+from edesign.calibrate.dampers.turning_points import with_turning_points
+from edesign.core.damper import CoreDamper
+
+AMPLITUDE = 0.01  # m
+FORMS = (Tanh, Presliding, Stribeck, Gap, Backlash, Linear, PreShear, ConstantForce)
+
+
+def _sine(rate: float, cycles: float = 4.0, frequency: float = 1.0, phase: float = 0.0) -> Motion:
+    time = np.arange(int(cycles / frequency * rate) + 1) / rate
+    w = 2.0 * np.pi * frequency
+    angle = w * time + phase
+    u = AMPLITUDE * np.sin(angle)
+    return Motion(time, u, AMPLITUDE * w * np.cos(angle), -(w**2) * u)
+
+
+def _trial(motion: Motion, name: str = "a", order: int = 0) -> Trial:
+    return Trial(name, "fit", order, motion, 1e7 * motion.displacement, np.full(motion.time.size, 20.0))
+
+
+def _irregular() -> Motion:
+    """Two sines that have many unequal reversals, none of them on a sample but by chance."""
+    time = np.arange(2001) / 200.0
+    w1, w2 = 2.0 * np.pi * 0.73, 2.0 * np.pi * 1.91
+    u = 0.006 * np.sin(w1 * time) + 0.004 * np.sin(w2 * time + 0.4)
+    v = 0.006 * w1 * np.cos(w1 * time) + 0.004 * w2 * np.cos(w2 * time + 0.4)
+    a = -0.006 * w1**2 * np.sin(w1 * time) - 0.004 * w2**2 * np.sin(w2 * time + 0.4)
+    return Motion(time, u, v, a)
+
+
+@pytest.mark.parametrize("kind", FORMS)
+def test_starts_are_complete_and_inside_the_bounds(kind: type[Form]) -> None:
+    sizes = Sizes.of([_trial(_sine(100.0))])
+    unknowns = kind().unknowns(sizes)
+    assert kind().starts(sizes)
+    for start in kind().starts(sizes):
+        assert len(start) == len(unknowns)
+        for value, unknown in zip(start, unknowns, strict=True):
+            assert unknown.lower < value < unknown.upper
+            assert unknown.value(unknown.coordinate(value)) == pytest.approx(value, rel=1e-12)
+
+
+def test_turning_points_are_those_of_a_sine() -> None:
+    # no sample at an extreme; the cubic through samples of 30 in a cycle misses it by (w h)^4 / 384 = 5e-6
+    motion = _sine(30.0, phase=0.02)
+    points, index = with_turning_points(motion)
+    np.testing.assert_array_equal(points[index], motion.displacement)
+    turned = np.delete(points, index)
+    assert turned.size == 8
+    np.testing.assert_allclose(np.abs(turned), AMPLITUDE, rtol=1e-5)
+    assert np.max(np.abs(motion.displacement)) < (1.0 - 1e-3) * AMPLITUDE
+
+
+def test_a_motion_without_reversal_has_no_turning_points() -> None:
+    time = np.linspace(0.0, 1.0, 11)
+    motion = Motion(time, 0.01 * time, np.full(11, 0.01), np.zeros(11))
+    points, index = with_turning_points(motion)
+    np.testing.assert_array_equal(points, motion.displacement)
+    np.testing.assert_array_equal(index, np.arange(11))
+
+
+def test_tanh_friction_is_coulomb_away_from_rest_and_dissipates_four_times_force_and_amplitude() -> None:
+    motion = _sine(5000.0, cycles=1.0)
+    force = Tanh().parallel({"F_c": 300.0, "v0": 1e-4 * 2 * np.pi * AMPLITUDE}, _trial(motion), motion, {})
+    moving = np.abs(motion.velocity) > 0.01 * np.max(np.abs(motion.velocity))
+    np.testing.assert_allclose(force[moving], 300.0 * np.sign(motion.velocity[moving]), rtol=1e-12)
+    work = np.trapezoid(force * motion.velocity, motion.time)
+    assert work == pytest.approx(4.0 * 300.0 * AMPLITUDE, rel=1e-4)
+
+
+def test_stribeck_friction_breaks_away_at_the_larger_force() -> None:
+    velocity = np.array([-1.0, -0.003, 0.0, 0.003, 1.0])
+    motion = Motion(np.arange(5.0), np.zeros(5), velocity, np.zeros(5))
+    force = Stribeck().parallel({"F_c": 100.0, "s": 0.5, "v_s": 0.01}, _trial(motion), motion, {})
+    near = 100.0 * (1.0 + 0.5 * np.exp(-0.09)) * np.tanh(3.0)
+    np.testing.assert_allclose(force, [-100.0, -near, 0.0, near, 100.0], rtol=1e-12)
+
+
+def test_presliding_follows_its_differential_equation() -> None:
+    # z' = v - |v| z / x0 by the midpoint rule on steps a hundred times finer: errors of order (w h)^2 = 1e-6
+    coarse, stride = _sine(100.0, phase=0.2), 100
+    fine = _sine(100.0 * stride, phase=0.2)
+    x0, h = 0.002, 1.0 / (100.0 * stride)
+    middle = AMPLITUDE * 2.0 * np.pi * np.cos(2.0 * np.pi * (fine.time[:-1] + 0.5 * h) + 0.2)
+    z, found = 0.0, [0.0]
+    for v in middle.tolist():
+        half = z + 0.5 * h * (v - abs(v) * z / x0)
+        z += h * (v - abs(v) * half / x0)
+        found.append(z)
+    force = Presliding().parallel({"F_c": 300.0, "x0": x0}, _trial(coarse), coarse, {})
+    np.testing.assert_allclose(force, 300.0 * np.array(found)[::stride] / x0, atol=300.0 * 1e-4)
+
+
+def test_presliding_dissipates_four_times_force_and_amplitude_when_it_slides_at_once() -> None:
+    # steady loop between +-A: F = F_c (1 - (1 + q) exp(-way / x0)), q = tanh(A / x0); closed form of its area
+    motion = _sine(2000.0, cycles=3.0)
+    for x0, to_the_limit in ((1e-3 * AMPLITUDE, 1.1e-3), (0.3 * AMPLITUDE, 1.0)):
+        force = Presliding().parallel({"F_c": 300.0, "x0": x0}, _trial(motion), motion, {})
+        last = motion.time >= 2.0 - 1e-9
+        work = np.trapezoid(force[last], motion.displacement[last])
+        q = np.tanh(AMPLITUDE / x0)
+        closed = 2.0 * 300.0 * (2.0 * AMPLITUDE - (1.0 + q) * x0 * (1.0 - np.exp(-2.0 * AMPLITUDE / x0)))
+        # the trapezoidal rule over the reversal, whose x0 is passed in a few samples
+        assert work == pytest.approx(closed, rel=1e-3)
+        assert work == pytest.approx(4.0 * 300.0 * AMPLITUDE, rel=to_the_limit + 1e-3)
+
+
+def test_presliding_does_not_know_speed() -> None:
+    slow, fast = _sine(100.0, frequency=1.0), _sine(1000.0, frequency=10.0)
+    p = {"F_c": 300.0, "x0": 0.001}
+    forces = [Presliding().parallel(p, _trial(m), m, {}) for m in (slow, fast)]
+    np.testing.assert_allclose(forces[0], forces[1], atol=300.0 * 1e-9)
+
+
+def test_follow_is_the_textbook_play_operator() -> None:
+    # w_i = min(u_i + r, max(u_i - r, w_(i-1))), w before the first: 0 (Visintin 1994, Differential Models, III.2)
+    u, play = np.random.default_rng(3).normal(size=500).cumsum(), 4.0
+    w, found = 0.0, []
+    for value in u:
+        w = min(value + 0.5 * play, max(value - 0.5 * play, w))
+        found.append(w)
+    np.testing.assert_array_equal(follow(u, play), found)
+    assert np.max(np.abs(u - found)) == 0.5 * play
+
+
+def test_backlash_of_a_sine_is_cut_and_late() -> None:
+    # after the first quarter: falls only when the crest is passed by the play; crests at A - play / 2
+    motion, play = _sine(30.0, phase=0.1), 0.002
+    own = Backlash().specimen({"play": play}, _trial(motion), motion)
+    crest = AMPLITUDE - 0.5 * play
+    after = motion.time > 0.25
+    rests = (motion.displacement > AMPLITUDE - play + 1e-6) & after & (motion.velocity < 0.0)
+    assert rests.sum() >= 8
+    np.testing.assert_allclose(own.displacement[rests], crest, rtol=1e-5)
+    np.testing.assert_array_equal(own.velocity[rests], 0.0)
+    goes = (motion.velocity < 0.0) & (motion.displacement < AMPLITUDE - play - 1e-6) & after
+    np.testing.assert_allclose(own.displacement[goes], motion.displacement[goes] + 0.5 * play, rtol=1e-12)
+    np.testing.assert_array_equal(own.velocity[goes], motion.velocity[goes])
+
+
+def test_backlash_does_not_depend_on_the_rate_of_samples() -> None:
+    # 24 samples in a cycle of the faster sine: extremes of the cubics miss the true ones by 1e-5 of the play
+    fine = _irregular()
+    play, stride = 0.0015, 4
+    coarse = fine.thinned(stride)
+    exact = Backlash().specimen({"play": play}, _trial(fine), fine).displacement[::stride]
+    found = Backlash().specimen({"play": play}, _trial(coarse), coarse).displacement
+    np.testing.assert_allclose(found, exact, atol=1e-3 * play)
+
+
+def test_no_amplitude_leaves_everything_unchanged() -> None:
+    motion = _irregular()
+    trial = _trial(motion)
+    for form, p in (
+        (Tanh(), {"F_c": 0.0, "v0": 0.01}),
+        (Presliding(), {"F_c": 0.0, "x0": 0.001}),
+        (Stribeck(), {"F_c": 0.0, "s": 0.5, "v_s": 0.01}),
+        (ConstantForce(), {"P": 0.0}),
+    ):
+        np.testing.assert_array_equal(form.parallel(p, trial, motion, {}) * np.ones(motion.time.size), 0.0)
+    for form, p in ((Backlash(), {"play": 0.0}), (PreShear(), {"offset": 0.0})):
+        own = form.specimen(p, trial, motion)
+        for name in ("time", "displacement", "velocity", "acceleration"):
+            np.testing.assert_array_equal(getattr(own, name), getattr(motion, name))
+    assert Gap().series({"play": 0.0, "stiffness": 1e9}) == Linear().series({"stiffness": 1e9})
+
+
+def test_pre_shear_moves_the_displacement_alone() -> None:
+    motion = _irregular()
+    own = PreShear().specimen({"offset": 0.003}, _trial(motion), motion)
+    np.testing.assert_allclose(own.displacement, motion.displacement + 0.003, rtol=1e-14)
+    np.testing.assert_array_equal(own.velocity, motion.velocity)
+
+
+def test_series_of_a_spring_is_two_springs() -> None:
+    # on a monotone way from rest: F = k k_s / (k + k_s) (u - play / 2) beyond half the play
+    time = np.linspace(0.0, 1.0, 41)
+    u = 0.01 * time
+    k, k_s, play = 1e7, 3e7, 0.004
+    damper = CoreDamper("kelvin_voigt", (k, 0.0))
+    for form, p, gap in (
+        (Linear(), {"stiffness": k_s}, 0.0),
+        (Gap(), {"stiffness": k_s, "play": play}, 0.5 * play),
+    ):
+        series = form.series(p)
+        assert series is not None
+        force, own = damper.force_in_series(time, u, np.full(41, 0.01), *series)
+        np.testing.assert_allclose(force, k * k_s / (k + k_s) * np.maximum(u - gap, 0.0), atol=1e-6 * k * 0.01)
+        np.testing.assert_allclose(force, k * own, atol=1e-6 * k * 0.01)

@@ -1,0 +1,139 @@
+"""A calibration whose numbers follow from a closed form: a spring and dashpot seen through a channel with a gain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.calibrate.problem import Use
+from edesign.calibrate.result import Calibration, Effect, Errors, Estimate, NextTest, Series, Stage
+
+K, C = 2.0e6, 4.0e4  # N/m, N s/m
+GAIN = 0.05
+NOISE = 20.0  # N, of alternating sign: its mean square is known exactly
+TESTS: tuple[tuple[str, float, float, Use], ...] = (
+    ("slow", 0.5, 0.004, "fit"),
+    ("fast", 2.0, 0.002, "validate"),
+)
+
+
+def series_of(name: str, frequency: float, amplitude: float, use: Use, order: int, noise: float = NOISE) -> Series:
+    """Ten cycles, 50 samples each, of a force with 5 % gain that the declared law does not know."""
+    time = np.arange(500) / (50.0 * frequency)
+    phase = 2.0 * np.pi * frequency * time
+    u, v = amplitude * np.sin(phase), 2.0 * np.pi * frequency * amplitude * np.cos(phase)
+    law = K * u + C * v
+    measured = (1.0 + GAIN) * law + noise * (-1.0) ** np.arange(500)
+    predicted: dict[Stage, np.ndarray] = {"declared": law, "refit": 1.04 * law, "corrected": (1.0 + GAIN) * law}
+    return Series(name, f"{frequency:g} Hz", use, order, time, u, v, measured, predicted, np.full(500, 20.0), noise)
+
+
+def nrms(series: Sequence[Series], stage: Stage) -> float:
+    """Over all samples of some tests."""
+    squared = sum(float(np.sum((one.measured - one.predicted[stage]) ** 2)) for one in series)
+    return squared / sum(float(np.sum(one.measured**2)) for one in series)
+
+
+def gain(error: float = 5e-4, alike: tuple[str, ...] = ("refit",)) -> Effect:
+    """The effect that the data hide."""
+    return Effect(
+        name="gain",
+        form="force",
+        kind="instrument",
+        title="gain of the force channel",
+        parameters={"g": Estimate(GAIN, error, "")},
+        fixed={},
+        delta_validate=1.1e-4,
+        evidence="removes 99.0 % of the excess over noise in tests left out; 2 of 2 better",
+        share=0.99,
+        indistinguishable_from=alike,
+    )
+
+
+def lag() -> Effect:
+    """An effect with a time: 4 ms."""
+    estimate = Estimate(0.004, 1e-4, "s")
+    text = "lag between the channels of force and displacement"
+    return replace(gain(alike=()), name="lag", form="delay", title=text, parameters={"lag": estimate})
+
+
+def payne() -> Effect:
+    """An effect of the damper, with lengths and times."""
+    parameters = {
+        "d": Estimate(0.2, 0.01, ""),
+        "a0": Estimate(0.003, 2e-4, "m"),
+        "m": Estimate(1.0, 0.1, ""),
+        "tau_a": Estimate(5.0, 0.5, "s"),
+    }
+    title = "softening with amplitude of the whole force"
+    base = gain(alike=("mullins", "self_heating"))
+    return replace(base, name="payne", form="whole", kind="damper", title=title, parameters=parameters)
+
+
+def calibration(effects: tuple[Effect, ...] | None = None, noise: float = NOISE) -> Calibration:
+    """A calibration of both tests; by default it found the gain."""
+    series = tuple(series_of(*test, order, noise) for order, test in enumerate(TESTS))
+    stages: tuple[Stage, ...] = ("declared", "refit", "corrected")
+    errors = {
+        stage: Errors(
+            nrms(series[:1], stage), nrms(series[1:], stage), {one.name: nrms([one], stage) for one in series}
+        )
+        for stage in stages
+    }
+    floors = [one.noise**2 / float(np.mean(one.measured**2)) for one in series]
+    exact = {"k": Estimate(K, 0.0, "N/m"), "c": Estimate(C, 0.0, "N*s/m")}
+    refit = {"k": Estimate(1.04 * K, 3e3, "N/m"), "c": Estimate(1.04 * C, 250.0, "N*s/m")}
+    return Calibration(
+        title="two sines",
+        law="kelvin_voigt",
+        errors=errors,
+        noise_floor=floors[1],
+        noise_floor_fit=floors[0],
+        effects=(gain(),) if effects is None else effects,
+        verdict="explained",
+        unexplained_share=0.0,
+        unexplained_shape="",
+        next_test=None,
+        refused=(("inertia.mass", "removes 3.1 % of the excess over noise in tests left out"),),
+        parameters={"declared": exact, "refit": refit, "corrected": exact},
+        law_held=True,
+        series=series,
+        seconds=1.5,
+    )
+
+
+def nothing_found() -> Calibration:
+    """A law that is right: the corrected prediction is the declared one."""
+    found = calibration(())
+    series = tuple(
+        replace(one, predicted=dict.fromkeys(one.predicted, one.predicted["corrected"])) for one in found.series
+    )
+    errors = dict.fromkeys(found.errors, found.errors["corrected"])
+    return replace(found, verdict="none", series=series, errors=errors)
+
+
+def unexplained() -> Calibration:
+    """Nothing explains the gain: what the refitted law leaves is left."""
+    found = calibration(())
+    predicted = [dict(one.predicted) | {"corrected": one.predicted["refit"]} for one in found.series]
+    series = tuple(replace(one, predicted=own) for one, own in zip(found.series, predicted, strict=True))
+    errors = dict(found.errors) | {"corrected": found.errors["refit"]}
+    shape = "0.0091 % of the squared force is left, 85 % of it structure in the band of the motion."
+    return replace(
+        found,
+        verdict="unexplained",
+        series=series,
+        errors=errors,
+        unexplained_share=1.0,
+        unexplained_shape=shape,
+        law_held=False,
+        parameters=dict(found.parameters) | {"corrected": found.parameters["refit"]},
+    )
+
+
+def look_alikes() -> Calibration:
+    """An effect with look-alikes, and the test that would separate them."""
+    further = NextTest("12 cycles of 2 mm at 5 Hz, 35 degC", ("payne", "self_heating"), 0.02, 1e-4)
+    return replace(calibration((payne(),)), next_test=further)

@@ -1,0 +1,205 @@
+"""Laws with amendments: histories against their definitions, frames against another integrator, sizes, braces."""
+
+from __future__ import annotations
+
+import damper_amendments as definitions
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.optimize import brentq
+
+from edesign.core import AmendmentValues, Analysis, Channel, CoreDamper, CoreError, LawValues, Model
+from edesign.damper.amendments import AMENDMENTS, Amendment
+from edesign.damper.damper import Damper
+from edesign.damper.harmonic import complex_stiffness
+from edesign.damper.laws import law
+from edesign.damper.parameters import read_parameters
+
+ZENER = {"k0": 3e6, "k1": 6e6, "c1": 6e5}
+BOUC_WEN = {"Fy": 2e4, "Y": 2e-3, "alpha": 0.1, "A": 1.0, "beta": 0.5, "gamma": 0.5, "n": 2.0}
+MGMM = read_parameters(law("mgmm"), "thesis_table_4_2")
+LAWS = {"zener": ZENER, "mgmm": MGMM, "bouc_wen": BOUC_WEN}
+TIME = np.cumsum(np.concatenate(([0.3], np.tile([0.01, 0.004, 0.02], 150))))
+U = 6e-3 * np.sin(3.0 * TIME) * np.exp(-0.1 * TIME) + 1e-3 * np.sin(11.0 * TIME + 0.4)
+V = np.gradient(U, TIME)  # not zero at the start
+
+
+def with_amendments(name: str, amendments: tuple[Amendment, ...], temperature_C: float | None = None) -> None:
+    plain = Damper(law(name), LAWS[name])
+    damper = Damper(law(name), LAWS[name], amendments=amendments, temperature_C=temperature_C)
+    own = plain.force(TIME, U, V)
+    expected = definitions.amended(amendments, own, TIME, U, V, temperature_C)
+    peak = np.max(np.abs(expected))
+    assert (
+        np.max(np.abs(damper.force(TIME, U, V) - expected)) < 1e-11 * peak
+    )  # rounding over 450 steps, and a jump in 1e-9 of a step
+    assert np.max(np.abs(expected - own)) > 5e-3 * peak
+
+
+@pytest.mark.parametrize("kind", AMENDMENTS)
+def test_a_history_is_that_of_the_definition_on_the_samples(kind):
+    with_amendments("zener", (definitions.example(*kind),), 30.0)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_all_amendments_act_together(name):
+    with_amendments(name, tuple(definitions.example(*kind) for kind in AMENDMENTS), 12.0)
+
+
+def test_the_equations_of_a_law_give_the_same_as_its_exact_step():
+    every = tuple(definitions.example(*kind) for kind in AMENDMENTS)
+    damper = Damper(law("zener"), ZENER, amendments=every)
+    exact = damper.force(TIME, U, V)
+    # relative tolerance of SUNDIALS 1e-6; the work is counted with its force
+    assert np.max(np.abs(damper.force(TIME, U, V, method="ode") - exact)) < 1e-5 * np.max(np.abs(exact))
+
+
+def test_a_damper_held_at_a_deformation_has_gone_no_way():
+    path = Damper(law("zener"), ZENER, amendments=(definitions.example("mullins", "path"),))
+    force = path.force([0.0, 0.5], [2e-3, 2e-3], [0.0, 0.0])
+    assert force == pytest.approx(np.full(2, 1.4 * 2e-3 * ZENER["k0"]), rel=1e-5)  # the spring alone, virgin
+
+
+def test_an_amended_damper_with_a_brace_balances_with_it():
+    """Spring k and hardening one, in series with a brace: the root of kb (u - x) = k x + kh x (|x|/r)^(p-1)."""
+    k, kb, hardening = 4e6, 5e6, definitions.example("hardening", "power")
+    damper = Damper(law("kelvin_voigt"), {"k": k, "c": 0.0}, brace=kb, amendments=(hardening,))
+    p = hardening.values
+    for i, force in enumerate(damper.force(TIME, U, V)):
+        u = U[i]
+        x = brentq(
+            lambda x, u=u: k * x + p["k"] * x * (abs(x) / p["r"]) ** (p["p"] - 1.0) - kb * (u - x),
+            -1.0,
+            1.0,
+            xtol=1e-16,
+        )
+        assert force == pytest.approx(kb * (u - x), abs=1e-8 * kb * 7e-3)  # balance to 1e-9
+
+
+def test_a_law_of_equations_refuses_amendments_with_a_brace():
+    constant = (AmendmentValues("constant", (0.9,)),)
+    with pytest.raises(CoreError, match="amendment constant: law bouc_wen .* the brace must be rigid"):
+        CoreDamper("bouc_wen", list(BOUC_WEN.values()), 1e7, constant)
+
+
+# ---- in a frame
+
+MASS, STIFFNESS = 1000.0, 1000.0 * (2.0 * np.pi) ** 2  # T = 1 s
+CHANNELS = (
+    Channel("u", ((1.0, "displacement", 1, 0),)),
+    Channel("v", ((1.0, "velocity", 1, 0),)),
+    Channel("force", ((1.0, "damper_force", 0, 0),)),
+)
+FRAME_LAW = (0.3 * STIFFNESS, 0.5 * STIFFNESS, 0.05 * STIFFNESS)
+FRAME_AMENDMENTS = (
+    Amendment("payne", "whole", {"d": 0.3, "a0": 0.04, "m": 1.2, "tau_a": 3.0}),
+    Amendment("mullins", "path", {"m": 0.5, "s0": 0.5}),
+    Amendment("degradation", "energy", {"d": 0.3, "E0": 100.0}),
+    Amendment("self_heating", "rate", {"beta": 2e-3, "tau_h": 5.0}),
+    Amendment("hardening", "power", {"k": 0.2 * STIFFNESS, "p": 3.0, "r": 0.05}),
+    Amendment("relaxation_branch", "maxwell", {"k": 0.2 * STIFFNESS, "tau": 0.3}),
+    Amendment("velocity_power", "dashpot", {"c": 0.005 * STIFFNESS, "alpha": 1.5}),
+)
+
+
+def shaking(dt: float, duration: float = 4.0) -> np.ndarray:
+    t = np.arange(round(duration / dt) + 1) * dt
+    return 2.0 * np.sin(5.0 * t) * np.exp(-0.3 * t) + np.sin(17.0 * t + 0.3)
+
+
+def run(law_values: LawValues, dt: float, brace: float = 0.0, scales: tuple[float, float] = (1.0, 1.0)):
+    """A mass on a spring with a damper beside it."""
+    model = Model()
+    ground, mass = model.node("ground", 0.0, 0.0), model.node("mass", 1.0, 0.0)
+    model.fix(ground, True, True, True)
+    model.fix(mass, False, True, True)
+    model.mass(mass, MASS)
+    model.link("spring", ground, mass, (STIFFNESS, 0.0, 0.0))
+    model.damper("damper", law_values, ((1.0, mass, 0), (-1.0, ground, 0)), brace, *scales)
+    analysis = Analysis(model, tolerance=1e-10)
+    analysis.install_dampers()
+    return analysis.history(shaking(dt), dt, channels=CHANNELS)
+
+
+def core_law(amendments: tuple[Amendment, ...]) -> LawValues:
+    return LawValues("zener", FRAME_LAW, tuple(one.for_core() for one in amendments))
+
+
+def test_an_oscillator_follows_the_differential_equations_of_its_amended_damper():
+    """The definitions for short steps: s' = |v|, E' = phi F v, q' = beta phi F v - q/tau_h, a' = |v| or -a/tau_a."""
+    k0, k1, c1 = FRAME_LAW
+    payne, mullins, degradation, heating, hardening, branch, dashpot = (one.values for one in FRAME_AMENDMENTS)
+
+    def rates(time, y):
+        u, v, q1, s, energy, heat, q2, a = y
+        ratio = (max(a, abs(u), 0.0) / payne["a0"]) ** payne["m"]
+        phi = 1.0 - payne["d"] * ratio / (1.0 + ratio)
+        phi *= 1.0 + mullins["m"] * np.exp(-s / mullins["s0"])
+        phi *= 1.0 - degradation["d"] * (1.0 - np.exp(-max(energy, 0.0) / degradation["E0"]))
+        law_force = phi * np.exp(-heat) * (k0 * u + q1)
+        beside = hardening["k"] * u * (abs(u) / hardening["r"]) ** 2 + q2
+        beside += dashpot["c"] * abs(v) ** 1.5 * np.sign(v)
+        ground = 2.0 * np.sin(5.0 * time) * np.exp(-0.3 * time) + np.sin(17.0 * time + 0.3)
+        acceleration = -(STIFFNESS * u + law_force + beside) / MASS - ground
+        grows = abs(u) >= a and u * v > 0.0
+        return [
+            v,
+            acceleration,
+            k1 * v - k1 / c1 * q1,
+            abs(v),
+            law_force * v,
+            heating["beta"] * law_force * v - heat / heating["tau_h"],
+            branch["k"] * v - q2 / branch["tau"],
+            abs(v) if grows else -a / payne["tau_a"],
+        ]
+
+    dt = 0.0025
+    t = np.arange(1601) * dt
+    exact = solve_ivp(rates, (0.0, t[-1]), [0.0] * 8, t_eval=t, rtol=1e-7, atol=1e-10, max_step=dt)
+    found = run(core_law(FRAME_AMENDMENTS), dt)
+    peak = np.max(np.abs(exact.y[0]))
+    # Newmark: (omega dt)^2 / 12 a cycle; drivers of the step's beginning: dt over the seconds in which they change
+    assert np.max(np.abs(found.values["u"] - exact.y[0])) < 1e-3 * peak
+    plain = run(core_law(()), dt)
+    assert np.max(np.abs(plain.values["u"] - exact.y[0])) > 0.1 * peak
+
+
+@pytest.mark.parametrize("brace", [0.0, 2.0 * STIFFNESS])
+def test_a_damper_in_a_frame_has_the_force_of_its_history(brace):
+    found = run(core_law(FRAME_AMENDMENTS), 0.01, brace)
+    values = core_law(FRAME_AMENDMENTS)
+    own = CoreDamper("zener", FRAME_LAW, brace, values.amendments).force(
+        found.time, found.values["u"], found.values["v"]
+    )
+    # the same steps: equilibrium to 1e-10, with a brace its balance to 1e-9 a step
+    assert np.max(np.abs(found.values["force"] - own)) < (1e-8 if brace else 1e-10) * np.max(np.abs(own))
+
+
+def test_the_size_of_a_device_changes_its_amendments_with_it():
+    """F = a F_p(b u): forces of the prototype times a, deformations over b, works times a/b."""
+    a, b = 3.0, 0.25
+    units = {"N/m": a * b, "m": 1.0 / b, "J": a / b, "1/J": b / a, "s": 1.0, "": 1.0}
+    scaled = tuple(
+        Amendment(
+            one.name,
+            one.form,
+            {
+                p.name: one.values[p.name] * units.get(p.unit, a * b ** one.values.get("alpha", 0.0))
+                for p in one.kind.parameters
+            },
+        )
+        for one in FRAME_AMENDMENTS
+    )
+    law_scaled = LawValues("zener", tuple(a * b * p for p in FRAME_LAW), tuple(one.for_core() for one in scaled))
+    device, direct = run(core_law(FRAME_AMENDMENTS), 0.01, scales=(a, b)), run(law_scaled, 0.01)
+    for name in ("u", "force"):
+        peak = np.max(np.abs(direct.values[name]))
+        assert np.max(np.abs(device.values[name] - direct.values[name])) < 1e-8 * peak  # equilibrium to 1e-10
+
+
+def test_natural_modes_see_the_amended_stiffness():
+    """A hardening spring k u (u/r)^2 answers a sine of amplitude A with 3/4 k (A/r)^2 in its first harmonic."""
+    values = LawValues("kelvin_voigt", (4e6, 1e5), (AmendmentValues("hardening.power", (1e6, 3.0, 5e-3)),))
+    found = complex_stiffness(values, 4e-3, 1.5)
+    assert found.real == pytest.approx(4e6 + 0.75 * 1e6 * 0.64, rel=1e-6)
+    assert found.imag == pytest.approx(2.0 * np.pi * 1.5 * 1e5, rel=1e-6)

@@ -1,0 +1,203 @@
+"""Noise estimates and motions without noise, against noise of a known deviation and motions known in closed form.
+
+The scatter of a deviation from n samples is about 2/sqrt(n), 2 % for 7500, as part of the spectrum is used."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.interpolate import CubicSpline
+from scipy.signal import butter, sosfilt
+
+from edesign.calibrate.noise import noise_floor, smooth, white_noise
+
+A = 0.01  # m
+Values = tuple[np.ndarray, np.ndarray]  # displacement and velocity
+
+
+def sine(t: np.ndarray) -> Values:
+    w = 2.0 * np.pi * 0.53
+    return A * np.sin(w * t), A * w * np.cos(w * t)
+
+
+def cut_sine(t: np.ndarray) -> Values:
+    """Begins and ends in the middle of the motion."""
+    w = 2.0 * np.pi * 0.5
+    return A * np.cos(w * t + 0.7), -A * w * np.sin(w * t + 0.7)
+
+
+def sweep(t: np.ndarray) -> Values:
+    phase, rate = 2.0 * np.pi * (0.2 * t + 0.1 * t * t), 2.0 * np.pi * (0.2 + 0.2 * t)
+    return A * np.sin(phase), A * rate * np.cos(phase)
+
+
+def triangle(t: np.ndarray) -> Values:
+    phase = np.mod(0.5 * t + 0.0131, 1.0)
+    up = phase < 0.5
+    return A * np.where(up, 4.0 * phase - 1.0, 3.0 - 4.0 * phase), 2.0 * A * np.where(up, 1.0, -1.0)
+
+
+def ramp_hold(t: np.ndarray) -> Values:
+    at, value = np.array([0.0, 3.003, 5.0, 9.001, 12.0, 15.0]), A * np.array([0.0, 1.0, 1.0, -1.0, 0.0, 0.0])
+    slope = np.append(np.diff(value) / np.diff(at), 0.0)
+    return np.interp(t, at, value), slope[np.searchsorted(at, t, side="right") - 1]
+
+
+def earthquake(t: np.ndarray) -> Values:
+    rng = np.random.default_rng(5)
+    u, v = np.zeros_like(t), np.zeros_like(t)
+    for w, phase in zip(2.0 * np.pi * rng.uniform(0.2, 6.0, 60), rng.uniform(0.0, 6.0, 60), strict=True):
+        u += np.sin(w * t + phase) / w
+        v += np.cos(w * t + phase)
+    scale = A / np.max(np.abs(u))
+    return scale * u, scale * v
+
+
+MOTIONS = [sine, cut_sine, sweep, triangle, ramp_hold, earthquake]
+CORNERS = [triangle, ramp_hold]
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+@pytest.mark.parametrize("rate", [100.0, 200.0, 500.0, 1000.0])
+def test_white_noise_beside_a_motion(motion: object, rate: float) -> None:
+    t = np.arange(0.0, 15.0, 1.0 / rate)
+    u = motion(t)[0]  # type: ignore[operator]
+    rng = np.random.default_rng(int(rate))
+    for deviation in (1e-6, 5e-6, 1e-4):
+        found = white_noise(u + deviation * rng.standard_normal(t.size), t)
+        # four times the scatter of 2/sqrt(n); corners just above the noise cannot be told from it and add to it
+        assert found == pytest.approx(deviation, rel=0.2 if motion in CORNERS else 8.0 / np.sqrt(t.size))
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+def test_a_motion_without_noise_has_none_and_stays(motion: object) -> None:
+    t = np.arange(0.0, 15.0, 1.0 / 200.0)
+    u = motion(t)[0]  # type: ignore[operator]
+    assert white_noise(u, t) == 0.0
+    smoothed, velocity, _, noise = smooth(t, u)
+    assert noise == 0.0
+    assert np.array_equal(smoothed, u)
+    assert velocity == pytest.approx(CubicSpline(t, u)(t, 1), abs=1e-12)
+
+
+def test_white_noise_without_bias() -> None:
+    t = np.arange(2000) / 500.0
+    rng = np.random.default_rng(1)
+    found = [white_noise(rng.standard_normal(t.size), t) for _ in range(200)]
+    assert np.mean(found) == pytest.approx(1.0, abs=0.012)  # scatter of one 4 %: of the mean of 200 0.3 %
+    assert np.std(found) < 0.06
+
+
+def test_hum_and_jumps_count_for_nothing() -> None:
+    """Friction jumps by 2 x 1 % of the force at each reversal, hum is ten times the noise."""
+    t = np.arange(0.0, 15.0, 1.0 / 500.0)
+    rng = np.random.default_rng(2)
+    noise = 100.0 * rng.standard_normal(t.size)
+    hum = 1000.0 * np.sin(2.0 * np.pi * 50.0 * t) + 500.0 * np.sin(2.0 * np.pi * 150.0 * t)
+    jumps = 5e3 * np.sign(np.cos(2.0 * np.pi * 1.03 * t))
+    assert white_noise(8e4 * np.sin(2.0 * np.pi * 1.03 * t) + noise + hum, t) == pytest.approx(100.0, rel=0.1)
+    assert white_noise(jumps + noise, t) == pytest.approx(100.0, rel=0.1)
+
+
+@pytest.mark.parametrize("step", [1e-6, 5e-6, 2e-5])
+def test_rounding_to_steps(step: float) -> None:
+    """Rounding to steps has a deviation of step/sqrt(12) (Widrow & Kollar, Quantization Noise, 2008, 1.3)."""
+    t = np.arange(0.0, 15.0, 1.0 / 200.0)
+    for motion in (sine, sweep, earthquake):
+        found = white_noise(np.round(motion(t)[0] / step) * step, t)
+        # slow parts round to a saw tooth below the plateau, never less than step/sqrt(12) by definition
+        assert found == pytest.approx(step / np.sqrt(12.0), rel=0.1)
+
+
+def test_noise_that_a_logger_has_filtered_keeps_its_deviation() -> None:
+    t = np.arange(0.0, 15.0, 1.0 / 500.0)
+    rng = np.random.default_rng(3)
+    filtered = sosfilt(butter(6, 0.5, output="sos"), rng.standard_normal(t.size + 500))[500:] * 5e-6
+    for motion in (sine, sweep, earthquake, triangle):
+        assert white_noise(motion(t)[0] + filtered, t) == pytest.approx(float(np.std(filtered)), rel=0.15)
+
+
+def test_uneven_sampling() -> None:
+    rng = np.random.default_rng(4)
+    even = np.arange(0.0, 15.0, 1.0 / 500.0)
+    t = even + rng.uniform(-0.3, 0.3, even.size) / 500.0
+    u, v = sweep(t)
+    noisy = u + 5e-6 * rng.standard_normal(t.size)
+    assert white_noise(noisy, t) == pytest.approx(5e-6, rel=0.06)  # 8/sqrt(n) would be 9 %
+    raw = CubicSpline(t, noisy)(t, 1)
+    assert _rms(smooth(t, noisy)[1] - v) < 0.1 * _rms(raw - v)
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+@pytest.mark.parametrize("rate", [200.0, 1000.0])
+@pytest.mark.parametrize("deviation", [1e-6, 2e-6, 5e-6])
+def test_velocity_of_a_smoothed_motion(motion: object, rate: float, deviation: float) -> None:
+    """Never worse than the spline through the noisy samples; without corners the rms error falls to at most 0.4."""
+    t = np.arange(0.0, 15.0, 1.0 / rate)
+    u, v = motion(t)  # type: ignore[operator]
+    noisy = u + deviation * np.random.default_rng(7).standard_normal(t.size)
+    found, velocity, acceleration, noise = smooth(t, noisy)
+    raw = CubicSpline(t, noisy)
+    assert noise == pytest.approx(deviation, rel=0.15)
+    share = _rms(velocity - v) / _rms(raw(t, 1) - v)
+    # a spline through a corner misses it as well, by more than the noise at 200 Hz: nothing to win, nothing lost
+    assert share < (1.01 if motion in CORNERS else 0.4 if rate == 200.0 else 0.1)
+    assert _rms(found - u) < 1.01 * deviation
+    assert _rms(acceleration) < 1.01 * _rms(raw(t, 2))
+    if motion not in CORNERS and rate == 1000.0:  # no ringing: the last 2 % of the samples are no worse
+        end = t.size // 50
+        worst = max(np.max(np.abs(velocity - v)[:end]), np.max(np.abs(velocity - v)[-end:]))
+        assert worst < 0.5 * np.max(np.abs(raw(t, 1) - v))
+
+
+def test_floor_of_a_periodic_test_is_what_does_not_repeat() -> None:
+    """White noise s, and in the band of the motion a noise of an autoregression with deviation 2 s, at once."""
+    rng = np.random.default_rng(8)
+    rate, s = 200.0, 400.0
+    t = np.arange(0.0, 40.0, 1.0 / rate)
+    u = A * np.sin(2.0 * np.pi * 0.5 * t)
+    signal = 8e6 * u + 1e10 * u**3
+    white = s * rng.standard_normal(t.size)
+    floor = noise_floor(t, u, signal + white)
+    assert floor.channel == pytest.approx(s, rel=0.08)
+    assert floor.repeatability == pytest.approx(s, rel=0.06)  # 8000 samples, three to each difference
+    assert floor.force == floor.repeatability
+    assert floor.nrms == pytest.approx(s**2 / np.mean((signal + white) ** 2), rel=0.12)
+    a = 0.9
+    coloured = np.zeros(t.size)
+    for i in range(1, t.size):
+        coloured[i] = a * coloured[i - 1] + 2.0 * s * np.sqrt(1.0 - a * a) * rng.standard_normal()
+    floor = noise_floor(t, u, signal + white + coloured)
+    # effective samples 8000 (1 - a^2)/(1 + a^2) = 840: scatter 1/sqrt(2 x 840/3) = 4 %
+    assert floor.repeatability == pytest.approx(np.sqrt(5.0) * s, rel=0.12)
+    assert floor.channel < 0.6 * floor.repeatability
+
+
+def test_floor_leaves_out_what_a_model_can_have() -> None:
+    """Hum, a change with each cycle, a constant: none of it is noise."""
+    rng = np.random.default_rng(9)
+    t = np.arange(0.0, 30.0, 1.0 / 200.0)
+    u = A * np.sin(2.0 * np.pi * 0.5 * t)
+    force = (
+        8e6 * u * (1.0 - 0.01 * t) + 2e3 + 900.0 * np.sin(2.0 * np.pi * 50.2 * t) + 400.0 * rng.standard_normal(t.size)
+    )
+    assert noise_floor(t, u, force).repeatability == pytest.approx(400.0, rel=0.08)
+
+
+def test_floor_of_a_test_without_cycles() -> None:
+    rng = np.random.default_rng(10)
+    t = np.arange(0.0, 15.0, 1.0 / 500.0)
+    u = earthquake(t)[0]
+    noisy = u + 5e-6 * rng.standard_normal(t.size)
+    floor = noise_floor(t, noisy, 8e6 * u + 300.0 * rng.standard_normal(t.size))
+    assert floor.repeatability is None
+    assert floor.channel == pytest.approx(300.0, rel=0.1)
+    assert 0.0 < floor.displacement < 0.5 * 8e6 * 5e-6  # what smoothing leaves of 40 N
+    assert floor.force == pytest.approx(np.hypot(floor.channel, floor.displacement))
+    given = noise_floor(t, noisy, 8e6 * u, residual=100.0 * rng.standard_normal(t.size), stiffness=4e6)
+    assert given.force == given.channel == pytest.approx(100.0, rel=0.1)
+    assert given.displacement == pytest.approx(0.5 * floor.displacement, rel=0.01)
+
+
+def _rms(values: np.ndarray) -> float:
+    return float(np.sqrt(np.mean(values**2)))

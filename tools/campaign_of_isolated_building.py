@@ -1,0 +1,70 @@
+"""Write campaigns from the shake-table runs of a base-isolated building: of the building, and of its isolation layer.
+
+    python tools/campaign_of_isolated_building.py FOLDER_OF_RUNS FOLDER
+
+FOLDER/building/campaign.yaml names the runs where they are, with base motion in and floor motion out.
+FOLDER/layer/campaign.yaml and its CSV files are damper tests of the isolation layer: its drift, and minus the sum of
+mass times acceleration over the floors. Masses are not told with the data; with equal ones of 75 t results per mass
+are right. Only the run of the smallest drift is fitted to; the others are held out.
+"""
+
+from __future__ import annotations
+
+import os.path
+import sys
+from pathlib import Path
+
+import yaml
+
+from edesign.archive.files import make_folder, write_text
+from edesign.calibrate.structure.campaign import load_structure_campaign
+from edesign.calibrate.structure.isolation_layer import isolation_layer_tests
+from edesign.damper.campaign import write_campaign
+from edesign.damper.specimen import Specimen
+from edesign.damper.test_files import LawChoice
+
+RUNS = {"CNP100": "fit", "ICA50": "validate", "SP100": "validate"}  # by largest drift: 87, 121, 143 mm
+FLOORS = 6
+LAW = LawChoice("kelvin_voigt", {"k": "3.3 kN/mm", "c": "390 kN*s/m"})
+LAYER = Specimen("isolation layer", 1, 0.5, 0.2)  # of no consequence: forces and drifts are those of the whole layer
+
+
+def building(source: Path, folder: Path) -> dict[str, object]:
+    """Campaign of the building."""
+    return {
+        "title": "base-isolated building on a shake table",
+        "structure": {
+            "name": "isolated building",
+            "base": "isolated",
+            "floor_masses": ["75 t"] * FLOORS,
+            "storey_stiffness": ["80 kN/mm"] * (FLOORS - 1),
+            "damping": {"type": "modal", "ratio": "3 %"},
+        },
+        "law": {"type": LAW.type, "parameters": LAW.parameters},
+        "channels": {
+            "time": "time_s",
+            "base_acceleration": "table_acc_m_s2",
+            "floor_accelerations": [f"floor{i}_acc_m_s2" for i in range(1, FLOORS + 1)],
+            "floor_displacements": ["floor1_rel_disp_m", *[None] * (FLOORS - 1)],
+            "units": {"time": "s", "acceleration": "m/s^2", "displacement": "m"},
+        },
+        "tests": [
+            {"file": os.path.relpath(source / f"{run}.csv.gz", folder), "title": run, "use": use}
+            for run, use in RUNS.items()
+        ],
+    }
+
+
+def main(source: Path, target: Path) -> None:
+    """Write both campaigns."""
+    folder = target / "building"
+    make_folder(folder)
+    text = yaml.safe_dump(building(source, folder), sort_keys=False, default_flow_style=None, width=140)
+    write_text(text, folder / "campaign.yaml")
+    campaign = load_structure_campaign(folder / "campaign.yaml")
+    tests = isolation_layer_tests(campaign)
+    write_campaign(target / "layer", LAYER, tests, LAW, "isolation layer of the building")
+
+
+if __name__ == "__main__":
+    main(Path(sys.argv[1]), Path(sys.argv[2]))
