@@ -11,6 +11,9 @@ FOLDERS ?=
 # Arguments for pytest, e.g. make pytest ARGS="-k newmark"
 ARGS    ?=
 WORKERS ?= 2
+# make blind: how many campaigns, and of which draw
+CAMPAIGNS ?= 115
+SEED    ?= 1
 
 PY     := $(VENV)/bin/python
 BIN    := $(VENV)/bin
@@ -26,7 +29,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 THESIS := projects/thesis_10_storey
 RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
 
-.PHONY: help run study causes setup test test-setup lint types layers ctest pytest format bench memcheck clean distclean
+.PHONY: help run study causes blind setup test test-setup lint types layers ctest pytest format bench memcheck clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
@@ -34,6 +37,7 @@ help:
 	@echo "make run       set up, run $(PROJECT), print the summary"
 	@echo "make study     the thesis study: run it, compare it with the printed tables, write the report (study.html)"
 	@echo "make causes    what the damped frame's response depends on: ten variants beside Table 5.8"
+	@echo "make blind     calibration against data with hidden effects: CAMPAIGNS made by SEED, what was found, what was missed"
 	@echo "make test      set up, then lint, types, import layers, C tests with sanitizers, Python tests"
 	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio; cost of dampers"
 	@echo "make memcheck  C tests under valgrind"
@@ -103,6 +107,9 @@ study: setup
 causes: setup
 	@$(RUN) $(THESIS)/causes.yaml
 	@$(BIN)/edesign compare $(THESIS)/causes.h5 $(THESIS)/reference.yaml --variants damped
+
+blind: setup
+	@$(PY) -m blind --number $(CAMPAIGNS) --seed $(SEED) --folder build/blind_$(SEED)
 
 bench: test-setup
 	@$(PY) -m benchmarks.run

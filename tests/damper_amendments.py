@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from math import exp
+from math import exp, log
 
 import numpy as np
 from scipy.special import erf
 
-from edesign.damper.amendments import Amendment
+from edesign.damper.amendments import AMENDMENTS, Amendment
 
 EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("payne", "whole"): {"d": 0.3, "a0": 3e-3, "m": 1.2, "tau_a": 3.0},
@@ -26,7 +26,13 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("one_sided", "spring"): {"k": 2e6, "u0": 1.7e-3, "side": -1.0},
     ("relaxation_branch", "maxwell"): {"k": 2e6, "tau": 0.2},
     ("velocity_power", "dashpot"): {"c": 8e3, "alpha": 0.4},
+    ("payne", "network"): {"d": 0.3, "s0": 0.01, "tau": 2.0},
+    ("mullins", "damage"): {"m": 0.25, "r": 4e-3, "p": 1.4, "recovery": 0.2},
+    ("velocity_power", "flow"): {"f": 1.5e3, "v0": 4e-3},
+    ("degradation", "path"): {"d": 0.2, "p": 1.3, "S": 0.1},
+    ("ageing", "logarithmic"): {"rate": -0.03, "n": 7.0},
 }
+EXAMPLES |= {kind: EXAMPLES[kind[0], kind[1].removesuffix("_inside")] for kind in AMENDMENTS if AMENDMENTS[kind].inside}
 
 
 def example(name: str, form: str) -> Amendment:
@@ -41,8 +47,47 @@ def amended(
     u: np.ndarray,
     v: np.ndarray,
     temperature_C: float | None = None,
+    tau: float = 0.0,
 ) -> np.ndarray:
-    """Force (n,) N of a law with amendments, of the law's own force (n,) N, all by the definitions."""
+    """Force (n,) N of a law with amendments, of the law's own force (n,) N, all by the definitions.
+
+    tau: of the law, s, for those inside it; it has been held before the first sample.
+    """
+    beside = tuple(one for one in amendments if not one.kind.inside)
+    found = _beside(beside, law_force, time, u, v, temperature_C)
+    for one in amendments:
+        if one.kind.inside:
+            same = Amendment(one.name, one.form.removesuffix("_inside"), one.values)
+            found = found + _inside(same, law_force, time, u, v, tau)
+    return found
+
+
+def _inside(
+    one: Amendment, law_force: np.ndarray, time: np.ndarray, u: np.ndarray, v: np.ndarray, tau: float
+) -> np.ndarray:
+    """Q + tau Q' = g: for g a polynomial of time over the step, g - tau g' + tau^2 g'' and what fades from it."""
+    force = _beside((one,), np.zeros_like(u), time, u, v, None)
+    phi = _beside((one,), np.ones_like(u), time, u, v, None) - force
+    q = np.empty_like(u)
+    q[0] = (phi[0] - 1.0) * law_force[0] + (0.0 if one.name == "velocity_power" else force[0])
+    for i, h in enumerate(np.diff(time)):
+        rate = (law_force[i + 1] - law_force[i]) / h
+        share = np.polynomial.Polynomial([phi[i] - 1.0, (phi[i + 1] - phi[i]) / h])
+        before_relaxing = np.polynomial.Polynomial([law_force[i] + tau * rate, rate])
+        g = share * before_relaxing + np.polynomial.Polynomial([force[i], (force[i + 1] - force[i]) / h])
+        steady = g - tau * g.deriv() + tau**2 * g.deriv(2)
+        q[i + 1] = steady(h) + (q[i] - steady(0.0)) * exp(-h / tau)
+    return q
+
+
+def _beside(
+    amendments: Sequence[Amendment],
+    law_force: np.ndarray,
+    time: np.ndarray,
+    u: np.ndarray,
+    v: np.ndarray,
+    temperature_C: float | None,
+) -> np.ndarray:
     n = time.size
     h, du = np.diff(time), np.diff(u)
     path = np.concatenate(([0.0], np.cumsum(np.abs(du))))
@@ -66,6 +111,14 @@ def amended(
                 phi *= 1.0 if temperature_C is None else exp(-p["b"] * (temperature_C - p["T0"]))
             case "ageing.linear":
                 phi *= 1.0 + p["rate"] * p["n"]
+            case "ageing.logarithmic":
+                phi *= 1.0 + p["rate"] * log(1.0 + p["n"])
+            case "payne.network":
+                phi *= 1.0 - p["d"] * _network(p, h, du)
+            case "mullins.damage":
+                phi *= 1.0 - p["m"] * (1.0 - np.exp(-((largest / p["r"]) ** p["p"])))
+            case "degradation.path":
+                phi *= 1.0 - p["d"] * (path / p["S"]) ** p["p"]
             case "hardening.power":
                 beside += p["k"] * u * (np.abs(u) / p["r"]) ** (p["p"] - 1.0)
             case "hardening.threshold":
@@ -78,6 +131,8 @@ def amended(
                 beside += _branch(p, h, v)
             case "velocity_power.dashpot":
                 beside += p["c"] * np.abs(v) ** p["alpha"] * np.sign(v)
+            case "velocity_power.flow":
+                beside += p["f"] * np.arcsinh(v / p["v0"])
             case _:
                 counted.append(one)
     return _with_work(counted, phi * law_force, h, du) + beside
@@ -90,6 +145,16 @@ def _broken(p: dict[str, float], h: np.ndarray, u: np.ndarray) -> np.ndarray:
         a[i + 1] = max(abs(u[i + 1]), a[i] * exp(-step / p["tau_a"]))
     ratio = (a / p["a0"]) ** p["m"]
     return ratio / (1.0 + ratio)
+
+
+def _network(p: dict[str, float], h: np.ndarray, du: np.ndarray) -> np.ndarray:
+    """x' = (1 - x) |v|/s0 - x/tau, |v| constant over a step."""
+    x = np.zeros(h.size + 1)
+    for i, step in enumerate(h):
+        breaks, heals = abs(du[i]) / step / p["s0"], 1.0 / p["tau"]
+        steady = breaks / (breaks + heals)
+        x[i + 1] = steady + (x[i] - steady) * exp(-(breaks + heals) * step)
+    return x
 
 
 def _branch(p: dict[str, float], h: np.ndarray, v: np.ndarray) -> np.ndarray:

@@ -88,7 +88,7 @@ int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters
                     double force_scale, double deformation_scale, int n_terms, const int *node, const int *degree,
                     const double *coefficient);
 /* Adds an amendment (below) to a damper of the model, in the units of its law. */
-int ed_model_amend_damper(ed_model *model, int damper, int kind, int n_parameters, const double *parameters);
+int ed_model_amend_damper(ed_model *model, int damper, int kind, int inside, int n_parameters, const double *parameters);
 
 int ed_model_pattern(ed_model *model);
 int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, double fy, double mz);
@@ -279,11 +279,18 @@ enum {
   ED_AMEND_ONE_SIDED_FACTOR = 10,         /* b side(1, -1): phi = 1 + b where side u > 0; with a brace rising over 1e-5 m */
   ED_AMEND_ONE_SIDED_SPRING = 11,         /* k u0 side(1, -1): k max(side u - u0, 0) side */
   ED_AMEND_RELAXATION_BRANCH_MAXWELL = 12,/* k tau: Q' + Q/tau = k v, v linear over the step */
-  ED_AMEND_VELOCITY_POWER_DASHPOT = 13    /* c alpha: c |v|^alpha sgn v */
+  ED_AMEND_VELOCITY_POWER_DASHPOT = 13,   /* c alpha: c |v|^alpha sgn v */
+  ED_AMEND_PAYNE_NETWORK = 14,            /* d s0 tau: phi = 1 - d x, x' = (1 - x) |v|/s0 - x/tau, |v| constant over the step */
+  ED_AMEND_MULLINS_DAMAGE = 15,           /* m r p: phi = 1 - m (1 - exp(-(M/r)^p)) */
+  ED_AMEND_VELOCITY_POWER_FLOW = 16,      /* f v0: f asinh(v/v0) */
+  ED_AMEND_DEGRADATION_PATH = 17          /* d p S: phi = 1 - d (s/S)^p */
 };
-/* Adds one to a damper, before its first state is made; several act together. A brace stands in series with the amended damper; laws
- * without exact step refuse amendments with a brace. `message` (size bytes) says why it is refused, and then nothing has changed. */
-int ed_damper_amend(ed_damper *damper, int kind, int n_parameters, const double *parameters, char *message, int size);
+/* Adds one to a damper, before its first state is made; several act together. inside: not beside the law but inside one that relaxes all
+ * of its forces, F_law + tau F_law' = everything: it adds Q to the force, Q + tau Q' = force, or (phi - 1)(F_law + tau F_law') for a
+ * factor; force, phi and F_law linear over the step. Refused unless the law is ED_LAW_MGMM (tau = c1/k1). A brace stands in series with
+ * the amended damper; laws without exact step refuse amendments with a brace. `message` (size bytes) says why it is refused, and then
+ * nothing has changed. */
+int ed_damper_amend(ed_damper *damper, int kind, int inside, int n_parameters, const double *parameters, char *message, int size);
 int ed_damper_state_size(const ed_damper *damper);            /* doubles */
 void ed_damper_start(const ed_damper *damper, double *state); /* at rest */
 

@@ -1,4 +1,5 @@
-/* Amendments of laws: forces against the formulas evaluated here from the samples, true tangents, work, and braces in series. */
+/* Amendments of laws: forces against the formulas evaluated here from the samples, true tangents, work, and braces in series; inside the
+ * MGMM against its own terms and against its differential equation. */
 #include "checks.h"
 #include "damper_rig.h"
 #include "edcore.h"
@@ -26,22 +27,36 @@ static const amendment EACH[] = {
     {ED_AMEND_ONE_SIDED_SPRING, 3, {2.5, 0.5, -1.0}},
     {ED_AMEND_RELAXATION_BRANCH_MAXWELL, 2, {3.0, 0.25}},
     {ED_AMEND_VELOCITY_POWER_DASHPOT, 2, {0.6, 0.4}},
+    {ED_AMEND_PAYNE_NETWORK, 3, {0.4, 1.5, 2.0}},
+    {ED_AMEND_MULLINS_DAMAGE, 3, {0.3, 0.7, 1.4}},
+    {ED_AMEND_VELOCITY_POWER_FLOW, 2, {0.5, 0.3}},
+    {ED_AMEND_DEGRADATION_PATH, 3, {0.2, 0.8, 20.0}},
 };
 enum { KINDS = sizeof EACH / sizeof *EACH };
 
 static const double ZENER[] = {2.0, 5.0, 0.4};
+/* k1 c1 k0 c_NL alpha k_a k_b u_ref c_a c_b v_ref consistent: tau = 0.4 s */
+static const double MGMM[] = {2.5, 1.0, 2.0, 0.4, 0.6, 1.0, 0.5, 0.5, 0.3, 0.2, 1.0, 0.0};
+static const double TAU = 0.4;
+/* F + tau F' = k0 u + (tau k0 + c1) v */
+static const double LINEAR_MGMM[] = {2.5, 1.0, 2.0, 0.0, 0.6, 0.0, 0.0, 0.5, 0.0, 0.0, 1.0, 0.0};
 
-static void amend(rig *r, const amendment *one)
+static void place(rig *r, const amendment *one, int inside)
 {
   char message[256] = "";
-  CHECK_STATUS(ed_damper_amend(r->damper, one->kind, one->n, one->parameter, message, sizeof message), ED_OK);
+  CHECK_STATUS(ed_damper_amend(r->damper, one->kind, inside, one->n, one->parameter, message, sizeof message), ED_OK);
   CHECK(ed_damper_state_size(r->damper) <= LARGEST_DAMPER_STATE);
   ed_damper_start(r->damper, r->state);
 }
 
+static void amend(rig *r, const amendment *one)
+{
+  place(r, one, 0);
+}
+
 /* Drivers and forces by the definitions, with memories of their own. */
 typedef struct {
-  double u, v, envelope[KINDS], largest, path, work, heat, branch, force;
+  double u, v, envelope[KINDS], largest, path, work, heat, branch, network, force;
 } memory;
 
 static double payne(const double *p, double *envelope, double h, double u)
@@ -81,6 +96,15 @@ static double expected(memory *m, const int *used, double h, double u, double v,
       break;
     }
     case ED_AMEND_VELOCITY_POWER_DASHPOT: beside += copysign(p[0] * pow(fabs(v), p[1]), v); break;
+    case ED_AMEND_PAYNE_NETWORK: { /* of x' = a - (a + b) x the steady a/(a + b), from which it is exp(-(a + b) h) away */
+      const double a = fabs(u - m->u) / (h * p[1]), both = a + 1.0 / p[2], steady = a / both;
+      m->network = steady + (m->network - steady) * exp(-both * h);
+      phi *= 1.0 - p[0] * m->network;
+      break;
+    }
+    case ED_AMEND_MULLINS_DAMAGE: phi *= 1.0 - p[0] * (1.0 - exp(-pow(m->largest / p[1], p[2]))); break;
+    case ED_AMEND_VELOCITY_POWER_FLOW: beside += p[0] * log(v / p[1] + sqrt(v * v / (p[1] * p[1]) + 1.0)); break;
+    case ED_AMEND_DEGRADATION_PATH: phi *= 1.0 - p[0] * pow(m->path / p[2], p[1]); break;
     }
   }
   const double work = 0.5 * (m->force + phi * law) * (u - m->u);
@@ -128,11 +152,11 @@ static void check_forces(int law, int n, const double *parameters, int only)
 
 /* Derivatives of every amendment against central differences; not near corners of the definitions, nor where the power of the velocity
  * bends within the difference. */
-static void check_tangents(double brace)
+static void check_tangents(double brace, int inside)
 {
   for (int i = 0; i < KINDS; i++) {
-    rig r = new_rig(ED_LAW_ZENER, 3, ZENER, brace);
-    amend(&r, &EACH[i]);
+    rig r = inside ? new_rig(ED_LAW_MGMM, 12, LINEAR_MGMM, brace) : new_rig(ED_LAW_ZENER, 3, ZENER, brace);
+    place(&r, &EACH[i], inside);
     for (int step = 1; step < 80; step++) {
       const double h = 0.04, t = h * step + 0.003, u = u_at(t), v = v_at(t);
       const int corner = (brace > 0.0 && EACH[i].kind == ED_AMEND_ONE_SIDED_FACTOR && fabs(u) < 0.1) || fabs(v) < 0.1;
@@ -240,11 +264,108 @@ static void check_softening_brace(double kb)
   free_rig(&own);
 }
 
-static void refused(rig *r, const amendment *one, int status, const char *text)
+/* Steps h of a motion from rest over some seconds; the largest difference of two dampers after each. */
+static double differ(rig *one, rig *other, double h, double *largest)
+{
+  double most = 0.0;
+  *largest = 0.0;
+  for (int step = 1; step * h < 5.0; step++) {
+    const double u = 0.3 * sin(3.0 * step * h) - 0.9 * sin(step * h), v = 0.9 * (cos(3.0 * step * h) - cos(step * h));
+    const double force = move(one, h, u, v);
+    most = fmax(most, fabs(force - move(other, h, u, v)));
+    *largest = fmax(*largest, fabs(force));
+  }
+  return most;
+}
+
+/* Terms of the MGMM as amendments inside it: its power of the velocity, and k_b u. They differ by what is linear over a step there:
+ * second order. */
+static void check_inside_is_a_term(void)
+{
+  const amendment terms[] = {{ED_AMEND_VELOCITY_POWER_DASHPOT, 2, {0.7, 1.5}}, {ED_AMEND_HARDENING_POWER, 3, {0.9, 1.0, 1.0}}};
+  for (int i = 0; i < 2; i++) {
+    double with[12], error[2], largest;
+    memcpy(with, LINEAR_MGMM, sizeof with);
+    if (i == 0) {
+      with[3] = 0.7;
+      with[4] = 1.5;
+    } else
+      with[6] = 0.9;
+    for (int fine = 0; fine < 2; fine++) {
+      double bare[12];
+      memcpy(bare, LINEAR_MGMM, sizeof bare);
+      bare[4] = with[4];
+      rig amended = new_rig(ED_LAW_MGMM, 12, bare, 0.0), own = new_rig(ED_LAW_MGMM, 12, with, 0.0);
+      place(&amended, &terms[i], 1);
+      error[fine] = differ(&amended, &own, fine ? 0.005 : 0.01, &largest);
+      free_rig(&amended);
+      free_rig(&own);
+    }
+    CHECK(error[0] < 2e-4 * largest && error[1] < 0.3 * error[0]);
+  }
+}
+
+/* A constant factor inside the law is one beside it: (phi - 1)(F + tau F') relaxes to (phi - 1) F. */
+static void check_constant_inside(void)
+{
+  rig inside = new_rig(ED_LAW_MGMM, 12, MGMM, 0.0), beside = new_rig(ED_LAW_MGMM, 12, MGMM, 0.0);
+  double largest;
+  place(&inside, &EACH[0], 1);
+  place(&beside, &EACH[0], 0);
+  CHECK(differ(&inside, &beside, 0.02, &largest) < 1e-14 * largest * 10.0);
+  CHECK(largest > 1.0);
+  free_rig(&inside);
+  free_rig(&beside);
+}
+
+/* A factor inside the linear MGMM, of which F + tau F' is k0 u + (tau k0 + c1) v: Q' = ((phi(u) - 1)(...) - Q) / tau, by the classical
+ * Runge-Kutta method in steps of a hundredth. Path and largest deformation grow with u < 0.5 here, so that phi is a formula of u. */
+static double rate_of(int kind, const double *p, double t, double q)
+{
+  const double u = 0.1 * t * t, v = 0.2 * t, everything = 2.0 * u + (TAU * 2.0 + 1.0) * v;
+  const double less = kind == ED_AMEND_MULLINS_PATH     ? p[0] * exp(-u / p[1])
+                      : kind == ED_AMEND_MULLINS_DAMAGE ? -p[0] * (1.0 - exp(-pow(u / p[1], p[2])))
+                                                        : -p[0] * pow(u / p[1], p[2]) / (1.0 + pow(u / p[1], p[2]));
+  return (less * everything - q) / TAU;
+}
+
+static void check_inside_by_equation(void)
+{
+  const int which[] = {1, 3, 15};
+  for (int i = 0; i < 3; i++) {
+    const amendment *one = &EACH[which[i]];
+    double error[2];
+    for (int fine = 0; fine < 2; fine++) {
+      const double h = fine ? 0.01 : 0.02, dt = 0.01 * h;
+      double q = 0.0, most = 0.0, largest = 0.0;
+      rig amended = new_rig(ED_LAW_MGMM, 12, LINEAR_MGMM, 0.0), bare = new_rig(ED_LAW_MGMM, 12, LINEAR_MGMM, 0.0);
+      place(&amended, one, 1);
+      for (int step = 1; step * h < 2.2; step++) {
+        for (int k = 0; k < 100; k++) {
+          const double t = (step - 1) * h + k * dt, k1 = rate_of(one->kind, one->parameter, t, q);
+          const double k2 = rate_of(one->kind, one->parameter, t + 0.5 * dt, q + 0.5 * dt * k1);
+          const double k3 = rate_of(one->kind, one->parameter, t + 0.5 * dt, q + 0.5 * dt * k2);
+          const double k4 = rate_of(one->kind, one->parameter, t + dt, q + dt * k3);
+          q += dt * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0;
+        }
+        const double t = step * h, u = 0.1 * t * t, v = 0.2 * t;
+        most = fmax(most, fabs(move(&amended, h, u, v) - move(&bare, h, u, v) - q));
+        largest = fmax(largest, fabs(q));
+      }
+      CHECK(largest > 0.02);
+      error[fine] = most / largest;
+      free_rig(&amended);
+      free_rig(&bare);
+    }
+    CHECK(error[0] < 2e-4 && error[1] < 0.3 * error[0]); /* linear over a step: second order */
+  }
+}
+
+static void refused(rig *r, const amendment *one, int inside, int status, const char *text)
 {
   char message[256] = "";
   const int size = ed_damper_state_size(r->damper);
-  CHECK_STATUS(ed_damper_amend(r->damper, one->kind, one->n, one->parameter, message, sizeof message), status);
+  CHECK_STATUS(ed_damper_amend(r->damper, one->kind, inside, one->n, one->parameter, message, sizeof message), status);
   CHECK_CONTAINS(message, text);
   CHECK(ed_damper_state_size(r->damper) == size);
 }
@@ -253,13 +374,14 @@ static void check_refusals(void)
 {
   const double bouc_wen[] = {1.0, 0.01, 0.1, 1.0, 0.5, 0.5, 2.0};
   rig plain = new_rig(ED_LAW_ZENER, 3, ZENER, 0.0), braced = new_rig(ED_LAW_BOUC_WEN, 7, bouc_wen, 5.0);
-  refused(&plain, &(amendment){99, 1, {1.0}}, ED_E_ID, "there is no amendment 99");
-  refused(&plain, &(amendment){ED_AMEND_CONSTANT, 2, {1.0, 1.0}}, ED_E_ARGUMENT, "amendment constant: 2 parameters, but 1 are needed");
-  refused(&plain, &(amendment){ED_AMEND_CONSTANT, 1, {NAN}}, ED_E_ARGUMENT, "a finite number");
-  refused(&plain, &(amendment){ED_AMEND_PAYNE_WHOLE, 4, {0.1, 0.0, 1.0, 1.0}}, ED_E_ARGUMENT, "payne.whole: a0 = 0");
-  refused(&plain, &(amendment){ED_AMEND_ONE_SIDED_FACTOR, 2, {0.1, 0.5}}, ED_E_ARGUMENT, "1 or -1");
-  refused(&plain, &(amendment){ED_AMEND_HARDENING_POWER, 3, {1.0, 0.5, 1.0}}, ED_E_ARGUMENT, "at least 1");
-  refused(&braced, &EACH[0], ED_E_ARGUMENT, "the brace must be rigid");
+  refused(&plain, &(amendment){99, 1, {1.0}}, 0, ED_E_ID, "there is no amendment 99");
+  refused(&plain, &(amendment){ED_AMEND_CONSTANT, 2, {1.0, 1.0}}, 0, ED_E_ARGUMENT, "amendment constant: 2 parameters, but 1 are needed");
+  refused(&plain, &(amendment){ED_AMEND_CONSTANT, 1, {NAN}}, 0, ED_E_ARGUMENT, "a finite number");
+  refused(&plain, &(amendment){ED_AMEND_PAYNE_WHOLE, 4, {0.1, 0.0, 1.0, 1.0}}, 0, ED_E_ARGUMENT, "payne.whole: a0 = 0");
+  refused(&plain, &(amendment){ED_AMEND_ONE_SIDED_FACTOR, 2, {0.1, 0.5}}, 0, ED_E_ARGUMENT, "1 or -1");
+  refused(&plain, &(amendment){ED_AMEND_HARDENING_POWER, 3, {1.0, 0.5, 1.0}}, 0, ED_E_ARGUMENT, "at least 1");
+  refused(&braced, &EACH[0], 0, ED_E_ARGUMENT, "the brace must be rigid");
+  refused(&plain, &EACH[1], 1, ED_E_ARGUMENT, "inside a law that relaxes all of its forces, as mgmm does, but law zener does not");
   free_rig(&plain);
   free_rig(&braced);
 }
@@ -270,8 +392,13 @@ int main(void)
   for (int only = 0; only <= KINDS; only++)
     check_forces(ED_LAW_ZENER, 3, ZENER, only);
   check_forces(ED_LAW_BOUC_WEN, 7, bouc_wen, KINDS);
-  check_tangents(0.0);
-  check_tangents(20.0);
+  check_tangents(0.0, 0);
+  check_tangents(20.0, 0);
+  check_tangents(0.0, 1);
+  check_tangents(20.0, 1);
+  check_inside_is_a_term();
+  check_constant_inside();
+  check_inside_by_equation();
   check_work();
   check_brace_with_hardening();
   check_one_sided_brace();

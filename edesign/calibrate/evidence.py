@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,6 +16,7 @@ AT_FLOOR = 1.2
 """Power left where the tests move, over that of the noise there, up to which a residual is at the noise floor."""
 
 _LEAST_BIC = 10.0  # Kass and Raftery (1995): "very strong"
+_KINDS = ("instrument", "rig", "structure", "damper")
 _LEAST_T = 1.0  # of the tests' improvements: one test that improves against all others passes only if it is much
 
 
@@ -79,6 +81,21 @@ class Evidence:
         )
 
 
+def simplest(models: Sequence[Judged]) -> Judged:
+    """Of models, the one with the fewest parameters that the best on tests left out does not beat by more than chance."""
+    best = min(models, key=lambda judged: judged.held_out.total)
+    return next(
+        judged for judged in sorted(models, key=_order) if judged is best or not compare(best, judged).beyond_chance
+    )
+
+
+def _order(judged: Judged) -> tuple[int, float, int, float]:
+    """By parameters, then by error; of twins a fault of the measurement is the simpler thing to think of."""
+    kinds = [_KINDS.index(effect.kind) for effect in judged.fitted.model.effects]
+    total = judged.held_out.total
+    return judged.fitted.freedom, float(f"{total:.3g}"), sum(kinds), total
+
+
 def compare(model: Judged, rival: Judged) -> Evidence:
     """Evidence for a model against a rival.
 
@@ -101,4 +118,4 @@ def compare(model: Judged, rival: Judged) -> Evidence:
 def _bic(fitted: Fitted, correlated_as: Fitted) -> float:
     """n ln(chi2 / n) + p ln n with the independent samples n of a residual."""
     n = sum(r.size / correlation_length(r) for r in correlated_as.residuals)
-    return n * math.log(max(fitted.chi2, 1e-300) / fitted.samples) + fitted.x.size * math.log(max(n, 2.0))
+    return n * math.log(max(fitted.chi2, 1e-300) / fitted.samples) + fitted.freedom * math.log(max(n, 2.0))

@@ -121,6 +121,13 @@ class Fitted:
         """Number of residuals."""
         return sum(r.size for r in self.residuals)
 
+    @cached_property
+    def freedom(self) -> int:
+        """How many numbers were fitted, with those that are each test's own."""
+        problem = self.model.problem
+        columns = [problem.nuisance(self.parts, i) for i, use in enumerate(problem.uses) if use == "fit"]
+        return self.x.size + sum(own.shape[1] for own in columns if own is not None)
+
     @property
     def reduced(self) -> float:
         """chi2 per sample: 1 at the noise floor."""

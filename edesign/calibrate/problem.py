@@ -57,11 +57,20 @@ class Problem(Protocol):
         measured: (n_i,) of each test, at the rate at which models are fitted.
     """
 
-    names: tuple[str, ...]
-    uses: tuple[Use, ...]
-    base: tuple[Unknown, ...]
-    declared: np.ndarray
-    measured: tuple[np.ndarray, ...]
+    @property
+    def names(self) -> tuple[str, ...]: ...
+
+    @property
+    def uses(self) -> tuple[Use, ...]: ...
+
+    @property
+    def base(self) -> tuple[Unknown, ...]: ...
+
+    @property
+    def declared(self) -> np.ndarray: ...
+
+    @property
+    def measured(self) -> tuple[np.ndarray, ...]: ...
 
     def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
         """Effects the model may lack, with starts that suit residuals (n_i,) of the tests fitted to, in the unit of `measured`."""

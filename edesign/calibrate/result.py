@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from edesign.calibrate.problem import Kind, Use
 
 Verdict = Literal["none", "explained", "partly_explained", "unexplained"]
+Subject = Literal["damper", "structure"]
 Stage = Literal["declared", "refit", "corrected"]
 
 
@@ -21,11 +22,17 @@ class Errors:
     Attributes:
         fit, validate: over all samples of the tests used so.
         tests: of each test.
+        channels: of each series of a test with several channels, by its name.
     """
 
     fit: float
     validate: float
     tests: Mapping[str, float]
+    channels: Mapping[str, float] = field(default_factory=dict)
+
+    def of(self, series: Series) -> float:
+        """Error of a series: that of its test if it is the only one."""
+        return self.channels[series.name] if series.name in self.channels else self.tests[series.name]
 
 
 @dataclass(frozen=True)
@@ -90,17 +97,22 @@ class NextTest:
 
 @dataclass(frozen=True, eq=False)
 class Series:
-    """Histories of one test at full rate.
+    """Histories of one test at full rate, or of one of its channels.
 
     Attributes:
-        name, title, use, order: of the test.
+        name: of the test, or of the test and the channel.
+        title, use, order: of the test.
         time: (n,) s.
-        displacement: (n,) m, freed from noise.
+        displacement: (n,) m, freed from noise; of a channel that of its floor, relative to the base.
         velocity: (n,) m/s.
-        measured: (n,) N.
-        predicted: (n,) N by stage: declared, refit, corrected.
+        measured: (n,) in `unit`.
+        predicted: (n,) by stage: declared, refit, corrected.
         temperature: (n,) degC.
-        noise: standard deviation of the noise, N.
+        noise: standard deviation of the noise.
+        quantity: what is measured and predicted.
+        unit: SI, of that.
+        test: name of the test of which this is a channel; "" if it is all of it.
+        channel: of the test, for people.
     """
 
     name: str
@@ -114,6 +126,15 @@ class Series:
     predicted: Mapping[Stage, np.ndarray]
     temperature: np.ndarray
     noise: float
+    quantity: str = "force"
+    unit: str = "N"
+    test: str = ""
+    channel: str = ""
+
+    @property
+    def of_test(self) -> str:
+        """Name of its test."""
+        return self.test or self.name
 
 
 @dataclass(frozen=True, eq=False)
@@ -136,6 +157,7 @@ class Calibration:
         law_held: whether the corrected law keeps the declared parameters.
         series: of each test.
         seconds: that the calibration took.
+        subject: what was calibrated.
     """
 
     title: str
@@ -153,3 +175,12 @@ class Calibration:
     law_held: bool
     series: tuple[Series, ...]
     seconds: float
+    subject: Subject = "damper"
+
+    @property
+    def tests(self) -> tuple[Series, ...]:
+        """The first series of each test."""
+        first: dict[str, Series] = {}
+        for one in self.series:
+            first.setdefault(one.of_test, one)
+        return tuple(first.values())

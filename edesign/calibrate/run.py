@@ -3,27 +3,35 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.problem import DamperProblem
-from edesign.calibrate.evidence import AT_FLOOR, Judged
 from edesign.calibrate.dampers.trial import Trial
+from edesign.calibrate.evidence import Judged
 from edesign.calibrate.noise import white_noise
-from edesign.calibrate.problem import Use
-from edesign.calibrate.residual.record import Residual
-
+from edesign.calibrate.outcome import (
+    BOTH,
+    Described,
+    effect_of,
+    errors_of,
+    floor_of,
+    parameters_of,
+    predict,
+    share_left,
+    verdict_of,
+)
+from edesign.calibrate.problem import Candidate
 from edesign.calibrate.residual.analysis import analyse
-from edesign.calibrate.result import Calibration, Effect, Errors, Estimate, Series, Stage, Verdict
-from edesign.calibrate.selection import Adopted, Loop, Progress, Selection
+from edesign.calibrate.residual.record import Residual
+from edesign.calibrate.result import Calibration, Series, Stage
+from edesign.calibrate.selection import Loop, Progress, Selection
 from edesign.damper.campaign import Campaign
 
-BOTH: tuple[Use, ...] = ("fit", "validate")
 _LEAST_NOISE = 5e-4  # of a test's rms force: no load cell is better, and no integration of a law is asked to be
-_EXPLAINED = 1.5  # times the noise floor: error of the validation tests up to which nothing is left to explain
 
 
 def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda _: None) -> Calibration:
@@ -62,11 +70,9 @@ def _result(
 ) -> Calibration:
     stages: dict[Stage, Judged] = {"declared": found.declared, "refit": found.refit, "corrected": found.final}
     predicted = {stage: predict(problem, judged) for stage, judged in stages.items()}
-    errors = {stage: _errors(problem, forces) for stage, forces in predicted.items()}
-    floors = {use: _floor(problem, noise, use) for use in BOTH}
-    verdict = _verdict(found, errors["corrected"], floors)
-    over = max(errors["refit"].validate - floors["validate"], 1e-300)
-    share = min(max((errors["corrected"].validate - floors["validate"]) / over, 0.0), 1.0)
+    errors = {stage: errors_of(problem, forces) for stage, forces in predicted.items()}
+    floors = {use: floor_of(problem, noise, use) for use in BOTH}
+    verdict = verdict_of(found, errors["corrected"], floors)
     series = tuple(
         Series(
             trial.name,
@@ -91,30 +97,17 @@ def _result(
         errors=errors,
         noise_floor=floors["validate"],
         noise_floor_fit=floors["fit"],
-        effects=tuple(_effect(problem, found, adopted, errors["corrected"]) for adopted in found.adopted),
+        effects=tuple(effect_of(problem, found, adopted, errors["corrected"], _described) for adopted in found.adopted),
         verdict=verdict,
-        unexplained_share=share if left else 0.0,
+        unexplained_share=share_left(errors["refit"], errors["corrected"], floors) if left else 0.0,
         unexplained_shape=analyse([residual_of(one, "corrected") for one in series]).shape if left else "",
         next_test=next_test(problem, found),
         refused=tuple((candidate.label, evidence.text) for candidate, evidence in found.refused),
-        parameters={stage: _parameters(judged) for stage, judged in stages.items()},
+        parameters={stage: parameters_of(judged) for stage, judged in stages.items()},
         law_held=found.law_held,
         series=series,
         seconds=clock.perf_counter() - begin,
     )
-
-
-def predict(problem: DamperProblem, judged: Judged) -> list[np.ndarray]:
-    """Force (n_i,) N of every test, with what is each test's own taken from its residual."""
-    parts = judged.fitted.parts
-    forces = []
-    for i, force in enumerate(problem.predict(judged.fitted.base, parts, BOTH)):
-        assert force is not None
-        columns = problem.nuisance(parts, i) if parts else None
-        if columns is not None:
-            force = force + columns @ np.linalg.lstsq(columns, problem.measured[i] - force, rcond=None)[0]
-        forces.append(force)
-    return forces
 
 
 def residual_of(series: Series, stage: Stage) -> Residual:
@@ -132,72 +125,7 @@ def residual_of(series: Series, stage: Stage) -> Residual:
     )
 
 
-def _errors(problem: DamperProblem, forces: Sequence[np.ndarray]) -> Errors:
-    squared = [float(np.sum((m - f) ** 2)) for m, f in zip(problem.measured, forces, strict=True)]
-    power = [float(m @ m) for m in problem.measured]
-
-    def over(use: Use) -> float:
-        chosen = [i for i, u in enumerate(problem.uses) if u == use]
-        return sum(squared[i] for i in chosen) / sum(power[i] for i in chosen)
-
-    tests = {name: s / p for name, s, p in zip(problem.names, squared, power, strict=True)}
-    return Errors(over("fit"), over("validate"), tests)
-
-
-def _floor(problem: DamperProblem, noise: Sequence[float], use: Use) -> float:
-    chosen = [i for i, u in enumerate(problem.uses) if u == use]
-    power = sum(float(problem.measured[i] @ problem.measured[i]) for i in chosen)
-    return sum(noise[i] ** 2 * problem.measured[i].size for i in chosen) / power
-
-
-def _verdict(found: Selection, corrected: Errors, floors: Mapping[Use, float]) -> Verdict:
-    """See Calibration.verdict."""
-    quiet = found.final.left <= AT_FLOOR or found.final.fitted.reduced <= _EXPLAINED
-    at_floor = quiet and corrected.validate <= _EXPLAINED * floors["validate"]
-    if not found.adopted:
-        return "none" if at_floor else "unexplained"
-    return "explained" if at_floor else "partly_explained"
-
-
-def _effect(problem: DamperProblem, found: Selection, adopted: Adopted, corrected: Errors) -> Effect:
-    candidate = adopted.candidate
+def _described(candidate: Candidate) -> Described:
     form, fixed = candidate.effect
-    errors = _standard_errors(found.final)
-    values = {
-        unknown.name: Estimate(float(value), errors[(candidate.label, unknown.name)], unknown.unit)
-        for unknown, value in zip(candidate.unknowns, adopted.values, strict=True)
-    }
-    without = _errors(problem, predict(problem, adopted.without))
-    return Effect(
-        name=candidate.name,
-        form=candidate.form,
-        kind=candidate.kind,
-        title=form.title,
-        amendment=getattr(form, "amendment_form", form.form) if form.amendment else "",
-        parameters=values,
-        fixed=fixed,
-        delta_validate=without.validate - corrected.validate,
-        evidence=f"{form.signature}; {adopted.evidence.text}",
-        share=adopted.evidence.share,
-        indistinguishable_from=tuple(adopted.alike),
-    )
-
-
-def _standard_errors(judged: Judged) -> dict[tuple[str, str], float]:
-    """Of every unknown by the label of its effect ("" for the law) and its name, SI."""
-    fitted = judged.fitted
-    owners = [""] * len(fitted.model.base)
-    owners += [effect.label for effect in fitted.model.effects for _ in effect.unknowns]
-    variances = np.diag(fitted.covariance) if fitted.x.size else np.empty(0)
-    return {
-        (owner, u.name): abs(u.slope(float(c))) * float(np.sqrt(max(v, 0.0)))
-        for owner, u, c, v in zip(owners, fitted.model.unknowns, fitted.x, variances, strict=True)
-    }
-
-
-def _parameters(judged: Judged) -> dict[str, Estimate]:
-    errors = _standard_errors(judged)
-    return {
-        u.name: Estimate(float(value), errors.get(("", u.name), 0.0), u.unit)
-        for u, value in zip(judged.fitted.model.problem.base, judged.fitted.base, strict=True)
-    }
+    amendment = getattr(form, "amendment_form", form.form) if form.amendment else ""
+    return Described(form.title, form.signature, amendment, fixed)

@@ -5,12 +5,12 @@ from __future__ import annotations
 import itertools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import TypeVar
 
 import numpy as np
 
-from edesign.calibrate.evidence import Evidence, Judged, compare
+from edesign.calibrate.evidence import Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import Candidate, PredictionError, Problem
 from edesign.calibrate.screening import Signature, joint_gain, screen
@@ -32,6 +32,7 @@ _UNCHANGED = 0.05  # share of what an effect once removed below which it is need
 T = TypeVar("T")
 S = TypeVar("S")
 Progress = Callable[[str], None]
+Refused = tuple[tuple[Candidate, Evidence], ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +71,7 @@ class Selection:
     refit: Judged
     final: Judged
     adopted: tuple[Adopted, ...]
-    refused: tuple[tuple[Candidate, Evidence], ...] = field(default=())
+    refused: Refused = ()
 
     @property
     def law_held(self) -> bool:
@@ -120,21 +121,34 @@ class Loop:
         adopted = self._explain(final, declared, refit)
         return Selection(declared, refit, final, adopted, refused)
 
-    def _search(self, declared: Judged, refit: Judged) -> tuple[Judged, tuple[tuple[Candidate, Evidence], ...]]:
-        simple = self._held_suffices(declared, refit)
-        if simple is not None:
-            return simple, ()
-        current, refused = refit, ()
-        self.material = _SMALL * (refit.fitted.chi2 - refit.fitted.samples)
-        while not current.at_floor and len(current.fitted.model.effects) < _MOST:
-            found, refused = self._round(current)
+    def _search(self, declared: Judged, refit: Judged) -> tuple[Judged, Refused]:
+        """The final model, and what was refused last."""
+        rival = refit if compare(refit, declared).beyond_chance else declared
+        held = self._beside_declared(declared) if self.may_refit else []
+        if refit.at_floor:
+            return simplest([refit, *held]), ()
+        self.material = _SMALL * (rival.fitted.chi2 - rival.fitted.samples)
+        current, refused = self._round(refit, rival, held)
+        if current is None:
+            return rival, refused
+        while True:
+            current = _refitted(self._freed(self._prune(self._reconsider(current))))
+            if current.at_floor or len(current.fitted.model.effects) >= _MOST:
+                break
+            found, refused = self._round(current, current)
             if found is None:
                 break
-            current = _refitted(self._prune(self._reconsider(found)))
+            current = found
         return self._held_again(current), refused
 
-    def _round(self, current: Judged) -> tuple[Judged | None, tuple[tuple[Candidate, Evidence], ...]]:
-        """The best next model, or None; and what was tried."""
+    def _round(self, current: Judged, rival: Judged, further: Sequence[Judged] = ()) -> tuple[Judged | None, Refused]:
+        """The best model with one effect more, or two, and what came near; None: chance may have made it.
+
+        Args:
+            current: the model to which effects are added.
+            rival: the model to beat.
+            further: models with one effect more that were fitted before.
+        """
         known = current.fitted.model.effects
         number = len(known) + 1
         pool = [c for c in self._candidates(current) if _may_join(c, known)]
@@ -146,22 +160,23 @@ class Loop:
         if not known and not current.fitted.model.held:
             # the refit may have gone far to make up for what is missing, and searches from there may not find back
             elsewhere = _shortlist(screen(self._unfitted(current), pool, run=self._map))
-        fitted = self._fit_best([*short, *elsewhere])
-        self.rivals[_labels(known)] = fitted
-        tried = sorted(((j, compare(j, current)) for j in fitted), key=lambda item: item[0].held_out.total)
-        refused = tuple((j.fitted.model.effects[-1], evidence) for j, evidence in tried[:3])
+        tried = [*self._fit_best([*short, *elsewhere]), *further]
+        self.rivals[_labels(known)] = tried
         if not tried:
             return None, ()
-        best, evidence = tried[0]
+        near = sorted(tried, key=lambda judged: judged.held_out.total)[:3]
+        refused = tuple((judged.fitted.model.effects[-1], compare(judged, rival)) for judged in near)
+        best = simplest(tried)
+        evidence = compare(best, rival)
         if evidence.share < _CLEAR and len(known) + 2 <= _MOST:
             pair = self._pair(current, short, signatures)
             if pair is not None:
-                both = compare(pair, current)
+                both = compare(pair, rival)
                 alone = max(evidence.share, 0.0)
                 needed = both.share - alone > SHARE * (1.0 - alone) and both.share > 2.0 * SHARE
-                if both.beyond_chance and needed and self._matters(pair, current):
+                if both.beyond_chance and needed and self._matters(pair, rival):
                     return pair, refused
-        if evidence.beyond_chance and evidence.share >= SHARE and self._matters(best, current):
+        if evidence.beyond_chance and evidence.share >= SHARE and self._matters(best, rival):
             return best, refused
         return None, refused
 
@@ -198,8 +213,7 @@ class Loop:
         for effect in effects[:-1]:
             self.tell(f"reconsidering {effect.name}")
             rivals = self._alternatives(current, effect)
-            better = min(rivals, key=lambda j: j.held_out.total, default=None)
-            if better is not None and compare(better, current).beyond_chance:
+            if rivals and compare(better := simplest(rivals), current).beyond_chance:
                 current = better
         return current
 
@@ -228,24 +242,26 @@ class Loop:
                 current = without
         return current
 
-    def _held_suffices(self, declared: Judged, refit: Judged) -> Judged | None:
-        """A single effect beside the law as declared that explains as much as all parameters of the law fitted, or more.
-
-        A gain, say, is all moduli changed alike: one number against nine.
-        """
-        if not self.may_refit:
-            return None
-        signatures = screen(declared.fitted, self._candidates(declared), run=self._map)
-        short = _shortlist(signatures)
-        found = self._fit_best(short)
+    def _beside_declared(self, declared: Judged) -> list[Judged]:
+        """Models with one effect beside the law as declared: a gain, say, is all moduli changed alike, one number against nine."""
+        self.tell("screening effects beside the law as declared")
+        found = self._fit_best(_shortlist(screen(declared.fitted, self._candidates(declared), run=self._map)))
         self.rivals[_labels(())] = found
-        good = [j for j in found if j.at_floor and not _worse(j, refit)]
-        return min(good, key=lambda j: j.held_out.total, default=None)
+        return found
+
+    def _freed(self, current: Judged) -> Judged:
+        """With the parameters of the law fitted, if that is better by more than chance."""
+        model = current.fitted.model
+        if not model.held or not self.may_refit:
+            return current
+        free = replace(model, held=False)
+        found = Judged(fit(free, free.coordinates(None, current.fitted.parts)))
+        return found if compare(found, current).beyond_chance else current
 
     def _held_again(self, current: Judged) -> Judged:
         """With the law as declared, if that explains the tests as well once the effects are there."""
         model = current.fitted.model
-        if model.held or not model.effects:
+        if model.held or not model.effects or not self.may_refit:
             return current
         held = replace(model, held=True)
         start = held.coordinates(None, current.fitted.parts)

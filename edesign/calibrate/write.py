@@ -9,12 +9,13 @@ import numpy as np
 import yaml
 
 from edesign.archive.dataset import Group
-from edesign.calibrate.result import Calibration, Estimate, Stage
+from edesign.calibrate.result import Calibration, Estimate, Series, Stage
 from edesign.damper.amendments import AMENDMENTS, Amendment
 from edesign.damper.campaign import Campaign
 from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters, write_parameters
+from edesign.damper.temperature import REFERENCE_C, GammaT
 
 _STAGES: tuple[Stage, ...] = ("declared", "refit", "corrected")
 
@@ -30,6 +31,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
                 "fit": found.errors[stage].fit,
                 "validate": found.errors[stage].validate,
                 "tests": dict(found.errors[stage].tests),
+                **({"channels": dict(found.errors[stage].channels)} if found.errors[stage].channels else {}),
             }
             for stage in _STAGES
         },
@@ -87,6 +89,9 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
             carried.append(Amendment(effect.name, effect.amendment, own))
     if carried:
         data["effects"] = write_effects(carried)
+    if found.law in GammaT().laws and any(_mean_C(series) != REFERENCE_C for series in found.series):
+        # as the loop takes it
+        data["temperature_law"] = {"gamma_T": {f"{t:g} degC": gamma for t, gamma in GammaT().table}}
     specimen = campaign.specimen
     data["prototype"] = {
         "layers": specimen.layers,
@@ -105,20 +110,25 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
 
 
 def archive_groups(found: Calibration) -> dict[str, Group]:
-    """Histories of every test: motion, measured and predicted force; by the name of the group."""
+    """Histories of every test or channel: motion, what was measured and predicted; by the name of the group."""
     groups = {}
     for series in found.series:
         group = Group(
             attributes={"title": series.title, "use": series.use, "order": series.order, "noise": series.noise}
         )
         group.add("time", ("sample",), series.time, "s", "time")
-        group.add("displacement", ("sample",), series.displacement, "m", "displacement, freed from noise")
-        group.add("temperature", ("sample",), series.temperature, "degC", "temperature")
-        group.add("measured_force", ("sample",), series.measured, "N", "measured force")
-        for stage in _STAGES:
-            group.add(
-                f"{stage}_force", ("sample",), series.predicted[stage], "N", f"force predicted by the {stage} law"
-            )
+        if found.subject == "damper":
+            group.add("displacement", ("sample",), series.displacement, "m", "displacement, freed from noise")
+            group.add("temperature", ("sample",), series.temperature, "degC", "temperature")
+            model = "law"
+        else:
+            group.attributes["channel"] = series.channel
+            group.add("displacement", ("sample",), series.displacement, "m", "of the floor, by the corrected building")
+            model = "building"
+        what, unit = series.quantity, series.unit
+        group.add(f"measured_{what}", ("sample",), series.measured, unit, f"measured {what}")
+        for stage, predicted in series.predicted.items():
+            group.add(f"{stage}_{what}", ("sample",), predicted, unit, f"{what} predicted by the {stage} {model}")
         group.coords["sample"] = _samples(series.time.size)
         groups[f"tests/{series.name}"] = group
     return groups
@@ -132,11 +142,15 @@ def _samples(count: int) -> Any:
 
 def _tested(found: Calibration, thickness: float) -> dict[str, str]:
     strains = [100.0 * float(np.max(np.abs(series.displacement))) / thickness for series in found.series]
-    temperatures = [float(np.mean(series.temperature)) for series in found.series]
+    temperatures = [_mean_C(series) for series in found.series]
     return {
         "shear_strain": _span(min(strains), max(strains), "%"),
         "temperature": _span(min(temperatures), max(temperatures), "degC"),
     }
+
+
+def _mean_C(series: Series) -> float:
+    return float(np.mean(series.temperature))
 
 
 def _span(low: float, high: float, unit: str) -> str:

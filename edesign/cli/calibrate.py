@@ -1,4 +1,4 @@
-"""`edesign calibrate`: what a damper law lacks, found in measured tests."""
+"""`edesign calibrate`: what a damper law or the model of a structure lacks, found in measured tests."""
 
 from __future__ import annotations
 
@@ -23,18 +23,21 @@ def calibrate(
     workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Threads.")] = 2,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
 ) -> None:
-    """Predict measured tests, find what the declared law lacks, add it, and report the error before and after."""
+    """Predict measured tests, find what the law or structure lacks, add it, and report errors before and after."""
     from edesign.archive.files import check_folder
-    from edesign.calibrate.files import write_files
+    from edesign.calibrate.files import check_names, write_files
     from edesign.calibrate.run import calibrate as run
+    from edesign.calibrate.structure.campaign import StructureCampaign, is_structure_campaign, load_structure_campaign
+    from edesign.calibrate.structure.run import calibrate_structure
     from edesign.calibrate.write import calibration_json
-    from edesign.damper.campaign import load_campaign
+    from edesign.damper.campaign import Campaign, load_campaign
     from edesign.report.calibration_tables import tables_of, verdict_text
     from edesign.report.page.calibration import write_calibration_page
     from edesign.report.text import print_tables
 
     folder = campaign.parent if output is None else output
     check_folder(folder)  # rather than after the search
+    check_names(campaign, folder)
     begin = time.monotonic()
 
     def tell(what: str) -> None:
@@ -42,8 +45,13 @@ def calibrate(
             typer.echo(f"{time.monotonic() - begin:6.1f} s  {what}", err=True)
 
     tell("reading the tests")
-    loaded = load_campaign(campaign)
-    found = run(loaded, workers, tell)
+    loaded: Campaign | StructureCampaign
+    if is_structure_campaign(campaign):
+        loaded = load_structure_campaign(campaign)
+        found = calibrate_structure(loaded, workers, tell)
+    else:
+        loaded = load_campaign(campaign)
+        found = run(loaded, workers, tell)
     written = write_files(found, loaded, folder)
     if page:
         tell("drawing the report")

@@ -20,10 +20,17 @@ TOLERANCE = 1e-6
 
 @dataclass(frozen=True)
 class AmendmentValues:
-    """An amendment of a law by its name, e.g. "payne.whole", and its parameters in the order of the core, SI units."""
+    """An amendment of a law.
+
+    Attributes:
+        kind: its name, e.g. "payne.whole".
+        values: parameters in the order of the core, SI units.
+        inside: whether it acts inside the law, which must relax all of its forces, or beside it.
+    """
 
     kind: str
     values: tuple[float, ...]
+    inside: bool = False
 
 
 @dataclass(frozen=True)
@@ -55,7 +62,7 @@ class CoreDamper:
         amendments: effects that the law has not; they act together.
 
     Raises:
-        CoreError: a parameter is not allowed, or the law takes no amendments with a brace.
+        CoreError: a parameter is not allowed, or the law takes no amendments with a brace, or none inside.
     """
 
     def __init__(
@@ -73,7 +80,7 @@ class CoreDamper:
         self._handle = ffi.gc(handle, lib.ed_damper_free)
         for amendment in amendments:
             number, values = amendment_number(amendment.kind), [float(value) for value in amendment.values]
-            refused = lib.ed_damper_amend(handle, number, len(values), values, message, 256)
+            refused = lib.ed_damper_amend(handle, number, amendment.inside, len(values), values, message, 256)
             if refused != lib.ED_OK:
                 raise CoreError(status_name(refused), ffi.string(message).decode(errors="replace"))
 

@@ -189,7 +189,7 @@ class Model:
         self._checked(number)
         for amendment in law.amendments:
             kind, values = amendment_number(amendment.kind), list(amendment.values)
-            self._checked(lib.ed_model_amend_damper(self._c, number, kind, len(values), values))
+            self._checked(lib.ed_model_amend_damper(self._c, number, kind, amendment.inside, len(values), values))
         self.damper_names.append(name)
         self.damper_terms.append(tuple(terms))
         return number

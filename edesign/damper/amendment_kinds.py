@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from edesign.damper.law import Law, Parameter
@@ -13,7 +13,10 @@ from edesign.project.problems import did_you_mean, listed
 
 _PAYNE = "Payne (1962), J. Appl. Polym. Sci. 6, 57-63; Kraus (1984), J. Appl. Polym. Sci. Symp. 39, 75-92"
 _MULLINS = "Mullins (1969), Rubber Chem. Technol. 42, 339-362"
+_VISCOUS = "Soong and Dargush (1997), Passive Energy Dissipation Systems in Structural Engineering"
 _ANY = -math.inf
+_INSIDE = "_inside"
+_MAY_BE_INSIDE = ("payne", "mullins", "hardening", "one_sided", "velocity_power")
 
 
 @dataclass(frozen=True)
@@ -23,11 +26,18 @@ class AmendmentKind(Law):
     Attributes:
         for_core: how many parameters the core takes.
         constant: whether it is a factor that does not change in a run: the core takes the factor alone.
+        inside: whether it acts inside the law, which must relax all of its forces.
     """
 
     kind: ClassVar[str] = "effect"
     for_core: int = 0
     constant: bool = False
+    inside: bool = False
+
+    @property
+    def core_name(self) -> str:
+        """What the core calls it, beside the law or inside."""
+        return self.name.removesuffix(_INSIDE) if self.inside else self.name
 
     def complete(self, values: Mapping[str, float]) -> dict[str, float]:
         """As of a law; a side is 1 or -1."""
@@ -102,6 +112,18 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             True,
         ),
         kind(
+            "payne.network",
+            "softening by a network that breaks with motion and heals in rest",
+            "phi = 1 - d x, x' = (1 - x) |u'|/s0 - x/tau",
+            "Kraus (1984), J. Appl. Polym. Sci. Symp. 39, 75-92; Lion (1998), Rubber Chem. Technol. 71, 410-429",
+            (
+                _share("d", "share of the force that goes when all of the network is broken"),
+                _positive("s0", "path that breaks 1 - 1/e of it", "m"),
+                _positive("tau", "time in which it heals", "s"),
+            ),
+            True,
+        ),
+        kind(
             "mullins.path",
             "softening with the path of the whole force",
             "phi = 1 + m exp(-s/s0)",
@@ -124,6 +146,18 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             more=(_RECOVERY,),
         ),
         kind(
+            "mullins.damage",
+            "softening by the largest deformation",
+            "phi = 1 - m (1 - exp(-(M/r)^p))",
+            "Simo (1987), Comput. Methods Appl. Mech. Engrg 60, 153-173, with deformation in place of energy",
+            (
+                _share("m", "share of the force that goes in the end"),
+                _positive("r", "largest deformation at which 1 - 1/e of it has gone", "m"),
+                _positive("p", "exponent", ""),
+            ),
+            more=(_RECOVERY,),
+        ),
+        kind(
             "mullins.elastic",
             "softening with the path of the elastic force",
             "k exp(-s/s0) u",
@@ -142,6 +176,17 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (
                 _share("d", "share of the force that goes in the end"),
                 _positive("E0", "work after which 1 - 1/e of it has gone", "J"),
+            ),
+        ),
+        kind(
+            "degradation.path",
+            "softening with the path",
+            "phi = 1 - d (s/S)^p",
+            "wear by path: Archard (1953), J. Appl. Phys. 24, 981-988",
+            (
+                _share("d", "share of the force that has gone after the path S"),
+                _positive("p", "exponent", ""),
+                Parameter("S", "path after which the share d has gone", "m", fitted=False),
             ),
         ),
         kind(
@@ -172,6 +217,18 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (),
             more=(
                 _any("rate", "change of the force from one test to the next", ""),
+                Parameter("n", "tests before: the state that is used", "", lower_allowed=True, fitted=False),
+            ),
+            constant=True,
+        ),
+        kind(
+            "ageing.logarithmic",
+            "change from test to test that slows down",
+            "phi = 1 + rate ln(1 + n)",
+            "Struik (1978), Physical Aging in Amorphous Polymers and Other Materials",
+            (),
+            more=(
+                _any("rate", "change of the force over e times as many tests", ""),
                 Parameter("n", "tests before: the state that is used", "", lower_allowed=True, fitted=False),
             ),
             constant=True,
@@ -227,19 +284,47 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             "velocity_power.dashpot",
             "further power-law dashpot",
             "c |u'|^alpha sgn u'",
-            "Soong and Dargush (1997), Passive Energy Dissipation Systems in Structural Engineering",
+            _VISCOUS,
             (
                 _any("c", "damping coefficient", "N*(s/m)^alpha"),
                 Parameter("alpha", "exponent of the velocity", ""),
             ),
             True,
         ),
+        kind(
+            "velocity_power.flow",
+            "viscous force that saturates with the velocity",
+            "f asinh(u'/v0)",
+            "Eyring (1936), J. Chem. Phys. 4, 283-291",
+            (
+                _any("f", "force over its logarithm of the velocity", "N"),
+                _positive("v0", "velocity of the bend", "m/s"),
+            ),
+            True,
+        ),
     )
 
 
-AMENDMENTS: dict[tuple[str, str], AmendmentKind] = {
-    (name, form): kind for kind in _kinds() for name, form in (kind.name.split("."),)
-}
+def _beside_and_inside(kinds: Sequence[AmendmentKind]) -> Iterator[tuple[tuple[str, str], AmendmentKind]]:
+    for kind in kinds:
+        name, form = kind.name.split(".")
+        yield (name, form), kind
+        if name in _MAY_BE_INSIDE:
+            right = "(phi - 1)(F + tau F'), " if kind.equation.startswith("phi") else ""
+            yield (
+                (name, form + _INSIDE),
+                replace(
+                    kind,
+                    name=kind.name + _INSIDE,
+                    title=f"{kind.title}, inside the law",
+                    equation=f"Q + tau Q' = {right}{kind.equation}",
+                    rate_dependent=True,
+                    inside=True,
+                ),
+            )
+
+
+AMENDMENTS: dict[tuple[str, str], AmendmentKind] = dict(_beside_and_inside(_kinds()))
 """All amendments by name of the effect and form."""
 
 

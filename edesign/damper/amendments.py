@@ -1,6 +1,7 @@
 """Amendments of damper laws: effects that tests have shown and the law has not, as law files and projects carry them.
 
-The force is phi F_law + parallel forces, phi the product of the factors (docs/laws/effects.md)."""
+The force is phi F_law + parallel forces, phi the product of the factors, + what acts inside the law
+(docs/laws/effects.md)."""
 
 from __future__ import annotations
 
@@ -11,7 +12,7 @@ from dataclasses import dataclass, field
 from edesign.core import AmendmentValues
 from edesign.damper.amendment_kinds import AMENDMENTS, AmendmentKind, amendment_kind
 from edesign.damper.law import Law
-from edesign.damper.temperature import REFERENCE_C, TemperatureModel, at
+from edesign.damper.temperature import REFERENCE_C, GammaT, TemperatureModel, at
 from edesign.errors import InputError
 
 __all__ = ["AMENDMENTS", "Amendment", "AmendmentKind", "amendment_kind", "parameters_at"]
@@ -48,15 +49,18 @@ class Amendment:
         """
         if self.kind.constant:
             return AmendmentValues("constant", (self._factor(temperature_C),))
-        return AmendmentValues(self.kind.name, tuple(self.values.values())[: self.kind.for_core])
+        values = tuple(self.values.values())[: self.kind.for_core]
+        return AmendmentValues(self.kind.core_name, values, self.kind.inside)
 
     def _factor(self, temperature_C: float | None) -> float:
         if self.name == "temperature_law":
             warmer = 0.0 if temperature_C is None else temperature_C - self.values["T0"]
             return math.exp(-self.values["b"] * warmer)
-        factor = 1.0 + self.values["rate"] * self.values["n"]
+        n = self.values["n"]
+        age, text = (math.log1p(n), "ln(1 + n)") if self.form == "logarithmic" else (n, "n")
+        factor = 1.0 + self.values["rate"] * age
         if not factor > 0.0:
-            raise InputError(f"effect {self.kind.name}: 1 + rate n = {factor:g} must be greater than 0")
+            raise InputError(f"effect {self.kind.name}: 1 + rate {text} = {factor:g} must be greater than 0")
         return factor
 
 
@@ -68,22 +72,18 @@ def parameters_at(
     model: TemperatureModel | None = None,
     reference_C: float = REFERENCE_C,
 ) -> tuple[dict[str, float], tuple[str, ...]]:
-    """Parameters of an amended law at a temperature: as of the law, unless an amendment tells how it changes with it.
+    """Parameters of an amended law at a temperature: those of the law, on which amendments act whatever they are.
 
     Args:
         law, values, temperature_C, model, reference_C: as of `temperature.at`.
-        amendments: of the law; one that changes with temperature takes the place of `model`.
+        amendments: of the law; with one that changes with temperature a law need not.
 
     Returns:
         All parameters at that temperature, SI units; warnings.
 
     Raises:
-        InputError: both a model and an amendment are given, or as of `temperature.at`.
+        InputError: as of `temperature.at`.
     """
-    if not any(one.name == "temperature_law" for one in amendments):
-        return at(law, values, temperature_C, model, reference_C)
-    if model is not None:
-        raise InputError(
-            "the effect `temperature_law` says how the force changes with temperature; leave one of them out"
-        )
-    return law.complete(values), ()
+    found, warnings = at(law, values, temperature_C, model, reference_C)
+    changes = any(one.name == "temperature_law" for one in amendments)
+    return found, () if changes and model is None and law.name not in GammaT().laws else warnings

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -130,8 +129,7 @@ def resolve(
         try:
             values, warnings = parameters_at(chosen, values, amendments, temperature_C, change, held_at)
         except InputError as error:
-            of_law = change is not None and (chosen.name not in change.laws or _changes(amendments))
-            culprit = "temperature_law" if of_law else "temperature"
+            culprit = "temperature_law" if change is not None and chosen.name not in change.laws else "temperature"
             place = source if culprit == "temperature_law" else asked or source
             raise place.refuse((culprit,), error) from error
         warnings += _outside_tests(described, temperature_C)
@@ -139,12 +137,12 @@ def resolve(
         CoreDamper(chosen.name, list(values.values()))
     except CoreError as error:
         raise source.refuse(("parameters",), error) from error
+    for i, one in enumerate(amendments):
+        try:
+            CoreDamper(chosen.name, list(values.values()), amendments=(one.for_core(temperature_C),))
+        except CoreError as error:  # inside a law that does not relax all of its forces
+            raise source.refuse(("effects", i, "form"), error) from error
     return ResolvedLaw(chosen, values, amendments, temperature_C, warnings)
-
-
-def _changes(amendments: Sequence[Amendment]) -> bool:
-    """Whether one of them changes with temperature."""
-    return any(one.name == "temperature_law" for one in amendments)
 
 
 def strain_of_tests(described: LawDescription) -> float | None:

@@ -82,14 +82,14 @@ def predict(
         raise InputError("strain amplitudes and frequencies must be greater than zero")
     if samples % 4 or samples < 8 or not 1 <= cycles[0] <= cycles[1]:
         raise ValueError(f"{samples} samples, cycles {cycles}")
-    shape = _shape(cycles[1], samples)
+    shape = unit_motion(cycles[1], samples)
     at_temperature, warnings = _dampers(damper, temperature, temperature_model)
     G_storage, G_eq, G_loss = (np.empty(gamma.size) for _ in range(3))
     for i in range(gamma.size):
         amplitude = gamma[i] * specimen.layer_thickness
         time, u, v = shape[0] / f[i], amplitude * shape[1], amplitude * f[i] * shape[2]
         force = at_temperature[temperature[i]].force(time, u, v)
-        G_storage[i], G_eq[i], G_loss[i] = _moduli(force, shape[2], cycles, samples) / (specimen.area * gamma[i])
+        G_storage[i], G_eq[i], G_loss[i] = force_amplitudes(force, shape[2], cycles, samples) / (specimen.area * gamma[i])
     with np.errstate(divide="ignore", invalid="ignore"):  # a dashpot stores nothing
         loss_factor = G_loss / G_storage
     return PropertyRows(gamma, f, temperature, G_storage, G_eq, G_loss, loss_factor, warnings)
@@ -107,8 +107,8 @@ def _dampers(
     return found, tuple(dict.fromkeys(warnings))
 
 
-def _shape(cycles: int, samples: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Time in cycles, deformation over amplitude, and its rate to that time: a ramp of one cycle and full ones.
+def unit_motion(cycles: int, samples: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Time in cycles, deformation over amplitude, and its rate to that time, (n,) each: a ramp of one cycle and full ones.
 
     The envelope is 10 s^3 - 15 s^4 + 6 s^5; with it neither deformation nor velocity is larger in the ramp than after
     it, which counts for laws that remember the largest ones.
@@ -124,8 +124,10 @@ def _shape(cycles: int, samples: int) -> tuple[np.ndarray, np.ndarray, np.ndarra
     return time, envelope * sine, 2.0 * np.pi * envelope * cosine + slope * sine
 
 
-def _moduli(force: np.ndarray, rate: np.ndarray, cycles: tuple[int, int], samples: int) -> np.ndarray:
-    """Mean force amplitudes of the cycles: in phase with the deformation, largest, and of the energy dissipated.
+def force_amplitudes(force: np.ndarray, rate: np.ndarray, cycles: tuple[int, int], samples: int) -> np.ndarray:
+    """Mean force amplitudes (3,) N of the cycles: in phase with the deformation, largest, and of the energy dissipated.
+
+    Force (n,) N and rate (n,) are those of `unit_motion`.
 
     Energy: pi G'' gamma^2 = closed integral of tau d gamma, here as the sum over the samples of stress times rate,
     which is exact to rounding for smooth periodic forces.

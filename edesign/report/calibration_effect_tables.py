@@ -14,7 +14,7 @@ from edesign.report.table import Table
 REFIT = "refit"
 """Name of a rival that is no effect: the law alone, fitted again."""
 
-_NAMES = {REFIT: "the law alone with other parameters"}
+_NAMES = {REFIT: "the same model with other parameters"}
 
 
 def effect_tables(calibration: Calibration) -> list[Table]:

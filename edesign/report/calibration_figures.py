@@ -9,6 +9,7 @@ from edesign.calibrate.result import Calibration
 from edesign.report.calibration_effect_figures import effect_figures
 from edesign.report.calibration_history_figures import error_figures, loop_figures, residual_figures
 from edesign.report.calibration_residual_figures import dependence_figures, harmonic_figures, map_figures
+from edesign.report.calibration_structure_figures import history_figures, peak_figures, spectrum_figures
 from edesign.report.calibration_view import View
 
 if TYPE_CHECKING:
@@ -24,10 +25,12 @@ FIGURES: tuple[Figures, ...] = (
     harmonic_figures,
     map_figures,
 )
+STRUCTURE: tuple[Figures, ...] = (error_figures, peak_figures, history_figures, spectrum_figures)
+"""Of a building: its records."""
 
 
 def calibration_figures(calibration: Calibration) -> Iterator[tuple[str, str, Figure]]:
     """Name, caption and figure, one after the other."""
     view = View(calibration)
-    for figures in FIGURES:
+    for figures in STRUCTURE if calibration.subject == "structure" else FIGURES:
         yield from figures(view)

@@ -36,12 +36,12 @@ def error_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
     """Error of each test at each stage with its noise floor."""
     series = view.calibration.series
     errors = view.calibration.errors
-    names = [one.name for one in series]
-    worst = max(names, key=lambda name: errors["corrected"].tests[name])
+    worst = max(series, key=errors["corrected"].of)
+    each = "channel" if worst.channel else "test"
     caption = (
-        "Error of each test before and after. The closer the blue marks are to the black lines (noise), the less is "
-        f"left to explain; the largest error after is {percent(errors['corrected'].tests[worst])} % in {worst}, "
-        f"where it was {percent(errors['declared'].tests[worst])} % as declared. Validation tests are in bold; no "
+        f"Error of each {each} before and after. The closer the blue marks are to the black lines (noise), the less is "
+        f"left to explain; the largest error after is {percent(errors['corrected'].of(worst))} % in {worst.name}, "
+        f"where it was {percent(errors['declared'].of(worst))} % as declared. Validation tests are in bold; no "
         "model is fitted to them."
     )
     yield "errors", caption, _errors_figure(view)
@@ -55,7 +55,7 @@ def _errors_figure(view: View) -> Figure:
     figure, ((axis,),) = new_figure(1, 1, 6.6, 1.1 + 0.24 * len(series))
     place = np.arange(len(series))
     for stage, label in STAGES.items():
-        values = [100.0 * view.calibration.errors[stage].tests[one.name] for one in series]
+        values = [100.0 * view.calibration.errors[stage].of(one) for one in series]
         fill = COLOURS[stage] if stage == "corrected" else "none"
         shown = np.maximum(values, _LEAST)
         mark, size = _MARKS[stage]

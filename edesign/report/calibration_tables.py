@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from edesign.calibrate.result import Calibration, Effect, Series, Stage
+from edesign.calibrate.result import Calibration, Effect, Series, Stage, Subject
 from edesign.damper.laws import LAWS
 from edesign.report.calibration_effect_tables import effect_name, effect_tables
 from edesign.report.calibration_units import error_text, percent, plus_minus, practical, value_text
@@ -14,6 +14,15 @@ from edesign.report.table import Table
 
 STAGES: dict[Stage, str] = {"declared": "as declared", "refit": "refitted", "corrected": "corrected"}
 """Of a law, in words."""
+
+MODELS: dict[Subject, str] = {"damper": "law", "structure": "building"}
+"""What is calibrated, in a word."""
+
+NRMS_NOTES: dict[Subject, str] = {
+    "damper": "NRMS: sum of squared errors over sum of squared measured forces, no root (thesis Eq. 4.28)",
+    "structure": "NRMS: sum of squared errors over sum of squared measured values, no root; of several channels each "
+    "over the root mean square of its kind (accelerations, displacements) in the fitted tests",
+}
 
 _TOLD = 2  # parameters of an effect in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
@@ -31,27 +40,31 @@ def tables_of(calibration: Calibration) -> list[Table]:
 
 def errors_table(calibration: Calibration) -> Table:
     """Errors of the law before and after, and the noise floor."""
-    table = Table("Errors", ("law", "fitted tests: NRMS [%]", "validation tests: NRMS [%]"))
+    table = Table("Errors", (MODELS[calibration.subject], "fitted tests: NRMS [%]", "validation tests: NRMS [%]"))
     for stage, label in STAGES.items():
         errors = calibration.errors[stage]
         table.rows.append([label, percent(errors.fit), percent(errors.validate)])
     table.rows.append(["noise floor", percent(calibration.noise_floor_fit), percent(calibration.noise_floor)])
-    table.notes.append("NRMS: sum of squared errors over sum of squared measured forces, no root (thesis Eq. 4.28)")
+    table.notes.append(NRMS_NOTES[calibration.subject])
     return table
 
 
 def each_test_table(calibration: Calibration) -> Table:
     """Errors of each test in the order in which they were made."""
     columns = ("test", "use", *(f"{label} [%]" for label in STAGES.values()), "noise floor [%]")
-    table = Table("NRMS of each test", columns, left=2)
+    table = Table(
+        "NRMS of each channel" if calibration.subject == "structure" else "NRMS of each test", columns, left=2
+    )
     for series in calibration.series:
-        errors = [percent(calibration.errors[stage].tests[series.name]) for stage in STAGES]
+        errors = [percent(calibration.errors[stage].of(series)) for stage in STAGES]
         table.rows.append([label_of(series), series.use, *errors, percent(noise_of(series))])
     return table
 
 
 def label_of(series: Series) -> str:
-    """Name of a test and its title, if it has one."""
+    """Name of a test, or of a channel, and the title of the test, if it has one."""
+    if series.test:
+        return series.name
     return f"{series.name}: {series.title}" if series.title and series.title != series.name else series.name
 
 
@@ -64,9 +77,11 @@ def noise_of(series: Series) -> float:
 def law_parameters_table(calibration: Calibration) -> Table:
     """Parameters of the law at each stage with standard errors."""
     law = LAWS.get(calibration.law)
-    title = f"{calibration.law}: {law.title}" if law is not None else calibration.law
+    title = f"Law {calibration.law}: {law.title}" if law is not None else f"Law {calibration.law}"
+    if calibration.subject == "structure":
+        title = f"Building, and {title}" if calibration.law else "Building"
     columns = ("parameter", "unit", "declared", "refitted", "std. error", "corrected", "std. error")
-    table = Table(f"Law {title}", columns)
+    table = Table(title, columns)
     stages = {stage: calibration.parameters[stage] for stage in STAGES}
     for name in stages["declared"]:
         shown = {stage: practical(found[name], found) for stage, found in stages.items() if name in found}
@@ -75,6 +90,8 @@ def law_parameters_table(calibration: Calibration) -> Table:
             one = shown.get(stage)
             row += ["-", "-"] if one is None else [value_text(one), error_text(one)]
         table.rows.append(row)
+    if calibration.subject == "structure":
+        table.notes.append("storey_stiffness, storey_damping: factors of what is declared")
     if calibration.law_held:
         table.notes.append("corrected: the declared parameters were kept; fitting them too explains nothing more")
     return table
@@ -88,11 +105,15 @@ def verdict_text(calibration: Calibration) -> str:
 def _found(calibration: Calibration) -> str:
     effects = "; and ".join(effect_text(effect) for effect in calibration.effects)
     return {
-        "none": f"None: no effect is missing from the law {calibration.law}{_again(calibration)}.",
+        "none": f"None: no effect is missing from {_model(calibration)}{_again(calibration)}.",
         "explained": f"Explained: {effects}.",
         "partly_explained": f"Partly explained: {effects}.",
         "unexplained": "Unexplained: something is missing, and no effect known here explains it.",
     }[calibration.verdict]
+
+
+def _model(calibration: Calibration) -> str:
+    return "the building" if calibration.subject == "structure" else f"the law {calibration.law}"
 
 
 def _again(calibration: Calibration) -> str:
@@ -111,9 +132,10 @@ def _errors(calibration: Calibration) -> str:
     declared, refit, corrected = (calibration.errors[stage].validate for stage in STAGES)
     floor = f"noise floor of {percent(calibration.noise_floor)} %"
     fallen = declared > _CHANGED * corrected
+    model = MODELS[calibration.subject]
     if fallen:
-        alone = f" ({percent(refit)} % if the law alone is fitted again)" if refit > _CHANGED * corrected else ""
-        how = "" if calibration.effects else " with the law fitted again"
+        alone = f" ({percent(refit)} % if the {model} alone is fitted again)" if refit > _CHANGED * corrected else ""
+        how = "" if calibration.effects else f" with the {model} fitted again"
         text = (
             f"The validation error (NRMS) falls from {percent(declared)} % as declared to {percent(corrected)} %"
             f"{how}{alone}"
@@ -127,8 +149,10 @@ def _errors(calibration: Calibration) -> str:
 def _doubts(calibration: Calibration) -> list[str]:
     texts = []
     if calibration.verdict in ("partly_explained", "unexplained"):
-        share = percent(calibration.unexplained_share, 2)
-        texts.append(f"Of the error of the refitted law above noise {share} % is left: {calibration.unexplained_shape}")
+        share, model = percent(calibration.unexplained_share, 2), MODELS[calibration.subject]
+        texts.append(
+            f"Of the error of the refitted {model} above noise {share} % is left: {calibration.unexplained_shape}"
+        )
     for effect in calibration.effects:
         if effect.indistinguishable_from:
             alike = " or ".join(effect_name(name) for name in effect.indistinguishable_from)

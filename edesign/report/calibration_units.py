@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping
 from functools import cache
 
-from edesign.calibrate.result import Estimate
+from edesign.calibrate.result import Estimate, Series
 from edesign.damper.law import Parameter
 from edesign.damper.parameters import practical_unit
 from edesign.project.units import Kind, parse_quantity
@@ -19,6 +19,14 @@ _SHORT = 0.1  # s: shorter times are in ms
 _LARGEST = 1e7
 _MOST_PLACES = 9
 _EXPONENT = re.compile(r"\^([A-Za-z_]\w*)")  # a parameter as exponent in the unit of another
+
+
+_SHOWN = {"N": (1e3, "kN"), "m": (1e-3, "mm"), "m/s^2": (1.0, "m/s²")}
+
+
+def scale_of(series: Series) -> tuple[float, str]:
+    """The unit in which what a series measures is shown, SI, and its name."""
+    return _SHOWN[series.unit]
 
 
 def percent(ratio: float, digits: int = 3) -> str:

@@ -20,6 +20,7 @@ from edesign.calibrate.structure.links import (
     PowerSpring,
     Slider,
     ThresholdSpring,
+    by_storey,
 )
 from edesign.calibrate.structure.simulation import NoResponse, simulate, transition
 from edesign.damper.damper import Damper
@@ -292,3 +293,16 @@ def test_transition_of_a_free_mass() -> None:
     a, b0, b1 = transition(free, np.array([[1.0]]), 0.1)
     assert np.allclose(a, [[1.0, 0.1], [0.0, 1.0]])
     assert np.allclose(b0[:, 0], [0.1**2 / 3.0, 0.05]) and np.allclose(b1[:, 0], [0.1**2 / 6.0, 0.05])
+
+
+def test_links_of_one_storey_act_as_one() -> None:
+    system, ground = isolated().system(), shaking(400)
+
+    def links() -> list[Link]:
+        return [Hysteresis(0, 1e5, 0.005), Slider(1, 2e4, 2e8), PowerSpring(0, 2e6, 3.0, 0.05)]
+
+    apart, together = simulate(system, ground, STEP, links()), by_storey(links())
+    found = simulate(system, ground, STEP, together)
+    assert [link.storey for link in together] == [0, 1]
+    # both iterate to 1e-8 of the forces
+    assert np.allclose(found.displacement, apart.displacement, rtol=0, atol=1e-6 * np.max(np.abs(apart.displacement)))

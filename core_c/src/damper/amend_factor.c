@@ -39,6 +39,20 @@ const ed_amendment_kind ed_amend_payne_whole = {
     .name = "payne.whole", .is_factor = 1, .has_state = 1, .on_speed = 1, .n_parameters = 4,
     .parameter = {{"d", ED_AT_MOST_ONE}, {"a0", ED_POSITIVE}, {"m", ED_POSITIVE}, {"tau_a", ED_POSITIVE}}, .at_end = payne_whole};
 
+/* The filler network breaks along the path and heals in time, the speed constant over the step: x' = (1 - x) |du|/(h s0) - x/tau. */
+static void payne_network(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  const double breaking = fabs(ends->du) / p[1], both = breaking + ends->h / p[2];
+  const double decay = exp(-both), gone = -expm1(-both), share = breaking / both;
+  *after = decay * before + share * gone;
+  out->value = 1.0 - p[0] * *after;
+  out->by_u1 = -p[0] * ((share - before) * decay + (1.0 - share) * gone / both) * ed_sign(ends->du) / p[1];
+}
+
+const ed_amendment_kind ed_amend_payne_network = {
+    .name = "payne.network", .is_factor = 1, .has_state = 1, .on_speed = 1, .n_parameters = 3,
+    .parameter = {{"d", ED_AT_MOST_ONE}, {"s0", ED_POSITIVE}, {"tau", ED_POSITIVE}}, .at_end = payne_network};
+
 static void mullins_path(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
   out->value = 1.0 + p[0] * ed_path_share(p[1], before, ends, after, &out->by_u1);
@@ -61,6 +75,31 @@ static void mullins_maximum(const double *p, double before, const ed_ends *ends,
 const ed_amendment_kind ed_amend_mullins_maximum = {
     .name = "mullins.maximum", .is_factor = 1, .has_state = 1, .n_parameters = 2,
     .parameter = {{"m", ED_AT_MOST_ONE}, {"r", ED_POSITIVE}}, .at_end = mullins_maximum};
+
+/* Discontinuous damage [Simo 1987] with the deformation in place of the energy. */
+static void mullins_damage(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  const double u = fabs(ends->u1), largest = fmax(before, u), power = pow(largest / p[1], p[2]);
+  *after = largest;
+  out->value = 1.0 + p[0] * expm1(-power);
+  out->by_u1 = u >= before && u > 0.0 ? -p[0] * exp(-power) * p[2] * power / u * ed_sign(ends->u1) : 0.0;
+}
+
+const ed_amendment_kind ed_amend_mullins_damage = {
+    .name = "mullins.damage", .is_factor = 1, .has_state = 1, .n_parameters = 3,
+    .parameter = {{"m", ED_AT_MOST_ONE}, {"r", ED_POSITIVE}, {"p", ED_POSITIVE}}, .at_end = mullins_damage};
+
+static void degradation_path(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  const double path = before + fabs(ends->du), gone = p[0] * pow(path / p[2], p[1]);
+  *after = path;
+  out->value = 1.0 - gone;
+  out->by_u1 = path > 0.0 ? -gone * p[1] / path * ed_sign(ends->du) : 0.0;
+}
+
+const ed_amendment_kind ed_amend_degradation_path = {
+    .name = "degradation.path", .is_factor = 1, .has_state = 1, .n_parameters = 3,
+    .parameter = {{"d", ED_AT_MOST_ONE}, {"p", ED_POSITIVE}, {"S", ED_POSITIVE}}, .at_end = degradation_path};
 
 /* Work and heat grow slowly: the factor takes those of the beginning of the step. */
 static void degradation_energy(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)

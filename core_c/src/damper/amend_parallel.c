@@ -96,3 +96,16 @@ static void dashpot(const double *p, double before, const ed_ends *ends, double 
 const ed_amendment_kind ed_amend_velocity_power_dashpot = {
     .name = "velocity_power.dashpot", .on_speed = 1, .n_parameters = 2,
     .parameter = {{"c", ED_ANY}, {"alpha", ED_POSITIVE}}, .at_end = dashpot};
+
+/* Activated flow [Eyring 1936]. */
+static void flow(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  (void)before, (void)after;
+  const double v = ends->v1;
+  out->value = p[0] * asinh(v / p[1]);
+  out->by_v1 = p[0] / hypot(v, p[1]);
+  out->chord = v != 0.0 ? fmax(out->value / v - out->by_v1, 0.0) : 0.0;
+}
+
+const ed_amendment_kind ed_amend_velocity_power_flow = {
+    .name = "velocity_power.flow", .on_speed = 1, .n_parameters = 2, .parameter = {{"f", ED_ANY}, {"v0", ED_POSITIVE}}, .at_end = flow};

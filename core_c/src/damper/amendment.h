@@ -38,21 +38,31 @@ typedef struct {
 
 struct ed_amendment {
   const ed_amendment_kind *kind;
-  int state; /* its place among the amendments' state */
+  int state;   /* its place among the amendments' state */
+  double tau;  /* of the law that it stands inside; 0: it stands beside the law */
+  int relaxed; /* inside: the place of what relaxes, and behind it of the last force, or factor less 1 */
   double parameter[ED_AMENDMENT_PARAMETERS];
 };
 
 /* amend_factor.c */
 extern const ed_amendment_kind ed_amend_constant, ed_amend_payne_whole, ed_amend_mullins_path, ed_amend_mullins_maximum,
-    ed_amend_degradation_energy, ed_amend_self_heating_rate, ed_amend_one_sided_factor;
+    ed_amend_degradation_energy, ed_amend_self_heating_rate, ed_amend_one_sided_factor, ed_amend_payne_network, ed_amend_mullins_damage,
+    ed_amend_degradation_path;
 /* amend_parallel.c */
 extern const ed_amendment_kind ed_amend_payne_elastic, ed_amend_mullins_elastic, ed_amend_hardening_power,
-    ed_amend_hardening_threshold, ed_amend_one_sided_spring, ed_amend_relaxation_branch_maxwell, ed_amend_velocity_power_dashpot;
+    ed_amend_hardening_threshold, ed_amend_one_sided_spring, ed_amend_relaxation_branch_maxwell, ed_amend_velocity_power_dashpot,
+    ed_amend_velocity_power_flow;
 
 static inline double ed_sign(double x)
 {
   return (double)((x > 0.0) - (x < 0.0));
 }
+
+/* amend_inside.c: of what `one` is at the end of a step, `found`, the force that it makes inside the law. law0, law1: force of the law at
+ * both ends; before, after: the amendments' state. Adds to the force beside the law with its derivatives, and to by_law its derivative to
+ * law1. */
+void ed_amend_inside(const ed_amendment *one, const ed_amended *found, double h, double law0, double law1, const double *before,
+                     double *after, ed_amended *beside, double *by_law);
 
 /* Payne effect: the share g of the softening at the envelope a of the deformation, which fades with time constant tau.
  * g = (a/a0)^m / (1 + (a/a0)^m) [Kraus 1984]. */

@@ -20,10 +20,10 @@ ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, do
   return NULL;
 }
 
-int ed_damper_amend(ed_damper *damper, int kind, int n_parameters, const double *parameters, char *message, int size)
+int ed_damper_amend(ed_damper *damper, int kind, int inside, int n_parameters, const double *parameters, char *message, int size)
 {
   char text[ED_DAMPER_MESSAGE] = "";
-  const int status = ed_damper_add_amendment(damper, kind, n_parameters, parameters, text);
+  const int status = ed_damper_add_amendment(damper, kind, inside, n_parameters, parameters, text);
   if (status != ED_OK)
     snprintf(message, (size_t)size, "%s", text);
   return status;

@@ -75,6 +75,8 @@ struct ed_law {
   /* Events other than reversals of the path, which always end a segment. Ascending places in (0, h) of the path where the
    * equations are not smooth, given the memory at its start; at most 8. NULL: none. */
   int (*events)(const ed_damper *damper, const ed_path *path, const double *memory, double at[8]);
+  /* tau of a law that relaxes all of its forces, F + tau F' = everything, so that amendments may stand inside it. NULL: it does not. */
+  double (*relaxation_time)(const ed_damper *damper);
 };
 
 /* The laws by their id in edcore.h (ED_LAW_*). NULL: no such law. */
@@ -92,7 +94,7 @@ int ed_damper_advance(const ed_damper *damper, struct ed_ode_system *system, con
 int ed_damper_has_exact_step(const ed_damper *damper);
 
 /* Amendments (amendment.h). */
-int ed_damper_add_amendment(ed_damper *damper, int id, int n_parameters, const double *parameters,
+int ed_damper_add_amendment(ed_damper *damper, int id, int inside, int n_parameters, const double *parameters,
                             char message[ED_DAMPER_MESSAGE]);
 /* Of a state at rest: whether the deformation of the next step counts as way and work, or only leads to the first one. */
 void ed_amendments_start(const ed_damper *damper, double *state, int begun);

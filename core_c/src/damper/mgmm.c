@@ -330,5 +330,10 @@ static int events(const ed_damper *damper, const ed_path *path, const double *me
   return n;
 }
 
+static double relaxation_time(const ed_damper *damper)
+{
+  return constants_of(damper)->tau;
+}
+
 const ed_law ed_mgmm = {.name = "mgmm", .least_parameters = 12, .most_parameters = 12, .prepare = prepare, .step = step,
-                        .rate = rate, .remember = remember, .events = events};
+                        .rate = rate, .remember = remember, .events = events, .relaxation_time = relaxation_time};

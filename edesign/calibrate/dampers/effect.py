@@ -44,8 +44,11 @@ class Form:
         remembers: whether `memory` carries something from test to test.
         may_be_inside: whether its factor or force may also stand inside the law, where what relaxes in the law relaxes it too.
         inside: whether it does.
+        may_spare_loss: whether its factor may change the law's dashpots less, or more, than its springs.
+        spares_loss: whether it does: springs times phi, dashpots times phi^loss, with one unknown more.
         refined: steps into which one between samples is cut, for forms with corners that do not fall on samples.
-        amendment: whether a law file can carry it (edesign.damper.amendments has this name and form).
+        amendment: whether a law file can carry it (edesign.damper.amendments has this name and form, or `amendment_form`
+            where there is one).
     """
 
     name: ClassVar[str]
@@ -59,6 +62,8 @@ class Form:
     refined: ClassVar[int] = 1
     may_be_inside: ClassVar[bool] = False
     inside = False
+    may_spare_loss: ClassVar[bool] = False
+    spares_loss = False
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         """Parameters with bounds that suit a campaign; () if the campaign cannot show the effect."""
@@ -115,8 +120,29 @@ class Form:
             form=f"{self.form}_inside",
             title=f"{self.title}, inside the law",
             inside=True,
+            amendment_form=f"{getattr(self, 'amendment_form', self.form)}_inside",
+        )
+        return other
+
+    def sparing_loss(self) -> Form:
+        """The same with an exponent of its own for the dashpots."""
+        other = copy(self)
+        unknowns, starts = self.unknowns, self.starts
+
+        def more_unknowns(sizes: Sizes) -> tuple[Unknown, ...]:
+            own = unknowns(sizes)
+            return (*own, Unknown("loss", "", -1.0, 4.0, 1.0)) if own else ()
+
+        def more_starts(sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+            return tuple((*row, 0.0) for row in starts(sizes))
+
+        vars(other).update(
+            form=f"{self.form}_loss",
+            title=f"{self.title}, springs and dashpots apart",
+            spares_loss=True,
             amendment=False,
-            refined=max(self.refined, 3),  # the force inside is taken as linear over a step of its relaxation
+            unknowns=more_unknowns,
+            starts=more_starts,
         )
         return other
 

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
 from edesign.calibrate.dampers.drivers import fading
 from edesign.calibrate.dampers.trial import Motion
 from edesign.damper.law import Law
+
+_PARTS = 4  # of a step: powers of the motion bend more than the motion
 
 
 def relaxation_time(law: Law, values: Mapping[str, float]) -> float | None:
@@ -16,14 +19,31 @@ def relaxation_time(law: Law, values: Mapping[str, float]) -> float | None:
     return values["c1"] / values["k1"] if law.name == "mgmm" else None
 
 
+def without_dashpots(law: Law, values: Mapping[str, float]) -> dict[str, float] | None:
+    """Parameters of the same law whose dashpots beside the springs make no force; None: they cannot be told apart."""
+    none = {"mgmm": ("c_NL", "c_a", "c_b"), "kelvin_voigt": ("c",)}.get(law.name)
+    return None if none is None else {**values, **dict.fromkeys(none, 0.0)}
+
+
 def relaxed_force(motion: Motion, force: np.ndarray, tau: float) -> np.ndarray:
-    """Q (n,) N with Q + tau Q' = force (n,) N, exact for a force linear between samples, at rest before the first."""
+    """Q (n,) N with Q + tau Q' = force (n,) N, a cubic spline between samples; at rest before the first."""
+    time = motion.time
+    fine = np.interp(np.arange((time.size - 1) * _PARTS + 1) / _PARTS, np.arange(time.size), time)
+    values = CubicSpline(time, force)(fine) if time.size > 3 else np.interp(fine, time, force)
+    # exact for a force linear over the parts of a step
+    x = np.diff(fine) / tau
+    decay, mean = np.exp(-x), -np.expm1(-x) / x
+    made = (1.0 - mean) * values[1:] + (mean - decay) * values[:-1]
+    return fading(decay, made, float(force[0]))[::_PARTS]
+
+
+def relaxed_factor(motion: Motion, factor: np.ndarray, force: np.ndarray, tau: float) -> np.ndarray:
+    """Q (n,) N with Q + tau Q' = (factor - 1)(F + tau F'): what a factor (n,) inside the law adds to its force F (n,) N.
+
+    By parts Q = (factor - 1) F + R with R + tau R' = -tau factor' F, so that no force is differentiated; exact for factor and
+    force linear between samples.
+    """
     x = motion.steps / tau
     decay, mean = np.exp(-x), -np.expm1(-x) / x
-    made = (1.0 - mean) * force[1:] + (mean - decay) * force[:-1]
-    return fading(decay, made, float(force[0]))
-
-
-def before_relaxation(motion: Motion, force: np.ndarray, tau: float) -> np.ndarray:
-    """F + tau F' (n,) N of a force (n,) N."""
-    return np.asarray(force + tau * np.gradient(force, motion.time))
+    made = -np.diff(factor) * ((mean - decay) / x * force[:-1] + (1.0 - mean) / x * force[1:])
+    return np.asarray((factor - 1.0) * force + fading(decay, made, 0.0))

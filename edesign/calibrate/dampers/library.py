@@ -13,7 +13,7 @@ from edesign.calibrate.problem import Candidate
 
 
 def candidates(
-    sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray], relaxes: bool
+    sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray], relaxes: bool, splits: bool
 ) -> tuple[Candidate, ...]:
     """All forms of all effects that a campaign can show.
 
@@ -21,12 +21,18 @@ def candidates(
         sizes: of the campaign.
         trials, residuals: tests, and what is left of them (n_i,) N: some forms take their starts from it.
         relaxes: whether the law relaxes all its forces, so that effects may stand inside it.
+        splits: whether its springs and dashpots can be told apart, so that effects may change them differently.
     """
     found = []
     for module in MODULES:
         for form in (*(kind() for kind in module.FORMS), *getattr(module, "forms_of", lambda _: ())(sizes)):
-            for place in (form, form.within()) if relaxes and form.may_be_inside else (form,):
-                candidate = candidate_of(place, sizes, trials, residuals)
+            variants = [form]
+            if relaxes and form.may_be_inside:
+                variants.append(form.within())
+            if splits and form.may_spare_loss:
+                variants.append(form.sparing_loss())
+            for variant in variants:
+                candidate = candidate_of(variant, sizes, trials, residuals)
                 if candidate is not None:
                     found.append(candidate)
     return tuple(found)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 from typing import Any
@@ -12,7 +12,7 @@ import numpy as np
 from edesign.calibrate.dampers.band import band_power
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
-from edesign.calibrate.dampers.inside import before_relaxation, relaxation_time, relaxed_force
+from edesign.calibrate.dampers.inside import relaxation_time, relaxed_factor, relaxed_force, without_dashpots
 from edesign.calibrate.dampers.library import candidates
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
@@ -72,7 +72,9 @@ class DamperProblem:
     def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
         """Effects that the campaign can show."""
         fitted = [trial for trial in self.trials if trial.use == "fit"]
-        return candidates(self.sizes, fitted, residuals, relaxation_time(self.law, self.start) is not None)
+        relaxes = relaxation_time(self.law, self.start) is not None
+        splits = without_dashpots(self.law, self.start) is not None
+        return candidates(self.sizes, fitted, residuals, relaxes, splits)
 
     def law_values(self, base: np.ndarray) -> dict[str, float]:
         """Parameters of the law, all of them, of the values of the unknown ones."""
@@ -129,11 +131,14 @@ class DamperProblem:
             values = part.form.law(part.p, trial, values)
         series = [s for s in (part.form.series(part.p) for part in acting) if s is not None]
         law_force = self._law_force(trial, own, values)
-        factor, parallel = _factor_and_parallel(trial, own, law_force, acting, relaxation_time(self.law, values))
+        changed = _changed(trial, own, law_force, acting, relaxation_time(self.law, values))
         if series:
-            force = self._in_series(trial, own, values, factor, parallel, series)
+            force = self._in_series(trial, own, values, changed, series)
+        elif changed.splits:
+            springs = self._law_force(trial, own, without_dashpots(self.law, values) or values)
+            force = changed.springs * springs + changed.dashpots * (law_force - springs) + changed.parallel
         else:
-            force = np.asarray(factor * law_force + parallel)
+            force = np.asarray(changed.springs * law_force + changed.parallel)
         for part in acting:
             force = part.form.channel(part.p, trial, force)
         if not np.all(np.isfinite(force)):
@@ -145,13 +150,12 @@ class DamperProblem:
         trial: Trial,
         motion: Motion,
         values: dict[str, float],
-        factor: np.ndarray | float,
-        parallel: np.ndarray | float,
+        changed: _Changed,
         series: Sequence[tuple[float, float]],
     ) -> np.ndarray:
         """Force with the rig in series; springs add by their compliance, plays by their widths.
 
-        Factors and parallel forces are those of the whole motion: what the rig takes of it is small.
+        Factors and parallel forces are those of the whole motion, the factor that of the springs: what the rig takes of it is small.
         """
         stiffness = 1.0 / sum(1.0 / s for s, _ in series)
         play = sum(g for _, g in series)
@@ -164,8 +168,8 @@ class DamperProblem:
                 motion.velocity,
                 stiffness,
                 play,
-                None if np.isscalar(factor) and factor == 1.0 else np.broadcast_to(factor, n),
-                None if np.isscalar(parallel) and parallel == 0.0 else np.broadcast_to(parallel, n),
+                None if np.isscalar(changed.springs) else np.broadcast_to(changed.springs, n),
+                None if np.isscalar(changed.parallel) else np.broadcast_to(changed.parallel, n),
             )
         except CoreError as error:
             raise PredictionError(str(error)) from error
@@ -179,11 +183,21 @@ class DamperProblem:
 
     def _at(self, trial: Trial, values: dict[str, float]) -> tuple[float, ...]:
         """Parameters of the law at the temperature of a test, in the order of the core."""
-        try:
-            found, _ = at(self.law, values, float(np.mean(trial.temperature)), self.temperature_law)
-        except InputError as error:
-            raise PredictionError(str(error)) from error
-        return tuple(found.values())
+        return self._kept_at(tuple(values.items()), trial.mean_temperature)
+
+    @cached_property
+    def _kept_at(self) -> Callable[[tuple[tuple[str, float], ...], float], tuple[float, ...]]:
+        """Kept for the sets of parameters last used: most tests have one temperature."""
+
+        @lru_cache(maxsize=_KEPT)
+        def kept(values: tuple[tuple[str, float], ...], temperature_C: float) -> tuple[float, ...]:
+            try:
+                found, _ = at(self.law, dict(values), temperature_C, self.temperature_law)
+            except InputError as error:
+                raise PredictionError(str(error)) from error
+            return tuple(found.values())
+
+        return kept
 
 
 @dataclass
@@ -202,27 +216,42 @@ class _Acting:
         return _Acting(form, {**p, **fixed}, {})
 
 
-def _factor_and_parallel(
-    trial: Trial, motion: Motion, law_force: np.ndarray, acting: Sequence[_Acting], relaxes: float | None
-) -> tuple[np.ndarray | float, np.ndarray | float]:
-    """Factor of the law's force, and force beside it; what acts inside the law comes through its relaxation."""
-    factor: np.ndarray | float = 1.0
+@dataclass
+class _Changed:
+    """What parts make of the law's force: factors of its springs and dashpots, and forces beside it."""
+
+    springs: np.ndarray | float = 1.0
+    dashpots: np.ndarray | float = 1.0
     parallel: np.ndarray | float = 0.0
-    inside: np.ndarray | None = None
+    splits: bool = False
+
+
+def _changed(
+    trial: Trial, motion: Motion, law_force: np.ndarray, acting: Sequence[_Acting], relaxes: float | None
+) -> _Changed:
+    """What acts inside the law comes through its relaxation."""
+    found = _Changed()
+    inside: np.ndarray | float | None = None
     for part in acting:
-        own = part.form.factor(part.p, trial, motion, law_force, part.memory)
-        beside = part.form.parallel(part.p, trial, motion, part.memory)
-        if part.form.inside and relaxes is not None:
-            added = 0.0 if beside is None else beside
+        form = part.form
+        own = form.factor(part.p, trial, motion, law_force, part.memory)
+        beside = form.parallel(part.p, trial, motion, part.memory)
+        if form.inside and relaxes is not None:
             if own is not None:
-                added = added + (own - 1.0) * before_relaxation(motion, law_force, relaxes)
-            inside = added if inside is None else inside + added
+                whole = np.broadcast_to(own, law_force.shape)
+                found.parallel = found.parallel + relaxed_factor(motion, whole, law_force, relaxes)
+            if beside is not None:
+                inside = beside if inside is None else inside + beside
             continue
-        factor = factor if own is None else factor * own
-        parallel = parallel if beside is None else parallel + beside
+        if own is not None:
+            found.springs = found.springs * own
+            found.dashpots = found.dashpots * (np.maximum(own, 0.0) ** part.p["loss"] if form.spares_loss else own)
+            found.splits |= form.spares_loss
+        if beside is not None:
+            found.parallel = found.parallel + beside
     if inside is not None and relaxes is not None:
-        parallel = parallel + relaxed_force(motion, np.broadcast_to(inside, law_force.shape), relaxes)
-    return factor, parallel
+        found.parallel = found.parallel + relaxed_force(motion, np.broadcast_to(inside, law_force.shape), relaxes)
+    return found
 
 
 class _Same:

@@ -88,6 +88,11 @@ class Trial:
         )
 
     @cached_property
+    def mean_temperature(self) -> float:
+        """degC."""
+        return float(np.mean(self.temperature))
+
+    @cached_property
     def _finer(self) -> dict[int, Trial]:
         return {}
 

@@ -54,6 +54,7 @@ class StructuralEffect:
         signature: what it leaves in the residual of a model without it, for people.
         source: paper, book.
         remembers: whether a test changes the next.
+        amendment: name and form by which a law file of the isolation layer carries it; "" if it cannot.
     """
 
     name: ClassVar[str]
@@ -63,6 +64,12 @@ class StructuralEffect:
     signature: ClassVar[str]
     source: ClassVar[str]
     remembers: ClassVar[bool] = False
+    amendment: ClassVar[str] = ""
+
+    @property
+    def fixed(self) -> Values:
+        """Numbers of the form that are not searched, by name, SI."""
+        return {}
 
     def unknowns(self, setting: Setting) -> tuple[Unknown, ...]:
         """Parameters with bounds that suit a building."""

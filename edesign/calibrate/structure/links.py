@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from edesign.core import CoreError
 from edesign.damper.damper import Damper
@@ -29,6 +30,36 @@ class Link:
 
     def commit(self, u: float, v: float) -> None:
         """The step ended there, where `force` was asked last."""
+
+
+class Together(Link):
+    """Links of one storey as one."""
+
+    def __init__(self, links: Sequence[Link]) -> None:
+        super().__init__(links[0].storey, sum(abs(link.stiffest) for link in links))
+        self.links = tuple(links)
+
+    def begin(self, step: float) -> None:
+        """All of them at rest."""
+        for link in self.links:
+            link.begin(step)
+
+    def force(self, u: float, v: float) -> float:
+        """Sum of their forces, N."""
+        return sum([link.force(u, v) for link in self.links])
+
+    def commit(self, u: float, v: float) -> None:
+        """All of them remember the step."""
+        for link in self.links:
+            link.commit(u, v)
+
+
+def by_storey(links: Sequence[Link]) -> list[Link]:
+    """The same links, those of each storey as one."""
+    storeys: dict[int, list[Link]] = {}
+    for link in links:
+        storeys.setdefault(link.storey, []).append(link)
+    return [own[0] if len(own) == 1 else Together(own) for own in storeys.values()]
 
 
 class Hysteresis(Link):

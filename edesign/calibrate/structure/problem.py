@@ -9,15 +9,17 @@ from functools import cached_property
 import numpy as np
 from scipy.linalg import eigh
 
+from edesign.calibrate.noise import white_noise
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
+from edesign.calibrate.structure.band import band_power
 from edesign.calibrate.structure.building import Building
 from edesign.calibrate.structure.campaign import Isolation, StructureCampaign
 from edesign.calibrate.structure.effect import Setting, StructuralEffect, Values
 from edesign.calibrate.structure.effects import MODULES
 from edesign.calibrate.structure.isolation import IsolationLaw, equivalent
-from edesign.calibrate.structure.links import Link
+from edesign.calibrate.structure.links import Link, by_storey
 from edesign.calibrate.structure.record import Channel, StructureTest
-from edesign.calibrate.structure.simulation import NoResponse, simulate
+from edesign.calibrate.structure.simulation import NoResponse, Response, simulate
 from edesign.calibrate.unknown import Unknown
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
@@ -25,6 +27,8 @@ from edesign.errors import InputError
 
 STIFFNESS, DAMPING = "storey_stiffness", "storey_damping"
 """Factors of what is declared."""
+LEAST_NOISE = 2e-3
+"""Of a test's rms: steps of records, and forces of links linear in them, leave so much."""
 _FAR = 1e3  # from the declared value of a parameter, up and down
 _INSIDE = 1e-6  # of the size, from a bound that is not allowed
 _DRIFT = 0.1  # m, of an isolation layer whose drift is not measured
@@ -101,8 +105,26 @@ class StructureProblem:
         return tuple(self.flat(test, test.values) for test in self.tests)
 
     @cached_property
-    def candidates(self) -> tuple[Candidate, ...]:
-        """Effects that the building and its channels can show."""
+    def noise(self) -> tuple[float, ...]:
+        """Standard deviation of each test's noise, as it is scaled: that of its channels together."""
+        return tuple(
+            max(
+                float(np.sqrt(np.mean((self.channel_noise(test) / self._scales(test.channels)) ** 2))),
+                LEAST_NOISE * float(np.sqrt(np.mean(flat**2))),
+            )
+            for test, flat in zip(self.tests, self.measured, strict=True)
+        )
+
+    def channel_noise(self, test: StructureTest) -> np.ndarray:
+        """Standard deviation of broadband noise of each channel (channels,), SI."""
+        return np.array([white_noise(values, test.time) for values in test.values.T])
+
+    def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
+        """Effects that the building and its channels can show, whatever the residuals are."""
+        return self._forms
+
+    @cached_property
+    def _forms(self) -> tuple[Candidate, ...]:
         setting = self.setting
         found = []
         for module in MODULES:
@@ -121,10 +143,9 @@ class StructureProblem:
         if self.isolation is not None:
             building = _linear(building, self.isolation, tests)
         measures = frozenset(channel.measure for test in tests for channel in test.channels)
-        omega = _first(building)
         step = tests[0].step
         drift = np.max([_drifts(building, test) for test in tests], axis=0)
-        return Setting(building, drift, 2.0 * np.pi / omega, step, measures)
+        return Setting(building, drift, 1.0 / first_frequency(building), step, measures)
 
     def building(self, base: np.ndarray) -> Building:
         """The building with values of the unknowns; its isolation layer has the linear part of its law."""
@@ -145,7 +166,7 @@ class StructureProblem:
         Raises:
             PredictionError: there is no response with these values.
         """
-        effects = [_acting(part) for part in parts]
+        effects = [acting(part) for part in parts]
         found = self.histories(base, effects, uses)
         return [None if v is None else self.flat(test, v) for test, v in zip(self.tests, found, strict=True)]
 
@@ -153,6 +174,25 @@ class StructureProblem:
         self, base: np.ndarray, effects: Sequence[Acting] = (), uses: Sequence[Use] = ("fit", "validate")
     ) -> list[np.ndarray | None]:
         """Channels (t, channels) SI of each test used so; None for others.
+
+        Raises:
+            PredictionError: there is no response with these values.
+        """
+        found: list[np.ndarray | None] = []
+        for test, response in zip(self.tests, self.responses(base, effects, uses), strict=True):
+            if response is None:
+                found.append(None)
+                continue
+            values = np.column_stack([getattr(response, c.measure)[:, c.floor] for c in test.channels])
+            for effect, p in effects:
+                values = effect.channels(p, test.step, test.channels, values)
+            found.append(values)
+        return found
+
+    def responses(
+        self, base: np.ndarray, effects: Sequence[Acting] = (), uses: Sequence[Use] = ("fit", "validate")
+    ) -> list[Response | None]:
+        """Response of each test used so, as it is before instruments; None for others.
 
         Earlier tests are run through where an effect remembers them.
 
@@ -165,11 +205,12 @@ class StructureProblem:
         links = self._links(base)
         for effect, p in effects:
             links.extend(effect.links(p, building))
+        links = by_storey(links)
         remembers = any(effect.remembers for effect, _ in effects)
         wanted = [test.use in uses for test in self.tests]
         last = max((i for i, asked in enumerate(wanted) if asked), default=-1)
         system = building.system()
-        found: list[np.ndarray | None] = []
+        found: list[Response | None] = []
         for i, (test, asked) in enumerate(zip(self.tests, wanted, strict=True)):
             if not asked and not (remembers and i < last):
                 found.append(None)
@@ -178,15 +219,23 @@ class StructureProblem:
                 response = simulate(system, test.base, test.step, links)
             except (NoResponse, np.linalg.LinAlgError, OverflowError) as error:
                 raise PredictionError(str(error)) from error
-            values = np.column_stack([getattr(response, c.measure)[:, c.floor] for c in test.channels])
-            for effect, p in effects:
-                values = effect.channels(p, test.step, test.channels, values)
-            found.append(values if asked else None)
+            found.append(response if asked else None)
         return found
 
     def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """Nothing is each test's own."""
         return None
+
+    def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
+        """Power of the residuals over that of noise: where the channels have theirs, or of all, whichever is more."""
+        tests = [test for test in self.tests if test.use == "fit"]
+        inside = expected = 0.0
+        for residual, test in zip(residuals, tests, strict=True):
+            for own, measured in zip(residual.reshape(len(test.channels), -1), test.values.T, strict=True):
+                power, white = band_power(own, measured)
+                inside += power
+                expected += white
+        return max(inside / expected, sum(float(r @ r) for r in residuals) / sum(r.size for r in residuals))
 
     def flat(self, test: StructureTest, values: np.ndarray) -> np.ndarray:
         """Channels (t, channels) SI as the loop takes them (t * channels,)."""
@@ -215,7 +264,8 @@ class StructureProblem:
             raise PredictionError(str(error)) from error
 
 
-def _acting(part: Part) -> Acting:
+def acting(part: Part) -> Acting:
+    """An effect with its parameters by name."""
     candidate, values = part
     return candidate.effect, {u.name: float(v) for u, v in zip(candidate.unknowns, values, strict=True)}
 
@@ -231,10 +281,10 @@ def _unknown(parameter: Parameter, value: float) -> Unknown:
     )
 
 
-def _first(building: Building) -> float:
-    """First circular frequency, rad/s."""
+def first_frequency(building: Building) -> float:
+    """Frequency of the first mode without damping, Hz."""
     system = building.system()
-    return float(np.sqrt(eigh(system.stiffness, np.diag(system.masses), eigvals_only=True)[0]))
+    return float(np.sqrt(eigh(system.stiffness, np.diag(system.masses), eigvals_only=True)[0]) / (2.0 * np.pi))
 
 
 def _linear(building: Building, isolation: Isolation, tests: Sequence[StructureTest]) -> Building:

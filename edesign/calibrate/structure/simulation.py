@@ -17,6 +17,7 @@ _CONTRACTION = 0.2  # of the iteration for the forces of the links: nine digits 
 _TURNS, _CLOSE = 40, 1e-8
 _SMALL = 1e-6  # N
 _MOST_DIVISIONS = 64
+_BOUNDLESS = 1e4  # m and m/s
 _WELL_CONDITIONED = 1e8  # eigenvectors beyond it (critical damping) lose half of the digits
 
 
@@ -67,8 +68,8 @@ def simulate(system: System, ground: np.ndarray, step: float, links: Sequence[Li
         state, forces = state[::divisions], forces[::divisions]
     else:
         state, forces = _filtered(system, fine, step), np.zeros((ground.size, 0))
-    if not (np.isfinite(state).all() and np.isfinite(forces).all()):
-        raise NoResponse("the response is not finite")
+    if not (np.isfinite(forces).all() and np.max(np.abs(state)) < _BOUNDLESS):
+        raise NoResponse("the response grows without bounds")
     q, v = state[:, :n], state[:, n:]
     restoring = q @ system.stiffness.T + v @ system.damping.T + forces @ rows
     return Response(q, -restoring / system.masses, forces)
@@ -199,10 +200,10 @@ def _divisions(system: System, rows: np.ndarray, links: Sequence[Link], step: fl
     """Parts of a step that make the iteration for the links' forces contract: its gain is about k h^2 / (6 m)."""
     if not links:
         return 1
-    stiffest = np.array([link.stiffest for link in links])
+    stiffest = np.abs([link.stiffest for link in links])
     inverse = rows @ (rows / system.masses).T
     largest = float(np.max(np.sum(np.abs(inverse) * stiffest, axis=1))) * step**2 / 6.0
-    divisions = max(1, math.ceil(math.sqrt(largest / _CONTRACTION)))
-    if divisions > _MOST_DIVISIONS:
-        raise NoResponse(f"a link is so stiff that a step of {step:g} s needs {divisions} parts")
-    return divisions
+    parts = math.sqrt(largest / _CONTRACTION)
+    if not parts <= _MOST_DIVISIONS:
+        raise NoResponse(f"a link is so stiff that a step of {step:g} s needs {parts:.0f} parts")
+    return max(1, math.ceil(parts))

@@ -49,12 +49,17 @@ def calibration_page_text(calibration: Calibration, tell: Callable[[str], None] 
         found = section(view)
         tell(f"section {found.title}")
         made.append(found)
-    tests = calibration.series
+    tests = calibration.tests
     validated = sum(one.use == "validate" for one in tests)
     cover = Cover(
         title=calibration.title,
         kind="Calibration report",
-        about=f"law {calibration.law} · {len(tests)} tests, {validated} of them for validation · edesign {__version__}",
+        about=f"{_model(calibration)} · {len(tests)} tests, {validated} of them for validation · edesign {__version__}",
         footer=f"Made by edesign {__version__}. All numbers are computed from the measured tests.",
     )
     return render(cover, [section for section in made if section])
+
+
+def _model(calibration: Calibration) -> str:
+    law = f"law {calibration.law}" if calibration.law else ""
+    return ", ".join(filter(None, ("building", law))) if calibration.subject == "structure" else law

@@ -163,7 +163,7 @@ def test_a_factor_acts_on_its_side_alone() -> None:
     (negative,) = factor(one_sided.FactorNegative(), {"b": 0.2, "side": -1.0}, (t,))
     assert set(positive[t.motion.displacement > 0.0]) == {1.2} and set(positive[t.motion.displacement <= 0.0]) == {1.0}
     assert set(negative[t.motion.displacement < 0.0]) == {1.2} and set(negative[t.motion.displacement >= 0.0]) == {1.0}
-    assert [form().fixed(sizes())["side"] for form in one_sided.FORMS] == [1.0, -1.0, 1.0, -1.0]
+    assert [form().fixed(sizes())["side"] for form in one_sided.FORMS] == [1.0, -1.0] * 3
 
 
 def test_hardening_inside_moves_the_law_by_the_stiffened_motion() -> None:

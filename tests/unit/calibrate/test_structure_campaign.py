@@ -86,7 +86,7 @@ def load(folder: Path, text: str) -> StructureCampaign:
 def problem(folder: Path, text: str, *true: tuple[str, tuple[float, ...]], noise: float = 0.0) -> StructureProblem:
     """A problem whose measured values are those of the declared structure with effects."""
     blank = StructureProblem.of(load(folder, text))
-    named = {candidate.label: candidate for candidate in blank.candidates}
+    named = {candidate.label: candidate for candidate in blank.candidates(())}
     effects = [(named[label].effect, dict(zip(_names(named[label]), values, strict=True))) for label, values in true]
     rng = np.random.default_rng(3)
     tests = []
@@ -108,7 +108,7 @@ def nrms(predicted: np.ndarray | None, measured: np.ndarray) -> float:
 
 def fitted(of: StructureProblem, label: str | None, most: int = 20) -> tuple[np.ndarray, list[float]]:
     """Values of base and effect fitted to the first test, and the error of each test."""
-    chosen = [candidate for candidate in of.candidates if candidate.label == label]
+    chosen = [candidate for candidate in of.candidates(()) if candidate.label == label]
     unknowns = [*of.base, *(unknown for candidate in chosen for unknown in candidate.unknowns)]
     start = (*of.declared, *(chosen[0].starts[-1] if chosen else ()))
     n = len(of.base)
@@ -267,12 +267,12 @@ def test_mass_and_stiffness_look_alike(folder: Path) -> None:
 
 
 def test_effects_fit_the_building(folder: Path) -> None:
-    isolated = {c.label for c in StructureProblem.of(load(folder, ISOLATED)).candidates}
-    fixed = {c.label for c in StructureProblem.of(load(folder, FIXED)).candidates}
+    isolated = {c.label for c in StructureProblem.of(load(folder, ISOLATED)).candidates(())}
+    fixed = {c.label for c in StructureProblem.of(load(folder, FIXED)).candidates(())}
     assert "isolation_softening.bouc_wen" in isolated - fixed
     assert {"flexible_base.sway", "flexible_base.rocking", "partitions.storey_1"} <= fixed - isolated
     without = FIXED.replace("  storey_heights: [4 m, 3 m]\n", "")
-    assert "flexible_base.rocking" not in {c.label for c in StructureProblem.of(load(folder, without)).candidates}
+    assert "flexible_base.rocking" not in {c.label for c in StructureProblem.of(load(folder, without)).candidates(())}
     assert "gain.displacement" in isolated - fixed
 
 

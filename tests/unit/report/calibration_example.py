@@ -43,6 +43,7 @@ def gain(error: float = 5e-4, alike: tuple[str, ...] = ("refit",)) -> Effect:
         form="force",
         kind="instrument",
         title="gain of the force channel",
+        amendment="",
         parameters={"g": Estimate(GAIN, error, "")},
         fixed={},
         delta_validate=1.1e-4,

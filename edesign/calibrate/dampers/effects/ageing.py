@@ -40,6 +40,7 @@ class _Ageing(Form):
 class Linear(_Ageing):
     """The force changes by as much from test to test: F = (1 + rate n) F_law."""
 
+    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "linear"
     title: ClassVar[str] = "ageing by as much from test to test"
     source: ClassVar[str] = "phenomenological: first order in the number of tests; ISO 22762-1:2018, 6.6 (ageing)"
@@ -55,11 +56,16 @@ class Linear(_Ageing):
 class Logarithmic(_Ageing):
     """The force changes quickly at first and ever more slowly: F = (1 + rate ln(1 + n)) F_law."""
 
+    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "logarithmic"
     title: ClassVar[str] = "ageing that slows down from test to test"
     source: ClassVar[str] = (
         "physical ageing in proportion to the logarithm of time: Struik (1978), Physical Aging in Amorphous Polymers"
     )
+    amendment: ClassVar[bool] = True
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"n": sizes.tests - 1.0}  # for a law file: the state of the last test
 
     def _age(self, tests: int) -> float:
         return math.log1p(tests)
@@ -68,4 +74,27 @@ class Logarithmic(_Ageing):
         return super().starts(sizes) if sizes.tests > 2 else ()  # with two tests it is the linear form
 
 
-FORMS = (Linear, Logarithmic)
+class Power(_Ageing):
+    """The force changes with a power of the number of tests: F = (1 + rate (n / N)^p) F_law, N of the last test."""
+
+    form: ClassVar[str] = "power"
+    title: ClassVar[str] = "ageing that slows down or speeds up from test to test"
+    source: ClassVar[str] = "power law of time in physical ageing: Struik (1978), Physical Aging in Amorphous Polymers"
+    may_spare_loss: ClassVar[bool] = True
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        if not self.starts(sizes):
+            return ()
+        return Unknown("rate", "", -_LARGEST, 10.0, 0.3), Unknown("p", "", 0.1, 6.0, 1.0, logarithmic=True)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.1, 0.4), (0.1, 2.0)) if sizes.tests > 2 else ()
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"N": sizes.tests - 1.0}
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> float:
+        return float(1.0 + p["rate"] * (trial.order / p["N"]) ** p["p"])
+
+
+FORMS = (Linear, Logarithmic, Power)

@@ -22,6 +22,7 @@ class _Degradation(Form):
 class Energy(_Degradation):
     """The force falls with the work done in its life: F = (1 - d (1 - exp(-max(E, 0)/E0))) F_law."""
 
+    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "energy"
     title: ClassVar[str] = "lasting degradation by dissipated energy"
     signature: ClassVar[str] = (
@@ -61,6 +62,7 @@ class Path(_Degradation):
         "wear by travelled path: Archard (1953), J. Appl. Phys. 24, 981-988; power of the damage sum: Marco & Starkey "
         "(1954), Trans. ASME 76, 627-632"
     )
+    amendment: ClassVar[bool] = True
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         return Unknown("d", "", -0.95, 0.95, 0.5), Unknown("p", "", 0.1, 6.0, 1.0, logarithmic=True)

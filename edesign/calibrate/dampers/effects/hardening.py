@@ -74,6 +74,7 @@ class Threshold(_Hardening):
 class Inside(_FromLargest):
     """The whole law stiffens, its relaxing forces too: it sees u (1 + b (|u|/r)^p)."""
 
+    may_be_inside: ClassVar[bool] = False
     form: ClassVar[str] = "inside"
     title: ClassVar[str] = "hardening at large strain of all forces, quasi-linear viscoelasticity"
     signature: ClassVar[str] = (

@@ -63,6 +63,7 @@ class _ByPath(_Mullins):
 class Path(_ByPath):
     """The whole force softens with the path travelled: F = (1 + m exp(-s/s0)) F_law."""
 
+    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "path"
     title: ClassVar[str] = "softening of the virgin specimen with the path travelled"
 
@@ -104,6 +105,7 @@ class _ByMaximum(_Mullins):
 class Maximum(_ByMaximum):
     """Soft below the largest deformation ever, whole again at it: F = (1 - m erf((M - |u|)/r)) F_law."""
 
+    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "maximum"
     title: ClassVar[str] = "softening below the largest deformation so far"
     signature: ClassVar[str] = (
@@ -127,6 +129,7 @@ class Maximum(_ByMaximum):
 class Damage(_ByMaximum):
     """Damage by the largest deformation ever, the same at all deformations: F = (1 - m (1 - exp(-(M/r)^p))) F_law."""
 
+    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "damage"
     title: ClassVar[str] = "lasting softening by the largest deformation so far"
     signature: ClassVar[str] = (
@@ -136,7 +139,6 @@ class Damage(_ByMaximum):
     source: ClassVar[str] = (
         "Simo (1987), Comput. Methods Appl. Mech. Engrg 60, 153-173; Miehe (1995), Eur. J. Mech. A 14, 697-720"
     )
-    amendment: ClassVar[bool] = False
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         u = sizes.displacement

@@ -63,6 +63,48 @@ class SpringNegative(_Spring):
     side: ClassVar[float] = -1.0
 
 
+class _Contact(_Spring):
+    amendment: ClassVar[bool] = False
+    source: ClassVar[str] = (
+        "contact of curved bodies: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (power 3/2)"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return (
+            Unknown("k", "N/m", -20.0 * k, 100.0 * k, k),
+            Unknown("u0", "m", 0.0, 0.98 * u, 0.3 * u),
+            Unknown("n", "", 1.0, 5.0, 1.0),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return tuple((0.1 * k / (1.0 - share) ** 2, share * u, 2.0) for share in (0.0, 0.4))
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"side": self.side, "r": sizes.displacement}
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        beyond = np.maximum(p["side"] * motion.displacement - p["u0"], 0.0)
+        return np.asarray(p["side"] * p["k"] * beyond * (beyond / p["r"]) ** (p["n"] - 1.0))
+
+
+class ContactPositive(_Contact):
+    """A contact that stiffens at positive deformations: k x (x/r)^(n - 1), x = max(u - u0, 0)."""
+
+    form: ClassVar[str] = "contact_positive"
+    title: ClassVar[str] = "contact that stiffens on the positive side"
+    side: ClassVar[float] = 1.0
+
+
+class ContactNegative(_Contact):
+    """A contact that stiffens at negative deformations: -k x (x/r)^(n - 1), x = max(-u - u0, 0)."""
+
+    form: ClassVar[str] = "contact_negative"
+    title: ClassVar[str] = "contact that stiffens on the negative side"
+    side: ClassVar[float] = -1.0
+
+
 class _Factor(_OneSided):
     signature: ClassVar[str] = "loops larger on one side than on the other by a share of the force, at all amplitudes"
     source: ClassVar[str] = (
@@ -96,4 +138,4 @@ class FactorNegative(_Factor):
     side: ClassVar[float] = -1.0
 
 
-FORMS = (SpringPositive, SpringNegative, FactorPositive, FactorNegative)
+FORMS = (ContactPositive, ContactNegative, SpringPositive, SpringNegative, FactorPositive, FactorNegative)

@@ -47,6 +47,7 @@ class _Payne(Form):
 class Whole(_Payne):
     """All of the law's force softens: F = (1 - d g(a)) F_law, g = (a/a0)^m / (1 + (a/a0)^m)."""
 
+    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "whole"
     title: ClassVar[str] = "softening with amplitude of the whole force"
 
@@ -82,6 +83,7 @@ class Network(Form):
 
     name: ClassVar[str] = "payne"
     may_be_inside: ClassVar[bool] = True
+    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "network"
     kind: ClassVar[Kind] = "damper"
     title: ClassVar[str] = "softening by a filler network that breaks with motion and heals in rest"
@@ -91,6 +93,7 @@ class Network(Form):
     source: ClassVar[str] = (
         "Kraus (1984), J. Appl. Polym. Sci. Symp. 39, 75-92; Lion (1998), Rubber Chem. Technol. 71, 410-429"
     )
+    amendment: ClassVar[bool] = True
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         u, each = sizes.displacement, sizes.path / sizes.tests

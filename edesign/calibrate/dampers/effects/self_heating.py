@@ -21,6 +21,7 @@ class Rate(Form):
     """Heat by work, lost in time, none at the beginning of a test: F = exp(-q) F_law, q' = beta F v - q/tau_h."""
 
     name: ClassVar[str] = "self_heating"
+    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "rate"
     kind: ClassVar[Kind] = "damper"
     title: ClassVar[str] = "softening by self-heating within a test"
@@ -53,6 +54,7 @@ class Rate(Form):
 class Carried(Rate):
     """As `rate`, but a share of the heat is still there when the next test begins."""
 
+    may_spare_loss: ClassVar[bool] = False
     form: ClassVar[str] = "carried"
     title: ClassVar[str] = "softening by self-heating, part of which lasts into the next test"
     signature: ClassVar[str] = "as self_heating.rate, and a test that follows a heavy one begins with too little force"

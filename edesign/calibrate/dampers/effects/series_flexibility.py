@@ -14,7 +14,6 @@ class Linear(Form):
     """A spring in series: the specimen deforms by u - F / stiffness."""
 
     name: ClassVar[str] = "series_flexibility"
-    refined: ClassVar[int] = 3
     form: ClassVar[str] = "linear"
     kind: ClassVar[Kind] = "rig"
     title: ClassVar[str] = "flexible parts of the rig in series with the specimen"

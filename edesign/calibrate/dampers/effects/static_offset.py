@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import ClassVar
 
+import numpy as np
+
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
@@ -37,6 +39,20 @@ class PreShear(_StaticOffset):
         return replace(motion, displacement=motion.displacement + p["offset"])
 
 
+class Tared(PreShear):
+    """A pre-shear at which the load cell was set to zero: F_law(u + offset) less its force at the beginning."""
+
+    form: ClassVar[str] = "pre_shear_tared"
+    title: ClassVar[str] = "shear of the specimen before displacement and force were set to zero"
+    signature: ClassVar[str] = "no force at rest, and loops that are not alike on both sides: even harmonics"
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.15 * sizes.displacement,),)
+
+    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
+        return np.asarray(force - force[0])
+
+
 class ConstantForce(_StaticOffset):
     """A dead load beside the specimen: F + P."""
 
@@ -55,4 +71,4 @@ class ConstantForce(_StaticOffset):
         return p["P"]
 
 
-FORMS = (PreShear, ConstantForce)
+FORMS = (PreShear, Tared, ConstantForce)

@@ -36,6 +36,7 @@ class _Temperature(Form):
 class Exponential(_Temperature):
     """The whole force falls with temperature: F = exp(-b (T - T0)) F_law."""
 
+    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "exponential"
     title: ClassVar[str] = "softening with temperature"
     signature: ClassVar[str] = (

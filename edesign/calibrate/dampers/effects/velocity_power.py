@@ -55,6 +55,7 @@ class Flow(_Velocity):
     form: ClassVar[str] = "flow"
     title: ClassVar[str] = "viscous force that saturates with the velocity"
     source: ClassVar[str] = "Eyring (1936), J. Chem. Phys. 4, 283-291"
+    amendment: ClassVar[bool] = True
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         force, v = sizes.force, sizes.velocity

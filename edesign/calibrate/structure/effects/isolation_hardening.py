@@ -21,10 +21,16 @@ class Power(_Hardening):
     """k u (|u| / r)^(p - 1), r the largest drift."""
 
     form = "power"
+    amendment: ClassVar[str] = "hardening.power"
     title = "stiffness of the isolation layer that grows as a power of the drift"
 
     def __init__(self, reference: float) -> None:
         self.reference = reference
+
+    @property
+    def fixed(self) -> Values:
+        """The largest drift."""
+        return {"r": self.reference}
 
     def unknowns(self, setting: Setting) -> tuple[Unknown, ...]:
         k = float(setting.building.stiffness[0])
@@ -42,6 +48,7 @@ class Threshold(_Hardening):
     """k (|u| - u0) sgn u beyond u0."""
 
     form = "threshold"
+    amendment: ClassVar[str] = "hardening.threshold"
     title = "a stop in the isolation layer"
 
     def unknowns(self, setting: Setting) -> tuple[Unknown, ...]:

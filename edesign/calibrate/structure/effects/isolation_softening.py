@@ -66,6 +66,7 @@ class Envelope(_Softening):
     """Stiffness taken away: -k g(a) u, g = (a/a0)^m / (1 + (a/a0)^m), a the fading envelope of the drift."""
 
     form = "envelope"
+    amendment: ClassVar[str] = "payne.elastic"
     title = "stiffness of the isolation layer that falls with amplitude"
     source: ClassVar[str] = "Kraus (1984), J. Appl. Polym. Sci. Symp. 39, 75-92"
 

@@ -25,7 +25,7 @@ class _MassError(StructuralEffect):
         return (Unknown("factor", "", 0.2, 5.0, 1.0, logarithmic=True),)
 
     def starts(self, setting: Setting) -> tuple[tuple[float, ...], ...]:
-        return ((1.05,),)
+        return ((1.05,), (0.8,), (1.25,))
 
 
 class Total(_MassError):

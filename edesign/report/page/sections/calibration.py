@@ -13,21 +13,24 @@ from edesign.report.calibration_effect_tables import effect_name, effect_paramet
 from edesign.report.calibration_figures import Figures
 from edesign.report.calibration_history_figures import error_figures, loop_figures, residual_figures
 from edesign.report.calibration_residual_figures import dependence_figures, harmonic_figures, map_figures
+from edesign.report.calibration_structure_figures import history_figures, peak_figures, spectrum_figures
 from edesign.report.calibration_tables import (
+    MODELS,
+    NRMS_NOTES,
     each_test_table,
     errors_table,
     label_of,
     law_parameters_table,
     verdict_text,
 )
-from edesign.report.calibration_units import percent
+from edesign.report.calibration_units import percent, scale_of
 from edesign.report.calibration_view import View
 from edesign.report.page.section import Facts, Headline, Headlines, Part, Picture, Section
 from edesign.report.page.source import picture_of
 from edesign.report.table import Table, number
 
 _VERDICTS = {
-    "none": ("None", "no effect is missing from the law", "good"),
+    "none": ("None", "no effect is missing", "good"),
     "explained": ("Explained", "only noise is left", "good"),
     "partly_explained": ("Partly explained", "more than noise is left", ""),
     "unexplained": ("Unexplained", "no effect known here explains what is left", "bad"),
@@ -72,12 +75,18 @@ def left(view: View) -> Section:
     found = view.calibration
     rows: tuple[tuple[str, str], ...]
     if found.unexplained_shape:
+        share, model = percent(found.unexplained_share, 2), MODELS[found.subject]
         rows = (
-            ("Share left", f"{percent(found.unexplained_share, 2)} % of the error of the refitted law above noise"),
+            ("Share left", f"{share} % of the error of the refitted {model} above noise"),
             ("Shape", found.unexplained_shape),
         )
     else:
-        rows = (("Left", f"only noise, {percent(found.noise_floor)} % of the squared force in the validation tests"),)
+        rows = (
+            (
+                "Left",
+                f"only noise, {percent(found.noise_floor)} % of what was measured, squared, in the validation tests",
+            ),
+        )
     return Section("left", "What is left", (), (Facts(rows),))
 
 
@@ -114,14 +123,32 @@ def open_questions(view: View) -> Section:
 
 
 def residuals(view: View) -> Section:
-    """Loops and residuals before and after."""
+    """Loops and residuals before and after; of a structure histories and spectra of its channels."""
+    if view.calibration.subject == "structure":
+        return Section(
+            "residual", "Records before and after", (), _pictures(view, peak_figures, history_figures, spectrum_figures)
+        )
     makers = (loop_figures, residual_figures, dependence_figures, harmonic_figures, map_figures)
     return Section("residual", "Residual before and after", (), _pictures(view, *makers))
 
 
 def campaign(view: View) -> Section:
     """What was measured, and the error of each test."""
-    return Section("tests", "Tests", (), (tests_table(view.calibration), each_test_table(view.calibration)))
+    found = view.calibration
+    ranges = channels_table(found) if found.subject == "structure" else tests_table(found)
+    return Section("tests", "Tests", (), (ranges, each_test_table(found)))
+
+
+def channels_table(found: Calibration) -> Table:
+    """Largest values and noise of each channel."""
+    columns = ("channel", "use", "duration [s]", "samples", "largest", "noise", "unit")
+    table = Table("Largest absolute values", columns, left=2)
+    for one in found.series:
+        scale, unit = scale_of(one)
+        row = [label_of(one), one.use, number(float(np.ptp(one.time)), 3), str(one.time.size)]
+        largest = float(np.max(np.abs(one.measured)))
+        table.rows.append([*row, number(largest, 3, scale), number(one.noise, 2, scale), unit])
+    return table
 
 
 def tests_table(found: Calibration) -> Table:
@@ -137,25 +164,27 @@ def tests_table(found: Calibration) -> Table:
 
 
 def law(view: View) -> Section:
-    """Parameters of the law before and after."""
-    return Section("law", "The law", (), (law_parameters_table(view.calibration),))
+    """Parameters of the law or the building before and after."""
+    title = "The building" if view.calibration.subject == "structure" else "The law"
+    return Section("law", title, (), (law_parameters_table(view.calibration),))
 
 
 def provenance(view: View) -> Section:
     """How the numbers were made."""
     found = view.calibration
     samples = sum(one.time.size for one in found.series)
+    model = MODELS[found.subject]
     rows = (
         ("edesign", __version__),
-        ("Measured", f"{len(found.series)} tests, {samples:,} samples"),
+        ("Measured", f"{len(found.tests)} tests, {samples:,} samples"),
         ("Time taken", f"{found.seconds:.1f} s"),
-        ("NRMS", "sum of squared errors over sum of squared measured forces; no root is taken (thesis Eq. 4.28)"),
-        ("As declared", "the law with the parameters it was given; no fit"),
-        ("Refitted", "the same law fitted to the tests for fitting, without effects: the rival of every effect"),
+        ("NRMS", NRMS_NOTES[found.subject].removeprefix("NRMS: ")),
+        ("As declared", f"the {model} with the parameters it was given; no fit"),
+        ("Refitted", f"the same {model} fitted to the tests for fitting, without effects: the rival of every effect"),
         (
             "Corrected",
-            "the law with the effects found, fitted to the tests for fitting; shares that are each test's own, such as "
-            "the phase of hum, are taken from that test",
+            f"the {model} with the effects found, fitted to the tests for fitting; shares that are each test's own, "
+            "such as the phase of hum, are taken from that test",
         ),
         ("Interval", "95 %, 1.96 standard errors on each side, for residuals as correlated as they are"),
         (

@@ -1,0 +1,43 @@
+/* Amendments inside a law that relaxes all of its forces, F + tau F' = everything. A force G there adds Q, Q + tau Q' = G. A factor phi
+ * adds Q, Q + tau Q' = (phi - 1)(F + tau F'): with Q = (phi - 1) F + R the law's force is not differentiated, R + tau R' = -tau phi' F. */
+#include "damper/amendment.h"
+#include "damper/relaxation.h"
+
+#include <math.h>
+
+/* What is left after h of q + tau q' = g, and the shares of g at the beginning and the end of the step, linear between, times h/tau. */
+typedef struct {
+  double decay, first, last;
+} shares;
+
+static shares shares_of(double h, double tau)
+{
+  const double none[3] = {0.0}, rate = 1.0 / tau, one = 1.0, each = 1.0 / h;
+  double decay, gain[3], *const gains[3] = {&gain[0], &gain[1], &gain[2]};
+  ed_relax(1, h, none, &rate, &each, &one, &decay, gains);
+  return (shares){decay, gain[0] - gain[1], gain[1]};
+}
+
+void ed_amend_inside(const ed_amendment *one, const ed_amended *found, double h, double law0, double law1, const double *before,
+                     double *after, ed_amended *beside, double *by_law)
+{
+  const shares of = shares_of(h, one->tau);
+  const double relaxed = of.decay * before[one->relaxed], last = before[one->relaxed + 1];
+  if (one->kind->is_factor) {
+    const double now = found->value - 1.0, change = now - last, mean = of.first * law0 + of.last * law1, left = law1 - mean;
+    after[one->relaxed] = relaxed - change * mean;
+    after[one->relaxed + 1] = now;
+    beside->value += now * law1 + after[one->relaxed];
+    beside->by_u1 += found->by_u1 * left;
+    *by_law += now - change * of.last;
+    return;
+  }
+  const double time = h / one->tau, share = time * of.last;
+  after[one->relaxed] = relaxed + time * of.first * last + share * found->value;
+  after[one->relaxed + 1] = found->value;
+  beside->value += after[one->relaxed];
+  beside->by_u1 += share * found->by_u1;
+  beside->by_v0 += share * found->by_v0;
+  beside->by_v1 += share * found->by_v1;
+  beside->chord += share * found->chord;
+}

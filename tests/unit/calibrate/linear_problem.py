@@ -1,0 +1,73 @@
+"""A problem of the loop that is linear in everything, so that numpy's least squares knows all answers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from edesign.calibrate.problem import Candidate, Part, Use
+from edesign.calibrate.unknown import Unknown
+
+
+@dataclass(eq=False)
+class LinearProblem:
+    """Tests y = A b + sum of effects' columns times their parameters + noise.
+
+    Attributes:
+        matrices: (n_i, p) of each test.
+        columns: of each effect (n_i,) of each test, by its name.
+        measured: (n_i,) of each test.
+    """
+
+    matrices: Sequence[np.ndarray]
+    columns: dict[str, Sequence[np.ndarray]]
+    measured: tuple[np.ndarray, ...]
+    uses: tuple[Use, ...]
+    names: tuple[str, ...] = ()
+    base: tuple[Unknown, ...] = ()
+    declared: np.ndarray = field(default_factory=lambda: np.empty(0))
+
+    def __post_init__(self) -> None:
+        count = self.matrices[0].shape[1]
+        self.names = tuple(f"test {i}" for i in range(len(self.matrices)))
+        self.base = tuple(Unknown(f"b{j}", "", -1e6, 1e6, 1.0) for j in range(count))
+        self.declared = np.ones(count)
+
+    def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
+        return tuple(
+            Candidate(name, "only", "damper", (Unknown("a", "", -1e6, 1e6, 1.0),), ((0.1,),), name)
+            for name in self.columns
+        )
+
+    def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
+        found: list[np.ndarray | None] = []
+        for i, (matrix, use) in enumerate(zip(self.matrices, self.uses, strict=True)):
+            value = matrix @ base
+            for candidate, values in parts:
+                value = value + values[0] * self.columns[candidate.effect][i]
+            found.append(value if use in uses else None)
+        return found
+
+    def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
+        return None
+
+    def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
+        return sum(float(r @ r) for r in residuals) / sum(r.size for r in residuals)
+
+
+def linear(seed: int = 1, hidden: dict[str, float] | None = None, noise: float = 1.0, tests: int = 6) -> LinearProblem:
+    """Six tests of 200 values with three parameters and effects x, y, z; `hidden` ones are in the data."""
+    random = np.random.default_rng(seed)
+    matrices = [random.standard_normal((200, 3)) for _ in range(tests)]
+    columns = {name: [random.standard_normal(200) for _ in range(tests)] for name in "xyz"}
+    truth = np.array([1.1, 0.8, 1.3])
+    measured = []
+    for i, matrix in enumerate(matrices):
+        value = matrix @ truth + noise * random.standard_normal(200)
+        for name, size in (hidden or {}).items():
+            value = value + size * columns[name][i]
+        measured.append(value)
+    uses: tuple[Use, ...] = ("fit",) * (tests - 1) + ("validate",)
+    return LinearProblem(matrices, columns, tuple(measured), uses)

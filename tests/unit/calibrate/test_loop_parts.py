@@ -1,0 +1,143 @@
+"""Fit, cross-validation, screening and evidence of the loop, against numpy's least squares on a linear problem."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from linear_problem import LinearProblem, linear
+
+from edesign.calibrate.cross_validation import leave_one_out
+from edesign.calibrate.evidence import Judged, compare, simplest
+from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit
+from edesign.calibrate.screening import Screen, joint_gain, screen
+from edesign.calibrate.selection import Loop
+from edesign.calibrate.unknown import Unknown
+
+
+def _stacked(problem: LinearProblem, without: int | None = None) -> tuple[np.ndarray, np.ndarray]:
+    """Equations of the tests fitted to, and of the belief b = 1 with a standard deviation of BELIEF."""
+    rows = [i for i, use in enumerate(problem.uses) if use == "fit" and i != without]
+    matrix = np.vstack([problem.matrices[i] for i in rows] + [np.eye(3) / BELIEF])
+    right = np.concatenate([problem.measured[i] for i in rows] + [np.ones(3) / BELIEF])
+    return matrix, right
+
+
+def _model(problem: LinearProblem, noise: float = 1.0) -> Model:
+    return Model(problem, (noise,) * len(problem.names))
+
+
+@pytest.mark.parametrize("logarithmic", [True, False])
+def test_coordinates_and_values_go_back_and_forth(logarithmic: bool) -> None:
+    unknown = Unknown("tau", "s", 1e-3, 50.0, 0.2, logarithmic)
+    for value in (1e-3, 0.2, 7.0, 50.0):
+        assert unknown.value(unknown.coordinate(value)) == pytest.approx(value, rel=1e-12)
+    assert unknown.value(unknown.coordinate(1e3)) == pytest.approx(50.0)  # the bound
+    step = 1e-6
+    x = unknown.coordinate(3.0)
+    slope = (unknown.value(x + step) - unknown.value(x - step)) / (2.0 * step)
+    assert unknown.slope(x) == pytest.approx(slope, rel=1e-6)
+    assert unknown.span == pytest.approx((unknown.coordinate(1e-3), unknown.coordinate(50.0)))
+
+
+def test_fit_is_least_squares() -> None:
+    problem = linear()
+    found = fit(_model(problem), np.ones(3))
+    matrix, right = _stacked(problem)
+    assert found.x == pytest.approx(np.linalg.lstsq(matrix, right, rcond=None)[0], abs=1e-6)
+    # noise of 1: chi2 per sample is 1 within 4 standard deviations of a chi2 of 1000 samples
+    assert found.reduced == pytest.approx(1.0, abs=4.0 * np.sqrt(2.0 / 1000.0))
+    assert np.sqrt(np.diag(found.covariance)) == pytest.approx(
+        np.sqrt(np.diag(np.linalg.inv(matrix.T @ matrix))) * found.misfit, rel=1e-3
+    )
+
+
+def test_a_bound_holds_and_the_others_find_their_best_place() -> None:
+    problem = linear()
+    problem.base = (Unknown("b0", "", -1.0, 0.9, 1.0), *problem.base[1:])
+    found = fit(_model(problem), np.zeros(3))
+    assert found.x[0] == 0.9
+    matrix, right = _stacked(problem)
+    # the belief about the bounded one is at its bound's distance from 1 whatever the others are
+    rest = np.linalg.lstsq(matrix[:, 1:], right - 0.9 * matrix[:, 0], rcond=None)[0]
+    assert found.x[1:] == pytest.approx(rest, abs=1e-6)
+
+
+def test_leaving_a_test_out_is_fitting_the_others() -> None:
+    problem = linear()
+    found = leave_one_out(fit(_model(problem), np.ones(3)))
+    for i in range(5):
+        matrix, right = _stacked(problem, without=i)
+        b = np.linalg.lstsq(matrix, right, rcond=None)[0]
+        expected = float(np.sum((problem.measured[i] - problem.matrices[i] @ b) ** 2))
+        assert found.chi2[i] == pytest.approx(expected, rel=1e-6)
+    assert found.total > fit(_model(problem), np.ones(3)).chi2
+
+
+def test_screening_tells_what_a_fit_would_gain() -> None:
+    problem = linear(hidden={"x": 0.5, "y": 0.05})
+    rival = fit(_model(problem), np.ones(3))
+    signatures = screen(rival, problem.candidates([]))
+    assert signatures[0].candidate.name == "x"
+    for signature in signatures:
+        fitted = fit(signature.model, signature.start)
+        # the belief of two parts in a thousand of the data's weight is in one cost and not in the other
+        assert signature.gain == pytest.approx(rival.chi2 - fitted.chi2, rel=0.02, abs=0.2)
+
+
+def test_two_effects_gain_what_both_columns_gain() -> None:
+    problem = linear(hidden={"x": 0.3, "y": 0.3})
+    rival = fit(_model(problem), np.ones(3))
+    signatures = {s.candidate.name: s for s in screen(rival, problem.candidates([]))}
+    whole = Screen(rival)
+    columns = whole.free(np.column_stack([np.concatenate(problem.columns[n][:5]) for n in "xy"]))
+    residual = whole.free(whole.residual)
+    left = residual - columns @ np.linalg.lstsq(columns, residual, rcond=None)[0]
+    expected = float(residual @ residual - left @ left)
+    assert joint_gain(rival, signatures["x"], signatures["y"]) == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize("rho", [0.0, 0.5, 0.9])
+def test_correlation_length_of_a_first_order_process(rho: float) -> None:
+    random = np.random.default_rng(3)
+    values = np.empty(40000)
+    values[0] = random.standard_normal()
+    for i, e in enumerate(random.standard_normal(values.size - 1)):
+        values[i + 1] = rho * values[i] + np.sqrt(1.0 - rho**2) * e
+    # sum of rho^|k| over all k; the estimate scatters by some per cent for 40000 samples
+    assert correlation_length(values) == pytest.approx((1.0 + rho) / (1.0 - rho), rel=0.15)
+
+
+def test_an_effect_that_is_there_is_beyond_chance_and_one_that_is_not_is_not() -> None:
+    problem = linear(hidden={"x": 0.5})
+    model = _model(problem)
+    rival = Judged(fit(model, np.ones(3)))
+    by_name = {c.name: c for c in problem.candidates([])}
+    models = {
+        name: Judged(fit(replace(model, effects=(by_name[name],)), np.array([1.0, 1.0, 1.0, 0.1]))) for name in "xyz"
+    }
+    assert compare(models["x"], rival).beyond_chance
+    assert compare(models["x"], rival).share == pytest.approx(1.0, abs=0.15)
+    assert not compare(models["y"], rival).beyond_chance
+    assert simplest([models["y"], models["x"], rival]) is models["x"]
+    assert simplest([models["y"], rival]) is rival
+
+
+@pytest.mark.parametrize(
+    ("hidden", "found"),
+    [({}, []), ({"x": 0.5}, ["x"]), ({"x": 0.9, "z": 0.7}, ["x", "z"]), ({"x": 5.0, "y": 0.3}, ["x"])],
+)
+def test_the_loop_finds_what_is_hidden(hidden: dict[str, float], found: list[str]) -> None:
+    # in the last one the second effect is a 270th of the first in power: what the equations of the first may miss
+    problem = linear(seed=5, hidden=hidden)
+    selection = Loop(problem, (1.0,) * 6, workers=1).run()
+    assert sorted(a.candidate.name for a in selection.adopted) == found
+    for adopted in selection.adopted:
+        # five tests of 200 values of unit noise and unit columns: a standard error of 1 / sqrt(1000)
+        assert adopted.values[0] == pytest.approx(hidden[adopted.candidate.name], abs=4.0 / np.sqrt(1000.0))
+
+
+def test_ten_draws_without_effects_find_none() -> None:
+    for seed in range(10):
+        assert not Loop(linear(seed=100 + seed), (1.0,) * 6, workers=1).run().adopted
