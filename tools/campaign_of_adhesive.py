@@ -22,7 +22,7 @@ from edesign.damper.test_files import LawChoice
 from edesign.damper.test_record import DamperTest
 
 SPECIMEN = Specimen("acrylic adhesive", 1, 100e-6, 0.13e-3)
-LAW = LawChoice("zener", {"k0": "2 N/mm", "k1": "8.5 N/mm", "c1": "1600 N*s/mm"})
+LAW = LawChoice("zener", {"k0": "1.5 N/mm", "k1": "7 N/mm", "c1": "2400 N*s/mm"})  # fits the slowest test alone
 TEMPERATURE = 20.0  # degC; not told with the data
 
 

@@ -14,7 +14,7 @@ from edesign.calibrate.structure.campaign import load_structure_campaign
 from edesign.calibrate.structure.run import calibrate_structure
 from edesign.report.calibration_figures import calibration_figures
 
-WANTED = {"peaks": "peaks", "history-ICA50": "history", "spectrum-ICA50": "spectra"}
+WANTED = {"peaks": "peaks", "history-ICA50": "history"}
 
 
 def main(campaign: Path, folder: Path) -> None:

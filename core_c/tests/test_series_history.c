@@ -34,7 +34,7 @@ static void run(int law, int n_parameters, const double *parameters, int n, cons
 {
   int done;
   ed_damper *damper = make(law, n_parameters, parameters, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, n + 1, t, u, v, factor, added, stiffness, play, force, own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, n + 1, t, u, v, factor, added, stiffness, 0.0, play, force, own, &done), ED_OK);
   CHECK_INT(done, n + 1);
   ed_damper_free(damper);
 }
@@ -206,30 +206,30 @@ static void check_refusals(void)
     added[i] = 0.0;
   }
   ed_damper *damper = make(ED_LAW_MGMM, 12, MGMM, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, 4e7, 1e-3, before, before_own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, 4e7, 0.0, 1e-3, before, before_own, &done), ED_OK);
   static const double wrong[][2] = {{0.0, 0.0},    {-1.0, 0.0}, {NAN, 0.0},     {INFINITY, 0.0},
                                     {1e7, -1e-9}, {1e7, NAN},  {1e7, INFINITY}};
   force[0] = own[0] = 77.0;
   for (int i = 0; i < 7; i++)
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, wrong[i][0], wrong[i][1], force, own, &done),
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, wrong[i][0], 0.0, wrong[i][1], force, own, &done),
                  ED_E_ARGUMENT);
-  CHECK_STATUS(ed_damper_history_in_series(damper, 0, t, u, v, NULL, NULL, 1e7, 0.0, force, own, &done), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_damper_history_in_series(damper, 0, t, u, v, NULL, NULL, 1e7, 0.0, 0.0, force, own, &done), ED_E_ARGUMENT);
   double *const place[] = {&t[7], &u[8], &v[9], &factor[10], &added[11], &factor[12], &t[13]};
   const double bad[] = {NAN, INFINITY, NAN, NAN, NAN, -0.1, t[12]};
   for (int i = 0; i < 7; i++) {
     const double good = *place[i];
     *place[i] = bad[i];
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, 1e7, 0.0, force, own, &done),
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, 1e7, 0.0, 0.0, force, own, &done),
                  i < 5 ? ED_E_NOT_FINITE : ED_E_ARGUMENT);
     CHECK_INT(done, 7 + i);
     *place[i] = good;
   }
   CHECK(force[0] == 77.0 && own[0] == 77.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, 4e7, 1e-3, force, own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, 4e7, 0.0, 1e-3, force, own, &done), ED_OK);
   CHECK_SAME(force, before, N + 1);
   CHECK_SAME(own, before_own, N + 1);
   u[20] = 1e308; /* overflows on the way */
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, 4e7, 1e-3, force, own, &done), ED_E_NOT_FINITE);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, 4e7, 0.0, 1e-3, force, own, &done), ED_E_NOT_FINITE);
   CHECK_INT(done, 20);
   ed_damper_free(damper);
 }

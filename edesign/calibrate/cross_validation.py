@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,6 +11,9 @@ import numpy as np
 from edesign.calibrate.fit import Fitted
 from edesign.calibrate.problem import PredictionError
 
+_FEWEST = 4  # tests of which each may be left out
+_PARTS = 4  # of each, if there are fewer
+_NOTHING = 1e-12
 _NEAR = 0.2  # moves of the coordinates up to which the slopes predict what a left-out test would show
 
 
@@ -17,7 +22,7 @@ class HeldOut:
     """Errors of each test when the model is fitted to the others.
 
     Attributes:
-        chi2: (tests,) sums of squared residuals, in units of noise.
+        chi2: (tests,) sums of squared residuals, in units of noise; of fewer than four tests (quarters,).
         samples: (tests,) their numbers.
     """
 
@@ -30,13 +35,26 @@ class HeldOut:
         return float(self.chi2.sum())
 
     @property
+    def ratio(self) -> np.ndarray:
+        """(tests,) squared residual per sample, in units of noise: 1 where only noise is left."""
+        return np.maximum(self.chi2 / self.samples, _NOTHING)
+
+    @property
+    def score(self) -> float:
+        """Sum over tests of n ln(chi2 / n): the predictive log-likelihood, each test with the scatter it shows.
+
+        A test that alone tells a parameter is predicted badly when it is left out; its sum of squares would drown all others'.
+        """
+        return float(self.samples @ np.log(self.ratio))
+
+    @property
     def excess(self) -> float:
         """What noise does not explain."""
         return max(self.total - float(self.samples.sum()), 0.0)
 
 
 def leave_one_out(fitted: Fitted) -> HeldOut:
-    """Each test of a fit left out in turn.
+    """Each test of a fit left out in turn; of fewer than four tests their quarters, as the others would be too few to fit to.
 
     The fit without a test is one Gauss-Newton step from the fit with it; where the step is short the test's residual follows
     from the slopes, else the model is run again. A parameter that no other test shows goes back towards where it was declared.
@@ -45,20 +63,30 @@ def leave_one_out(fitted: Fitted) -> HeldOut:
     """
     model, x = fitted.model, fitted.x
     low, high = (np.array(side) for side in zip(*(u.span for u in model.unknowns), strict=True)) if x.size else (x, x)
-    gradients = [j.T @ r for j, r in zip(fitted.slopes, fitted.residuals, strict=True)]
-    found = []
-    for i, (r, j) in enumerate(zip(fitted.residuals, fitted.slopes, strict=True)):
+    found, samples = [], []
+    for i, block in _blocks(fitted):
+        r, j = fitted.residuals[i][block], fitted.slopes[i][block]
+        samples.append(r.size)
         if x.size == 0:
             found.append(float(r @ r))
             continue
-        move = np.linalg.lstsq(fitted.hessian - j.T @ j, gradients[i], rcond=1e-12)[0]
+        move = np.linalg.lstsq(fitted.hessian - j.T @ j, j.T @ r, rcond=1e-12)[0]
         move = np.clip(x + np.clip(move, -3.0, 3.0), low, high) - x
         left = r + j @ move
         if np.max(np.abs(move)) > _NEAR:
             try:
-                left = model.residuals(x + move)[i]
+                left = model.residuals(x + move)[i][block]
             except PredictionError:
                 found.append(np.inf)
                 continue
         found.append(float(left @ left))
-    return HeldOut(np.array(found), np.array([r.size for r in fitted.residuals]))
+    return HeldOut(np.array(found), np.array(samples))
+
+
+def _blocks(fitted: Fitted) -> Iterator[tuple[int, slice]]:
+    """What is left out at a time: number of a test, and its samples."""
+    few = len(fitted.residuals) < _FEWEST
+    for i, residual in enumerate(fitted.residuals):
+        edges = np.linspace(0, residual.size, _PARTS + 1 if few else 2).astype(int)
+        for first, last in itertools.pairwise(edges.tolist()):
+            yield i, slice(first, last)

@@ -16,6 +16,7 @@ AT_FLOOR = 1.2
 """Power left where the tests move, over that of the noise there, up to which a residual is at the noise floor."""
 
 _LEAST_BIC = 10.0  # Kass and Raftery (1995): "very strong"
+_LEAST_EXCESS = 0.02  # of the noise: less is not told from nothing
 _KINDS = ("instrument", "rig", "structure", "damper")
 _LEAST_T = 1.0  # of the tests' improvements: one test that improves against all others passes only if it is much
 
@@ -56,7 +57,8 @@ class Evidence:
     Attributes:
         share: of the rival's excess over noise that the model removes: the smaller one of that on the tests fitted to and that on
             tests left out.
-        t: sum of the tests' improvements over the root of their squares: sqrt(tests) if all improve alike, 1 if one alone does.
+        t: sum of the tests' improvements (logarithms of their errors) over the root of their squares: sqrt(tests) if all
+            improve alike, 1 if one alone does.
         bic: information criterion of the rival minus that of the model; above 10 is very strong.
         better, tests: how many tests improve when they are left out, of how many.
     """
@@ -83,7 +85,7 @@ class Evidence:
 
 def simplest(models: Sequence[Judged]) -> Judged:
     """Of models, the one with the fewest parameters that the best on tests left out does not beat by more than chance."""
-    best = min(models, key=lambda judged: judged.held_out.total)
+    best = min(models, key=lambda judged: judged.held_out.score)
     return next(
         judged for judged in sorted(models, key=_order) if judged is best or not compare(best, judged).beyond_chance
     )
@@ -92,8 +94,8 @@ def simplest(models: Sequence[Judged]) -> Judged:
 def _order(judged: Judged) -> tuple[int, float, int, float]:
     """By parameters, then by error; of twins a fault of the measurement is the simpler thing to think of."""
     kinds = [_KINDS.index(effect.kind) for effect in judged.fitted.model.effects]
-    total = judged.held_out.total
-    return judged.fitted.freedom, float(f"{total:.3g}"), sum(kinds), total
+    score = judged.held_out.score / float(judged.held_out.samples.sum())
+    return judged.fitted.freedom, round(score, 2), sum(kinds), score
 
 
 def compare(model: Judged, rival: Judged) -> Evidence:
@@ -103,16 +105,25 @@ def compare(model: Judged, rival: Judged) -> Evidence:
     residual leaves independent.
     """
     before, after = rival.held_out, model.held_out
-    gains = before.chi2 - after.chi2
+    gains = before.samples * np.log(before.ratio / after.ratio)
     size = math.sqrt(float(gains @ gains))
     fitted = (rival.fitted.chi2 - model.fitted.chi2) / max(rival.fitted.chi2 - rival.fitted.samples, 1e-12)
     return Evidence(
-        share=min(float(gains.sum()) / max(before.excess, 1e-12), fitted),
+        share=min(_share(before, after), fitted),
         t=float(gains.sum()) / size if size > 0.0 else 0.0,
         bic=_bic(rival.fitted, model.fitted) - _bic(model.fitted, model.fitted),
         better=int(np.sum(gains > 0.0)),
         tests=gains.size,
     )
+
+
+def _share(before: HeldOut, after: HeldOut) -> float:
+    """Share of the excess that goes, by the mean of the tests' logarithms, those with more excess before counting for more."""
+    rival, model = (np.maximum(side.ratio - 1.0, _LEAST_EXCESS) for side in (before, after))
+    weight = np.sqrt(rival * before.samples)
+    with np.errstate(invalid="ignore"):
+        mean = float(weight @ np.log(model / rival)) / float(weight.sum())
+    return 1.0 - math.exp(min(mean, 50.0)) if math.isfinite(mean) else -math.inf
 
 
 def _bic(fitted: Fitted, correlated_as: Fitted) -> float:

@@ -10,6 +10,7 @@ import numpy as np
 from edesign.calibrate.fit import Fitted, Model
 from edesign.calibrate.problem import Candidate, PredictionError
 
+_STARTS = 2  # of a form that are looked at with the slopes to all of its parameters
 _FAR = 1.5  # a linear step is not believed farther, in logarithmic coordinates
 
 
@@ -53,21 +54,33 @@ class Screen:
         fitted = self.fitted
         model = replace(fitted.model, effects=(*fitted.model.effects, candidate))
         best: Signature | None = None
-        for start in candidate.starts:
-            x = np.concatenate(
-                (fitted.x, [u.coordinate(float(v)) for u, v in zip(candidate.unknowns, start, strict=True)])
-            )
+        for x, here in self._likely(model, candidate):
             try:
-                found = self._at(model, candidate, x)
+                found = self._at(model, candidate, x, here)
             except PredictionError:
                 continue
             if best is None or found.gain > best.gain:
                 best = found
         return best
 
-    def _at(self, model: Model, candidate: Candidate, x: np.ndarray) -> Signature:
+    def _likely(self, model: Model, candidate: Candidate) -> list[tuple[np.ndarray, np.ndarray]]:
+        """Coordinates and residual (N,) of the starts that alone, at whatever size, would explain most."""
+        found = []
+        for start in candidate.starts:
+            own = [u.coordinate(float(v)) for u, v in zip(candidate.unknowns, start, strict=True)]
+            x = np.concatenate((self.fitted.x, own))
+            try:
+                here = np.concatenate(model.residuals(x))
+            except PredictionError:
+                continue
+            change = self.free(here - self.residual)
+            size = float(change @ change)
+            found.append((float(change @ self.residual) ** 2 / size if size > 0.0 else 0.0, x, here))
+        found.sort(key=lambda item: -item[0])
+        return [(x, here) for _, x, here in found[:_STARTS]]
+
+    def _at(self, model: Model, candidate: Candidate, x: np.ndarray, here: np.ndarray) -> Signature:
         first = self.fitted.x.size
-        here = np.concatenate(model.residuals(x))
         columns = np.empty((here.size, len(candidate.unknowns)))
         for j, unknown in enumerate(candidate.unknowns):
             step = unknown.step(float(x[first + j]))

@@ -24,9 +24,11 @@ _FITTED = 10  # forms fitted in a round
 _PER_EFFECT = 2  # forms of one effect among them
 _PAIRS = 4  # pairs fitted in a round
 _WELL_FITTED = 5  # forms or pairs of those that are fitted to the end
-_ROUGH_STEPS, _ROUGH, _WELL = 8, 1e-2, 1e-3  # steps, and changes of chi2 that end a search
+_ROUGH_STEPS, _MORE_STEPS = 5, 3  # with slopes known before, and with new ones
+_ROUGH, _WELL = 1e-2, 1e-3  # changes of chi2 that end a search
 _MOST = 4  # effects
-_ALIKE = 0.1  # effects whose excess differs by less than this share of what either removes cannot be told apart
+_FAR = 0.5  # coordinates: factors of e
+_ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 _UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
 
 T = TypeVar("T")
@@ -137,9 +139,30 @@ class Loop:
                 break
             found, refused = self._round(current, current)
             if found is None:
+                found = self._in_pairs(current)
+            if found is None:
                 break
             current = found
         return self._held_again(current), refused
+
+    def _in_pairs(self, current: Judged) -> Judged | None:
+        """A model in which two effects stand in the place of one that was a compromise between them; None: there is none."""
+        effects = current.fitted.model.effects
+        if len(effects) + 1 > _MOST:
+            return None
+        for effect in effects:
+            others = [e for e in effects if e is not effect]
+            without = self._without(current, effect)
+            self.tell(f"two effects in the place of {effect.name}")
+            signatures = screen(
+                without.fitted, [c for c in self._candidates(without) if _may_join(c, others)], run=self._map
+            )
+            pair = self._pair(without, _shortlist(signatures), signatures)
+            if pair is not None and self._matters(pair, current):
+                evidence = compare(pair, current)
+                if evidence.beyond_chance and evidence.share >= _CLEAR:
+                    return pair
+        return None
 
     def _round(self, current: Judged, rival: Judged, further: Sequence[Judged] = ()) -> tuple[Judged | None, Refused]:
         """The best model with one effect more, or two, and what came near; None: chance may have made it.
@@ -157,14 +180,15 @@ class Loop:
         short = _shortlist(signatures)
         self.tell(f"effect {number}: fitting {', '.join(dict.fromkeys(s.candidate.name for s in short))}")
         elsewhere = []
-        if not known and not current.fitted.model.held:
-            # the refit may have gone far to make up for what is missing, and searches from there may not find back
+        unfitted = current.fitted.model.coordinates()
+        if not known and unfitted.size and float(np.max(np.abs(current.fitted.x - unfitted))) > _FAR:
+            # the refit has gone far to make up for what is missing, and searches from there may not find back
             elsewhere = _shortlist(screen(self._unfitted(current), pool, run=self._map))
         tried = [*self._fit_best([*short, *elsewhere]), *further]
         self.rivals[_labels(known)] = tried
         if not tried:
             return None, ()
-        near = sorted(tried, key=lambda judged: judged.held_out.total)[:3]
+        near = sorted(tried, key=lambda judged: judged.held_out.score)[:3]
         refused = tuple((judged.fitted.model.effects[-1], compare(judged, rival)) for judged in near)
         best = simplest(tried)
         evidence = compare(best, rival)
@@ -203,7 +227,7 @@ class Loop:
         pairs = list(chosen.values())[:_PAIRS]
         self.tell("fitting pairs: " + ", ".join(f"{a.candidate.name} + {b.candidate.name}" for a, b in pairs))
         found = self._fit_best([_both(*pair) for pair in pairs])
-        return min(found, key=lambda j: j.held_out.total, default=None)
+        return min(found, key=lambda j: j.held_out.score, default=None)
 
     def _reconsider(self, current: Judged) -> Judged:
         """Each effect against what could stand in its place, now that the others are there."""
@@ -274,17 +298,17 @@ class Loop:
         for effect, values in final.fitted.parts:
             self.tell(f"telling {effect.name} apart from others")
             without = self._without(final, effect)
-            removed = without.excess - final.excess
-            alike = {}
-            for other in sorted(self._alternatives(final, effect), key=lambda j: j.held_out.total):
+            evidence = compare(final, without)
+            alike: dict[str, Judged] = {}
+            for other in sorted(self._alternatives(final, effect), key=lambda j: j.held_out.score):
                 if _labels(other.fitted.model.effects) == _labels(final.fitted.model.effects):
                     continue
-                near = other.excess - final.excess < _ALIKE * removed and not compare(final, other).beyond_chance
-                if near and _replacement(other, final).name != effect.name:
+                near = compare(other, without).share > _ALIKE * evidence.share
+                if near and not compare(final, other).beyond_chance and _replacement(other, final).name != effect.name:
                     alike.setdefault(_replacement(other, final).name, other)
             if final.fitted.model.held and len(final.fitted.parts) == 1 and not _worse(refit, final):
                 alike["refit"] = refit
-            found.append(Adopted(effect, values, compare(final, without), without, alike))
+            found.append(Adopted(effect, values, evidence, without, alike))
         return tuple(found)
 
     def _fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
@@ -292,9 +316,10 @@ class Loop:
 
         def rough(signature: Signature) -> Fitted | None:
             try:
-                return fit(
+                near = fit(
                     signature.model, signature.start, most_steps=_ROUGH_STEPS, enough=_ROUGH, frozen=signature.frozen
                 )
+                return fit(near.model, near.x, most_steps=_MORE_STEPS, enough=_ROUGH)
             except PredictionError:
                 return None
 

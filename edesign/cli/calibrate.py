@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -26,6 +27,7 @@ def calibrate(
     """Predict measured tests, find what the law or structure lacks, add it, and report errors before and after."""
     from edesign.archive.files import check_folder
     from edesign.calibrate.files import check_names, write_files
+    from edesign.calibrate.properties.campaign import is_property_campaign
     from edesign.calibrate.run import calibrate as run
     from edesign.calibrate.structure.campaign import StructureCampaign, is_structure_campaign, load_structure_campaign
     from edesign.calibrate.structure.run import calibrate_structure
@@ -45,6 +47,9 @@ def calibrate(
             typer.echo(f"{time.monotonic() - begin:6.1f} s  {what}", err=True)
 
     tell("reading the tests")
+    if is_property_campaign(campaign):
+        _calibrate_properties(campaign, folder, page, json_output, workers, quiet, tell)
+        return
     loaded: Campaign | StructureCampaign
     if is_structure_campaign(campaign):
         loaded = load_structure_campaign(campaign)
@@ -61,5 +66,30 @@ def calibrate(
     elif not quiet:
         print_tables(tables_of(found))
         typer.echo(verdict_text(found))
+        for path in written:
+            typer.echo(f"written: {path}")
+
+
+def _calibrate_properties(
+    campaign: Path, folder: Path, page: bool, json_output: bool, workers: int, quiet: bool, tell: Callable[[str], None]
+) -> None:
+    """A campaign whose tests are the rows of a property table."""
+    from edesign.calibrate.properties.campaign import load_property_campaign
+    from edesign.calibrate.properties.run import calibrate_properties
+    from edesign.calibrate.properties.write import property_calibration_json, write_property_files
+    from edesign.report.page.property_calibration import write_property_calibration_page
+    from edesign.report.property_calibration import property_tables, property_verdict
+    from edesign.report.text import print_tables
+
+    found = calibrate_properties(load_property_campaign(campaign), workers, tell)
+    written = write_property_files(found, folder)
+    if page:
+        tell("drawing the report")
+        written.append(write_property_calibration_page(found, folder / "calibration.html"))
+    if json_output:
+        typer.echo(json.dumps(property_calibration_json(found), indent=1, allow_nan=False))
+    elif not quiet:
+        print_tables(property_tables(found))
+        typer.echo(property_verdict(found))
         for path in written:
             typer.echo(f"written: {path}")

@@ -136,11 +136,12 @@ class CoreDamper:
         play: float = 0.0,
         factor: ArrayLike | None = None,
         added: ArrayLike | None = None,
+        bend: float = 0.0,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Force history in series with a rig whose pins have play and whose parts are flexible.
 
-        The force factor F + added, F that of the damper under its own deformation, is stiffness times the stretch of
-        the rig beyond half the play, either way: none within the play, where the damper moves by itself. Held at the
+        The force factor F + added, F that of the damper under its own deformation, is stiffness z (1 + bend z^2), z the
+        stretch of the rig beyond half the play, either way: none within the play, where the damper moves by itself. Held at the
         first deformation for long before. The stretch is linear between samples.
 
         Args:
@@ -151,6 +152,7 @@ class CoreDamper:
             play: of the pins from end to end, m, at least 0.
             factor: (n,) of the damper's force, at least 0; None: 1.
             added: (n,) N, carried by the rig beside the damper's force; None: 0.
+            bend: by which the rig stiffens, 1/m2, at least 0.
 
         Returns:
             Force through rig and damper (n,) N, and the damper's own deformation (n,) m.
@@ -172,8 +174,10 @@ class CoreDamper:
         if not (stiffness > 0.0 and np.isfinite(stiffness)):
             text = f"stiffness = {stiffness:g} is not allowed: finite and above 0"
             raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
-        if not (play >= 0.0 and np.isfinite(play)):
-            raise CoreError("ED_E_ARGUMENT", f"damper in series: play = {play:g} is not allowed: finite, at least 0")
+        for name, value in (("play", play), ("bend", bend)):
+            if not (value >= 0.0 and np.isfinite(value)):
+                text = f"{name} = {value:g} is not allowed: finite, at least 0"
+                raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
         force, own, done = np.empty_like(t), np.empty_like(t), ffi.new("int *")
         status = lib.ed_damper_history_in_series(
             self._handle,
@@ -183,6 +187,7 @@ class CoreDamper:
             ffi.from_buffer("double[]", v),
             *given,
             stiffness,
+            bend,
             play,
             ffi.from_buffer("double[]", force),
             ffi.from_buffer("double[]", own),

@@ -89,7 +89,9 @@ def predict(
         amplitude = gamma[i] * specimen.layer_thickness
         time, u, v = shape[0] / f[i], amplitude * shape[1], amplitude * f[i] * shape[2]
         force = at_temperature[temperature[i]].force(time, u, v)
-        G_storage[i], G_eq[i], G_loss[i] = force_amplitudes(force, shape[2], cycles, samples) / (specimen.area * gamma[i])
+        G_storage[i], G_eq[i], G_loss[i] = force_amplitudes(force, shape[2], cycles, samples) / (
+            specimen.area * gamma[i]
+        )
     with np.errstate(divide="ignore", invalid="ignore"):  # a dashpot stores nothing
         loss_factor = G_loss / G_storage
     return PropertyRows(gamma, f, temperature, G_storage, G_eq, G_loss, loss_factor, warnings)
@@ -108,7 +110,7 @@ def _dampers(
 
 
 def unit_motion(cycles: int, samples: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Time in cycles, deformation over amplitude, and its rate to that time, (n,) each: a ramp of one cycle and full ones.
+    """Time in cycles, deformation over amplitude, and its rate to that time, (n,) each: a ramp of one cycle, full ones.
 
     The envelope is 10 s^3 - 15 s^4 + 6 s^5; with it neither deformation nor velocity is larger in the ramp than after
     it, which counts for laws that remember the largest ones.

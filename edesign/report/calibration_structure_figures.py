@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _CYCLES = 12.0  # of the channel's strongest frequency, shown of a history
-_POWER = 0.998  # of a channel lies below the end of its spectrum
+_POWER = 0.998  # of a channel lies below the end of its spectrum, and as much above its beginning
 _BANDS = 60  # over which a spectrum is smoothed
 
 
@@ -104,12 +104,14 @@ def _spectra_figure(view: View, channels: list[Series]) -> Figure:
         frequency = np.fft.rfftfreq(one.time.size, float(one.time[1] - one.time[0]))
         power = np.cumsum(np.abs(np.fft.rfft(one.measured)) ** 2)
         last = max(int(np.searchsorted(power, _POWER * power[-1])), 8)
+        first = max(int(np.searchsorted(power, (1.0 - _POWER) * power[-1])), 1)
         style: Any = {"color": MEASURED, "lw": 2.4, "alpha": 0.55, "label": "measured"}
         axis.plot(*_smooth(frequency, one.measured / scale, last), **style)
         for stage, label in view.stages.items():
             shown = _smooth(frequency, one.predicted[stage] / scale, last)
             axis.plot(*shown, color=COLOURS[stage], lw=0.9, label=label)
         axis.set_xscale("log")
+        axis.set_xlim(0.5 * float(frequency[first]), float(frequency[last]))
         axis.set_ylim(bottom=0.0)
         axis.set_xlabel("frequency (Hz)")
         axis.set_ylabel(f"{unit} s")

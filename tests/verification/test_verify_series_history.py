@@ -187,3 +187,21 @@ def test_refusals(options: dict, words: str) -> None:  # type: ignore[type-arg]
     values = {"stiffness": 1e7} | options
     with pytest.raises(CoreError, match=words):
         damper("zener").force_in_series([0.0, 0.1, 0.2], [0.0, 1e-3, 0.0], [0.0, 0.0, 0.0], **values)
+
+
+def test_a_rig_that_stiffens_balances_and_closes_on_a_spring() -> None:
+    # an elastic specimen k and a rig K z (1 + bend z^2), z beyond half the play: the stretch is the root of a cubic
+    k, stiffness, bend, play = 4e6, 2e7, 1.0 / 2e-4**2, 1e-4
+    t = np.linspace(0.0, 2.0, 401)
+    u, v = 4e-3 * np.sin(np.pi * t), 4e-3 * np.pi * np.cos(np.pi * t)
+    spring = CoreDamper("kelvin_voigt", [k, 1e-3])
+    force, own = spring.force_in_series(t, u, v, stiffness, play, bend=bend)
+    expected = np.zeros_like(u)
+    for i in np.flatnonzero(np.abs(u) > play / 2):
+        size = abs(u[i]) - play / 2
+        roots = np.roots([stiffness * bend, 0.0, stiffness + k, -k * size])
+        z = float(roots[np.abs(roots.imag) < 1e-9 * np.abs(roots.real).max()].real[0])
+        expected[i] = np.sign(u[i]) * stiffness * z * (1.0 + bend * z**2)
+    # the dashpot of 1e-3 N s/m is there because the law needs one, and gives 1e-5 N
+    assert force == pytest.approx(expected, abs=1e-4)
+    assert force == pytest.approx(k * own, abs=1e-4)

@@ -1,6 +1,6 @@
 /* A damper in a test rig whose pins have play and whose parts are flexible: u = u_d + e, and
  *
- *   factor F(u_d) + added = stiffness * (e beyond half the play, either way).
+ *   factor F(u_d) + added = stiffness * z (1 + bend z^2), z: e beyond half the play, either way.
  *
  * The stretch e of the rig is linear in time over a step and balances at its end; what the damper's own deformation u_d then does
  * is a cubic, that its law meets exactly. The force of the law falls as e grows, that of the rig rises: there is one balance.
@@ -23,19 +23,31 @@ static const double TOLERANCE = 1e-10, ODE_TOLERANCE = 1e-7;
 typedef struct {
   const ed_damper *damper;
   ed_ode_system *system; /* for laws without exact step */
-  double stiffness, gap; /* of the rig; half the play */
+  double stiffness, bend, gap; /* of the rig; half the play */
   double tolerance, largest;
 } series;
 
-static double carried(const series *in, double stretch)
+static double beyond(const series *in, double stretch)
 {
-  const double beyond = fabs(stretch) - in->gap;
-  return beyond > 0.0 ? copysign(in->stiffness * beyond, stretch) : 0.0;
+  return fmax(fabs(stretch) - in->gap, 0.0);
 }
 
-/* Where a force that falls by `slope` (>= 0) from `force` at a stretch meets that of the rig. */
+static double carried(const series *in, double stretch)
+{
+  const double z = beyond(in, stretch);
+  return z > 0.0 ? copysign(in->stiffness * z * (1.0 + in->bend * z * z), stretch) : 0.0;
+}
+
+/* Where a force that falls by `slope` (>= 0) from `force` at a stretch meets that of the rig, straight from this stretch on. */
 static double meet(const series *in, double stretch, double force, double slope)
 {
+  const double z = beyond(in, stretch);
+  if (z > 0.0 && in->bend > 0.0) {
+    const double tangent = in->stiffness * (1.0 + 3.0 * in->bend * z * z);
+    const double next = stretch + (force - carried(in, stretch)) / (tangent + slope);
+    if (next * stretch > 0.0 && fabs(next) >= in->gap)
+      return next;
+  }
   const double at_high = force - slope * (in->gap - stretch), at_low = force + slope * (in->gap + stretch);
   if (at_high > 0.0)
     return in->gap + at_high / (in->stiffness + slope);
@@ -133,16 +145,16 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
 }
 
 int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
-                                const double *factor, const double *added, double stiffness, double play, double *force,
-                                double *own, int *done)
+                                const double *factor, const double *added, double stiffness, double bend, double play,
+                                double *force, double *own, int *done)
 {
   *done = 0;
-  if (!(stiffness > 0.0) || !(play >= 0.0) || !isfinite(stiffness + play))
+  if (!(stiffness > 0.0) || !(bend >= 0.0) || !(play >= 0.0) || !isfinite(stiffness + bend + play))
     return ED_E_ARGUMENT;
   int status = check(n, time, u, v, factor, added, done);
   if (status != ED_OK)
     return status;
-  series in = {.damper = damper, .stiffness = stiffness, .gap = 0.5 * play, .tolerance = TOLERANCE};
+  series in = {.damper = damper, .stiffness = stiffness, .bend = bend, .gap = 0.5 * play, .tolerance = TOLERANCE};
   if (!ed_damper_has_exact_step(damper)) {
     in.tolerance = ODE_TOLERANCE;
     in.system = ed_ode_system_new(1, &damper, 0.1 * ODE_TOLERANCE, &status);

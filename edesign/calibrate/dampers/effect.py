@@ -27,8 +27,8 @@ from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
 Memory = dict[str, Any]
-Series = tuple[float, float]
-"""Stiffness N/m and play m of what stands in series with the specimen."""
+Series = tuple[float, float, float]
+"""Stiffness N/m, bend 1/m2 and play m of what stands in series with the specimen (CoreDamper.force_in_series)."""
 
 
 class Form:

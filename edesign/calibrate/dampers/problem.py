@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from edesign.calibrate.dampers.band import band_power
-from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.effect import Form, Memory, Series
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.inside import relaxation_time, relaxed_factor, relaxed_force, without_dashpots
 from edesign.calibrate.dampers.library import candidates
@@ -151,14 +151,15 @@ class DamperProblem:
         motion: Motion,
         values: dict[str, float],
         changed: _Changed,
-        series: Sequence[tuple[float, float]],
+        series: Sequence[Series],
     ) -> np.ndarray:
         """Force with the rig in series; springs add by their compliance, plays by their widths.
 
         Factors and parallel forces are those of the whole motion, the factor that of the springs: what the rig takes of it is small.
         """
-        stiffness = 1.0 / sum(1.0 / s for s, _ in series)
-        play = sum(g for _, g in series)
+        stiffness = 1.0 / sum(1.0 / s for s, _, _ in series)
+        bend = sum(b * (stiffness / s) ** 3 for s, b, _ in series)  # e = F/s - b (F/s)^3 of each, for a little bend
+        play = sum(g for _, _, g in series)
         n = motion.time.size
         damper = _damper(self.law.name, self._at(trial, values))
         try:
@@ -170,6 +171,7 @@ class DamperProblem:
                 play,
                 None if np.isscalar(changed.springs) else np.broadcast_to(changed.springs, n),
                 None if np.isscalar(changed.parallel) else np.broadcast_to(changed.parallel, n),
+                bend,
             )
         except CoreError as error:
             raise PredictionError(str(error)) from error

@@ -1,4 +1,4 @@
-"""Campaigns whose tests are the rows of a property table: a YAML file with specimen, law, table, and what is held out."""
+"""Campaigns whose tests are the rows of a property table: specimen, law, table, and the rows held out."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class HoldOut(Model):
 
 
 class PropertiesBlock(Model):
-    """The table, a CSV file relative to the campaign file or the name of the published one, and its rows for validation."""
+    """The table, a CSV file relative to the campaign file or the name of the published one, and its rows held out."""
 
     table: Text
     hold_out: Annotated[HoldOut, Field(default_factory=HoldOut)]
@@ -113,7 +113,7 @@ def load_property_campaign(path: Path | str) -> PropertyCampaign:
     check_specimen(file.specimen, problems)
     check_law(file.law, problems, complete=True)
     if file.law.parameters is None:
-        problems.under(("law",), "parameters", "this key is missing; the loop needs the declared law with its parameters")
+        problems.under(("law",), "parameters", "this key is missing; the loop needs a declared law")
     at = path.parent / file.properties.table
     if file.properties.table != PUBLISHED and not at.exists():
         problems.at_value(
@@ -129,8 +129,8 @@ def load_property_campaign(path: Path | str) -> PropertyCampaign:
     if not problems.found and count["fit"] < _LEAST:
         problems.at_key(
             (KEY,),
-            f"{count['fit']} of {len(groups)} groups of rows (one temperature and strain each) are left to be fitted to; an "
-            f"effect is adopted when it lowers the error of groups left out, so that {_LEAST} are the least",
+            f"{count['fit']} of {len(groups)} groups of rows (one temperature and strain each) are left to be fitted "
+            f"to; an effect is adopted when it lowers the error of groups left out, so that {_LEAST} are the least",
         )
     if not problems.found and not count["validate"]:
         problems.at_key(
@@ -171,7 +171,9 @@ def groups_of(table: PropertyTable, validate: np.ndarray) -> tuple[Group, ...]:
     found = []
     for T in temperatures:
         for strain in strains:
-            here = _near(table.temperature_C, (T,), SAME_TEMPERATURE, 0.0) & _near(table.strain, (strain,), 0.0, SAME_LEVEL)
+            here = _near(table.temperature_C, (T,), SAME_TEMPERATURE, 0.0) & _near(
+                table.strain, (strain,), 0.0, SAME_LEVEL
+            )
             uses: tuple[tuple[Use, np.ndarray], ...] = (("fit", here & ~validate), ("validate", here & validate))
             parts = [(use, np.flatnonzero(chosen)) for use, chosen in uses if chosen.any()]
             for use, rows in parts:
@@ -200,5 +202,6 @@ def _check_levels(table: PropertyTable, held: HoldOut, problems: Problems) -> No
             if not _near(known, (level,), absolute, relative).any():
                 there = ", ".join(f"{scale * value:.4g} {unit}" for value in known)
                 problems.at_value(
-                    (KEY, "hold_out", key, i), f"the table has no row at {scale * level:.4g} {unit} (there are: {there})"
+                    (KEY, "hold_out", key, i),
+                    f"the table has no row at {scale * level:.4g} {unit} (there are: {there})",
                 )

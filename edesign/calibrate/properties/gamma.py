@@ -24,14 +24,16 @@ class FreeGamma(Form):
     form: ClassVar[str] = "gamma"
     kind: ClassVar[Kind] = "damper"
     title: ClassVar[str] = "another change with temperature"
-    signature: ClassVar[str] = "all moduli off by a factor that goes with the temperature, whatever strain and frequency"
+    signature: ClassVar[str] = "all moduli off by a factor of the temperature, whatever strain and frequency"
     source: ClassVar[str] = "thesis Eqs. 4.34-4.36"
 
     def __init__(self, temperatures: Sequence[float]) -> None:
         self.temperatures = tuple(sorted(t for t in temperatures if t != REFERENCE_C))
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        return tuple(Unknown(f"gamma_{t:g}", "", 0.05, 20.0, _TABLE.gamma(t), logarithmic=True) for t in self.temperatures)
+        return tuple(
+            Unknown(f"gamma_{t:g}", "", 0.05, 20.0, _TABLE.gamma(t), logarithmic=True) for t in self.temperatures
+        )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return (tuple(0.98 * _TABLE.gamma(t) for t in self.temperatures),) if self.temperatures else ()

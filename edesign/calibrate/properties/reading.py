@@ -15,7 +15,6 @@ from edesign.calibrate.unknown import Unknown
 class Reading(Form):
     """A form that changes what is read from the loops."""
 
-    name: ClassVar[str] = "reading"
     kind: ClassVar[Kind] = "instrument"
     source: ClassVar[str] = "thesis Eqs. 3.1-3.4 and section 3.3"
 
@@ -25,11 +24,14 @@ class Reading(Form):
 
 
 class Peak(Reading):
-    """The largest stress is too large by a share: read in other cycles than the storage modulus, or with an overshoot."""
+    """The largest stress is too large by a share: read in other cycles than the storage modulus, or overshot."""
 
-    form: ClassVar[str] = "peak"
+    name: ClassVar[str] = "peak_reading"
+    form: ClassVar[str] = "share"
     title: ClassVar[str] = "the largest stress read too large by a share, as in cycles before the material has softened"
-    signature: ClassVar[str] = "G_eq off by one factor beside G' and loss factor, whatever strain, frequency and temperature"
+    signature: ClassVar[str] = (
+        "G_eq off by one factor beside G' and loss factor, whatever strain, frequency and temperature"
+    )
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         return (Unknown("share", "", -0.5, 1.0, 0.1),)
@@ -44,7 +46,8 @@ class Peak(Reading):
 class Spikes(Reading):
     """The largest stress is too large by a force: the largest of noisy samples."""
 
-    form: ClassVar[str] = "spikes"
+    name: ClassVar[str] = "peak_reading"
+    form: ClassVar[str] = "force"
     title: ClassVar[str] = "the largest stress read from noisy samples"
     signature: ClassVar[str] = "G_eq too large by one force at all amplitudes, most in small tests"
 
@@ -61,7 +64,8 @@ class Spikes(Reading):
 class Storage(Reading):
     """The stress at the largest strain is read too small by a share: beside the extreme, where it falls steeply."""
 
-    form: ClassVar[str] = "storage"
+    name: ClassVar[str] = "storage_reading"
+    form: ClassVar[str] = "share"
     title: ClassVar[str] = "the stress at the largest strain read too small by a share"
     signature: ClassVar[str] = "G' too small and the loss factor too large by one factor, G_eq right"
 

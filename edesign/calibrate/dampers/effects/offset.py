@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
 from typing import ClassVar
 
 import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.shares import shares_of
-from edesign.calibrate.dampers.trial import Sizes, Trial, Values
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+
+_LEAST = 1e-3  # of the largest displacement: what is less is noise of the first sample
 
 
 class _Offset(Form):
@@ -57,4 +61,35 @@ class PerTest(_Offset):
         return {"offset_N": float(shares_of(self.columns(p, trial), residual)[0])}
 
 
-FORMS = (Constant, PerTest)
+class Displacement(_Offset):
+    """The displacement channel does not show zero where the specimen is unsheared: u_true = u - zero.
+
+    Only campaigns whose records all begin at about the same displacement can show it; a pre-shear is recorded as zero.
+    """
+
+    form: ClassVar[str] = "displacement"
+    title: ClassVar[str] = "zero of the displacement channel, the same in all tests"
+    signature: ClassVar[str] = "no force where the record begins, though not at zero displacement; loops shifted along the displacement"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u = sizes.displacement
+        return (Unknown("zero", "m", -u, u, 0.1 * u),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.05 * sizes.displacement,),)
+
+    def starts_from_residuals(
+        self, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
+    ) -> tuple[tuple[float, ...], ...]:
+        """Where the records begin; none if that is at zero, or here and there."""
+        first = np.array([trial.motion.displacement[0] for trial in trials])
+        middle = float(np.median(first)) if first.size else 0.0
+        spread = float(np.median(np.abs(first - middle))) if first.size else 0.0
+        alike = abs(middle) > _LEAST * sizes.displacement and spread < 0.2 * abs(middle)
+        return ((middle,),) if alike else ()
+
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        return replace(motion, displacement=motion.displacement - p["zero"])
+
+
+FORMS = (Constant, PerTest, Displacement)

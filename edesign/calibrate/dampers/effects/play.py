@@ -38,7 +38,7 @@ class Gap(_Play):
         return tuple((0.02 * sizes.displacement, k * sizes.stiffness) for k in (1000.0, 30.0))
 
     def series(self, p: Values) -> Series:
-        return p["stiffness"], p["play"]
+        return p["stiffness"], 0.0, p["play"]
 
 
 class Backlash(_Play):

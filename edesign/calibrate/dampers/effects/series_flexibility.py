@@ -31,7 +31,26 @@ class Linear(Form):
         return ((20.0 * sizes.stiffness,),)
 
     def series(self, p: Values) -> Series:
-        return p["stiffness"], 0.0
+        return p["stiffness"], 0.0, 0.0
 
 
-FORMS = (Linear,)
+class Stiffening(Linear):
+    """A spring in series that stiffens: F = stiffness e (1 + (e/e0)^2), e its stretch, as bolted joints and bearings do."""
+
+    form: ClassVar[str] = "stiffening"
+    title: ClassVar[str] = "parts of the rig in series with the specimen that stiffen with the force"
+    signature: ClassVar[str] = "as series_flexibility.linear, and more of it at small forces than at large ones"
+    source: ClassVar[str] = "joints that close: Ibrahim & Pettit (2005), J. Sound Vib. 279, 857-936"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u = sizes.displacement
+        return (*super().unknowns(sizes), Unknown("e0", "m", 1e-4 * u, 10.0 * u, 0.05 * u, logarithmic=True))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((20.0 * sizes.stiffness, 0.05 * sizes.displacement), (10.0 * sizes.stiffness, 0.02 * sizes.displacement))
+
+    def series(self, p: Values) -> Series:
+        return p["stiffness"], 1.0 / p["e0"] ** 2, 0.0
+
+
+FORMS = (Linear, Stiffening)

@@ -1,0 +1,114 @@
+"""Calibrate a law by a property table: the whole loop."""
+
+from __future__ import annotations
+
+import time as clock
+from collections.abc import Mapping
+
+import numpy as np
+
+from edesign.calibrate.evidence import Judged
+from edesign.calibrate.outcome import (
+    BOTH,
+    Described,
+    effect_of,
+    errors_of,
+    floor_of,
+    parameters_of,
+    predict,
+    share_left,
+    verdict_of,
+)
+from edesign.calibrate.problem import Candidate, Part
+from edesign.calibrate.properties.arrangement import Arrangement
+from edesign.calibrate.properties.campaign import PropertyCampaign
+from edesign.calibrate.properties.gamma import FreeGamma
+from edesign.calibrate.properties.next_test import next_test
+from edesign.calibrate.properties.problem import PropertyProblem, as_measured, property_problem
+from edesign.calibrate.properties.repeatability import noise_of
+from edesign.calibrate.properties.result import CorrectedLaw, PropertyCalibration
+from edesign.calibrate.properties.shape import shape_of
+from edesign.calibrate.result import Calibration, Stage
+from edesign.calibrate.selection import Loop, Progress
+from edesign.damper.amendments import AMENDMENTS, Amendment
+from edesign.damper.temperature import GammaT
+
+
+def calibrate_properties(
+    campaign: PropertyCampaign, workers: int = 2, progress: Progress = lambda _: None
+) -> PropertyCalibration:
+    """Run the loop on the rows of a property table.
+
+    Args:
+        campaign: the table, and the declared law.
+        workers: threads.
+        progress: told what is done.
+    """
+    begin = clock.perf_counter()
+    size = noise_of(campaign.table)
+    noise = (size,) * len(campaign.groups)
+    quick = property_problem(campaign)
+    found = Loop(quick, noise, campaign.law.refit, workers, progress).run()
+    progress("predicting all rows")
+    problem = as_measured(campaign)
+    stages: dict[Stage, Judged] = {"declared": found.declared, "refit": found.refit, "corrected": found.final}
+    errors = {stage: errors_of(problem, predict(problem, judged)) for stage, judged in stages.items()}
+    floors = {use: floor_of(problem, noise, use) for use in BOTH}
+    verdict = verdict_of(found, errors["corrected"], floors)
+    rows = {stage: problem.rows(judged.fitted.base, judged.fitted.parts) for stage, judged in stages.items()}
+    left = verdict in ("partly_explained", "unexplained")
+    progress("asking which further test would tell more")
+    told = Calibration(
+        title=campaign.title or campaign.specimen.name,
+        law=problem.inner.law.name,
+        errors=errors,
+        noise_floor=floors["validate"],
+        noise_floor_fit=floors["fit"],
+        effects=tuple(effect_of(problem, found, adopted, errors["corrected"], _described) for adopted in found.adopted),
+        verdict=verdict,
+        unexplained_share=share_left(errors["refit"], errors["corrected"], floors) if left else 0.0,
+        unexplained_shape=shape_of(rows["corrected"], campaign.table) if left else "",
+        next_test=next_test(quick, found),
+        refused=tuple((candidate.label, evidence.text) for candidate, evidence in found.refused),
+        parameters={stage: parameters_of(judged) for stage, judged in stages.items()},
+        law_held=found.law_held,
+        series=(),
+        seconds=clock.perf_counter() - begin,
+    )
+    return PropertyCalibration(told, campaign, rows, corrected_law(problem, found.final), size)
+
+
+def corrected_law(problem: PropertyProblem, judged: Judged) -> CorrectedLaw:
+    """The law with its effects as a law file carries it; readings, rig and instrument are no part of it."""
+    printed = problem.inner.law_values(judged.fitted.base)
+    values: Mapping[str, float] = printed
+    effects: list[Amendment] = []
+    left_out: list[str] = []
+    gamma_T = GammaT() if problem.inner.law.name in GammaT().laws else None
+    for candidate, own in judged.fitted.parts:
+        form, fixed = candidate.effect
+        told = _described(candidate)
+        parameters = _named((candidate, own)) | dict(fixed)
+        if isinstance(form, Arrangement):
+            values = form.arranged(values)
+            effects += [Amendment(*one) for one in form.beside(printed)]
+        elif isinstance(form, FreeGamma):
+            gamma_T = form.gamma_T(parameters)
+        elif candidate.kind != "damper":
+            left_out.append(f"{candidate.label} ({candidate.kind}): {told.title}; no part of the damper")
+        elif (candidate.name, told.amendment) not in AMENDMENTS:
+            left_out.append(f"{candidate.label}: law files cannot carry this form")
+        else:
+            effects.append(Amendment(candidate.name, told.amendment, parameters))
+    return CorrectedLaw(values, tuple(effects), gamma_T, tuple(left_out))
+
+
+def _named(part: Part) -> dict[str, float]:
+    candidate, values = part
+    return {u.name: float(v) for u, v in zip(candidate.unknowns, np.asarray(values), strict=True)}
+
+
+def _described(candidate: Candidate) -> Described:
+    form, fixed = candidate.effect
+    amendment = getattr(form, "amendment_form", form.form) if form.amendment else ""
+    return Described(form.title, form.signature, amendment, fixed)

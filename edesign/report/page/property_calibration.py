@@ -1,0 +1,54 @@
+"""The report of a calibration by a property table: one HTML page that needs nothing beside it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from edesign._version import __version__
+from edesign.archive.files import check_folder, write_text
+from edesign.calibrate.properties.result import PropertyCalibration
+from edesign.report.calibration_effect_tables import effect_tables
+from edesign.report.calibration_tables import law_parameters_table
+from edesign.report.page.render import Cover, render
+from edesign.report.page.section import Picture, Section
+from edesign.report.page.source import picture_of
+from edesign.report.property_calibration import (
+    each_group_table,
+    property_calibration_figures,
+    property_errors_table,
+    property_verdict,
+)
+
+
+def write_property_calibration_page(calibration: PropertyCalibration, path: Path) -> Path:
+    """Write the report, whole or not at all.
+
+    Raises:
+        ArchiveError: it cannot be written.
+    """
+    check_folder(path.parent)
+    campaign, found = calibration.campaign, calibration.found
+    pictures = dict(_pictures(calibration))
+    residuals = tuple(picture for name, picture in pictures.items() if name.startswith("residuals"))
+    properties = tuple(picture for name, picture in pictures.items() if name.startswith("properties"))
+    sections = (
+        Section("verdict", "Verdict", (property_verdict(calibration),), (property_errors_table(calibration),)),
+        Section("effects", "Effects, and how sure they are", (), tuple(effect_tables(found))),
+        Section("residuals", "Residuals before and after", (), (each_group_table(calibration), *residuals)),
+        Section("properties", "Properties", (), properties),
+        Section("law", "Parameters of the law", (), (law_parameters_table(found),)),
+    )
+    cover = Cover(
+        title=found.title,
+        kind="Calibration report",
+        about=f"law {found.law} · {len(campaign.table)} rows of a property table · edesign {__version__}",
+        footer=f"Made by edesign {__version__}. All numbers are computed from the measured properties.",
+    )
+    write_text(render(cover, [section for section in sections if section]), path)
+    return path
+
+
+def _pictures(calibration: PropertyCalibration) -> Iterator[tuple[str, Picture]]:
+    for name, caption, figure in property_calibration_figures(calibration):
+        yield name, picture_of(name, caption, figure)
