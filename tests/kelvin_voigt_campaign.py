@@ -25,7 +25,9 @@ def lawful(t: np.ndarray, u: np.ndarray, v: np.ndarray, a: np.ndarray, order: in
 
 
 def motion(order: int, late: float = 0.0) -> tuple[np.ndarray, ...]:
-    """Time, displacement, velocity, acceleration of a test: two sines that grow from rest; `late` shifts the motion in time."""
+    """Time, displacement, velocity, acceleration of a test: two sines that grow from rest; `late` shifts the motion
+    in time.
+    """
     t = np.arange(0.0, 8.0, 1.0 / RATE)
     s = t - late
     f = (0.5, 1.0, 2.0, 0.7, 1.5, 3.0, 0.9, 1.2)[order % 8]

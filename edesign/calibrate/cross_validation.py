@@ -43,7 +43,8 @@ class HeldOut:
     def score(self) -> float:
         """Sum over tests of n ln(chi2 / n): the predictive log-likelihood, each test with the scatter it shows.
 
-        A test that alone tells a parameter is predicted badly when it is left out; its sum of squares would drown all others'.
+        A test that alone tells a parameter is predicted badly when it is left out; its sum of squares would drown all
+        others'.
         """
         return float(self.samples @ np.log(self.ratio))
 
@@ -54,10 +55,13 @@ class HeldOut:
 
 
 def leave_one_out(fitted: Fitted) -> HeldOut:
-    """Each test of a fit left out in turn; of fewer than four tests their quarters, as the others would be too few to fit to.
+    """Each test of a fit left out in turn; of fewer than four tests their quarters, as the others would be too few to
+    fit to.
 
-    The fit without a test is one Gauss-Newton step from the fit with it; where the step is short the test's residual follows
-    from the slopes, else the model is run again. A parameter that no other test shows goes back towards where it was declared.
+    The fit without a test is one Gauss-Newton step from the fit with it; where the step is short the test's residual
+    follows
+    from the slopes, else the model is run again. A parameter that no other test shows goes back towards where it was
+    declared.
 
     Source: Cook and Weisberg (1982), Residuals and Influence in Regression, chapter 5 (one-step approximation).
     """

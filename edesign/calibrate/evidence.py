@@ -55,9 +55,11 @@ class Evidence:
     """How a model compares with a rival on the same tests.
 
     Attributes:
-        share: of the rival's excess over noise that the model removes: the smaller one of that on the tests fitted to and that on
+        share: of the rival's excess over noise that the model removes: the smaller one of that on the tests fitted to
+            and that on
             tests left out.
-        t: sum of the tests' improvements (logarithms of their errors) over the root of their squares: sqrt(tests) if all
+        t: sum of the tests' improvements (logarithms of their errors) over the root of their squares: sqrt(tests) if
+            all
             improve alike, 1 if one alone does.
         bic: information criterion of the rival minus that of the model; above 10 is very strong.
         better, tests: how many tests improve when they are left out, of how many.
@@ -77,14 +79,17 @@ class Evidence:
     @property
     def text(self) -> str:
         """For people."""
+        removed = f"removes {100.0 * self.share:.1f} %" if self.share > 0.0 else "removes nothing"
         return (
-            f"removes {100.0 * self.share:.1f} % of the excess over noise in tests left out; {self.better} of {self.tests} "
-            f"tests improve (t = {self.t:.1f}); BIC falls by {self.bic:.0f}"
+            f"{removed} of the excess over noise in tests left out; {self.better} of {self.tests} tests improve "
+            f"(t = {self.t:.1f}); BIC falls by {self.bic:.0f}"
         )
 
 
 def simplest(models: Sequence[Judged]) -> Judged:
-    """Of models, the one with the fewest parameters that the best on tests left out does not beat by more than chance."""
+    """Of models, the one with the fewest parameters that the best on tests left out does not beat by more than
+    chance.
+    """
     best = min(models, key=lambda judged: judged.held_out.score)
     return next(
         judged for judged in sorted(models, key=_order) if judged is best or not compare(best, judged).beyond_chance
@@ -101,7 +106,8 @@ def _order(judged: Judged) -> tuple[int, float, int, float]:
 def compare(model: Judged, rival: Judged) -> Evidence:
     """Evidence for a model against a rival.
 
-    Source of the criterion: Schwarz (1978), Ann. Statist. 6, 461-464, with as many samples as the correlation of the model's
+    Source of the criterion: Schwarz (1978), Ann. Statist. 6, 461-464, with as many samples as the correlation of the
+        model's
     residual leaves independent.
     """
     before, after = rival.held_out, model.held_out
@@ -118,7 +124,9 @@ def compare(model: Judged, rival: Judged) -> Evidence:
 
 
 def _share(before: HeldOut, after: HeldOut) -> float:
-    """Share of the excess that goes, by the mean of the tests' logarithms, those with more excess before counting for more."""
+    """Share of the excess that goes, by the mean of the tests' logarithms, those with more excess before counting for
+    more.
+    """
     rival, model = (np.maximum(side.ratio - 1.0, _LEAST_EXCESS) for side in (before, after))
     weight = np.sqrt(rival * before.samples)
     with np.errstate(invalid="ignore"):

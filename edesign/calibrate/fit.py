@@ -13,7 +13,9 @@ from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem,
 from edesign.calibrate.unknown import Unknown
 
 BELIEF = 0.5
-"""How far the declared parameters are believed, in coordinates: a factor of e^0.5. It decides what the tests cannot tell."""
+"""How far the declared parameters are believed, in coordinates: a factor of e^0.5. It decides what the tests cannot
+tell.
+"""
 _MOST_STEPS = 15
 _ENOUGH = 1e-4  # relative change of the sum of squares that ends a search
 _REFRESH = (
@@ -30,7 +32,8 @@ class Model:
         noise: (tests,) standard deviation by which residuals are measured.
         effects: in the order of adoption.
         held: whether the base keeps its declared parameters.
-        misfit: standard deviation of what is left by the models compared, in units of noise and as if it were white: what no model
+        misfit: standard deviation of what is left by the models compared, in units of noise and as if it were white:
+            what no model
             explains does not make the parameters sure, so the belief in the declared ones counts by as much more.
     """
 
@@ -51,7 +54,9 @@ class Model:
         return (*self.base, *(unknown for effect in self.effects for unknown in effect.unknowns))
 
     def coordinates(self, base: np.ndarray | None = None, parts: Sequence[Part] = ()) -> np.ndarray:
-        """Coordinates (p,) of values of the base (None: declared) and of the parts; effects without a part at their first start."""
+        """Coordinates (p,) of values of the base (None: declared) and of the parts; effects without a part at their
+        first start.
+        """
         given = {candidate.label: values for candidate, values in parts}
         values = [] if self.held else list(self.problem.declared if base is None else base)
         for effect in self.effects:
@@ -153,7 +158,9 @@ class Fitted:
 
     @cached_property
     def covariance(self) -> np.ndarray:
-        """Covariance (p, p) of x: noise inflated to what is left, with as many independent samples as its correlation leaves."""
+        """Covariance (p, p) of x: noise inflated to what is left, with as many independent samples as its correlation
+        leaves.
+        """
         return np.asarray(np.linalg.pinv(self.hessian) * self.misfit**2)
 
     @cached_property
@@ -192,7 +199,8 @@ def fit(
         start: moved inside the bounds.
         most_steps: of the search.
         enough: relative change of the sum of squares that ends it.
-        frozen: slopes (n_i, q) to the first unknowns, taken as known all along: those of the base, which effects change little.
+        frozen: slopes (n_i, q) to the first unknowns, taken as known all along: those of the base, which effects
+            change little.
 
     Raises:
         PredictionError: the model cannot predict at the start.
@@ -292,7 +300,9 @@ def _normal(
 def _step(
     hessian: np.ndarray, gradient: np.ndarray, damping: float, x: np.ndarray, low: np.ndarray, high: np.ndarray
 ) -> tuple[np.ndarray, float]:
-    """A damped Gauss-Newton step inside the bounds, and the reduction it hopes for; unknowns that push at a bound stay there."""
+    """A damped Gauss-Newton step inside the bounds, and the reduction it hopes for; unknowns that push at a bound
+    stay there.
+    """
     free = ~(((x <= low) & (gradient > 0.0)) | ((x >= high) & (gradient < 0.0)))
     step = np.zeros_like(x)
     for _ in range(x.size + 1):

@@ -73,7 +73,9 @@ class Problem(Protocol):
     def measured(self) -> tuple[np.ndarray, ...]: ...
 
     def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
-        """Effects the model may lack, with starts that suit residuals (n_i,) of the tests fitted to, in the unit of `measured`."""
+        """Effects the model may lack, with starts that suit residuals (n_i,) of the tests fitted to, in the unit of
+        `measured`.
+        """
 
     def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
         """Predicted values (n_i,) of each test used so; None for the others.
@@ -86,7 +88,9 @@ class Problem(Protocol):
         """Columns (n_i, k) whose share is each test's own, such as the phase of hum; None: there are none."""
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
-        """Power of the residuals of the tests fitted to, in units of their noise, over that of noise; 1 where only noise is left."""
+        """Power of the residuals of the tests fitted to, in units of their noise, over that of noise; 1 where only
+        noise is left.
+        """
 
 
 class PredictionError(Exception):

@@ -145,9 +145,11 @@ class Calibration:
         title: of the campaign.
         law: name of the declared law.
         errors: by stage.
-        noise_floor: NRMS of the noise in the validation tests, below which no model comes; `noise_floor_fit` in the others.
+        noise_floor: NRMS of the noise in the validation tests, below which no model comes; `noise_floor_fit` in the
+            others.
         effects: in the order of adoption.
-        verdict: none: nothing is missing; explained: what was missing is found, noise is left; partly_explained: more than noise
+        verdict: none: nothing is missing; explained: what was missing is found, noise is left; partly_explained: more
+            than noise
             is left; unexplained: something is missing and nothing known explains it.
         unexplained_share: of the error of the refitted law over noise, in the validation tests, that is left.
         unexplained_shape: for people; "" if only noise is left.

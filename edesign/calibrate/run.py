@@ -55,7 +55,9 @@ def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda 
 
 
 def noise_of(trial: Trial) -> float:
-    """Standard deviation of what cannot be predicted in a test, N: noise of the force, and of the displacement through the law."""
+    """Standard deviation of what cannot be predicted in a test, N: noise of the force, and of the displacement
+    through the law.
+    """
     channel = white_noise(trial.force, trial.motion.time)
     return max(float(np.hypot(channel, trial.motion_noise)), _LEAST_NOISE * float(np.sqrt(np.mean(trial.force**2))))
 

@@ -1,4 +1,6 @@
-"""Which effects are worth a fit: how much of the residual the signature of each could explain, beside what the model can already do."""
+"""Which effects are worth a fit: how much of the residual the signature of each could explain, beside what the model
+can already do.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,6 @@
-"""The loop: find what a model lacks, add it, and stop when noise is left, or when nothing known explains what is left."""
+"""The loop: find what a model lacks, add it, and stop when noise is left, or when nothing known explains what is
+left.
+"""
 
 from __future__ import annotations
 
@@ -16,9 +18,12 @@ from edesign.calibrate.problem import Candidate, PredictionError, Problem
 from edesign.calibrate.screening import Signature, joint_gain, screen
 
 SHARE = 0.25
-"""Least share of the excess over noise that an effect must remove to be adopted: less is a symptom of something else."""
+"""Least share of the excess over noise that an effect must remove to be adopted: less is a symptom of something else.
+"""
 _SMALL = 0.01
-"""Least share of all that the refitted law leaves over noise: below it stands what the equations of effects found before miss."""
+"""Least share of all that the refitted law leaves over noise: below it stands what the equations of effects found
+before miss.
+"""
 _CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
 _FITTED = 10  # forms fitted in a round
 _PER_EFFECT = 2  # forms of one effect among them
@@ -120,7 +125,7 @@ class Loop:
         if declared.at_floor:
             return Selection(declared, refit, declared, ())
         final, refused = self._search(declared, refit)
-        adopted = self._explain(final, declared, refit)
+        adopted = self._explain(final, refit)
         return Selection(declared, refit, final, adopted, refused)
 
     def _search(self, declared: Judged, refit: Judged) -> tuple[Judged, Refused]:
@@ -146,7 +151,9 @@ class Loop:
         return self._held_again(current), refused
 
     def _in_pairs(self, current: Judged) -> Judged | None:
-        """A model in which two effects stand in the place of one that was a compromise between them; None: there is none."""
+        """A model in which two effects stand in the place of one that was a compromise between them; None: there is
+        none.
+        """
         effects = current.fitted.model.effects
         if len(effects) + 1 > _MOST:
             return None
@@ -205,7 +212,9 @@ class Loop:
         return None, refused
 
     def _matters(self, judged: Judged, current: Judged) -> bool:
-        """Whether what new effects remove is more than the equations of the known ones may miss; further forms of these may do less."""
+        """Whether what new effects remove is more than the equations of the known ones may miss; further forms of
+        these may do less.
+        """
         known = {effect.name for effect in current.fitted.model.effects}
         new = any(effect.name not in known for effect in judged.fitted.model.effects)
         return not new or current.fitted.chi2 - judged.fitted.chi2 >= self.material
@@ -267,7 +276,9 @@ class Loop:
         return current
 
     def _beside_declared(self, declared: Judged) -> list[Judged]:
-        """Models with one effect beside the law as declared: a gain, say, is all moduli changed alike, one number against nine."""
+        """Models with one effect beside the law as declared: a gain, say, is all moduli changed alike, one number
+        against nine.
+        """
         self.tell("screening effects beside the law as declared")
         found = self._fit_best(_shortlist(screen(declared.fitted, self._candidates(declared), run=self._map)))
         self.rivals[_labels(())] = found
@@ -292,9 +303,9 @@ class Loop:
         found = Judged(fit(held, start))
         return current if _worse(found, current) else found
 
-    def _explain(self, final: Judged, declared: Judged, refit: Judged) -> tuple[Adopted, ...]:
+    def _explain(self, final: Judged, refit: Judged) -> tuple[Adopted, ...]:
         """The evidence for each effect of the final model, and what cannot be told from it."""
-        found = []
+        found: list[Adopted] = []
         for effect, values in final.fitted.parts:
             self.tell(f"telling {effect.name} apart from others")
             without = self._without(final, effect)
@@ -312,7 +323,7 @@ class Loop:
         return tuple(found)
 
     def _fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
-        """Models fitted from their starts: all of them roughly, with slopes known before, then the best of them well."""
+        """Models fitted from their starts: all of them roughly, then the best of them well."""
 
         def rough(signature: Signature) -> Fitted | None:
             try:
@@ -359,7 +370,7 @@ class Loop:
 def _shortlist(signatures: Sequence[Signature]) -> list[Signature]:
     """The best forms, not too many of one effect."""
     count: dict[str, int] = {}
-    found = []
+    found: list[Signature] = []
     for signature in signatures:
         name = signature.candidate.name
         if signature.gain > 0.0 and count.get(name, 0) < _PER_EFFECT and len(found) < _FITTED:

@@ -141,7 +141,8 @@ class CoreDamper:
         """Force history in series with a rig whose pins have play and whose parts are flexible.
 
         The force factor F + added, F that of the damper under its own deformation, is stiffness z (1 + bend z^2), z the
-        stretch of the rig beyond half the play, either way: none within the play, where the damper moves by itself. Held at the
+        stretch of the rig beyond half the play, either way: none within the play, where the damper moves by itself.
+            Held at the
         first deformation for long before. The stretch is linear between samples.
 
         Args:

@@ -1,4 +1,6 @@
-"""The loop on specimens whose force is a closed form of the motion: what is hidden is named, with its size, and nothing else."""
+"""The loop on specimens whose force is a closed form of the motion: what is hidden is named, with its size, and
+nothing else.
+"""
 
 from __future__ import annotations
 
@@ -7,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kelvin_voigt_campaign import C, K, Hidden, campaign, lawful
+from kelvin_voigt_campaign import C, Hidden, K, campaign, lawful
 
 from edesign.calibrate.run import calibrate
 from edesign.calibrate.write import calibration_json, law_text
@@ -57,7 +59,8 @@ def test_what_is_hidden_is_found(
     assert effect.kind == kind
     assert found.verdict == "explained"
     estimate = effect.parameters[parameter]
-    # the formula is the form's own (friction too): four standard errors, and a thousandth for the integration of the samples
+    # the formula is the form's own (friction too): four standard errors, and a thousandth for the integration of
+    # the samples
     assert estimate.value == pytest.approx(value, abs=4.0 * estimate.standard_error + 1e-3 * value)
     assert found.errors["corrected"].validate < 1.2 * found.noise_floor < found.errors["declared"].validate
     assert effect.delta_validate > 0.0
@@ -76,7 +79,9 @@ def test_nothing_hidden_is_none_and_the_law_stays(tmp_path: Path) -> None:
     assert found.verdict == "none"
     assert not found.effects
     assert found.law_held
-    assert {name: value.value for name, value in found.parameters["corrected"].items()} == pytest.approx({"k": K, "c": C})
+    assert {name: value.value for name, value in found.parameters["corrected"].items()} == pytest.approx(
+        {"k": K, "c": C}
+    )
     assert "effects" not in law_text(found, loaded)
     # the noise is 60 N in every test
     power = sum(float(s.measured @ s.measured) for s in found.series if s.use == "validate")

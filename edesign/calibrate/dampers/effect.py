@@ -42,12 +42,14 @@ class Form:
         signature: what it leaves in the residual of a model without it, for people.
         source: paper, book.
         remembers: whether `memory` carries something from test to test.
-        may_be_inside: whether its factor or force may also stand inside the law, where what relaxes in the law relaxes it too.
+        may_be_inside: whether its factor or force may also stand inside the law, where what relaxes in the law relaxes
+            it too.
         inside: whether it does.
         may_spare_loss: whether its factor may change the law's dashpots less, or more, than its springs.
         spares_loss: whether it does: springs times phi, dashpots times phi^loss, with one unknown more.
         refined: steps into which one between samples is cut, for forms with corners that do not fall on samples.
-        amendment: whether a law file can carry it (edesign.damper.amendments has this name and form, or `amendment_form`
+        amendment: whether a law file can carry it (edesign.damper.amendments has this name and form, or
+            `amendment_form`
             where there is one).
     """
 

@@ -25,7 +25,8 @@ _WARMER = 15.0  # K
 def next_test(problem: DamperProblem, found: Selection) -> NextTest | None:
     """The test, of those a laboratory can make, in which look-alikes would differ most.
 
-    Each model predicts each test that could be made after the campaign; the one with the largest NRMS between two predictions
+    Each model predicts each test that could be made after the campaign; the one with the largest NRMS between two
+    predictions
     is told. None: no effect has a look-alike among effects.
     """
     best: NextTest | None = None

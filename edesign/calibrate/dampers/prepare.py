@@ -1,4 +1,6 @@
-"""From a campaign of damper tests to the loop: the declared law, tests freed from displacement noise, and what looks wrong."""
+"""From a campaign of damper tests to the loop: the declared law, tests freed from displacement noise, and what looks
+wrong.
+"""
 
 from __future__ import annotations
 

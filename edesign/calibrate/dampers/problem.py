@@ -11,8 +11,8 @@ import numpy as np
 
 from edesign.calibrate.dampers.band import band_power
 from edesign.calibrate.dampers.effect import Form, Memory, Series
-from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.inside import relaxation_time, relaxed_factor, relaxed_force, without_dashpots
+from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.library import candidates
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
@@ -108,9 +108,11 @@ class DamperProblem:
         return np.hstack(given) if given else None
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
-        """Power of the residuals in the band of the motion over that of noise there, or of all over all, whichever is more.
+        """Power of the residuals in the band of the motion over that of noise there, or of all over all, whichever is
+        more.
 
-        The noise in the band is white noise as strong as above it, and what noise of the displacement makes through the law.
+        The noise in the band is white noise as strong as above it, and what noise of the displacement makes through
+        the law.
         """
         fitted = [trial for trial in self.trials if trial.use == "fit"]
         inside = expected = 0.0
@@ -155,7 +157,8 @@ class DamperProblem:
     ) -> np.ndarray:
         """Force with the rig in series; springs add by their compliance, plays by their widths.
 
-        Factors and parallel forces are those of the whole motion, the factor that of the springs: what the rig takes of it is small.
+        Factors and parallel forces are those of the whole motion, the factor that of the springs: what the rig takes
+            of it is small.
         """
         stiffness = 1.0 / sum(1.0 / s for s, _, _ in series)
         bend = sum(b * (stiffness / s) ** 3 for s, b, _ in series)  # e = F/s - b (F/s)^3 of each, for a little bend

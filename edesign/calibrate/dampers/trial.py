@@ -44,7 +44,9 @@ class Motion:
         return np.concatenate(([0.0], np.cumsum(np.abs(np.diff(self.displacement)))))
 
     def moved(self, displacement: np.ndarray) -> Motion:
-        """Another displacement (n,) at the same times, with its velocity and acceleration by differences of the change."""
+        """Another displacement (n,) at the same times, with its velocity and acceleration by differences of the
+        change.
+        """
         change = displacement - self.displacement
         rate = np.gradient(change, self.time)
         return Motion(self.time, displacement, self.velocity + rate, self.acceleration + np.gradient(rate, self.time))
@@ -97,7 +99,9 @@ class Trial:
         return {}
 
     def finer(self, parts: int) -> Trial:
-        """With every step cut into so many, along the cubics between samples; kept, as models ask for it again and again."""
+        """With every step cut into so many, along the cubics between samples; kept, as models ask for it again and
+        again.
+        """
         if parts not in self._finer:
             time = self.motion.time
             fine = np.interp(np.arange((time.size - 1) * parts + 1) / parts, np.arange(time.size), time)

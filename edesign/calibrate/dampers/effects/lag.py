@@ -20,7 +20,8 @@ class _Lag(Form):
     name: ClassVar[str] = "lag"
     kind: ClassVar[Kind] = "instrument"
     signature: ClassVar[str] = (
-        "proportional to the rate of the force: loops too fat or too thin by as much at all amplitudes, in proportion to frequency"
+        "proportional to the rate of the force: loops too fat or too thin by as much at all amplitudes, in "
+        "proportion to frequency"
     )
 
 

@@ -69,7 +69,9 @@ class Displacement(_Offset):
 
     form: ClassVar[str] = "displacement"
     title: ClassVar[str] = "zero of the displacement channel, the same in all tests"
-    signature: ClassVar[str] = "no force where the record begins, though not at zero displacement; loops shifted along the displacement"
+    signature: ClassVar[str] = (
+        "no force where the record begins, though not at zero displacement; loops shifted along the displacement"
+    )
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         u = sizes.displacement

@@ -35,7 +35,9 @@ class Linear(Form):
 
 
 class Stiffening(Linear):
-    """A spring in series that stiffens: F = stiffness e (1 + (e/e0)^2), e its stretch, as bolted joints and bearings do."""
+    """A spring in series that stiffens: F = stiffness e (1 + (e/e0)^2), e its stretch, as bolted joints and bearings
+    do.
+    """
 
     form: ClassVar[str] = "stiffening"
     title: ClassVar[str] = "parts of the rig in series with the specimen that stiffen with the force"
@@ -47,7 +49,10 @@ class Stiffening(Linear):
         return (*super().unknowns(sizes), Unknown("e0", "m", 1e-4 * u, 10.0 * u, 0.05 * u, logarithmic=True))
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return ((20.0 * sizes.stiffness, 0.05 * sizes.displacement), (10.0 * sizes.stiffness, 0.02 * sizes.displacement))
+        return (
+            (20.0 * sizes.stiffness, 0.05 * sizes.displacement),
+            (10.0 * sizes.stiffness, 0.02 * sizes.displacement),
+        )
 
     def series(self, p: Values) -> Series:
         return p["stiffness"], 1.0 / p["e0"] ** 2, 0.0
