@@ -15,6 +15,9 @@ from edesign.calibrate.fit import Fitted, correlation_length
 AT_FLOOR = 1.2
 """Power left where the tests move, over that of the noise there, up to which a residual is at the noise floor."""
 
+SHARE = 0.25
+"""Least share of the excess over noise that an effect must remove to be adopted: less is a symptom of something else."""
+
 _LEAST_BIC = 10.0  # Kass and Raftery (1995): "very strong"
 _LEAST_EXCESS = 0.02  # of the noise: less is not told from nothing
 _KINDS = ("instrument", "rig", "structure", "damper")
@@ -77,6 +80,11 @@ class Evidence:
         return self.share > 0.0 and self.t >= _LEAST_T and self.bic > _LEAST_BIC
 
     @property
+    def clearly_better(self) -> bool:
+        """Whether a simpler rival cannot stand for the model: better beyond chance, or by a good share of what is left."""
+        return self.beyond_chance or (self.share >= SHARE and self.t >= _LEAST_T)
+
+    @property
     def text(self) -> str:
         """For people."""
         removed = f"removes {100.0 * self.share:.1f} %" if self.share > 0.0 else "removes nothing"
@@ -87,12 +95,10 @@ class Evidence:
 
 
 def simplest(models: Sequence[Judged]) -> Judged:
-    """Of models, the one with the fewest parameters that the best on tests left out does not beat by more than
-    chance.
-    """
+    """Of models, the one with the fewest parameters that the best on tests left out does not clearly beat."""
     best = min(models, key=lambda judged: judged.held_out.score)
     return next(
-        judged for judged in sorted(models, key=_order) if judged is best or not compare(best, judged).beyond_chance
+        judged for judged in sorted(models, key=_order) if judged is best or not compare(best, judged).clearly_better
     )
 
 

@@ -12,14 +12,11 @@ from typing import TypeVar
 
 import numpy as np
 
-from edesign.calibrate.evidence import Evidence, Judged, compare, simplest
+from edesign.calibrate.evidence import SHARE, Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import Candidate, PredictionError, Problem
 from edesign.calibrate.screening import Signature, joint_gain, screen
 
-SHARE = 0.25
-"""Least share of the excess over noise that an effect must remove to be adopted: less is a symptom of something else.
-"""
 _SMALL = 0.01
 """Least share of all that the refitted law leaves over noise: below it stands what the equations of effects found
 before miss.
