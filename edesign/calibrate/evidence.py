@@ -16,7 +16,7 @@ AT_FLOOR = 1.2
 """Power left where the tests move, over that of the noise there, up to which a residual is at the noise floor."""
 
 SHARE = 0.25
-"""Least share of the excess over noise that an effect must remove to be adopted: less is a symptom of something else."""
+"""Least share of the excess over noise that an effect must remove: less is a symptom of something else."""
 
 _LEAST_BIC = 10.0  # Kass and Raftery (1995): "very strong"
 _LEAST_EXCESS = 0.02  # of the noise: less is not told from nothing
@@ -81,7 +81,7 @@ class Evidence:
 
     @property
     def clearly_better(self) -> bool:
-        """Whether a simpler rival cannot stand for the model: better beyond chance, or by a good share of what is left."""
+        """Whether a simpler rival cannot stand for the model: better beyond chance, or by a good share."""
         return self.beyond_chance or (self.share >= SHARE and self.t >= _LEAST_T)
 
     @property

@@ -72,7 +72,7 @@ def sine(
     phase = np.minimum(frequency * t, total)
     envelope = np.interp(phase, *_corners(ramp_up, cycles, ramp_down))
     u = amplitude * envelope * np.sin(2.0 * np.pi * phase)
-    u[phase >= total] = 0.0
+    u[phase >= total * (1.0 - 1e-12)] = 0.0  # the last sample, for a frequency that is off by rounding
     return t, u
 
 

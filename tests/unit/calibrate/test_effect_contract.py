@@ -20,6 +20,7 @@ from edesign.damper.amendments import AMENDMENTS
 from edesign.damper.laws import law
 
 PAGES = Path(__file__).parents[3] / "docs" / "effects"
+ZERO = 5e-4  # m, where the records begin: a campaign that can show the zero of its displacement channel
 LAW = {"k0": 1e6, "k1": 2e6, "c1": 2e5}
 
 
@@ -30,7 +31,7 @@ def trials() -> tuple[Trial, ...]:
         t = np.arange(0.0, 4.0, 1.0 / 60.0)
         w = 2.0 * np.pi * frequency
         growing, slope = np.minimum(t, 2.0) / 2.0, np.where(t < 2.0, 0.5, 0.0)
-        u = amplitude * growing * np.sin(w * t)
+        u = ZERO + amplitude * growing * np.sin(w * t)
         v = amplitude * (growing * w * np.cos(w * t) + slope * np.sin(w * t))
         motion = Motion(t, u, v, np.gradient(v, t))
         warm = np.full(t.size, 20.0 + 8.0 * (order % 2))
@@ -91,6 +92,8 @@ def test_starts_lie_inside_the_bounds_and_are_few(candidate: Candidate) -> None:
 def test_starts_are_seen_but_not_wild(candidate: Candidate) -> None:
     if problem().nuisance([(candidate, np.array(candidate.starts[0]))], 0) is not None:
         pytest.skip("its share is each test's own")
+    if candidate.label == "static_offset.pre_shear_tared":
+        pytest.skip("it bends the loops of laws that are not linear; this one is")
     changes = [change(candidate, start) for start in candidate.starts]
     assert 1e-5 < max(changes) and max(changes) < 1.0
 
