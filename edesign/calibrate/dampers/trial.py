@@ -11,8 +11,8 @@ from scipy.interpolate import CubicHermiteSpline
 
 from edesign.calibrate.problem import Use
 
-_RATE = 120.0  # samples per second that a fit needs at least: 30 in a cycle of 4 Hz, exact to 1e-5 through cubics
-_PER_CYCLE = 30
+_RATE = 60.0  # samples per second that a fit needs at least
+_PER_CYCLE = 40  # and in a cycle of the fastest motion: exact to 1e-5 through cubics
 
 
 @dataclass(frozen=True, eq=False)

@@ -6,9 +6,9 @@ from typing import ClassVar
 
 import numpy as np
 from scipy.interpolate import CubicSpline
-from scipy.signal import lfilter, lfiltic
 
 from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.inside import relaxed_force
 from edesign.calibrate.dampers.trial import Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -59,13 +59,7 @@ class Filter(_Lag):
         return ((0.002 * sizes.period,),)
 
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
-        # exact for a force that is linear between samples
-        step, tau = float(np.median(trial.motion.steps)), p["time_constant"]
-        decay = np.exp(-step / tau)
-        ramp = tau / step * (1.0 - decay)
-        b, a = [1.0 - ramp, ramp - decay], [1.0, -decay]
-        start = lfiltic(b, a, [force[0]], [force[0]])
-        return np.asarray(lfilter(b, a, force, zi=start)[0])
+        return relaxed_force(trial.motion, force, p["time_constant"])
 
 
 FORMS = (Delay, Filter)

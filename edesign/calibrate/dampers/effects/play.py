@@ -15,7 +15,7 @@ from edesign.calibrate.unknown import Unknown
 
 class _Play(Form):
     name: ClassVar[str] = "play"
-    refined: ClassVar[int] = 4
+    refined: ClassVar[int] = 3
     kind: ClassVar[Kind] = "rig"
 
     def _play(self, sizes: Sizes) -> Unknown:
