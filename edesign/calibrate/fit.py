@@ -12,8 +12,8 @@ import numpy as np
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem, Use
 from edesign.calibrate.unknown import Unknown
 
-BELIEF = 0.5
-"""How far the declared parameters are believed, in coordinates: a factor of e^0.5. It decides what the tests cannot
+BELIEF = 0.3
+"""How far the declared parameters are believed, in coordinates: a factor of e^0.3. It decides what the tests cannot
 tell.
 """
 _MOST_STEPS = 15
