@@ -27,6 +27,7 @@ _PER_EFFECT = 2  # forms of one effect among them
 _PAIRS = 4  # pairs fitted in a round
 _WELL_FITTED = 5  # forms or pairs of those that are fitted to the end
 _ROUGH_STEPS, _MORE_STEPS = 5, 3  # with slopes known before, and with new ones
+_HOPELESS, _BEHIND = 6.0, 3.0  # times the best chi2 beyond which a model is not fitted further, and not to the end
 _ROUGH, _WELL = 1e-2, 1e-3  # changes of chi2 that end a search
 _MOST = 4  # effects
 _FAR = 0.5  # coordinates: factors of e
@@ -324,12 +325,14 @@ class Loop:
 
         def rough(signature: Signature) -> Fitted | None:
             try:
-                near = fit(
+                return fit(
                     signature.model, signature.start, most_steps=_ROUGH_STEPS, enough=_ROUGH, frozen=signature.frozen
                 )
-                return fit(near.model, near.x, most_steps=_MORE_STEPS, enough=_ROUGH)
             except PredictionError:
                 return None
+
+        def nearer(found: Fitted) -> Fitted:
+            return fit(found.model, found.x, most_steps=_MORE_STEPS, enough=_ROUGH)
 
         def well(found: Fitted) -> Judged | None:
             try:
@@ -344,7 +347,7 @@ class Loop:
             if found is not None:
                 key = tuple(effect.label for effect in found.model.effects)
                 best[key] = min(best.get(key, found), found, key=lambda f: f.chi2)
-        near = sorted(best.values(), key=lambda f: f.chi2)[:_WELL_FITTED]
+        near = _promising(self._map(nearer, _promising(best.values(), _HOPELESS)), _BEHIND)[:_WELL_FITTED]
         return [judged for judged in self._map(well, near) if judged is not None]
 
     def _unfitted(self, refit: Judged) -> Fitted:
@@ -362,6 +365,12 @@ class Loop:
             return [function(item) for item in items]
         with ThreadPoolExecutor(self.workers) as pool:
             return list(pool.map(function, items))
+
+
+def _promising(found: Iterable[Fitted], behind: float) -> list[Fitted]:
+    """Those that leave no more than so many times what the best leaves, the best first."""
+    ordered = sorted(found, key=lambda fitted: fitted.chi2)
+    return [fitted for fitted in ordered if fitted.chi2 <= behind * ordered[0].chi2]
 
 
 def _shortlist(signatures: Sequence[Signature]) -> list[Signature]:
