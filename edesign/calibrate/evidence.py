@@ -20,6 +20,7 @@ SHARE = 0.25
 
 _LEAST_BIC = 10.0  # Kass and Raftery (1995): "very strong"
 _LEAST_EXCESS = 0.02  # of the noise: less is not told from nothing
+_TWINS = 0.01  # difference of the mean logarithm of the error below which two effects are one equation
 _KINDS = ("instrument", "rig", "structure", "damper")
 _LEAST_T = 1.0  # of the tests' improvements: one test that improves against all others passes only if it is much
 
@@ -96,17 +97,22 @@ class Evidence:
 
 def simplest(models: Sequence[Judged]) -> Judged:
     """Of models, the one with the fewest parameters that the best on tests left out does not clearly beat."""
-    best = min(models, key=lambda judged: judged.held_out.score)
-    return next(
-        judged for judged in sorted(models, key=_order) if judged is best or not compare(best, judged).clearly_better
-    )
+    best = min(models, key=_score)
+    fair = [judged for judged in models if judged is best or not compare(best, judged).clearly_better]
+    least = min(judged.fitted.freedom for judged in fair)
+    equal = [judged for judged in fair if judged.fitted.freedom == least]
+    first = min(_score(judged) for judged in equal)
+    twins = [judged for judged in equal if _score(judged) - first < _TWINS]
+    return min(twins, key=lambda judged: (_rank(judged), _score(judged)))
 
 
-def _order(judged: Judged) -> tuple[int, float, int, float]:
-    """By parameters, then by error; of twins a fault of the measurement is the simpler thing to think of."""
-    kinds = [_KINDS.index(effect.kind) for effect in judged.fitted.model.effects]
-    score = judged.held_out.score / float(judged.held_out.samples.sum())
-    return judged.fitted.freedom, round(score, 2), sum(kinds), score
+def _score(judged: Judged) -> float:
+    return judged.held_out.score / float(judged.held_out.samples.sum())
+
+
+def _rank(judged: Judged) -> int:
+    """Of twins a fault of the measurement is the simpler thing to think of."""
+    return sum(_KINDS.index(effect.kind) for effect in judged.fitted.model.effects)
 
 
 def compare(model: Judged, rival: Judged) -> Evidence:
