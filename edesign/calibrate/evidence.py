@@ -141,7 +141,7 @@ def _share(before: HeldOut, after: HeldOut) -> float:
     """
     rival, model = (np.maximum(side.ratio - 1.0, _LEAST_EXCESS) for side in (before, after))
     weight = np.sqrt(rival * before.samples)
-    with np.errstate(invalid="ignore"):
+    with np.errstate(invalid="ignore", divide="ignore"):
         mean = float(weight @ np.log(model / rival)) / float(weight.sum())
     return 1.0 - math.exp(min(mean, 50.0)) if math.isfinite(mean) else -math.inf
 
