@@ -30,11 +30,6 @@ class HeldOut:
     samples: np.ndarray
 
     @property
-    def total(self) -> float:
-        """Over all tests."""
-        return float(self.chi2.sum())
-
-    @property
     def ratio(self) -> np.ndarray:
         """(tests,) squared residual per sample, in units of noise: 1 where only noise is left."""
         return np.maximum(self.chi2 / self.samples, _NOTHING)
@@ -48,20 +43,13 @@ class HeldOut:
         """
         return float(self.samples @ np.log(self.ratio))
 
-    @property
-    def excess(self) -> float:
-        """What noise does not explain."""
-        return max(self.total - float(self.samples.sum()), 0.0)
-
 
 def leave_one_out(fitted: Fitted) -> HeldOut:
-    """Each test of a fit left out in turn; of fewer than four tests their quarters, as the others would be too few to
-    fit to.
+    """Each test of a fit left out in turn; of fewer than four tests their quarters, lest the others be too few.
 
     The fit without a test is one Gauss-Newton step from the fit with it; where the step is short the test's residual
-    follows
-    from the slopes, else the model is run again. A parameter that no other test shows goes back towards where it was
-    declared.
+    follows from the slopes, else the model is run again. A parameter that no other test shows goes back towards where
+    it was declared.
 
     Source: Cook and Weisberg (1982), Residuals and Influence in Regression, chapter 5 (one-step approximation).
     """

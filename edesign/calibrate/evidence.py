@@ -48,11 +48,6 @@ class Judged:
         noise = [s for s, use in zip(model.noise, model.problem.uses, strict=True) if use == "fit"]
         return model.problem.left(self.fitted.residuals, noise)
 
-    @property
-    def excess(self) -> float:
-        """chi2 on tests left out that noise does not explain."""
-        return self.held_out.excess
-
 
 @dataclass(frozen=True)
 class Evidence:
@@ -60,11 +55,9 @@ class Evidence:
 
     Attributes:
         share: of the rival's excess over noise that the model removes: the smaller one of that on the tests fitted to
-            and that on
-            tests left out.
+            and that on tests left out.
         t: sum of the tests' improvements (logarithms of their errors) over the root of their squares: sqrt(tests) if
-            all
-            improve alike, 1 if one alone does.
+            all improve alike, 1 if one alone does.
         bic: information criterion of the rival minus that of the model; above 10 is very strong.
         better, tests: how many tests improve when they are left out, of how many.
     """
@@ -119,8 +112,7 @@ def compare(model: Judged, rival: Judged) -> Evidence:
     """Evidence for a model against a rival.
 
     Source of the criterion: Schwarz (1978), Ann. Statist. 6, 461-464, with as many samples as the correlation of the
-        model's
-    residual leaves independent.
+    model's residual leaves independent.
     """
     before, after = rival.held_out, model.held_out
     gains = before.samples * np.log(before.ratio / after.ratio)

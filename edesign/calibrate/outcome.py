@@ -1,36 +1,106 @@
-"""What the loop's models say about the tests of any problem: predictions, errors, verdict, effects."""
+"""What the loop's models say about the tests of any problem: predictions, errors, verdict, effects; and the calibration
+that is made of it."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import numpy as np
 
 from edesign.calibrate.evidence import AT_FLOOR, Judged
-from edesign.calibrate.problem import Candidate, Problem, Use
-from edesign.calibrate.result import Effect, Errors, Estimate, Verdict
+from edesign.calibrate.problem import Candidate, Described, Problem, Use
+from edesign.calibrate.residual.record import Residual
+from edesign.calibrate.result import Calibration, Effect, Errors, Estimate, NextTest, Series, Stage, Verdict
 from edesign.calibrate.selection import Adopted, Selection
 
 BOTH: tuple[Use, ...] = ("fit", "validate")
 _EXPLAINED = 1.5  # times the noise floor: error of the validation tests up to which nothing is left to explain
 
 
-@dataclass(frozen=True)
-class Described:
-    """What people and files are told of a form of an effect.
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """What the loop's models say about the tests.
 
     Attributes:
-        title: for people.
-        signature: what it leaves in a residual, for people.
-        amendment: form by which a law file carries it; "" if it cannot.
-        fixed: numbers that are not searched, by name, SI.
+        problem: at the rate at which errors are told.
+        found: by the loop.
+        errors: by stage.
+        predicted: values (n_i,) of every test, by stage.
+        floors: NRMS of the noise by use.
+        verdict: see Calibration.
     """
 
-    title: str
-    signature: str
-    amendment: str = ""
-    fixed: Mapping[str, float] = field(default_factory=dict)
+    problem: Problem
+    found: Selection
+    errors: Mapping[Stage, Errors]
+    predicted: Mapping[Stage, Sequence[np.ndarray]]
+    floors: Mapping[Use, float]
+    verdict: Verdict
+
+    @staticmethod
+    def of(problem: Problem, noise: Sequence[float], found: Selection) -> Outcome:
+        """Of what the loop found, with the noise (tests,) of the problem."""
+        predicted = {stage: predict(problem, judged) for stage, judged in stages(found).items()}
+        errors = {stage: errors_of(problem, values) for stage, values in predicted.items()}
+        floors = {use: floor_of(problem, noise, use) for use in BOTH}
+        return Outcome(problem, found, errors, predicted, floors, verdict_of(found, errors["corrected"], floors))
+
+    @property
+    def more_is_left(self) -> bool:
+        """Whether more than noise is left."""
+        return self.verdict in ("partly_explained", "unexplained")
+
+    def calibration(
+        self,
+        title: str,
+        law: str,
+        describe: Callable[[Candidate], Described],
+        shape: str,
+        next_test: NextTest | None,
+        series: tuple[Series, ...],
+        seconds: float,
+    ) -> Calibration:
+        """All of it for people and files; `shape` is of what is left."""
+        left = share_left(self.errors["refit"], self.errors["corrected"], self.floors)
+        corrected = self.errors["corrected"]
+        return Calibration(
+            title=title,
+            law=law,
+            errors=self.errors,
+            noise_floor=self.floors["validate"],
+            noise_floor_fit=self.floors["fit"],
+            effects=tuple(effect_of(self.problem, self.found, one, corrected, describe) for one in self.found.adopted),
+            verdict=self.verdict,
+            unexplained_share=left if self.more_is_left else 0.0,
+            unexplained_shape=shape,
+            next_test=next_test,
+            refused=tuple((candidate.label, evidence.text) for candidate, evidence in self.found.refused),
+            parameters={stage: parameters_of(judged) for stage, judged in stages(self.found).items()},
+            law_held=self.found.law_held,
+            series=series,
+            seconds=seconds,
+        )
+
+
+def stages(found: Selection) -> dict[Stage, Judged]:
+    """The three models by stage."""
+    return {"declared": found.declared, "refit": found.refit, "corrected": found.final}
+
+
+def residual_of(series: Series, stage: Stage) -> Residual:
+    """The residual of a test at a stage, as its analysis takes it."""
+    return Residual(
+        series.name,
+        series.order,
+        series.use,
+        series.time,
+        series.displacement,
+        series.velocity,
+        series.measured,
+        series.predicted[stage],
+        series.temperature,
+    )
 
 
 def predict(problem: Problem, judged: Judged) -> list[np.ndarray]:

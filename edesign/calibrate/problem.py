@@ -4,8 +4,8 @@ Damper tests, property tables and records of structures are problems of one form
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol
 
 import numpy as np
@@ -40,6 +40,23 @@ class Candidate:
     def label(self) -> str:
         """Name and form."""
         return f"{self.name}.{self.form}"
+
+
+@dataclass(frozen=True)
+class Described:
+    """What people and files are told of a form of an effect.
+
+    Attributes:
+        title: for people.
+        signature: what it leaves in a residual, for people.
+        amendment: form by which a law file carries it; "" if it cannot.
+        fixed: numbers that are not searched, by name, SI.
+    """
+
+    title: str
+    signature: str
+    amendment: str = ""
+    fixed: Mapping[str, float] = field(default_factory=dict)
 
 
 Part = tuple[Candidate, np.ndarray]

@@ -1,20 +1,17 @@
-"""The loop: find what a model lacks, add it, and stop when noise is left, or when nothing known explains what is
-left.
-"""
+"""The loop: find what a model lacks, add it; stop when noise is left, or when nothing known explains what is left."""
 
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TypeVar
 
 import numpy as np
 
+from edesign.calibrate.contest import FITTED, Contest, both, shortlist
 from edesign.calibrate.evidence import SHARE, Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
-from edesign.calibrate.problem import Candidate, PredictionError, Problem
+from edesign.calibrate.problem import Candidate, Problem
 from edesign.calibrate.screening import Signature, joint_gain, screen
 
 _SMALL = 0.01
@@ -22,20 +19,12 @@ _SMALL = 0.01
 before miss.
 """
 _CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
-_FITTED = 10  # forms fitted in a round
-_PER_EFFECT = 2  # forms of one effect among them
 _PAIRS = 4  # pairs fitted in a round
-_WELL_FITTED = 7  # forms or pairs of those that are fitted to the end
-_ROUGH_STEPS, _MORE_STEPS = 5, 3  # with slopes known before, and with new ones
-_HOPELESS, _BEHIND = 6.0, 3.0  # times the best chi2 beyond which a model is not fitted further, and not to the end
-_ROUGH, _WELL = 1e-2, 1e-3  # changes of chi2 that end a search
 _MOST = 4  # effects
 _FAR = 0.5  # coordinates: factors of e
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 _UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
 
-T = TypeVar("T")
-S = TypeVar("S")
 Progress = Callable[[str], None]
 Refused = tuple[tuple[Candidate, Evidence], ...]
 
@@ -69,7 +58,6 @@ class Selection:
         final: the model with effects.
         adopted: the effects, in the order of adoption.
         refused: the effects that came nearest to being adopted in the last round, with the evidence.
-        noise: (tests,) standard deviations by which residuals are measured.
     """
 
     declared: Judged
@@ -106,7 +94,7 @@ class Loop:
         self.problem = problem
         self.noise = tuple(noise)
         self.may_refit = refit
-        self.workers = workers
+        self.contest = Contest(workers)
         self.tell = progress
         self.material = 0.0
         self.rivals: dict[frozenset[str], list[Judged]] = {}
@@ -160,9 +148,9 @@ class Loop:
             without = self._without(current, effect)
             self.tell(f"two effects in the place of {effect.name}")
             signatures = screen(
-                without.fitted, [c for c in self._candidates(without) if _may_join(c, others)], run=self._map
+                without.fitted, [c for c in self._candidates(without) if _may_join(c, others)], run=self.contest.map
             )
-            pair = self._pair(without, _shortlist(signatures), signatures)
+            pair = self._pair(without, shortlist(signatures), signatures)
             if pair is not None and self._matters(pair, current):
                 evidence = compare(pair, current)
                 if evidence.beyond_chance and evidence.share >= _CLEAR:
@@ -181,15 +169,15 @@ class Loop:
         number = len(known) + 1
         pool = [c for c in self._candidates(current) if _may_join(c, known)]
         self.tell(f"effect {number}: screening {len(pool)} forms of effects")
-        signatures = screen(current.fitted, pool, run=self._map)
-        short = _shortlist(signatures)
+        signatures = screen(current.fitted, pool, run=self.contest.map)
+        short = shortlist(signatures)
         self.tell(f"effect {number}: fitting {', '.join(dict.fromkeys(s.candidate.name for s in short))}")
         elsewhere = []
         unfitted = current.fitted.model.coordinates()
         if not known and unfitted.size and float(np.max(np.abs(current.fitted.x - unfitted))) > _FAR:
             # the refit has gone far to make up for what is missing, and searches from there may not find back
-            elsewhere = _shortlist(screen(self._unfitted(current), pool, run=self._map))
-        tried = [*self._fit_best([*short, *elsewhere]), *further]
+            elsewhere = shortlist(screen(self._unfitted(current), pool, run=self.contest.map))
+        tried = [*self.contest.fit_best([*short, *elsewhere]), *further]
         self.rivals[_labels(known)] = tried
         if not tried:
             return None, ()
@@ -219,7 +207,7 @@ class Loop:
 
     def _pair(self, current: Judged, tried: Sequence[Signature], all_: Sequence[Signature]) -> Judged | None:
         """The best pair of effects that a linear estimate makes look good together."""
-        pool = list({id(s): s for s in (*tried, *all_[: 2 * _FITTED])}.values())
+        pool = list({id(s): s for s in (*tried, *all_[: 2 * FITTED])}.values())
         scored = sorted(
             (
                 (joint_gain(current.fitted, a, b), a, b)
@@ -233,7 +221,7 @@ class Loop:
             chosen.setdefault(frozenset((a.candidate.name, b.candidate.name)), (a, b))
         pairs = list(chosen.values())[:_PAIRS]
         self.tell("fitting pairs: " + ", ".join(f"{a.candidate.name} + {b.candidate.name}" for a, b in pairs))
-        found = self._fit_best([_both(*pair) for pair in pairs])
+        found = self.contest.fit_best([both(*pair) for pair in pairs])
         return min(found, key=lambda j: j.held_out.score, default=None)
 
     def _reconsider(self, current: Judged) -> Judged:
@@ -255,8 +243,8 @@ class Loop:
             return self.rivals[_labels(others)]
         without = self._without(current, effect)
         pool = [c for c in self._candidates(without) if _may_join(c, others) and c.label != effect.label]
-        short = _shortlist(screen(without.fitted, pool, run=self._map))
-        self.rivals[_labels(others)] = self._fit_best(short)
+        short = shortlist(screen(without.fitted, pool, run=self.contest.map))
+        self.rivals[_labels(others)] = self.contest.fit_best(short)
         return self.rivals[_labels(others)]
 
     def _without(self, current: Judged, effect: Candidate) -> Judged:
@@ -269,7 +257,8 @@ class Loop:
         """Without the effects that others made needless."""
         for effect in current.fitted.model.effects[:-1]:
             without = self._without(current, effect)
-            if not compare(current, without).beyond_chance or compare(current, without).share < _UNCHANGED:
+            evidence = compare(current, without)
+            if not evidence.beyond_chance or evidence.share < _UNCHANGED:
                 current = without
         return current
 
@@ -278,7 +267,9 @@ class Loop:
         against nine.
         """
         self.tell("screening effects beside the law as declared")
-        found = self._fit_best(_shortlist(screen(declared.fitted, self._candidates(declared), run=self._map)))
+        found = self.contest.fit_best(
+            shortlist(screen(declared.fitted, self._candidates(declared), run=self.contest.map))
+        )
         self.rivals[_labels(())] = found
         return found
 
@@ -320,36 +311,6 @@ class Loop:
             found.append(Adopted(effect, values, evidence, without, alike))
         return tuple(found)
 
-    def _fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
-        """Models fitted from their starts: all of them roughly, then the best of them well."""
-
-        def rough(signature: Signature) -> Fitted | None:
-            try:
-                return fit(
-                    signature.model, signature.start, most_steps=_ROUGH_STEPS, enough=_ROUGH, frozen=signature.frozen
-                )
-            except PredictionError:
-                return None
-
-        def nearer(found: Fitted) -> Fitted:
-            return fit(found.model, found.x, most_steps=_MORE_STEPS, enough=_ROUGH)
-
-        def well(found: Fitted) -> Judged | None:
-            try:
-                judged = Judged(fit(found.model, found.x, enough=_WELL))
-                _ = judged.held_out
-            except PredictionError:
-                return None
-            return judged
-
-        best: dict[tuple[str, ...], Fitted] = {}
-        for found in self._map(rough, signatures):
-            if found is not None:
-                key = tuple(effect.label for effect in found.model.effects)
-                best[key] = min(best.get(key, found), found, key=lambda f: f.chi2)
-        near = _promising(self._map(nearer, _promising(best.values(), _HOPELESS)), _BEHIND)[:_WELL_FITTED]
-        return [judged for judged in self._map(well, near) if judged is not None]
-
     def _unfitted(self, refit: Judged) -> Fitted:
         """The model of a refit with the parameters as declared."""
         model = refit.fitted.model
@@ -359,30 +320,6 @@ class Loop:
         """Effects that may be missing in a model."""
         noise = [s for s, use in zip(self.noise, self.problem.uses, strict=True) if use == "fit"]
         return self.problem.candidates([s * r for s, r in zip(noise, judged.fitted.residuals, strict=True)])
-
-    def _map(self, function: Callable[[T], S], items: Iterable[T]) -> list[S]:
-        if self.workers < 2:
-            return [function(item) for item in items]
-        with ThreadPoolExecutor(self.workers) as pool:
-            return list(pool.map(function, items))
-
-
-def _promising(found: Iterable[Fitted], behind: float) -> list[Fitted]:
-    """Those that leave no more than so many times what the best leaves, the best first."""
-    ordered = sorted(found, key=lambda fitted: fitted.chi2)
-    return [fitted for fitted in ordered if fitted.chi2 <= behind * ordered[0].chi2]
-
-
-def _shortlist(signatures: Sequence[Signature]) -> list[Signature]:
-    """The best forms, not too many of one effect."""
-    count: dict[str, int] = {}
-    found: list[Signature] = []
-    for signature in signatures:
-        name = signature.candidate.name
-        if signature.gain > 0.0 and count.get(name, 0) < _PER_EFFECT and len(found) < _FITTED:
-            count[name] = count.get(name, 0) + 1
-            found.append(signature)
-    return found
 
 
 def _refitted(judged: Judged) -> Judged:
@@ -400,16 +337,6 @@ def _may_join(candidate: Candidate, others: Sequence[Candidate]) -> bool:
     """Whether a form may stand beside others: a second one of the same effect may, to follow its shape more closely."""
     alike = [other for other in others if other.name == candidate.name]
     return len(alike) < 2 and all(other.label != candidate.label for other in alike)
-
-
-def _both(first: Signature, second: Signature) -> Signature:
-    """Both effects, each from its own start."""
-    own = second.start[-len(second.candidate.unknowns) :] if second.candidate.unknowns else np.empty(0)
-    return replace(
-        first,
-        model=replace(first.model, effects=(*first.model.effects, second.candidate)),
-        start=np.concatenate((first.start, own)),
-    )
 
 
 def _worse(model: Judged, rival: Judged) -> bool:

@@ -5,10 +5,14 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Callable
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
+
+if TYPE_CHECKING:
+    from edesign.report.table import Table
 
 
 def calibrate(
@@ -26,15 +30,7 @@ def calibrate(
 ) -> None:
     """Predict measured tests, find what the law or structure lacks, add it, and report errors before and after."""
     from edesign.archive.files import check_folder
-    from edesign.calibrate.files import check_names, write_files
-    from edesign.calibrate.properties.campaign import is_property_campaign
-    from edesign.calibrate.run import calibrate as run
-    from edesign.calibrate.structure.campaign import StructureCampaign, is_structure_campaign, load_structure_campaign
-    from edesign.calibrate.structure.run import calibrate_structure
-    from edesign.calibrate.write import calibration_json
-    from edesign.damper.campaign import Campaign, load_campaign
-    from edesign.report.calibration_tables import tables_of, verdict_text
-    from edesign.report.page.calibration import write_calibration_page
+    from edesign.calibrate.files import check_names
     from edesign.report.text import print_tables
 
     folder = campaign.parent if output is None else output
@@ -47,9 +43,47 @@ def calibrate(
             typer.echo(f"{time.monotonic() - begin:6.1f} s  {what}", err=True)
 
     tell("reading the tests")
+    found = _run(campaign, workers, tell)
+    written = found.write(folder)
+    if page:
+        tell("drawing the report")
+        written.append(found.page(folder / "calibration.html"))
+    if json_output:
+        typer.echo(json.dumps(found.json(), indent=1, allow_nan=False))
+    elif not quiet:
+        print_tables(found.tables())
+        typer.echo(found.verdict())
+        for path in written:
+            typer.echo(f"written: {path}")
+
+
+@dataclass(frozen=True)
+class _Found:
+    """What may be asked of a calibration, whatever the tests are of."""
+
+    write: Callable[[Path], list[Path]]
+    page: Callable[[Path], Path]
+    json: Callable[[], dict[str, Any]]
+    tables: Callable[[], list[Table]]
+    verdict: Callable[[], str]
+
+
+def _run(campaign: Path, workers: int, tell: Callable[[str], None]) -> _Found:
+    """Calibrate with the tests of a damper, the records of a structure, or the rows of a property table."""
+    from edesign.calibrate.properties.campaign import is_property_campaign
+    from edesign.calibrate.structure.campaign import StructureCampaign, is_structure_campaign, load_structure_campaign
+
     if is_property_campaign(campaign):
-        _calibrate_properties(campaign, folder, page, json_output, workers, quiet, tell)
-        return
+        return _properties(campaign, workers, tell)
+
+    from edesign.calibrate.files import write_files
+    from edesign.calibrate.run import calibrate as run
+    from edesign.calibrate.structure.run import calibrate_structure
+    from edesign.calibrate.write import calibration_json
+    from edesign.damper.campaign import Campaign, load_campaign
+    from edesign.report.calibration_tables import tables_of, verdict_text
+    from edesign.report.page.calibration import write_calibration_page
+
     loaded: Campaign | StructureCampaign
     if is_structure_campaign(campaign):
         loaded = load_structure_campaign(campaign)
@@ -57,39 +91,27 @@ def calibrate(
     else:
         loaded = load_campaign(campaign)
         found = run(loaded, workers, tell)
-    written = write_files(found, loaded, folder)
-    if page:
-        tell("drawing the report")
-        written.append(write_calibration_page(found, folder / "calibration.html"))
-    if json_output:
-        typer.echo(json.dumps(calibration_json(found), indent=1, allow_nan=False))
-    elif not quiet:
-        print_tables(tables_of(found))
-        typer.echo(verdict_text(found))
-        for path in written:
-            typer.echo(f"written: {path}")
+    return _Found(
+        lambda folder: write_files(found, loaded, folder),
+        lambda path: write_calibration_page(found, path),
+        lambda: calibration_json(found),
+        lambda: tables_of(found),
+        lambda: verdict_text(found),
+    )
 
 
-def _calibrate_properties(
-    campaign: Path, folder: Path, page: bool, json_output: bool, workers: int, quiet: bool, tell: Callable[[str], None]
-) -> None:
-    """A campaign whose tests are the rows of a property table."""
+def _properties(campaign: Path, workers: int, tell: Callable[[str], None]) -> _Found:
     from edesign.calibrate.properties.campaign import load_property_campaign
     from edesign.calibrate.properties.run import calibrate_properties
     from edesign.calibrate.properties.write import property_calibration_json, write_property_files
     from edesign.report.page.property_calibration import write_property_calibration_page
     from edesign.report.property_calibration import property_tables, property_verdict
-    from edesign.report.text import print_tables
 
     found = calibrate_properties(load_property_campaign(campaign), workers, tell)
-    written = write_property_files(found, folder)
-    if page:
-        tell("drawing the report")
-        written.append(write_property_calibration_page(found, folder / "calibration.html"))
-    if json_output:
-        typer.echo(json.dumps(property_calibration_json(found), indent=1, allow_nan=False))
-    elif not quiet:
-        print_tables(property_tables(found))
-        typer.echo(property_verdict(found))
-        for path in written:
-            typer.echo(f"written: {path}")
+    return _Found(
+        lambda folder: write_property_files(found, folder),
+        lambda path: write_property_calibration_page(found, path),
+        lambda: property_calibration_json(found),
+        lambda: property_tables(found),
+        lambda: property_verdict(found),
+    )

@@ -7,11 +7,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from edesign.calibrate.outcome import residual_of
 from edesign.calibrate.residual.against import Dependence
 from edesign.calibrate.residual.harmonics import HIGHEST, Harmonics, harmonics
 from edesign.calibrate.residual.maps import ResidualMap, residual_map
 from edesign.calibrate.result import Stage
-from edesign.report.calibration_view import COLOURS, View, excess, residual_at
+from edesign.report.calibration_view import COLOURS, View, excess
 from edesign.report.figures import grid_figure, label_outer, new_figure, styled
 
 if TYPE_CHECKING:
@@ -96,7 +97,7 @@ def _harmonics(view: View, stage: Stage) -> list[Harmonics]:
     return [
         part
         for series in view.calibration.series
-        for part in harmonics(residual_at(series, stage), view.motions[series.name])
+        for part in harmonics(residual_of(series, stage), view.motions[series.name])
     ]
 
 

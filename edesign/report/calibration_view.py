@@ -8,6 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
+from edesign.calibrate.outcome import residual_of
 from edesign.calibrate.residual.against import Dependence, against
 from edesign.calibrate.residual.motion import Motion
 from edesign.calibrate.residual.pool import Pool
@@ -63,7 +64,7 @@ class View:
 
     def residuals(self, stage: Stage) -> tuple[Residual, ...]:
         """Of all tests that are long enough."""
-        return tuple(residual_at(one, stage) for one in self.calibration.series if one.time.size >= FEWEST)
+        return tuple(residual_of(one, stage) for one in self.calibration.series if one.time.size >= FEWEST)
 
     @cached_property
     def dependences(self) -> dict[Stage, tuple[Dependence, ...]]:
@@ -90,21 +91,6 @@ class View:
 def residual(series: Series, stage: Stage) -> np.ndarray:
     """Measured less predicted force (n,), N."""
     return np.asarray(series.measured - series.predicted[stage])
-
-
-def residual_at(series: Series, stage: Stage) -> Residual:
-    """The residual of a test at a stage, as its analysis takes it."""
-    return Residual(
-        series.name,
-        series.order,
-        series.use,
-        series.time,
-        series.displacement,
-        series.velocity,
-        series.measured,
-        series.predicted[stage],
-        series.temperature,
-    )
 
 
 def _lighter(test: Residual) -> Residual:

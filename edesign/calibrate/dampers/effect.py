@@ -23,7 +23,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
-from edesign.calibrate.problem import Kind
+from edesign.calibrate.problem import Described, Kind
 from edesign.calibrate.unknown import Unknown
 
 Memory = dict[str, Any]
@@ -147,6 +147,12 @@ class Form:
             starts=more_starts,
         )
         return other
+
+    @property
+    def described(self) -> Described:
+        """What people and files are told of the form, without the numbers that a campaign fixes."""
+        amendment = getattr(self, "amendment_form", self.form) if self.amendment else ""
+        return Described(self.title, self.signature, amendment)
 
     def columns(self, p: Values, trial: Trial) -> np.ndarray | None:
         """Columns (n, k) whose share is each test's own; None: there are none."""

@@ -41,10 +41,12 @@ def next_test(problem: DamperProblem, found: Selection) -> NextTest | None:
 
 
 def _best_test(problem: DamperProblem, one: Judged, other: Judged, names: tuple[str, str]) -> NextTest | None:
+    remembers = any(part[0].effect[0].remembers for judged in (one, other) for part in judged.fitted.parts)
+    before = problem.trials if remembers else ()
     so_far = max(_differences(problem, one, other), default=0.0)
     best: tuple[float, str] | None = None
     for text, trial in _tests(problem):
-        further = replace(problem, trials=(*problem.trials, trial))
+        further = replace(problem, trials=(*before, trial))
         try:
             difference = _differences(further, one, other)[-1]
         except PredictionError:

@@ -8,18 +8,8 @@ from collections.abc import Mapping
 import numpy as np
 
 from edesign.calibrate.evidence import Judged
-from edesign.calibrate.outcome import (
-    BOTH,
-    Described,
-    effect_of,
-    errors_of,
-    floor_of,
-    parameters_of,
-    predict,
-    share_left,
-    verdict_of,
-)
-from edesign.calibrate.problem import Candidate, Part
+from edesign.calibrate.outcome import Outcome, stages
+from edesign.calibrate.problem import Part
 from edesign.calibrate.properties.arrangement import Arrangement
 from edesign.calibrate.properties.campaign import PropertyCampaign
 from edesign.calibrate.properties.gamma import FreeGamma
@@ -28,7 +18,7 @@ from edesign.calibrate.properties.problem import PropertyProblem, as_measured, p
 from edesign.calibrate.properties.repeatability import noise_of
 from edesign.calibrate.properties.result import CorrectedLaw, PropertyCalibration
 from edesign.calibrate.properties.shape import shape_of
-from edesign.calibrate.result import Calibration, Stage
+from edesign.calibrate.run import described
 from edesign.calibrate.selection import Loop, Progress
 from edesign.damper.amendments import AMENDMENTS, Amendment
 from edesign.damper.temperature import GammaT
@@ -51,29 +41,17 @@ def calibrate_properties(
     found = Loop(quick, noise, campaign.law.refit, workers, progress).run()
     progress("predicting all rows")
     problem = as_measured(campaign)
-    stages: dict[Stage, Judged] = {"declared": found.declared, "refit": found.refit, "corrected": found.final}
-    errors = {stage: errors_of(problem, predict(problem, judged)) for stage, judged in stages.items()}
-    floors = {use: floor_of(problem, noise, use) for use in BOTH}
-    verdict = verdict_of(found, errors["corrected"], floors)
-    rows = {stage: problem.rows(judged.fitted.base, judged.fitted.parts) for stage, judged in stages.items()}
-    left = verdict in ("partly_explained", "unexplained")
+    outcome = Outcome.of(problem, noise, found)
+    rows = {stage: problem.rows(j.fitted.base, j.fitted.parts) for stage, j in stages(found).items()}
     progress("asking which further test would tell more")
-    told = Calibration(
-        title=campaign.title or campaign.specimen.name,
-        law=problem.inner.law.name,
-        errors=errors,
-        noise_floor=floors["validate"],
-        noise_floor_fit=floors["fit"],
-        effects=tuple(effect_of(problem, found, adopted, errors["corrected"], _described) for adopted in found.adopted),
-        verdict=verdict,
-        unexplained_share=share_left(errors["refit"], errors["corrected"], floors) if left else 0.0,
-        unexplained_shape=shape_of(rows["corrected"], campaign.table) if left else "",
-        next_test=next_test(quick, found),
-        refused=tuple((candidate.label, evidence.text) for candidate, evidence in found.refused),
-        parameters={stage: parameters_of(judged) for stage, judged in stages.items()},
-        law_held=found.law_held,
-        series=(),
-        seconds=clock.perf_counter() - begin,
+    told = outcome.calibration(
+        campaign.title or campaign.specimen.name,
+        problem.inner.law.name,
+        described,
+        shape_of(rows["corrected"], campaign.table) if outcome.more_is_left else "",
+        next_test(quick, found),
+        (),
+        clock.perf_counter() - begin,
     )
     return PropertyCalibration(told, campaign, rows, corrected_law(problem, found.final), size)
 
@@ -87,7 +65,7 @@ def corrected_law(problem: PropertyProblem, judged: Judged) -> CorrectedLaw:
     gamma_T = GammaT() if problem.inner.law.name in GammaT().laws else None
     for candidate, own in judged.fitted.parts:
         form, fixed = candidate.effect
-        told = _described(candidate)
+        told = described(candidate)
         parameters = _named((candidate, own)) | dict(fixed)
         if isinstance(form, Arrangement):
             values = form.arranged(values)
@@ -106,9 +84,3 @@ def corrected_law(problem: PropertyProblem, judged: Judged) -> CorrectedLaw:
 def _named(part: Part) -> dict[str, float]:
     candidate, values = part
     return {u.name: float(v) for u, v in zip(candidate.unknowns, np.asarray(values), strict=True)}
-
-
-def _described(candidate: Candidate) -> Described:
-    form, fixed = candidate.effect
-    amendment = getattr(form, "amendment_form", form.form) if form.amendment else ""
-    return Described(form.title, form.signature, amendment, fixed)

@@ -3,26 +3,16 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
 
 from edesign.calibrate.evidence import Judged
-from edesign.calibrate.outcome import (
-    BOTH,
-    Described,
-    effect_of,
-    errors_of,
-    floor_of,
-    parameters_of,
-    predict,
-    share_left,
-    verdict_of,
-)
-from edesign.calibrate.problem import Candidate
+from edesign.calibrate.outcome import Outcome
+from edesign.calibrate.problem import Candidate, Described
 from edesign.calibrate.result import Calibration, Series, Stage
-from edesign.calibrate.selection import Loop, Progress, Selection
+from edesign.calibrate.selection import Loop, Progress
 from edesign.calibrate.structure.campaign import StructureCampaign
 from edesign.calibrate.structure.check import check_channels, check_tests
 from edesign.calibrate.structure.problem import StructureProblem, acting, first_frequency
@@ -49,40 +39,26 @@ def calibrate_structure(
     check_tests(campaign)
     problem = StructureProblem.of(campaign)
     check_channels(problem, campaign)
-    selection = Loop(problem, problem.noise, bool(problem.base), workers, progress).run()
+    found = Loop(problem, problem.noise, bool(problem.base), workers, progress).run()
     progress("predicting all tests")
-    return _result(campaign, problem, selection, begin)
-
-
-def _result(campaign: StructureCampaign, problem: StructureProblem, found: Selection, begin: float) -> Calibration:
-    stages: dict[Stage, Judged] = {"declared": found.declared, "refit": found.refit, "corrected": found.final}
-    predicted = {stage: predict(problem, judged) for stage, judged in stages.items()}
-    errors = {stage: errors_of(problem, rows) for stage, rows in predicted.items()}
-    floors = {use: floor_of(problem, problem.noise, use) for use in BOTH}
-    verdict = verdict_of(found, errors["corrected"], floors)
-    series = _series(problem, found.final, predicted)
-    left = verdict in ("partly_explained", "unexplained")
-    return Calibration(
-        title=campaign.title or campaign.name,
-        law=campaign.isolation.law if campaign.isolation else "",
-        errors={stage: replace(one, channels=_channel_errors(series, stage)) for stage, one in errors.items()},
-        noise_floor=floors["validate"],
-        noise_floor_fit=floors["fit"],
-        effects=tuple(effect_of(problem, found, adopted, errors["corrected"], _described) for adopted in found.adopted),
-        verdict=verdict,
-        unexplained_share=share_left(errors["refit"], errors["corrected"], floors) if left else 0.0,
-        unexplained_shape=describe_left(series, _first_mode(problem, found.final)) if left else "",
-        next_test=None,
-        refused=tuple((candidate.label, evidence.text) for candidate, evidence in found.refused),
-        parameters={stage: parameters_of(judged) for stage, judged in stages.items()},
-        law_held=found.law_held,
-        series=series,
-        seconds=clock.perf_counter() - begin,
-        subject="structure",
+    outcome = Outcome.of(problem, problem.noise, found)
+    series = _series(problem, found.final, outcome.predicted)
+    told = outcome.calibration(
+        campaign.title or campaign.name,
+        campaign.isolation.law if campaign.isolation else "",
+        _described,
+        describe_left(series, _first_mode(problem, found.final)) if outcome.more_is_left else "",
+        None,
+        series,
+        clock.perf_counter() - begin,
     )
+    errors = {stage: replace(one, channels=_channel_errors(series, stage)) for stage, one in told.errors.items()}
+    return replace(told, errors=errors, subject="structure")
 
 
-def _series(problem: StructureProblem, final: Judged, predicted: dict[Stage, list[np.ndarray]]) -> tuple[Series, ...]:
+def _series(
+    problem: StructureProblem, final: Judged, predicted: Mapping[Stage, Sequence[np.ndarray]]
+) -> tuple[Series, ...]:
     """One a channel; displacement and velocity are those of its floor relative to the base in the corrected model."""
     effects = [acting(part) for part in final.fitted.parts]
     responses = problem.responses(final.fitted.base, effects)

@@ -1,0 +1,102 @@
+"""Many models fitted side by side, the hopeless ones not to the end."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from typing import TypeVar
+
+import numpy as np
+
+from edesign.calibrate.evidence import Judged
+from edesign.calibrate.fit import Fitted, fit
+from edesign.calibrate.problem import PredictionError
+from edesign.calibrate.screening import Signature
+
+FITTED = 10
+"""Forms fitted in a round."""
+_PER_EFFECT = 2  # forms of one effect among them
+_WELL_FITTED = 7  # forms or pairs of those that are fitted to the end
+_ROUGH_STEPS, _MORE_STEPS = 5, 3  # with slopes known before, and with new ones
+_HOPELESS, _BEHIND = 6.0, 3.0  # times the best chi2 beyond which a model is not fitted further, and not to the end
+_ROUGH, _WELL = 1e-2, 1e-3  # changes of chi2 that end a search
+
+T = TypeVar("T")
+S = TypeVar("S")
+
+
+@dataclass(frozen=True)
+class Contest:
+    """Fits models in threads."""
+
+    workers: int
+
+    def fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
+        """Models fitted from their starts: all of them roughly, then the best of them well."""
+
+        def rough(signature: Signature) -> Fitted | None:
+            try:
+                return fit(
+                    signature.model, signature.start, most_steps=_ROUGH_STEPS, enough=_ROUGH, frozen=signature.frozen
+                )
+            except PredictionError:
+                return None
+
+        def nearer(found: Fitted) -> Fitted | None:
+            try:
+                return fit(found.model, found.x, most_steps=_MORE_STEPS, enough=_ROUGH)
+            except PredictionError:
+                return None
+
+        def well(found: Fitted) -> Judged | None:
+            try:
+                judged = Judged(fit(found.model, found.x, enough=_WELL))
+                _ = judged.held_out
+            except PredictionError:
+                return None
+            return judged
+
+        best: dict[tuple[str, ...], Fitted] = {}
+        for found in self.map(rough, signatures):
+            if found is not None:
+                key = tuple(effect.label for effect in found.model.effects)
+                best[key] = min(best.get(key, found), found, key=lambda f: f.chi2)
+        nearby = [found for found in self.map(nearer, _promising(best.values(), _HOPELESS)) if found is not None]
+        near = _promising(nearby, _BEHIND)[:_WELL_FITTED]
+        return [judged for judged in self.map(well, near) if judged is not None]
+
+    def map(self, function: Callable[[T], S], items: Iterable[T]) -> list[S]:
+        """The function of each item, in their order."""
+        if self.workers < 2:
+            return [function(item) for item in items]
+        with ThreadPoolExecutor(self.workers) as pool:
+            return list(pool.map(function, items))
+
+
+def _promising(found: Iterable[Fitted], behind: float) -> list[Fitted]:
+    """Those that leave no more than so many times what the best leaves, the best first."""
+    ordered = sorted(found, key=lambda fitted: fitted.chi2)
+    return [fitted for fitted in ordered if fitted.chi2 <= behind * ordered[0].chi2]
+
+
+def shortlist(signatures: Sequence[Signature]) -> list[Signature]:
+    """The best forms, not too many of one effect."""
+    count: dict[str, int] = {}
+    found: list[Signature] = []
+    for signature in signatures:
+        name = signature.candidate.name
+        if signature.gain > 0.0 and count.get(name, 0) < _PER_EFFECT and len(found) < FITTED:
+            count[name] = count.get(name, 0) + 1
+            found.append(signature)
+    return found
+
+
+def both(first: Signature, second: Signature) -> Signature:
+    """Both effects, each from its own start."""
+    own = second.start[-len(second.candidate.unknowns) :] if second.candidate.unknowns else np.empty(0)
+    return replace(
+        first,
+        model=replace(first.model, effects=(*first.model.effects, second.candidate)),
+        start=np.concatenate((first.start, own)),
+    )
