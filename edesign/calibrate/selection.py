@@ -110,12 +110,14 @@ class Loop:
             refit = _refitted(Judged(fit(free, free.coordinates(), most_steps=40)))
         if declared.at_floor:
             return Selection(declared, refit, declared, ())
-        final, refused = self._search(declared, refit)
+        final, near = self._search(declared, refit)
+        adopted_labels = _labels(final.fitted.model.effects)
+        refused = tuple(item for item in near if item[0].label not in adopted_labels)
         adopted = self._explain(final, refit)
         return Selection(declared, refit, final, adopted, refused)
 
     def _search(self, declared: Judged, refit: Judged) -> tuple[Judged, Refused]:
-        """The final model, and what was refused last."""
+        """The final model, and what came near it in the last round."""
         rival = refit if compare(refit, declared).beyond_chance else declared
         held = self._beside_declared(declared) if self.may_refit else []
         if refit.at_floor:

@@ -134,6 +134,7 @@ def test_the_loop_finds_what_is_hidden(hidden: dict[str, float], found: list[str
     problem = linear(seed=5, hidden=hidden)
     selection = Loop(problem, (1.0,) * 6, workers=1).run()
     assert sorted(a.candidate.name for a in selection.adopted) == found
+    assert not {candidate.name for candidate, _ in selection.refused} & set(found)
     for adopted in selection.adopted:
         # five tests of 200 values of unit noise and unit columns: a standard error of 1 / sqrt(1000)
         assert adopted.values[0] == pytest.approx(hidden[adopted.candidate.name], abs=4.0 / np.sqrt(1000.0))
