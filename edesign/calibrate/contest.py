@@ -20,6 +20,7 @@ _PER_EFFECT = 2  # forms of one effect among them
 _WELL_FITTED = 7  # forms or pairs of those that are fitted to the end
 _ROUGH_STEPS, _MORE_STEPS = 5, 3  # with slopes known before, and with new ones
 _HOPELESS, _BEHIND = 6.0, 3.0  # times the best chi2 beyond which a model is not fitted further, and not to the end
+_NEARLY = 0.9  # of the gain of the best form
 _ROUGH, _WELL = 1e-2, 1e-3  # changes of chi2 that end a search
 
 T = TypeVar("T")
@@ -82,14 +83,23 @@ def _promising(found: Iterable[Fitted], behind: float) -> list[Fitted]:
 
 def shortlist(signatures: Sequence[Signature]) -> list[Signature]:
     """The best forms, not too many of one effect."""
-    count: dict[str, int] = {}
-    found: list[Signature] = []
+    best: dict[str, list[Signature]] = {}
     for signature in signatures:
-        name = signature.candidate.name
-        if signature.gain > 0.0 and count.get(name, 0) < _PER_EFFECT and len(found) < FITTED:
-            count[name] = count.get(name, 0) + 1
-            found.append(signature)
-    return found
+        if signature.gain > 0.0:
+            best.setdefault(signature.candidate.name, []).append(signature)
+    found = [signature for forms in best.values() for signature in likely_forms(forms, _PER_EFFECT)]
+    return sorted(found, key=lambda signature: -signature.gain)[:FITTED]
+
+
+def likely_forms(forms: Sequence[Signature], most: int) -> list[Signature]:
+    """Some of the forms of an effect, the best first in: half of them those that explain most, half the simplest of
+    those that explain nearly as much.
+    """
+    ordered = sorted(forms, key=lambda signature: -signature.gain)
+    chosen = ordered[: (most + 1) // 2]
+    near = [s for s in ordered[len(chosen) :] if s.gain >= _NEARLY * ordered[0].gain]
+    chosen += sorted(near, key=lambda signature: signature.freedom)[: most - len(chosen)]
+    return chosen + [s for s in ordered if not any(s is other for other in chosen)][: most - len(chosen)]
 
 
 def both(first: Signature, second: Signature) -> Signature:

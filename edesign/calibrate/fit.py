@@ -95,7 +95,7 @@ class Model:
             residual = (self.problem.measured[i] - values) / self.noise[i]
             columns = self.problem.nuisance(parts, i) if parts else None
             if columns is not None:
-                residual = residual - columns @ np.linalg.lstsq(columns, residual, rcond=None)[0]
+                residual = residual - columns @ (columns.T @ residual)
             found.append(residual)
         return found
 

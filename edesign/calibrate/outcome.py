@@ -111,7 +111,7 @@ def predict(problem: Problem, judged: Judged) -> list[np.ndarray]:
         assert values is not None
         columns = problem.nuisance(parts, i) if parts else None
         if columns is not None:
-            values = values + columns @ np.linalg.lstsq(columns, problem.measured[i] - values, rcond=None)[0]
+            values = values + columns @ (columns.T @ (problem.measured[i] - values))
         found.append(values)
     return found
 

@@ -27,6 +27,8 @@ class Candidate:
         unknowns: its parameters.
         starts: values (SI) to start from, one row each; the first start is that of a typical size.
         effect: what the problem needs to predict with it.
+        slow: whether predictions with it take many times longer, and others hardly change what it does: others are
+            screened without it.
     """
 
     name: str
@@ -35,6 +37,7 @@ class Candidate:
     unknowns: tuple[Unknown, ...]
     starts: tuple[tuple[float, ...], ...]
     effect: Any
+    slow: bool = False
 
     @property
     def label(self) -> str:
@@ -102,7 +105,7 @@ class Problem(Protocol):
         """
 
     def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
-        """Columns (n_i, k) whose share is each test's own, such as the phase of hum; None: there are none."""
+        """Orthonormal columns (n_i, k) whose share is each test's own, as the phase of hum is; None: there are none."""
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
         """Power of the residuals of the tests fitted to, in units of their noise, over that of noise; 1 where only

@@ -36,6 +36,12 @@ class Signature:
     gain: float
     columns: np.ndarray
 
+    @property
+    def freedom(self) -> int:
+        """How many numbers the candidate has, with those that are the first test's own."""
+        own = self.model.problem.nuisance(self.model.parts(self.start)[-1:], 0)
+        return len(self.candidate.unknowns) + (0 if own is None else own.shape[1])
+
 
 class Screen:
     """The residual of a fitted model, and the part of it that the model's own parameters cannot explain."""
@@ -46,6 +52,11 @@ class Screen:
         self.slopes = np.vstack(fitted.slopes) if fitted.x.size else np.empty((self.residual.size, 0))
         self.basis = np.linalg.qr(self.slopes)[0] if fitted.x.size else self.slopes
         self.inverse = np.linalg.pinv(fitted.hessian)
+        self.quick = replace(fitted.model, effects=tuple(e for e in fitted.model.effects if not e.slow))
+        self.quick_x = self.quick.coordinates(fitted.base, [part for part in fitted.parts if not part[0].slow])
+        self.quick_residual = self.residual
+        if len(self.quick.effects) < len(fitted.model.effects):
+            self.quick_residual = np.concatenate(self.quick.residuals(self.quick_x))
 
     def free(self, values: np.ndarray) -> np.ndarray:
         """Values (N,) or (N, k) without what the model's own parameters can make of them."""
@@ -72,7 +83,7 @@ class Screen:
             own = [u.coordinate(float(v)) for u, v in zip(candidate.unknowns, start, strict=True)]
             x = np.concatenate((self.fitted.x, own))
             try:
-                here = np.concatenate(model.residuals(x))
+                here = self._residual(model, candidate, x)
             except PredictionError:
                 continue
             change = self.free(here - self.residual)
@@ -81,6 +92,14 @@ class Screen:
         found.sort(key=lambda item: -item[0])
         return [(x, here) for _, x, here in found[:_STARTS]]
 
+    def _residual(self, model: Model, candidate: Candidate, x: np.ndarray) -> np.ndarray:
+        """Residual (N,) with a candidate; what a quick one changes is taken beside the quick effects alone."""
+        if candidate.slow or len(self.quick.effects) + 1 == len(model.effects):
+            return np.concatenate(model.residuals(x))
+        quick = replace(self.quick, effects=(*self.quick.effects, candidate))
+        own = np.concatenate((self.quick_x, x[self.fitted.x.size :]))
+        return self.residual + np.concatenate(quick.residuals(own)) - self.quick_residual
+
     def _at(self, model: Model, candidate: Candidate, x: np.ndarray, here: np.ndarray) -> Signature:
         first = self.fitted.x.size
         columns = np.empty((here.size, len(candidate.unknowns)))
@@ -88,7 +107,7 @@ class Screen:
             step = unknown.step(float(x[first + j]))
             moved = x.copy()
             moved[first + j] += step
-            columns[:, j] = (np.concatenate(model.residuals(moved)) - here) / step
+            columns[:, j] = (self._residual(model, candidate, moved) - here) / step
         free_here, free_columns = self.free(here), self.free(columns)
         move = np.linalg.lstsq(free_columns, -free_here, rcond=1e-8)[0] if columns.shape[1] else np.empty(0)
         move = _within(candidate, x[first:], move)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from edesign.calibrate.contest import FITTED, Contest, both, shortlist
+from edesign.calibrate.contest import FITTED, Contest, both, likely_forms, shortlist
 from edesign.calibrate.evidence import SHARE, Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import Candidate, Problem
@@ -20,6 +20,8 @@ before miss.
 """
 _CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
 _PAIRS = 4  # pairs fitted in a round
+_FORMS = 6  # forms of an effect that are compared once it is a likely one
+_LIKELY = 2  # effects of which forms are compared
 _MOST = 4  # effects
 _FAR = 0.5  # coordinates: factors of e
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
@@ -127,7 +129,7 @@ class Loop:
         if current is None:
             return rival, refused
         while True:
-            current = _refitted(self._freed(self._prune(self._reconsider(current))))
+            current = _refitted(self._freed(self._prune(self._reformed(self._reconsider(current)))))
             if current.at_floor or len(current.fitted.model.effects) >= _MOST:
                 break
             found, refused = self._round(current, current)
@@ -140,10 +142,11 @@ class Loop:
 
     def _in_pairs(self, current: Judged) -> Judged | None:
         """A model in which two effects stand in the place of one that was a compromise between them; None: there is
-        none.
+        none, or the search takes too long.
         """
         effects = current.fitted.model.effects
-        if len(effects) + 1 > _MOST:
+        slow = any(effect.slow for effect in effects)
+        if len(effects) + 1 > _MOST or slow or not self._more_than_misses(current):
             return None
         for effect in effects:
             others = [e for e in effects if e is not effect]
@@ -169,7 +172,9 @@ class Loop:
         """
         known = current.fitted.model.effects
         number = len(known) + 1
-        pool = [c for c in self._candidates(current) if _may_join(c, known)]
+        more = not known or self._more_than_misses(current)
+        names = {effect.name for effect in known}
+        pool = [c for c in self._candidates(current) if _may_join(c, known) and (more or c.name in names)]
         self.tell(f"effect {number}: screening {len(pool)} forms of effects")
         signatures = screen(current.fitted, pool, run=self.contest.map)
         short = shortlist(signatures)
@@ -180,6 +185,7 @@ class Loop:
             # the refit has gone far to make up for what is missing, and searches from there may not find back
             elsewhere = shortlist(screen(self._unfitted(current), pool, run=self.contest.map))
         tried = [*self.contest.fit_best([*short, *elsewhere]), *further]
+        tried += self._other_forms_of_likely(tried)
         self.rivals[_labels(known)] = tried
         if not tried:
             return None, ()
@@ -187,7 +193,7 @@ class Loop:
         refused = tuple((judged.fitted.model.effects[-1], compare(judged, rival)) for judged in near)
         best = simplest(tried)
         evidence = compare(best, rival)
-        if evidence.share < _CLEAR and len(known) + 2 <= _MOST:
+        if more and evidence.share < _CLEAR and len(known) + 2 <= _MOST:
             pair = self._pair(current, short, signatures)
             if pair is not None:
                 both = compare(pair, rival)
@@ -198,6 +204,21 @@ class Loop:
         if evidence.beyond_chance and evidence.share >= SHARE and self._matters(best, rival):
             return best, refused
         return None, refused
+
+    def _more_than_misses(self, current: Judged) -> bool:
+        """Whether more is left than what the equations of the known effects may miss."""
+        return current.fitted.chi2 - current.fitted.samples >= self.material
+
+    def _other_forms_of_likely(self, tried: Sequence[Judged]) -> list[Judged]:
+        """Models with further forms of the effects that the best models have last."""
+        best: dict[str, Judged] = {}
+        for judged in sorted(tried, key=lambda judged: judged.held_out.score):
+            best.setdefault(judged.fitted.model.effects[-1].name, judged)
+        found: list[Judged] = []
+        for judged in [*best.values()][:_LIKELY]:
+            if not judged.at_floor:
+                found += self._other_forms(judged, judged.fitted.model.effects[-1])
+        return found
 
     def _matters(self, judged: Judged, current: Judged) -> bool:
         """Whether what new effects remove is more than the equations of the known ones may miss; further forms of
@@ -237,6 +258,27 @@ class Loop:
             if rivals and compare(better := simplest(rivals), current).beyond_chance:
                 current = better
         return current
+
+    def _reformed(self, current: Judged) -> Judged:
+        """Each effect in the form that suits best, now that the others are there."""
+        for effect in current.fitted.model.effects:
+            if current.at_floor:
+                break
+            forms = self._other_forms(current, effect)
+            if forms and compare(better := simplest(forms), current).beyond_chance:
+                current = better
+        return current
+
+    def _other_forms(self, current: Judged, effect: Candidate) -> list[Judged]:
+        """Models with another form of an effect; which are likely is seen beside the law as the model has it."""
+        self.tell(f"comparing forms of {effect.name}")
+        fitted = current.fitted
+        smaller = replace(fitted.model, effects=tuple(e for e in fitted.model.effects if e is not effect))
+        kept = [part for part in fitted.parts if part[0] is not effect]
+        without = fit(smaller, smaller.coordinates(fitted.base, kept), most_steps=0)
+        here = _labels(fitted.model.effects)
+        pool = [c for c in self._candidates(current) if c.name == effect.name and c.label not in here]
+        return self.contest.fit_best(likely_forms(screen(without, pool, run=self.contest.map), _FORMS))
 
     def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models in which another effect, or another form, stands in the place of one."""

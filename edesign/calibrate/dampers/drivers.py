@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import lru_cache
 
 import numpy as np
 from scipy.linalg import solve_banded
@@ -14,6 +15,7 @@ from edesign.calibrate.dampers.trial import Motion
 
 _SWEEPS = 40
 _STILL = 1e-6  # relative
+_KEPT = 32  # motions whose cycles have been counted
 
 
 def envelope(motion: Motion, forgets: float) -> np.ndarray:
@@ -26,6 +28,39 @@ def envelope(motion: Motion, forgets: float) -> np.ndarray:
 def largest(motion: Motion, before: float) -> np.ndarray:
     """Largest displacement (n,) m ever, `before` the one of earlier tests."""
     return np.maximum.accumulate(np.maximum(np.abs(motion.displacement), before))
+
+
+def weighted_path(motion: Motion, weight: np.ndarray) -> np.ndarray:
+    """Path (n,) m since the beginning of the test, each way by its weight (n,)."""
+    ways = 0.5 * (weight[1:] + weight[:-1]) * np.abs(np.diff(motion.displacement))
+    return np.concatenate(([0.0], np.cumsum(ways)))
+
+
+@lru_cache(maxsize=_KEPT)
+def cycles(motion: Motion, least: float) -> np.ndarray:
+    """Number of cycles (n,) since the beginning of the test: a half for each way from one reversal to the next, growing
+    with the path between; ways back of less than `least` m are no reversals.
+    """
+    u = motion.displacement
+    turns, high, low, way = [0], 0, 0, 0
+    for i, value in enumerate(u.tolist()):
+        if way >= 0:
+            if value > u[high]:
+                high = i
+            elif u[high] - value > least:
+                turns += [high] if way else []
+                way, low = -1, i
+        if way <= 0:
+            if value < u[low]:
+                low = i
+            elif value - u[low] > least:
+                turns += [low] if way else []
+                way, high = 1, i
+    path = motion.path
+    ends = path[[*turns, u.size - 1]]
+    found = np.interp(path, ends, 0.5 * np.arange(ends.size))
+    found.setflags(write=False)
+    return found
 
 
 def work(motion: Motion, force: np.ndarray) -> np.ndarray:
@@ -84,6 +119,7 @@ def worked(
     before: float = 0.0,
     gain: float = 1.0,
     forgets: float = math.inf,
+    quick: tuple[float, float] = (0.0, math.inf),
 ) -> tuple[np.ndarray, float]:
     """A factor of e that follows the work of the force that it lowers: e' = gain F v - e / forgets, F = factor F_law.
 
@@ -97,17 +133,21 @@ def worked(
         before: e at the beginning.
         gain: 1 for e in J.
         forgets: s.
+        quick: gain and s of a second e, zero at the beginning, that counts as much.
 
     Returns:
         The factor (n,); e at the end.
     """
-    decay = np.exp(-motion.steps / forgets)
-    half = 0.5 * gain * np.diff(motion.displacement)
+    way = 0.5 * np.diff(motion.displacement)
+    kinds = [(gain, np.exp(-motion.steps / forgets), before)]
+    if quick[0]:
+        kinds.append((quick[0], np.exp(-motion.steps / quick[1]), 0.0))
     e = np.full(force.size, before)
     for _ in range(_SWEEPS):
         phi = np.concatenate((factor(e[:1]), factor(e[:-1])))
         softened = phi * force
-        after = fading(decay, half * (softened[1:] + softened[:-1]), before)
+        done = way * (softened[1:] + softened[:-1])
+        after = sum((fading(decay, each * done, first) for each, decay, first in kinds), start=np.zeros_like(e))
         moved = float(np.max(np.abs(after - e)))
         e = after
         if moved <= _STILL * float(np.max(np.abs(e))):

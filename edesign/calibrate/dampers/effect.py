@@ -45,8 +45,9 @@ class Form:
         may_be_inside: whether its factor or force may also stand inside the law, where what relaxes in the law relaxes
             it too.
         inside: whether it does.
-        may_spare_loss: whether its factor may change the law's dashpots less, or more, than its springs.
-        spares_loss: whether it does: springs times phi, dashpots times phi^loss, with one unknown more.
+        may_spare_loss: whether its factor may change the law's dashpots less, or more, than its springs, or them alone.
+        spares_loss: whether it does, see `dashpot_factor`.
+        spares_springs: whether it changes dashpots alone.
         refined: steps into which one between samples is cut, for forms with corners that do not fall on samples.
         amendment: whether a law file can carry it (edesign.damper.amendments has this name and form, or
             `amendment_form`
@@ -65,7 +66,8 @@ class Form:
     may_be_inside: ClassVar[bool] = False
     inside = False
     may_spare_loss: ClassVar[bool] = False
-    spares_loss = False
+    spares_loss: bool = False
+    spares_springs = False
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         """Parameters with bounds that suit a campaign; () if the campaign cannot show the effect."""
@@ -107,6 +109,10 @@ class Form:
         """Factor (n,) of the law's force (n,) N; None: the form is no factor."""
         return None
 
+    def dashpot_factor(self, p: Values, motion: Motion, factor: np.ndarray | float) -> np.ndarray | float:
+        """Factor of the law's dashpots where the form spares loss or springs, of its factor: factor^loss, or itself."""
+        return factor if self.spares_springs else np.asarray(np.maximum(factor, 0.0) ** p["loss"])
+
     def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray | float | None:
         """Force (n,) N beside that of the law; None: the form is none."""
         return None
@@ -145,6 +151,18 @@ class Form:
             amendment=False,
             unknowns=more_unknowns,
             starts=more_starts,
+        )
+        return other
+
+    def of_loss(self) -> Form:
+        """The same for the dashpots alone."""
+        other = copy(self)
+        vars(other).update(
+            form=f"{self.form}_of_loss",
+            title=f"{self.title}, dashpots alone",
+            spares_loss=True,
+            spares_springs=True,
+            amendment=False,
         )
         return other
 

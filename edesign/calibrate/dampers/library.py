@@ -26,11 +26,11 @@ def candidates(
     found = []
     for module in MODULES:
         for form in (*(kind() for kind in module.FORMS), *getattr(module, "forms_of", lambda _: ())(sizes)):
-            variants = [form]
+            variants = [form] if splits or not form.spares_loss else []
             if relaxes and form.may_be_inside:
                 variants.append(form.within())
             if splits and form.may_spare_loss:
-                variants.append(form.sparing_loss())
+                variants += [form.sparing_loss(), form.of_loss()]
             for variant in variants:
                 candidate = candidate_of(variant, sizes, trials, residuals)
                 if candidate is not None:
@@ -45,4 +45,7 @@ def candidate_of(
     starts = form.starts_from_residuals(sizes, trials, residuals)
     if not starts:
         return None
-    return Candidate(form.name, form.form, form.kind, form.unknowns(sizes), starts, (form, dict(form.fixed(sizes))))
+    slow = type(form).series is not Form.series
+    return Candidate(
+        form.name, form.form, form.kind, form.unknowns(sizes), starts, (form, dict(form.fixed(sizes))), slow
+    )

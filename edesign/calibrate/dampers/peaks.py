@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 from scipy.fft import next_fast_len
+from scipy.interpolate import CubicSpline
 from scipy.ndimage import median_filter
 from scipy.special import gammainccinv
 
@@ -18,6 +19,7 @@ _FINENESS = 8  # points within 1 / duration
 _NEIGHBOURS = 20.0  # half width of the background, in 1 / duration
 _ONE_TEST = 30.0  # most that one test counts, so that a peak of its own is none of all
 _FALSE_ALARM = 0.01
+_SAME = 0.1  # difference of contrasts
 _MAINS, _NEAR_MAINS = (50.0, 60.0, 100.0, 120.0, 150.0, 180.0, 200.0), 0.5  # Hz
 
 
@@ -25,7 +27,7 @@ def common_tones(trials: Sequence[Trial], residuals: Sequence[np.ndarray]) -> tu
     """Frequencies Hz of narrow peaks above the noise, the highest first.
 
     In each test only what is above the seventh harmonic of its motion counts. Samples cannot tell a tone from its
-    aliases; where all tests have one rate, the one near a multiple of the mains is taken, else the lowest.
+    aliases: the one that stands out at full rate is taken.
 
     Args:
         trials: tests.
@@ -42,6 +44,7 @@ def common_tones(trials: Sequence[Trial], residuals: Sequence[np.ndarray]) -> tu
     # of noise alone the sum has a gamma distribution of as many tests as count
     limit = np.where(tests > 0, gammainccinv(np.maximum(tests, 1), _FALSE_ALARM / grid.size), np.inf)
     shortest = min(float(t.motion.time[-1] - t.motion.time[0]) for t in trials)
+    whole = [_whole(trial, r) for trial, r in zip(trials, residuals, strict=True) if trial.whole is not None]
     found: list[float] = []
     for _ in range(_MOST):
         excess = np.where(capped > limit, capped / limit, 0.0)
@@ -51,8 +54,7 @@ def common_tones(trials: Sequence[Trial], residuals: Sequence[np.ndarray]) -> tu
         near = np.abs(grid - grid[at]) < 2.0 / shortest
         top = grid[near][np.argmax(height[near])]
         aliases = _aliases(top, trials)
-        same = [f for f in aliases if abs(np.interp(f, grid, excess) - excess[at]) < 0.05 * excess[at]] or [top]
-        found.append(float(min(same, key=lambda f: (_from_mains(f) > _NEAR_MAINS, f))))
+        found.append(_true_one(aliases or [float(top)], whole))
         for alias in (top, *aliases):
             capped[np.abs(grid - alias) < 4.0 / shortest] = 0.0
     return tuple(found)
@@ -82,5 +84,26 @@ def _aliases(frequency: float, trials: Sequence[Trial]) -> list[float]:
     return [float(f) for f in np.unique(np.concatenate((orders - folded, orders + folded))) if 0.0 < f <= _HIGHEST]
 
 
-def _from_mains(frequency: float) -> float:
-    return min(abs(frequency - f) for f in _MAINS)
+def _true_one(frequencies: Sequence[float], whole: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
+    """Of frequencies Hz that samples cannot tell apart the one that stands out most in the residuals at full rate; of
+    those that are one there too, one near a multiple of the mains, else the lowest.
+    """
+    contrast = np.array([sum(_contrast(time, residual, f) for time, residual in whole) for f in frequencies])
+    same = [f for f, own in zip(frequencies, contrast, strict=True) if own >= contrast.max() - _SAME]
+    return min(same, key=lambda f: (min(abs(f - own) for own in _MAINS) > _NEAR_MAINS, f))
+
+
+def _whole(trial: Trial, residual: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Time (m,) s from the beginning and residual (m,) N at full rate, what was predicted a cubic between samples."""
+    assert trial.whole is not None
+    time = trial.whole.motion.time
+    predicted = CubicSpline(trial.motion.time, trial.force - residual)(np.minimum(time, trial.motion.time[-1]))
+    return time - time[0], trial.whole.force - predicted
+
+
+def _contrast(time: np.ndarray, residual: np.ndarray, frequency: float) -> float:
+    """Logarithm of a residual's power at a frequency Hz over that beside it."""
+    windowed = (residual - residual.mean()) * np.hanning(time.size)
+    near = frequency + np.array([0.0, -7.0, -5.0, -4.0, 4.0, 5.0, 7.0]) / time[-1]
+    power = np.abs(np.exp(-2j * np.pi * np.outer(near, time)) @ windowed) ** 2
+    return float(np.log(power[0] / np.median(power[1:])))

@@ -18,6 +18,7 @@ from edesign.damper.parameters import read_parameters
 from edesign.damper.test_record import DamperTest
 from edesign.errors import InputError
 
+_THERMOMETER = 0.2  # K: tolerance of a platinum resistor of class A near room temperature, IEC 60751
 _ABSURD = 30.0  # ratio of measured to predicted force beyond which a unit is wrong, not a law
 _OPPOSITE = -0.3  # correlation of measured and predicted force below which the sign is wrong
 
@@ -40,7 +41,7 @@ def damper_problem(campaign: Campaign) -> DamperProblem:
     trials = tuple(trial for trial, _ in prepared)
     problem = DamperProblem(chosen, start, None, trials, Sizes.of(trials))
     _check_forces(problem, campaign)
-    return _with_motion_noise(problem, [noise for _, noise in prepared])
+    return _with_warmth_noise(_with_motion_noise(problem, [noise for _, noise in prepared]))
 
 
 def thinned(problem: DamperProblem) -> DamperProblem:
@@ -89,6 +90,20 @@ def _with_motion_noise(problem: DamperProblem, noise: Sequence[float]) -> Damper
     for trial, one, other in zip(problem.trials, *forces, strict=True):
         assert one is not None and other is not None
         trials.append(replace(trial, motion_noise=float(np.sqrt(np.mean((one - other) ** 2)))))
+    return replace(problem, trials=tuple(trials))
+
+
+def _with_warmth_noise(problem: DamperProblem) -> DamperProblem:
+    """What an error of the thermometer makes of force, where tests differ in temperature."""
+    means = [trial.mean_temperature for trial in problem.trials]
+    if max(means) - min(means) <= _THERMOMETER:
+        return problem
+    warmer = tuple(replace(trial, temperature=trial.temperature + _THERMOMETER) for trial in problem.trials)
+    forces = [p.predict(p.declared, (), ("fit", "validate")) for p in (problem, replace(problem, trials=warmer))]
+    trials = []
+    for trial, one, other in zip(problem.trials, *forces, strict=True):
+        assert one is not None and other is not None
+        trials.append(replace(trial, warmth_noise=float(np.sqrt(np.mean((one - other) ** 2)))))
     return replace(problem, trials=tuple(trials))
 
 

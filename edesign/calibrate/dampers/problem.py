@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
-from typing import Any
+from typing import Any, Generic, TypeVar
 
 import numpy as np
 
@@ -23,7 +23,10 @@ from edesign.damper.law import Law
 from edesign.damper.temperature import TemperatureModel, at
 from edesign.errors import InputError
 
+_DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
 _KEPT = 64  # force histories of the law alone: those of one set of parameters, for the searches of two threads
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True, eq=False)
@@ -101,25 +104,39 @@ class DamperProblem:
         return found
 
     def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
-        """Columns (n_i, k) of what is each test's own; None: there is nothing."""
-        acting = [_Acting.of(part) for part in parts]
-        columns = [part.form.columns(part.p, self.trials[index]) for part in acting]
-        given = [c for c in columns if c is not None]
-        return np.hstack(given) if given else None
+        """Orthonormal columns (n_i, k) of what is each test's own; None: there is nothing."""
+        own = [part for part in parts if type(part[0].effect[0]).columns is not Form.columns]
+        return self._kept_nuisance(tuple((_Same(c), tuple(v.tolist())) for c, v in own), index) if own else None
+
+    @cached_property
+    def _kept_nuisance(self) -> Callable[[tuple[tuple[_Same[Candidate], tuple[float, ...]], ...], int], np.ndarray]:
+        """Kept, as most searches move other parameters than those of the columns."""
+
+        @lru_cache(maxsize=_KEPT)
+        def kept(parts: tuple[tuple[_Same[Candidate], tuple[float, ...]], ...], index: int) -> np.ndarray:
+            acting = [_Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
+            columns = [part.form.columns(part.p, self.trials[index]) for part in acting]
+            basis, sizes, _ = np.linalg.svd(np.hstack([c for c in columns if c is not None]), full_matrices=False)
+            basis = basis[:, sizes > _DEPENDENT * sizes[0]]
+            basis.setflags(write=False)
+            return basis
+
+        return kept
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
         """Power of the residuals in the band of the motion over that of noise there, or of all over all, whichever is
         more.
 
-        The noise in the band is white noise as strong as above it, and what noise of the displacement makes through
-        the law.
+        The noise in the band is white noise as strong as above it, and what noise of the displacement and of the
+        temperature makes through the law.
         """
         fitted = [trial for trial in self.trials if trial.use == "fit"]
         inside = expected = 0.0
         for residual, trial, size in zip(residuals, fitted, noise, strict=True):
             power, white = band_power(residual, trial.motion)
             inside += power
-            expected += white + 0.5 * residual.size * (trial.motion_noise / size) ** 2  # of a one-sided spectrum
+            other = trial.motion_noise**2 + trial.warmth_noise**2
+            expected += white + 0.5 * residual.size * other / size**2  # of a one-sided spectrum
         return max(inside / expected, sum(float(r @ r) for r in residuals) / sum(r.size for r in residuals))
 
     def _force(self, trial: Trial, values: dict[str, float], acting: Sequence[_Acting]) -> np.ndarray:
@@ -249,8 +266,8 @@ def _changed(
                 inside = beside if inside is None else inside + beside
             continue
         if own is not None:
-            found.springs = found.springs * own
-            found.dashpots = found.dashpots * (np.maximum(own, 0.0) ** part.p["loss"] if form.spares_loss else own)
+            found.springs = found.springs * (1.0 if form.spares_springs else own)
+            found.dashpots = found.dashpots * (form.dashpot_factor(part.p, motion, own) if form.spares_loss else own)
             found.splits |= form.spares_loss
         if beside is not None:
             found.parallel = found.parallel + beside
@@ -259,17 +276,17 @@ def _changed(
     return found
 
 
-class _Same:
-    """A motion as a key of kept results: the same object, not the same numbers."""
+class _Same(Generic[T]):
+    """A thing as a key of kept results: the same object, not an equal one."""
 
-    def __init__(self, motion: Motion) -> None:
-        self.motion = motion
+    def __init__(self, thing: T) -> None:
+        self.thing = thing
 
     def __hash__(self) -> int:
-        return id(self.motion)
+        return id(self.thing)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.motion is self.motion
+        return isinstance(other, _Same) and other.thing is self.thing
 
 
 def _damper(law: str, values: tuple[float, ...]) -> CoreDamper:
@@ -287,7 +304,7 @@ def _force(law: str, values: tuple[float, ...], motion: Motion) -> np.ndarray:
 
 
 @lru_cache(maxsize=_KEPT)
-def _kept_force(law: str, values: tuple[float, ...], motion: _Same) -> np.ndarray:
-    force = _force(law, values, motion.motion)
+def _kept_force(law: str, values: tuple[float, ...], motion: _Same[Motion]) -> np.ndarray:
+    force = _force(law, values, motion.thing)
     force.setflags(write=False)
     return force

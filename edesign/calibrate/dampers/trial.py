@@ -64,6 +64,8 @@ class Trial:
         force: measured (n,) N.
         temperature: (n,) degC: measured, or ambient.
         motion_noise: standard deviation of the force that noise of the displacement makes through the law, N.
+        warmth_noise: root mean square of the change of the force by an error of the thermometer, N.
+        whole: the test at full rate, if this is not.
     """
 
     name: str
@@ -73,6 +75,8 @@ class Trial:
     force: np.ndarray
     temperature: np.ndarray
     motion_noise: float = 0.0
+    warmth_noise: float = 0.0
+    whole: Trial | None = None
 
     def thinned(self) -> Trial:
         """With no more samples than a fit needs."""
@@ -87,6 +91,7 @@ class Trial:
             motion=self.motion.thinned(stride),
             force=np.ascontiguousarray(self.force[::stride]),
             temperature=np.ascontiguousarray(self.temperature[::stride]),
+            whole=self,
         )
 
     @cached_property

@@ -3,16 +3,23 @@
 from __future__ import annotations
 
 import pickle
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.special import j0
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.effects import drift, gain, hum, inertia, lag, offset
 from edesign.calibrate.dampers.effects.drift import slowest_frequency
+from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.peaks import common_tones
+from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
+from edesign.calibrate.problem import Part
+from edesign.damper.laws import law
 
+ROUNDING = 1e-9
 W = 2.0 * np.pi
 PARAMETRIC = [kind for module in (lag, gain, offset, drift, inertia, hum) for kind in module.FORMS]
 
@@ -118,14 +125,23 @@ def test_lines_of_drift_begin_with_the_test_or_go_on_through_the_campaign() -> N
     assert drift.Campaign.remembers
 
 
-def test_own_columns_take_a_line_out_and_tell_its_share() -> None:
+def _left(columns: np.ndarray, values: np.ndarray) -> float:
+    """What a sum of columns leaves of values, of their norm."""
+    rest = values - columns @ np.linalg.lstsq(columns, values, rcond=None)[0]
+    return float(np.linalg.norm(rest) / np.linalg.norm(values))
+
+
+def test_own_columns_take_out_what_is_each_tests_own() -> None:
     trial = _trial(100.0, 4.0)
     since = trial.motion.time - trial.motion.time[0]
     line = 120.0 - 30.0 * since
-    each = drift.EachOwn()
-    assert each.shares({}, trial, line) == pytest.approx({"offset_N": 120.0, "rate_N_per_s": -30.0}, rel=1e-9)
-    assert offset.PerTest().shares({}, trial, line) == pytest.approx({"offset_N": 60.0}, rel=1e-9)
-    assert drift.Wandering().shares({}, trial, 5.0 + np.cos(np.pi * since / 4.0)) == pytest.approx({"range_N": 2.0})
+    assert _left(drift.EachOwn().columns({}, trial), line) < ROUNDING
+    assert _left(offset.PerTest().columns({}, trial), 0.0 * since + 60.0) < ROUNDING
+    # the mean goes: a line from 120 to 0 keeps its triangle, 60/sqrt(3) of 120/sqrt(3)
+    assert _left(offset.PerTest().columns({}, trial), line) == pytest.approx(0.5, abs=2e-3)
+    assert _left(drift.Wandering().columns({}, trial), 5.0 + np.cos(np.pi * since / 4.0)) < ROUNDING
+    assert _left(drift.Warming().columns({"tau": 0.7}, trial), 3.0 - 8.0 * np.exp(-since / 0.7)) < ROUNDING
+    assert _left(drift.EachOwn().columns({}, trial), 3.0 - 8.0 * np.exp(-since / 0.7)) > 0.1
 
 
 def test_wandering_leaves_the_motion_alone() -> None:
@@ -150,18 +166,32 @@ def test_inertia_is_mass_times_acceleration() -> None:
     np.testing.assert_allclose(force, -40.0 * W**2 * trial.motion.displacement, rtol=1e-12)
 
 
-def test_a_tone_is_removed_and_its_amplitude_and_phase_told() -> None:
+def test_a_tone_is_taken_out_with_its_harmonics() -> None:
     trial = _trial(120.0, 10.0)
     since = trial.motion.time - trial.motion.time[0]
     tone = 25.0 * np.sin(W * 50.02 * since + 0.7) + 4.0 * np.sin(W * 100.04 * since - 1.1)
     p = {"frequency": 50.02}
-    shares = hum.Harmonics().shares(p, trial, tone)
-    assert shares["amplitude_N"] == pytest.approx(25.0, rel=1e-8)
-    assert shares["phase_rad"] == pytest.approx(0.7, rel=1e-8)
-    assert shares["amplitude_2_N"] == pytest.approx(4.0, rel=1e-8)
-    assert shares["phase_2_rad"] == pytest.approx(-1.1, rel=1e-8)
-    assert shares["amplitude_3_N"] == pytest.approx(0.0, abs=1e-6)
-    assert hum.Tone().shares(p, trial, tone)["amplitude_N"] == pytest.approx(25.0, rel=1e-2)
+    assert _left(hum.Harmonics().columns(p, trial), tone) < ROUNDING
+    # the second tone is left: 4 of sqrt(25^2 + 4^2)
+    assert _left(hum.Tone().columns(p, trial), tone) == pytest.approx(4.0 / np.hypot(25.0, 4.0), rel=1e-2)
+
+
+def test_a_tone_whose_frequency_hunts_is_taken_out_by_restless_alone() -> None:
+    # sin(w t + cos(W f t)) has sidebands J_n(1) at n f = 0.15 n Hz (Jacobi, Anger): unsteady, up to 0.1 Hz, leaves all
+    # but J_0^2 of the power; restless, up to 0.5 Hz, leaves 2 (J_4^2 + ...) = 1.2e-5
+    trial = _trial(120.0, 20.0)
+    since = trial.motion.time - trial.motion.time[0]
+    hunting = 25.0 * np.sin(W * 50.02 * since + np.cos(W * 0.15 * since))
+
+    def left(form: Form) -> float:
+        columns = form.columns({"frequency": 50.02}, trial)
+        assert columns is not None
+        rest = hunting - columns @ np.linalg.lstsq(columns, hunting, rcond=None)[0]
+        return float(rest @ rest / (hunting @ hunting))
+
+    # sums over 2401 samples in place of integrals: 1/2401 of the power, a few times
+    assert left(hum.Unsteady()) == pytest.approx(1.0 - j0(1.0) ** 2, abs=2e-3)
+    assert left(hum.Restless()) < 5e-5
 
 
 def test_differences_of_a_frequency_stay_within_its_peak() -> None:
@@ -195,6 +225,69 @@ def test_hum_above_half_the_rate_is_told_from_its_alias() -> None:
     assert common_tones(trials, residuals)[0] == pytest.approx(100.05, abs=0.25 / 20.0)
 
 
+@pytest.mark.parametrize("tone", [150.02, 100.04, 37.54])
+def test_a_tone_above_the_rate_of_the_fit_is_told_by_the_record(tone: float) -> None:
+    # 500 Hz thinned to 62.5 Hz: 150 Hz looks as 25, 37.5 looks as 100 and 25 as 87.5
+    whole = [_trial(500.0, 20.0, f, i) for i, f in enumerate((0.5, 1.0))]
+    added = _noise(whole, 5)
+    measured = []
+    for trial, own in zip(whole, added, strict=True):
+        own += 8.0 * np.sin(W * tone * trial.motion.time)
+        measured.append(replace(trial, force=trial.force + own).thinned())
+    assert [float(np.median(t.motion.steps)) for t in measured] == pytest.approx([0.016, 0.016], rel=1e-9)
+    residuals = [own[::8] for own in added]
+    assert common_tones(measured, residuals) == pytest.approx((tone,), abs=0.25 / 20.0)
+
+
+def test_harmonics_start_from_the_lowest_peak() -> None:
+    trials = [_trial(120.0, 20.0, f, i) for i, f in enumerate((0.5, 1.0))]
+    residuals = _noise(trials, 6)
+    for trial, residual in zip(trials, residuals, strict=True):
+        residual += sum(12.0 * np.sin(W * 16.7 * n * trial.motion.time) for n in (1, 2, 3))
+    ((start,),) = hum.Harmonics().starts_from_residuals(Sizes.of(trials), trials, residuals)
+    assert start == pytest.approx(16.7, abs=0.25 / 20.0)
+    assert len(hum.Tone().starts_from_residuals(Sizes.of(trials), trials, residuals)) == 3
+
+
+def _nuisance(trial: Trial, parts: list[tuple[Form, tuple[float, ...]]]) -> tuple[np.ndarray, np.ndarray]:
+    """Columns of a problem with these parts, and those of the forms side by side."""
+    sizes, rest = Sizes.of((trial,)), [np.sin(W * 50.0 * trial.motion.time)]
+    problem = DamperProblem(law("kelvin_voigt"), {"k": 1e7, "c": 0.0}, None, (trial,), sizes)
+    given: list[Part] = []
+    columns = []
+    for form, values in parts:
+        candidate = candidate_of(form, sizes, (trial,), rest)
+        assert candidate is not None
+        given.append((candidate, np.array(values)))
+        columns.append(form.columns({u.name: v for u, v in zip(candidate.unknowns, values, strict=True)}, trial))
+    found = problem.nuisance(given, 0)
+    assert found is not None and problem.nuisance(given, 0) is found  # kept
+    return found, np.hstack([c for c in columns if c is not None])
+
+
+def test_nuisance_is_an_orthonormal_basis_of_the_columns() -> None:
+    trial = _trial(120.0, 10.0)
+    found, columns = _nuisance(trial, [(hum.Restless(), (50.0,)), (drift.EachOwn(), ()), (gain.Force(), (0.1,))])
+    assert found.shape == columns.shape == (trial.force.size, 44)
+    np.testing.assert_allclose(found.T @ found, np.eye(44), rtol=0.0, atol=1e-12)
+    np.testing.assert_allclose(found @ (found.T @ columns), columns, rtol=0.0, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("parts", "rank"),
+    [
+        ([(offset.PerTest(), ()), (drift.EachOwn(), ())], 2),  # both have the constant
+        ([(hum.Tone(), (120.0,))], 1),  # at the rate of the samples a tone is a constant
+    ],
+)
+def test_nuisance_takes_nothing_out_that_is_in_no_column(
+    parts: list[tuple[Form, tuple[float, ...]]], rank: int
+) -> None:
+    found, columns = _nuisance(_trial(120.0, 10.0), parts)
+    assert np.linalg.matrix_rank(columns, tol=1e-9) == rank == found.shape[1]
+    np.testing.assert_allclose(found @ (found.T @ columns), columns, rtol=0.0, atol=1e-9)
+
+
 def test_harmonics_of_the_motion_and_noise_are_no_hum() -> None:
     trials = [_trial(120.0, 20.0, f, i) for i, f in enumerate((2.0, 2.0, 2.0))]
     residuals = _noise(trials, 4)
@@ -203,4 +296,4 @@ def test_harmonics_of_the_motion_and_noise_are_no_hum() -> None:
         since = trial.motion.time - trial.motion.time[0]
         residual += sum(200.0 / n * np.sin(W * 2.0 * n * since) for n in (1, 3, 5, 7))
     assert common_tones(trials, residuals) == ()
-    assert hum.Tone().starts_from_residuals(Sizes.of(trials), trials, residuals) == ((50.0,), (60.0,))
+    assert hum.Tone().starts_from_residuals(Sizes.of(trials), trials, residuals) == ()

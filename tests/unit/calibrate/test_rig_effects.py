@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from edesign.calibrate.dampers.effect import Form
-from edesign.calibrate.dampers.effects.friction import Presliding, Stribeck, Tanh
+from edesign.calibrate.dampers.effects.friction import Loaded, LuGre, Presliding, Stribeck, Tanh
 from edesign.calibrate.dampers.effects.play import Backlash, Gap, follow
 from edesign.calibrate.dampers.effects.series_flexibility import Linear
 from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear
@@ -15,7 +15,7 @@ from edesign.calibrate.dampers.turning_points import with_turning_points
 from edesign.core.damper import CoreDamper
 
 AMPLITUDE = 0.01  # m
-FORMS = (Tanh, Presliding, Stribeck, Gap, Backlash, Linear, PreShear, ConstantForce)
+FORMS = (Tanh, Presliding, Stribeck, LuGre, Loaded, Gap, Backlash, Linear, PreShear, ConstantForce)
 
 
 def _sine(rate: float, cycles: float = 4.0, frequency: float = 1.0, phase: float = 0.0) -> Motion:
@@ -124,6 +124,57 @@ def test_presliding_does_not_know_speed() -> None:
     np.testing.assert_allclose(forces[0], forces[1], atol=300.0 * 1e-9)
 
 
+def test_lugre_without_a_rise_at_rest_is_presliding() -> None:
+    motion = _irregular()
+    p = {"F_c": 300.0, "x0": 0.001, "s": 0.0, "v_s": 0.01}
+    forces = [form.parallel(p, _trial(motion), motion, {}) for form in (LuGre(), Presliding())]
+    np.testing.assert_allclose(forces[0], forces[1], rtol=0.0, atol=300.0 * 1e-12)
+
+
+@pytest.mark.parametrize("speed", [1e-4, 0.01, 0.02, 0.5])
+def test_lugre_slides_by_the_curve_of_stribeck(speed: float) -> None:
+    # z' = 0 at a constant velocity: F = F_c g(v)
+    time = np.linspace(0.0, 0.01 / speed, 401)
+    motion = Motion(time, -speed * time, np.full(401, -speed), np.zeros(401))
+    force = LuGre().parallel({"F_c": 300.0, "x0": 1e-4, "s": 0.5, "v_s": 0.02}, _trial(motion), motion, {})
+    curve = 1.0 + 0.5 * np.exp(-((speed / 0.02) ** 2))
+    assert force[0] == 0.0 and force[-1] == pytest.approx(-300.0 * curve, rel=1e-12)  # exp(-way/x0) = e^-66 at most
+
+
+def test_lugre_follows_its_differential_equation() -> None:
+    # z' = v - |v| z / (x0 g(v)) by the midpoint rule on steps a hundred times finer: errors of order (w h)^2 = 1e-6;
+    # the form takes the mean of g over a step of 1/200 s, which g crosses in 4: of order (w h v/v_s)^2 / 12 = 2e-3
+    coarse, stride = _sine(200.0, phase=0.2), 100
+    h, w, p = 1.0 / (200.0 * stride), 2.0 * np.pi, {"F_c": 300.0, "x0": 0.002, "s": 0.8, "v_s": 0.02}
+    middle = AMPLITUDE * w * np.cos(w * h * (np.arange((coarse.time.size - 1) * stride) + 0.5) + 0.2)
+    reach = p["x0"] * (1.0 + p["s"] * np.exp(-((middle / p["v_s"]) ** 2)))
+    z, found = 0.0, [0.0]
+    for v, own in zip(middle.tolist(), reach.tolist(), strict=True):
+        half = z + 0.5 * h * (v - abs(v) * z / own)
+        z += h * (v - abs(v) * half / own)
+        found.append(z)
+    force = LuGre().parallel(p, _trial(coarse), coarse, {})
+    np.testing.assert_allclose(force, 300.0 * np.array(found)[::stride] / p["x0"], atol=300.0 * 2e-3)
+    assert np.max(np.abs(force)) > 1.02 * 300.0  # the rise near rest is there
+
+
+def test_loaded_guides_dissipate_a_share_of_the_force_besides_their_own() -> None:
+    # a spring k: 4 F_c A, and mu times the way weighted by k |u|: 4 mu k A^2 / 2
+    motion, k = _sine(5000.0, cycles=1.0), 1e7
+    trial, p = _trial(motion), {"F_c": 300.0, "v0": 1e-4 * 2 * np.pi * AMPLITUDE, "mu": 0.1}
+    phi = Loaded().factor(p, trial, motion, trial.force, {})
+    beside = Loaded().parallel(p, trial, motion, {})
+    work = np.trapezoid((phi * trial.force + beside) * motion.velocity, motion.time)
+    assert work == pytest.approx(4.0 * 300.0 * AMPLITUDE + 2.0 * 0.1 * k * AMPLITUDE**2, rel=1e-4)
+    # against the motion on both sides of zero, by the size of the force
+    against = (phi - 1.0) * trial.force
+    moving = np.abs(motion.velocity) > 0.01 * np.max(np.abs(motion.velocity))
+    expected = 0.1 * np.abs(trial.force) * np.sign(motion.velocity)
+    np.testing.assert_allclose(against[moving], expected[moving], atol=1e-9 * k * AMPLITUDE)
+    np.testing.assert_array_equal(Loaded().factor({**p, "mu": 0.0}, trial, motion, trial.force, {}), 1.0)
+    np.testing.assert_array_equal(beside, Tanh().parallel(p, trial, motion, {}))
+
+
 def test_follow_is_the_textbook_play_operator() -> None:
     # w_i = min(u_i + r, max(u_i - r, w_(i-1))), w before the first: 0 (Visintin 1994, Differential Models, III.2)
     u, play = np.random.default_rng(3).normal(size=500).cumsum(), 4.0
@@ -167,6 +218,8 @@ def test_no_amplitude_leaves_everything_unchanged() -> None:
         (Tanh(), {"F_c": 0.0, "v0": 0.01}),
         (Presliding(), {"F_c": 0.0, "x0": 0.001}),
         (Stribeck(), {"F_c": 0.0, "s": 0.5, "v_s": 0.01}),
+        (LuGre(), {"F_c": 0.0, "x0": 0.001, "s": 0.5, "v_s": 0.01}),
+        (Loaded(), {"F_c": 0.0, "v0": 0.01, "mu": 0.0}),
         (ConstantForce(), {"P": 0.0}),
     ):
         np.testing.assert_array_equal(form.parallel(p, trial, motion, {}) * np.ones(motion.time.size), 0.0)

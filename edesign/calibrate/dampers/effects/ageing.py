@@ -13,6 +13,7 @@ from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
 _LARGEST = 0.9  # change of the force up to the last test
+_COURSE = 7  # tests that show three lines, two in each
 
 
 class _Ageing(Form):
@@ -97,4 +98,26 @@ class Power(_Ageing):
         return float(1.0 + p["rate"] * (trial.order / p["N"]) ** p["p"])
 
 
-FORMS = (Linear, Logarithmic, Power)
+class Course(_Ageing):
+    """The force changes along three straight lines over the order of the tests: F = (1 + a(n)) F_law."""
+
+    form: ClassVar[str] = "course"
+    title: ClassVar[str] = "ageing by a course of its own from test to test"
+    source: ClassVar[str] = "phenomenological: tests are not made at equal intervals, and their hours are not recorded"
+    may_spare_loss: ClassVar[bool] = True
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return tuple(Unknown(f"a{i}", "", -_LARGEST, 10.0, 0.3) for i in (1, 2, 3)) if self.starts(sizes) else ()
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.03, 0.06, 0.1), (0.07, 0.09, 0.1)) if sizes.tests >= _COURSE else ()
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"N": sizes.tests - 1.0}
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> float:
+        knots = np.arange(4) * p["N"] / 3.0
+        return float(1.0 + np.interp(trial.order, knots, (0.0, p["a1"], p["a2"], p["a3"])))
+
+
+FORMS = (Linear, Logarithmic, Power, Course)

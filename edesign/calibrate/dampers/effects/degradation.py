@@ -6,7 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from edesign.calibrate.dampers.drivers import worked
+from edesign.calibrate.dampers.drivers import weighted_path, worked
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
@@ -79,4 +79,36 @@ class Path(_Degradation):
         return np.asarray(1.0 - p["d"] * (travelled / p["S"]) ** p["p"])
 
 
-FORMS = (Energy, Path)
+class Fatigue(_Degradation):
+    """Path counts by a power of the deformation, large cycles more: F = (1 - d D^p) F_law, D' = |v| |u/U|^q / S."""
+
+    form: ClassVar[str] = "fatigue"
+    may_spare_loss: ClassVar[bool] = True
+    title: ClassVar[str] = "lasting degradation by cycles, large ones counting more"
+    signature: ClassVar[str] = "the force falls within tests of large amplitude and stays so; small cycles do nothing"
+    source: ClassVar[str] = (
+        "Miner (1945), J. Appl. Mech. 12, A159-A164, with the power law of life: Basquin (1910); power of the damage "
+        "sum: Marco & Starkey (1954), Trans. ASME 76, 627-632"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (
+            Unknown("d", "", -0.95, 0.95, 0.5),
+            Unknown("q", "", 0.0, 8.0, 2.0),
+            Unknown("p", "", 0.1, 4.0, 1.0, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return (0.1, 1.0, 1.0), (0.1, 3.0, 1.0), (0.1, 3.0, 0.4)
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"S": sizes.path, "U": sizes.displacement}
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        ways = weighted_path(motion, np.abs(motion.displacement / p["U"]) ** p["q"])
+        damage = memory.get("damage", 0.0) + ways / p["S"]
+        memory["damage"] = float(damage[-1])
+        return np.asarray(1.0 - p["d"] * damage ** p["p"])
+
+
+FORMS = (Energy, Path, Fatigue)

@@ -7,7 +7,6 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.effect import Form, Memory
-from edesign.calibrate.dampers.shares import shares_of
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -83,11 +82,24 @@ class EachOwn(_Own):
         since = trial.motion.time - trial.motion.time[0]
         return np.column_stack((np.ones_like(since), since / since[-1]))
 
-    def shares(self, p: Values, trial: Trial, residual: np.ndarray) -> dict[str, float]:
-        """The test's own share of a residual (n,) N."""
-        offset, rise = shares_of(self.columns(p, trial), residual)
-        duration = float(trial.motion.time[-1] - trial.motion.time[0])
-        return {"offset_N": float(offset), "rate_N_per_s": float(rise) / duration}
+
+class Warming(_Own):
+    """The zero runs to an end as the amplifier warms, at one time of all tests: F + a_i + b_i (1 - exp(-t/tau))."""
+
+    form: ClassVar[str] = "warming"
+    title: ClassVar[str] = "drift of the force channel that comes to rest, of another size in each test"
+    signature: ClassVar[str] = "fast at the beginning of each test, then ever slower, whatever the motion"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        t = sizes.duration
+        return (Unknown("tau", "s", 0.02 * t, 3.0 * t, 0.3 * t, logarithmic=True),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((share * sizes.duration,) for share in (0.1, 0.4, 1.0))
+
+    def columns(self, p: Values, trial: Trial) -> np.ndarray:
+        since = trial.motion.time - trial.motion.time[0]
+        return np.column_stack((np.ones_like(since), -np.expm1(-since / p["tau"])))
 
 
 class Wandering(_Own):
@@ -104,11 +116,6 @@ class Wandering(_Own):
         orders = np.arange(min(_MOST_COSINES, int(duration * slowest_frequency(trial.motion))) + 1)
         return np.asarray(np.cos(np.pi * np.outer((time - time[0]) / duration, orders)))
 
-    def shares(self, p: Values, trial: Trial, residual: np.ndarray) -> dict[str, float]:
-        """The test's own share of a residual (n,) N."""
-        columns = self.columns(p, trial)
-        return {"range_N": float(np.ptp(columns @ shares_of(columns, residual)))}
-
 
 def slowest_frequency(motion: Motion) -> float:
     """Frequency Hz below which a hundredth of the power of the displacement lies."""
@@ -118,4 +125,4 @@ def slowest_frequency(motion: Motion) -> float:
     return at / float(motion.time[-1] - motion.time[0])
 
 
-FORMS = (PerTestLine, Campaign, EachOwn, Wandering)
+FORMS = (PerTestLine, Campaign, EachOwn, Warming, Wandering)

@@ -66,10 +66,45 @@ class Presliding(_Friction):
         """Exact: between turning points z goes exponentially over the way to +-x0, whatever the speed."""
         points, index = with_turning_points(motion)
         way = np.diff(points)
-        keeps = np.exp(-np.abs(way) / p["x0"])
-        gains = np.sign(way) * (1.0 - keeps)
+        most = self._most(p, motion, index)
+        keeps = np.exp(-np.abs(way) / (p["x0"] * most))
+        gains = np.sign(way) * most * (1.0 - keeps)
         share = list(accumulate(zip(keeps.tolist(), gains.tolist(), strict=True), _relax, initial=0.0))
         return np.asarray(p["F_c"] * np.array(share)[index])
+
+    def _most(self, p: Values, motion: Motion, index: np.ndarray) -> np.ndarray | float:
+        """What z / x0 goes to, on the ways between turning points."""
+        return 1.0
+
+
+class LuGre(Presliding):
+    """Friction that builds up over a way and falls with speed.
+
+    F = F_c z / x0, z' = v - |v| z / (x0 g), g = 1 + s exp(-(v/v_s)^2).
+    """
+
+    form: ClassVar[str] = "lugre"
+    title: ClassVar[str] = "friction in the guides that builds up over a way and is larger near rest"
+    source: ClassVar[str] = (
+        "Canudas de Wit, Olsson, Astrom & Lischinsky (1995), IEEE Trans. Autom. Control 40, 419-425, without "
+        "damping of the bristles"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        v = sizes.velocity
+        return (
+            *super().unknowns(sizes),
+            Unknown("s", "", 0.0, 3.0, 1.0),
+            Unknown("v_s", "m/s", 1e-3 * v, 0.5 * v, 0.1 * v, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*row, 0.5, 0.1 * sizes.velocity) for row in super().starts(sizes))
+
+    def _most(self, p: Values, motion: Motion, index: np.ndarray) -> np.ndarray:
+        at = np.full(index[-1] + 1, 1.0 + p["s"])  # at rest in the turning points between samples
+        at[index] = 1.0 + p["s"] * np.exp(-((motion.velocity / p["v_s"]) ** 2))
+        return 0.5 * (at[1:] + at[:-1])
 
 
 def _relax(z: float, over: tuple[float, float]) -> float:
@@ -99,4 +134,24 @@ class Stribeck(_Friction):
         return np.asarray(p["F_c"] * (1.0 + p["s"] * np.exp(-(ratio**2))) * np.tanh(10.0 * ratio))
 
 
-FORMS = (Tanh, Presliding, Stribeck)
+class Loaded(Tanh):
+    """Friction that grows with the force in the guides: F = (1 + mu sgn(F_law) t) F_law + F_c t, t = tanh(v / v0)."""
+
+    form: ClassVar[str] = "loaded"
+    title: ClassVar[str] = "friction in the guides that grows with the force"
+    signature: ClassVar[str] = (
+        "a force against the motion that jumps at every reversal, more at large forces than at small ones"
+    )
+    source: ClassVar[str] = "Coulomb (1785), the load of the guides a share of the damper's force"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), Unknown("mu", "", 0.0, 0.5, 0.1))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.3 * size, v0, _START) for size, v0 in super().starts(sizes))
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return np.asarray(1.0 + p["mu"] * np.sign(force) * np.tanh(motion.velocity / p["v0"]))
+
+
+FORMS = (Tanh, Presliding, Stribeck, LuGre, Loaded)

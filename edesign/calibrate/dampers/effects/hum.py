@@ -10,7 +10,6 @@ import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.peaks import common_tones
-from edesign.calibrate.dampers.shares import shares_of
 from edesign.calibrate.dampers.trial import Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -18,6 +17,7 @@ from edesign.calibrate.unknown import Unknown
 _LOWEST, _HIGHEST = 5.0, 1000.0  # Hz
 _MAINS = (50.0, 60.0)  # Hz
 _SLOW = 5  # half cycles over a test, and none, in which the amplitude may change
+_QUICK = 21
 
 
 @dataclass(frozen=True)
@@ -45,23 +45,12 @@ class _Hum(Form):
     def starts_from_residuals(
         self, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
     ) -> tuple[tuple[float, ...], ...]:
-        """Frequencies of narrow peaks of the residuals (n_i,) N of trials; those of the mains if there are none."""
-        found = [f for f in common_tones(trials, residuals) if _LOWEST < f < _HIGHEST]
-        return tuple((frequency,) for frequency in found) or self.starts(sizes)
+        """Frequencies of narrow peaks of the residuals (n_i,) N of trials; none: no hum."""
+        return tuple((f,) for f in common_tones(trials, residuals) if _LOWEST < f < _HIGHEST)
 
     def columns(self, p: Values, trial: Trial) -> np.ndarray:
         angle = 2.0 * np.pi * p["frequency"] * (trial.motion.time - trial.motion.time[0])
         return np.column_stack([wave(order * angle) for order in self._orders for wave in (np.sin, np.cos)])
-
-    def shares(self, p: Values, trial: Trial, residual: np.ndarray) -> dict[str, float]:
-        """The test's own amplitude a and phase of a sin(2 pi f t + phase) in a residual (n,) N."""
-        found = shares_of(self.columns(p, trial), residual)
-        named: dict[str, float] = {}
-        for order, sine, cosine in zip(self._orders, found[::2], found[1::2], strict=True):
-            suffix = "" if order == 1 else f"_{order}"
-            named[f"amplitude{suffix}_N"] = float(np.hypot(sine, cosine))
-            named[f"phase{suffix}_rad"] = float(np.arctan2(cosine, sine))
-        return named
 
 
 class Tone(_Hum):
@@ -80,6 +69,12 @@ class Harmonics(_Hum):
     signature: ClassVar[str] = "narrow peaks of the spectrum at a frequency, twice and three times it, in all tests"
     _orders: ClassVar[tuple[int, ...]] = (1, 2, 3)
 
+    def starts_from_residuals(
+        self, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
+    ) -> tuple[tuple[float, ...], ...]:
+        """The lowest of the peaks: the others may be its harmonics."""
+        return tuple(sorted(super().starts_from_residuals(sizes, trials, residuals))[:1])
+
 
 class Unsteady(_Hum):
     """One tone whose amplitude and phase change slowly within a test, as a motor's do under load."""
@@ -87,12 +82,22 @@ class Unsteady(_Hum):
     form: ClassVar[str] = "unsteady"
     title: ClassVar[str] = "hum of one frequency and changing amplitude in the force channel"
     signature: ClassVar[str] = "a narrow peak of the spectrum with shoulders, at one frequency in all tests"
+    _slow: ClassVar[int] = _SLOW
 
     def columns(self, p: Values, trial: Trial) -> np.ndarray:
         waves = super().columns(p, trial)
         time = trial.motion.time - trial.motion.time[0]
-        slow = np.cos(np.pi * np.outer(time / time[-1], np.arange(_SLOW)))
-        return np.hstack([waves * slow[:, [i]] for i in range(_SLOW)])
+        slow = np.cos(np.pi * np.outer(time / time[-1], np.arange(self._slow)))
+        return np.hstack([waves * slow[:, [i]] for i in range(self._slow)])
 
 
-FORMS = (Tone, Harmonics, Unsteady)
+class Restless(Unsteady):
+    """As `unsteady`, with changes within seconds: a motor that hunts."""
+
+    form: ClassVar[str] = "restless"
+    title: ClassVar[str] = "hum in the force channel whose frequency and amplitude hunt"
+    signature: ClassVar[str] = "a peak of the spectrum some tenths of a hertz wide, about one frequency in all tests"
+    _slow: ClassVar[int] = _QUICK
+
+
+FORMS = (Tone, Harmonics, Unsteady, Restless)

@@ -7,11 +7,13 @@ from typing import ClassVar
 import numpy as np
 from scipy.special import erf
 
-from edesign.calibrate.dampers.drivers import largest
+from edesign.calibrate.dampers.drivers import cycles, largest, weighted_path
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+
+_LEAST_CYCLE = 0.05  # range of a half cycle, of the largest displacement
 
 
 class _Mullins(Form):
@@ -55,9 +57,13 @@ class _ByPath(_Mullins):
         """exp(-s / s0) (n,): what is left of the virgin specimen."""
         worn = memory.get("left")
         left = 1.0 if worn is None else worn + p["recovery"] * (1.0 - worn)
-        found = left * np.exp(-motion.path / p["s0"])
+        found = left * np.exp(-self._worn(p, motion) / p["s0"])
         memory["left"] = float(found[-1])
         return np.asarray(found)
+
+    def _worn(self, p: Values, motion: Motion) -> np.ndarray:
+        """Path (n,) m in the test that wears the virgin specimen."""
+        return motion.path
 
 
 class Path(_ByPath):
@@ -77,6 +83,27 @@ class Path(_ByPath):
         return np.asarray(1.0 + p["m"] * self._virgin(p, motion, memory))
 
 
+class Work(Path):
+    """As `path`, a way counting by the deformation at which it is made: s' = |v| |u|/U, the work of a spring."""
+
+    form: ClassVar[str] = "work"
+    title: ClassVar[str] = "softening of the virgin specimen with the elastic work done on it"
+    amendment: ClassVar[bool] = False
+    signature: ClassVar[str] = (
+        "too little force in the first large cycles of the specimen's life (or of every test), fading with their work"
+    )
+    source: ClassVar[str] = (
+        "Mullins (1969), Rubber Chem. Technol. 42, 339-362; damage by the energy done: Miehe (1995), Eur. J. Mech. A "
+        "14, 697-720 (continuous damage)"
+    )
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {**super().fixed(sizes), "U": sizes.displacement}
+
+    def _worn(self, p: Values, motion: Motion) -> np.ndarray:
+        return weighted_path(motion, np.abs(motion.displacement) / p["U"])
+
+
 class Elastic(_ByPath):
     """A spring wears off with the path travelled: F = F_law + k exp(-s/s0) u."""
 
@@ -93,6 +120,43 @@ class Elastic(_ByPath):
 
     def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
         return np.asarray(p["k"] * self._virgin(p, motion, memory) * motion.displacement)
+
+
+class Cycles(_Mullins):
+    """The whole force softens with the number of cycles, of whatever amplitude: F = (1 + m exp(-N/N0)) F_law."""
+
+    may_spare_loss: ClassVar[bool] = True
+    amendment: ClassVar[bool] = False
+    form: ClassVar[str] = "cycles"
+    title: ClassVar[str] = "softening of the virgin specimen with the number of cycles"
+    signature: ClassVar[str] = (
+        "too little force in the first cycles of the specimen's life (or of every test), small ones counting as much "
+        "as large ones"
+    )
+    source: ClassVar[str] = (
+        "Mullins (1969), Rubber Chem. Technol. 42, 339-362; ISO 22762-1:2018, 6.2.2 (properties of the third cycle)"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (
+            Unknown("m", "", -0.9, 3.0, 0.5),
+            Unknown("N0", "", 0.1, 1e3, 3.0, logarithmic=True),
+            *self._recovery(sizes),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        beyond = ((0.15, 50.0, 0.0),) if sizes.tests > 3 else ()
+        return (*self._each_recovery(((0.15, 1.0), (0.15, 4.0), (0.15, 15.0)), sizes), *beyond)
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {**super().fixed(sizes), "least": _LEAST_CYCLE * sizes.displacement}
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        worn = memory.get("left")
+        left = 1.0 if worn is None else worn + p["recovery"] * (1.0 - worn)
+        found = left * np.exp(-cycles(motion, p["least"]) / p["N0"])
+        memory["left"] = float(found[-1])
+        return np.asarray(1.0 + p["m"] * found)
 
 
 class _ByMaximum(_Mullins):
@@ -124,6 +188,37 @@ class Maximum(_ByMaximum):
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         below = self._largest(p, motion, memory) - np.abs(motion.displacement)
         return np.asarray(1.0 - p["m"] * erf(below / p["r"]))
+
+
+class PseudoElastic(_ByMaximum):
+    """Soft below the largest elastic energy ever: F = (1 - m erf((M^2 - u^2)/(e^2 + b M^2))) F_law."""
+
+    may_spare_loss: ClassVar[bool] = True
+    amendment: ClassVar[bool] = False
+    form: ClassVar[str] = "pseudo_elastic"
+    title: ClassVar[str] = "softening below the largest elastic energy so far"
+    signature: ClassVar[str] = Maximum.signature
+    source: ClassVar[str] = (
+        "Ogden & Roxburgh (1999), Proc. R. Soc. Lond. A 455, 2861-2877, energies as squares of the deformation; b: "
+        "Bose, Hurtado, Snyman, Mars & Chen (2003), Constitutive Models for Rubber III, 231-238"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u = sizes.displacement
+        return (
+            Unknown("m", "", -0.9, 0.95, 0.5),
+            Unknown("e", "m", 0.02 * u, 20.0 * u, 0.3 * u, logarithmic=True),
+            Unknown("b", "", 0.0, 10.0, 1.0),
+            *self._recovery(sizes),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        u = sizes.displacement
+        return self._each_recovery(((0.15, 0.1 * u, 0.2), (0.15, 0.4 * u, 0.2), (0.15, u, 0.2)), sizes)
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        most = self._largest(p, motion, memory) ** 2
+        return np.asarray(1.0 - p["m"] * erf((most - motion.displacement**2) / (p["e"] ** 2 + p["b"] * most)))
 
 
 class Damage(_ByMaximum):
@@ -158,4 +253,4 @@ class Damage(_ByMaximum):
         return np.asarray(1.0 + p["m"] * np.expm1(-(ratio ** p["p"])))
 
 
-FORMS = (Path, Maximum, Elastic, Damage)
+FORMS = (Path, Work, Maximum, Elastic, Damage, PseudoElastic, Cycles)

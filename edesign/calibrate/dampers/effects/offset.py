@@ -9,7 +9,6 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
-from edesign.calibrate.dampers.shares import shares_of
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -55,10 +54,6 @@ class PerTest(_Offset):
 
     def columns(self, p: Values, trial: Trial) -> np.ndarray:
         return np.ones((trial.force.size, 1))
-
-    def shares(self, p: Values, trial: Trial, residual: np.ndarray) -> dict[str, float]:
-        """The test's own share of a residual (n,) N."""
-        return {"offset_N": float(shares_of(self.columns(p, trial), residual)[0])}
 
 
 class Displacement(_Offset):

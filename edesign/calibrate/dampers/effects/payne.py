@@ -61,6 +61,27 @@ class Whole(_Payne):
         return np.asarray(1.0 - p["d"] * self._broken(p, motion))
 
 
+class Kraus(Whole):
+    """Springs soften and dashpots have a hump, both by Kraus: dashpots (1 - d g) (1 + 2 h sqrt(g (1 - g)))."""
+
+    form: ClassVar[str] = "kraus"
+    title: ClassVar[str] = "softening with amplitude of the springs and a hump of the losses"
+    amendment: ClassVar[bool] = False
+    may_be_inside: ClassVar[bool] = False
+    may_spare_loss: ClassVar[bool] = False
+    spares_loss: bool = True
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), Unknown("h", "", -0.9, 5.0, 0.5))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*row, 0.2) for row in super().starts(sizes))
+
+    def dashpot_factor(self, p: Values, motion: Motion, factor: np.ndarray | float) -> np.ndarray | float:
+        broken = self._broken(p, motion)
+        return np.asarray(factor * (1.0 + 2.0 * p["h"] * np.sqrt(broken * (1.0 - broken))))
+
+
 class Elastic(_Payne):
     """The elastic force softens, its relaxing part does not: F = F_law - k g(a) u."""
 
@@ -114,4 +135,4 @@ class Network(Form):
         return np.asarray(1.0 - p["d"] * fading(decay, breaking / both * (1.0 - decay), 0.0))
 
 
-FORMS = (Whole, Elastic, Network)
+FORMS = (Whole, Elastic, Network, Kraus)

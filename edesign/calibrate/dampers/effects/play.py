@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import ClassVar
 
 import numpy as np
@@ -39,6 +40,23 @@ class Gap(_Play):
 
     def series(self, p: Values) -> Series:
         return p["stiffness"], 0.0, p["play"]
+
+
+class GapAside(Gap):
+    """A clearance in which the pins begin aside, as where dead load or the last test has left them."""
+
+    form: ClassVar[str] = "gap_aside"
+    title: ClassVar[str] = "clearance of the pins in series with the specimen, at first not in its middle"
+    signature: ClassVar[str] = "a step of no force where the force changes its sign, displaced to one side"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), Unknown("aside", "", -1.0, 1.0, 0.5))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*row, side) for row in super().starts(sizes) for side in (0.8, -0.8))
+
+    def specimen(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        return replace(motion, displacement=motion.displacement - 0.5 * p["aside"] * p["play"])
 
 
 class Backlash(_Play):
@@ -81,4 +99,4 @@ def follow(displacement: np.ndarray, play: float) -> np.ndarray:
     return np.array(found)
 
 
-FORMS = (Gap, Backlash)
+FORMS = (Gap, GapAside, Backlash)

@@ -51,6 +51,32 @@ class Rate(Form):
         return worked(motion, force, _softened, 0.0, p["beta"], p["tau_h"])[0]
 
 
+class Core(Rate):
+    """A core that hands its heat on within seconds, beside `rate`: q is the sum of two, of two times and gains."""
+
+    form: ClassVar[str] = "core"
+    title: ClassVar[str] = "softening by self-heating of a core and of the whole damper"
+    signature: ClassVar[str] = "as self_heating.rate, and a part of the force comes back within seconds of rest"
+    source: ClassVar[str] = (
+        "two nodes of a heat balance: Incropera & DeWitt, Fundamentals of Heat and Mass Transfer, sections 5.1 and 5.3"
+    )
+    amendment: ClassVar[bool] = False
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        each = sizes.tests / sizes.work
+        quick = Unknown("tau_c", "s", 0.1 * sizes.period, 3.0 * sizes.duration, 0.3 * sizes.duration, logarithmic=True)
+        return (*super().unknowns(sizes), Unknown("beta_c", "1/J", 0.0, 20.0 * each, each), quick)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        each, t = sizes.tests / sizes.work, sizes.duration
+        return tuple(
+            (0.1 * each, slow * t, 0.1 * each, quick * t) for slow, quick in ((3.0, 0.3), (1e3, 0.5), (1e3, 0.1))
+        )
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return worked(motion, force, _softened, 0.0, p["beta"], p["tau_h"], (p["beta_c"], p["tau_c"]))[0]
+
+
 class Carried(Rate):
     """As `rate`, but a share of the heat is still there when the next test begins."""
 
@@ -75,4 +101,4 @@ class Carried(Rate):
         return phi
 
 
-FORMS = (Rate, Carried)
+FORMS = (Rate, Carried, Core)

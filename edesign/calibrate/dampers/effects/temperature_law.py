@@ -52,6 +52,30 @@ class Exponential(_Temperature):
         return np.asarray(np.exp(-p["b"] * (trial.temperature - p["T0"])))
 
 
+class Curved(_Temperature):
+    """The fall changes with temperature, as towards the transition: F = exp(-b (T - T0) - c (T - T0)^2) F_law."""
+
+    may_spare_loss: ClassVar[bool] = True
+    form: ClassVar[str] = "curved"
+    title: ClassVar[str] = "softening with temperature at a changing rate"
+    signature: ClassVar[str] = Exponential.signature
+    source: ClassVar[str] = (
+        "second order of the logarithm: Ferry (1980), Viscoelastic Properties of Polymers, chapter 11 (towards the "
+        "transition)"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        own = super().unknowns(sizes)
+        return (*own, Unknown("c", "1/K2", -0.02, 0.02, 0.002)) if own else ()
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.01, 0.0), (0.01, 0.001)) if _shown(sizes) else ()
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        warmer = trial.temperature - p["T0"]
+        return np.asarray(np.exp(-p["b"] * warmer - p["c"] * warmer**2))
+
+
 class Shift(_Temperature):
     """All relaxation speeds up with temperature: the law's times are multiplied by a_T = exp(-b (T - T0))."""
 
@@ -86,4 +110,4 @@ def _parameters(values: Values) -> tuple[Parameter, ...]:
     return next(own for own in every if {parameter.name for parameter in own} == set(values))
 
 
-FORMS = (Exponential, Shift)
+FORMS = (Exponential, Shift, Curved)

@@ -70,4 +70,28 @@ class Flow(_Velocity):
         return np.asarray(p["f"] * np.arcsinh(motion.velocity / p["v0"]))
 
 
-FORMS = (Dashpot, Flow)
+class Carreau(_Velocity):
+    """A dashpot beside the law, linear when slow and of another power when fast: c v (1 + (v/v0)^2)^((alpha - 1)/2)."""
+
+    form: ClassVar[str] = "carreau"
+    title: ClassVar[str] = "viscous force whose power changes above a velocity"
+    source: ClassVar[str] = "Carreau (1972), Trans. Soc. Rheol. 16, 99-127"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        c, v = sizes.force / sizes.velocity, sizes.velocity
+        return (
+            Unknown("c", "N*s/m", -10.0 * c, 10.0 * c, 0.3 * c),
+            Unknown("v0", "m/s", 0.01 * v, 2.0 * v, 0.2 * v, logarithmic=True),
+            Unknown("alpha", "", _LEAST, _MOST, 1.0, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        c, v = sizes.force / sizes.velocity, sizes.velocity
+        return (0.2 * c, 0.1 * v, 0.3), (0.1 * c, 0.3 * v, 0.3), (0.05 * c, 0.3 * v, 2.0)
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        v = motion.velocity
+        return np.asarray(p["c"] * v * (1.0 + (v / p["v0"]) ** 2) ** (0.5 * (p["alpha"] - 1.0)))
+
+
+FORMS = (Dashpot, Flow, Carreau)
