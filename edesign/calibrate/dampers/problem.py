@@ -131,13 +131,14 @@ class DamperProblem:
         temperature makes through the law.
         """
         fitted = [trial for trial in self.trials if trial.use == "fit"]
-        inside = expected = 0.0
+        inside = expected = whole = 0.0
         for residual, trial, size in zip(residuals, fitted, noise, strict=True):
             power, white = band_power(residual, trial.motion)
             inside += power
             other = trial.motion_noise**2 + trial.warmth_noise**2
             expected += white + 0.5 * residual.size * other / size**2  # of a one-sided spectrum
-        return max(inside / expected, sum(float(r @ r) for r in residuals) / sum(r.size for r in residuals))
+            whole += residual.size * (1.0 + (trial.warmth_noise / size) ** 2)
+        return max(inside / expected, sum(float(r @ r) for r in residuals) / whole)
 
     def _force(self, trial: Trial, values: dict[str, float], acting: Sequence[_Acting]) -> np.ndarray:
         motion = trial.motion

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -597,6 +598,35 @@ def test_kraus_softens_springs_and_gives_dashpots_a_hump() -> None:
     assert found is not None and g.max() - g.min() > 0.2
     # the core's first sample is that of a law at rest before: 1e-6 N
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
+
+
+def test_of_loss_changes_dashpots_alone() -> None:
+    warm = replace(trial(motion(11)), temperature=np.full(motion(11).time.size, 26.0))
+    size, rest = replace(sizes(), temperatures=(20.0, 26.0)), [np.zeros_like(warm.force)]
+    found = {c.label: c for c in candidates(size, (warm,), rest, False, True)}
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (warm,), size)
+    springs, dashpots = STIFFNESS * warm.motion.displacement, 2e4 * warm.motion.velocity
+    phi = math.exp(-0.03 * 6.0)
+    for label, values, expected in (
+        ("temperature_law.exponential", (0.03,), phi * (springs + dashpots)),
+        ("temperature_law.exponential_of_loss", (0.03,), springs + phi * dashpots),
+        ("temperature_law.exponential_loss", (0.03, 2.0), phi * springs + phi**2 * dashpots),
+    ):
+        (force,) = solid.predict(solid.declared, [(found[label], np.array(values))], ("fit",))
+        np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
+
+
+def test_an_error_of_the_thermometer_is_no_residual() -> None:
+    # forces 0.2 K off by the law's own gamma_T: all of the residual, and what such an error is taken to leave
+    test = replace(trial(motion(11)), temperature=np.full(motion(11).time.size, 25.0))
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), sizes())
+    change = 0.002 * STIFFNESS * test.motion.displacement
+    size = 1e-4 * STIFFNESS * U
+    noisy = change + size * np.random.default_rng(1).standard_normal(change.size)
+    known = replace(test, warmth_noise=float(np.sqrt(np.mean(change**2))))
+    assert solid.left([noisy / size], [size]) > 10.0
+    # the change is at one frequency, so that nearly all of the residual in the band of the motion is what was expected
+    assert replace(solid, trials=(known,)).left([noisy / size], [size]) == pytest.approx(1.0, abs=0.1)
 
 
 def test_hump_of_kraus_is_h_where_half_is_broken() -> None:

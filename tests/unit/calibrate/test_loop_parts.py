@@ -8,10 +8,11 @@ import numpy as np
 import pytest
 from linear_problem import LinearProblem, linear
 
+from edesign.calibrate.contest import likely_forms, shortlist
 from edesign.calibrate.cross_validation import leave_one_out
 from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit
-from edesign.calibrate.screening import Screen, joint_gain, screen
+from edesign.calibrate.screening import Screen, Signature, joint_gain, screen
 from edesign.calibrate.selection import Loop
 from edesign.calibrate.unknown import Unknown
 
@@ -96,6 +97,34 @@ def test_two_effects_gain_what_both_columns_gain() -> None:
     left = residual - columns @ np.linalg.lstsq(columns, residual, rcond=None)[0]
     expected = float(residual @ residual - left @ left)
     assert joint_gain(rival, signatures["x"], signatures["y"]) == pytest.approx(expected, rel=1e-6)
+
+
+def test_slow_effects_do_not_hide_what_others_would_gain() -> None:
+    # all is linear: what a candidate changes is the same with and without the slow effect
+    problem = linear(hidden={"x": 0.5, "y": 0.5})
+    x, y, _ = problem.candidates([])
+    model = replace(_model(problem), effects=(x,))
+    fitted = fit(model, np.array([1.0, 1.0, 1.0, 0.5]))
+    slow = replace(model, effects=(replace(x, slow=True),))
+    (exact,) = screen(fitted, [y])
+    (quick,) = screen(fit(slow, fitted.x), [y])
+    assert quick.gain == pytest.approx(exact.gain, rel=1e-6)
+    np.testing.assert_allclose(quick.start, exact.start, rtol=1e-6)
+
+
+def test_likely_forms_are_the_best_and_the_simplest_that_is_nearly_as_good() -> None:
+    problem = linear(hidden={"x": 0.5})
+    (signature, *_) = screen(fit(_model(problem), np.ones(3)), problem.candidates([]))
+    (a,) = signature.candidate.unknowns
+
+    def form(name: str, gain: float, unknowns: int) -> Signature:
+        candidate = replace(signature.candidate, form=name, unknowns=(a,) * unknowns)
+        return replace(signature, candidate=candidate, gain=gain)
+
+    forms = [form("rich", 100.0, 4), form("richer", 99.0, 5), form("simple", 91.0, 1), form("poor", 50.0, 1)]
+    assert [s.candidate.form for s in likely_forms(forms, 2)] == ["rich", "simple"]
+    assert [s.candidate.form for s in likely_forms(forms, 4)] == ["rich", "richer", "simple", "poor"]
+    assert [s.candidate.form for s in shortlist(forms)] == ["rich", "simple"]
 
 
 @pytest.mark.parametrize("rho", [0.0, 0.5, 0.9])

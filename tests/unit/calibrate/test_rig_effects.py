@@ -7,15 +7,18 @@ import pytest
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.effects.friction import Loaded, LuGre, Presliding, Stribeck, Tanh
-from edesign.calibrate.dampers.effects.play import Backlash, Gap, follow
+from edesign.calibrate.dampers.effects.play import Backlash, Gap, GapAside, follow
 from edesign.calibrate.dampers.effects.series_flexibility import Linear
 from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear
+from edesign.calibrate.dampers.library import candidate_of
+from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.dampers.turning_points import with_turning_points
 from edesign.core.damper import CoreDamper
+from edesign.damper.laws import law
 
 AMPLITUDE = 0.01  # m
-FORMS = (Tanh, Presliding, Stribeck, LuGre, Loaded, Gap, Backlash, Linear, PreShear, ConstantForce)
+FORMS = (Tanh, Presliding, Stribeck, LuGre, Loaded, Gap, GapAside, Backlash, Linear, PreShear, ConstantForce)
 
 
 def _sine(rate: float, cycles: float = 4.0, frequency: float = 1.0, phase: float = 0.0) -> Motion:
@@ -184,6 +187,20 @@ def test_follow_is_the_textbook_play_operator() -> None:
         found.append(w)
     np.testing.assert_array_equal(follow(u, play), found)
     assert np.max(np.abs(u - found)) == 0.5 * play
+
+
+@pytest.mark.parametrize(("aside", "lost"), [(1.0, 1.0), (0.0, 0.5), (-1.0, 0.0)])
+def test_pins_aside_lose_the_clearance_one_way_and_nothing_the_other(aside: float, lost: float) -> None:
+    # a spring k behind a rig K pulled out: no force up to the share of the clearance, then 1/(1/k + 1/K) in series
+    time = np.arange(201) / 100.0
+    motion = Motion(time, 0.004 * time, np.full(201, 0.004), np.zeros(201))
+    trial, play, k, rig = _trial(motion), 2e-3, 1e6, 1e8
+    problem = DamperProblem(law("kelvin_voigt"), {"k": k, "c": 0.0}, None, (trial,), Sizes.of((trial,)))
+    candidate = candidate_of(GapAside(), problem.sizes, (trial,), ())
+    assert candidate is not None
+    (force,) = problem.predict(problem.declared, [(candidate, np.array([play, rig, aside]))], ("fit",))
+    beyond = np.maximum(motion.displacement - lost * play, 0.0)
+    np.testing.assert_allclose(force, beyond / (1.0 / k + 1.0 / rig), rtol=1e-6, atol=1e-6 * k * play)
 
 
 def test_backlash_of_a_sine_is_cut_and_late() -> None:
