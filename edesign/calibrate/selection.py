@@ -262,7 +262,7 @@ class Loop:
     def _reformed(self, current: Judged) -> Judged:
         """Each effect in the form that suits best, now that the others are there."""
         for effect in current.fitted.model.effects:
-            if current.at_floor:
+            if current.at_floor or len(current.fitted.model.effects) < 2:
                 break
             forms = self._other_forms(current, effect)
             if forms and compare(better := simplest(forms), current).beyond_chance:

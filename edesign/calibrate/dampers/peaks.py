@@ -34,7 +34,9 @@ def common_tones(trials: Sequence[Trial], residuals: Sequence[np.ndarray]) -> tu
         residuals: (n_i,) N of each.
     """
     longest = max(float(t.motion.time[-1] - t.motion.time[0]) for t in trials)
-    grid = np.arange(1.0, _HIGHEST * longest * _FINENESS) / (longest * _FINENESS)
+    # records show no tone above their rate for what it is
+    highest = min(_HIGHEST, max(1.0 / float(np.median((t.whole or t).motion.steps)) for t in trials))
+    grid = np.arange(1.0, highest * longest * _FINENESS) / (longest * _FINENESS)
     height, capped, tests = np.zeros_like(grid), np.zeros_like(grid), np.zeros(grid.size, dtype=int)
     for trial, residual in zip(trials, residuals, strict=True):
         own, counts = _heights(trial, residual, grid)
@@ -42,7 +44,8 @@ def common_tones(trials: Sequence[Trial], residuals: Sequence[np.ndarray]) -> tu
         capped += np.minimum(own, _ONE_TEST)
         tests += counts
     # of noise alone the sum has a gamma distribution of as many tests as count
-    limit = np.where(tests > 0, gammainccinv(np.maximum(tests, 1), _FALSE_ALARM / grid.size), np.inf)
+    limits = gammainccinv(np.arange(1, len(trials) + 1), _FALSE_ALARM / grid.size)
+    limit = np.concatenate(([np.inf], limits))[tests]
     shortest = min(float(t.motion.time[-1] - t.motion.time[0]) for t in trials)
     whole = [_whole(trial, r) for trial, r in zip(trials, residuals, strict=True) if trial.whole is not None]
     found: list[float] = []
@@ -53,7 +56,7 @@ def common_tones(trials: Sequence[Trial], residuals: Sequence[np.ndarray]) -> tu
             break
         near = np.abs(grid - grid[at]) < 2.0 / shortest
         top = grid[near][np.argmax(height[near])]
-        aliases = _aliases(top, trials)
+        aliases = _aliases(top, trials, highest)
         found.append(_true_one(aliases or [float(top)], whole))
         for alias in (top, *aliases):
             capped[np.abs(grid - alias) < 4.0 / shortest] = 0.0
@@ -65,23 +68,25 @@ def _heights(trial: Trial, residual: np.ndarray, grid: np.ndarray) -> tuple[np.n
     motion, step = trial.motion, float(np.median(trial.motion.steps))
     size = next_fast_len(_FINENESS * residual.size, real=True)
     power = np.abs(np.fft.rfft((residual - residual.mean()) * np.hanning(residual.size), size)) ** 2
-    width = int(2.0 * _NEIGHBOURS * size / residual.size)
+    around = int(2.0 * _NEIGHBOURS * size / residual.size)
     thin = max(1, size // residual.size // 2)  # neighbours of finer spacing than that are one
-    background = median_filter(power[::thin], max(3, width // thin), mode="nearest") / np.log(2.0)
+    background = median_filter(power[::thin], max(3, around // thin), mode="nearest") / np.log(2.0)
     frequencies = np.arange(power.size) / (size * step)
     folded = np.abs(grid - np.round(grid * step) / step)
     level = np.interp(folded, frequencies[::thin], np.maximum(background, 1e-12 * power.max() + 1e-300))
     fastest = np.sqrt(np.mean(motion.acceleration**2) / max(np.mean(motion.velocity**2), 1e-300)) / (2.0 * np.pi)
-    counts = folded > max(_ABOVE_MOTION * fastest, 2.0 / (step * residual.size))
+    width = 2.0 / (step * residual.size)
+    # at half the rate of the samples a spectrum has one degree of freedom in place of two
+    counts = (folded > max(_ABOVE_MOTION * fastest, width)) & (folded < 0.5 / step - width)
     return np.where(counts, np.interp(folded, frequencies, power) / level, 0.0), counts
 
 
-def _aliases(frequency: float, trials: Sequence[Trial]) -> list[float]:
+def _aliases(frequency: float, trials: Sequence[Trial], highest: float) -> list[float]:
     """The frequency and others that the samples of the first test cannot tell from it, up to the highest."""
     rate = 1.0 / float(np.median(trials[0].motion.steps))
-    orders = np.arange(np.ceil(_HIGHEST / rate) + 1.0) * rate
+    orders = np.arange(np.ceil(highest / rate) + 1.0) * rate
     folded = abs(frequency - round(frequency / rate) * rate)
-    return [float(f) for f in np.unique(np.concatenate((orders - folded, orders + folded))) if 0.0 < f <= _HIGHEST]
+    return [float(f) for f in np.unique(np.concatenate((orders - folded, orders + folded))) if 0.0 < f <= highest]
 
 
 def _true_one(frequencies: Sequence[float], whole: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:

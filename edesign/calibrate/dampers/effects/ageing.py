@@ -13,6 +13,7 @@ from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
 _LARGEST = 0.9  # change of the force up to the last test
+_BENT = 4  # tests that show a line: with no more of them a curve is no better told
 _COURSE = 7  # tests that show three lines, two in each
 
 
@@ -72,7 +73,7 @@ class Logarithmic(_Ageing):
         return math.log1p(tests)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return super().starts(sizes) if sizes.tests > 2 else ()  # with two tests it is the linear form
+        return super().starts(sizes) if sizes.tests > _BENT else ()
 
 
 class Power(_Ageing):
@@ -89,7 +90,7 @@ class Power(_Ageing):
         return Unknown("rate", "", -_LARGEST, 10.0, 0.3), Unknown("p", "", 0.1, 6.0, 1.0, logarithmic=True)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return ((0.1, 0.4), (0.1, 2.0)) if sizes.tests > 2 else ()
+        return ((0.1, 0.4), (0.1, 2.0)) if sizes.tests > _BENT else ()
 
     def fixed(self, sizes: Sizes) -> dict[str, float]:
         return {"N": sizes.tests - 1.0}
