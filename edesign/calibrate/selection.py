@@ -123,7 +123,7 @@ class Loop:
         rival = refit if compare(refit, declared).beyond_chance else declared
         held = self._beside_declared(declared) if self.may_refit else []
         if refit.at_floor:
-            return simplest([refit, *held]), ()
+            return simplest([refit, *(judged for judged in held if _explains(judged, declared))]), ()
         self.material = _SMALL * (rival.fitted.chi2 - rival.fitted.samples)
         current, refused = self._round(refit, rival, held)
         if current is None:
@@ -371,6 +371,12 @@ def _refitted(judged: Judged) -> Judged:
     fitted = judged.fitted
     model = replace(fitted.model, misfit=fitted.misfit)
     return Judged(fit(model, fitted.x))
+
+
+def _explains(model: Judged, rival: Judged) -> bool:
+    """Whether a model is better than a rival by more than chance, and by a good share."""
+    evidence = compare(model, rival)
+    return evidence.beyond_chance and evidence.share >= SHARE
 
 
 def _labels(effects: Sequence[Candidate]) -> frozenset[str]:

@@ -67,7 +67,7 @@ class Form:
     inside = False
     may_spare_loss: ClassVar[bool] = False
     spares_loss: bool = False
-    spares_springs = False
+    spares_springs: bool = False
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         """Parameters with bounds that suit a campaign; () if the campaign cannot show the effect."""

@@ -154,16 +154,30 @@ class DamperProblem:
         changed = _changed(trial, own, law_force, acting, relaxation_time(self.law, values))
         if series:
             force = self._in_series(trial, own, values, changed, series)
-        elif changed.splits:
-            springs = self._law_force(trial, own, without_dashpots(self.law, values) or values)
-            force = changed.springs * springs + changed.dashpots * (law_force - springs) + changed.parallel
         else:
-            force = np.asarray(changed.springs * law_force + changed.parallel)
+            force = np.asarray(changed.factor * self._split(trial, own, values, law_force, changed) + changed.parallel)
         for part in acting:
             force = part.form.channel(part.p, trial, force)
         if not np.all(np.isfinite(force)):
             raise PredictionError("the force is not finite")
         return force
+
+    def _split(
+        self, trial: Trial, motion: Motion, values: dict[str, float], force: np.ndarray, changed: _Changed
+    ) -> np.ndarray:
+        """The law's force (n,) N with factors of its springs and dashpots, inside its relaxation if it has one."""
+        if not changed.splits:
+            return force
+        springs = self._law_force(trial, motion, without_dashpots(self.law, values) or values)
+        dashpots = force - springs
+        tau = relaxation_time(self.law, values)
+        if tau is None:
+            return np.asarray(changed.springs * springs + changed.dashpots * dashpots)
+        sides = ((changed.springs, springs), (changed.dashpots, dashpots))
+        return force + sum(
+            (relaxed_factor(motion, np.broadcast_to(own, side.shape), side, tau) for own, side in sides),
+            start=np.zeros_like(force),
+        )
 
     def _in_series(
         self,
@@ -182,6 +196,7 @@ class DamperProblem:
         bend = sum(b * (stiffness / s) ** 3 for s, b, _ in series)  # e = F/s - b (F/s)^3 of each, for a little bend
         play = sum(g for _, _, g in series)
         n = motion.time.size
+        factor = changed.factor * changed.springs
         damper = _damper(self.law.name, self._at(trial, values))
         try:
             force, _ = damper.force_in_series(
@@ -190,7 +205,7 @@ class DamperProblem:
                 motion.velocity,
                 stiffness,
                 play,
-                None if np.isscalar(changed.springs) else np.broadcast_to(changed.springs, n),
+                None if np.isscalar(factor) else np.broadcast_to(factor, n),
                 None if np.isscalar(changed.parallel) else np.broadcast_to(changed.parallel, n),
                 bend,
             )
@@ -241,8 +256,9 @@ class _Acting:
 
 @dataclass
 class _Changed:
-    """What parts make of the law's force: factors of its springs and dashpots, and forces beside it."""
+    """What parts make of the law's force: factors of all of it, of its springs and dashpots, and forces beside it."""
 
+    factor: np.ndarray | float = 1.0
     springs: np.ndarray | float = 1.0
     dashpots: np.ndarray | float = 1.0
     parallel: np.ndarray | float = 0.0
@@ -266,10 +282,12 @@ def _changed(
             if beside is not None:
                 inside = beside if inside is None else inside + beside
             continue
-        if own is not None:
+        if own is not None and form.spares_loss:
             found.springs = found.springs * (1.0 if form.spares_springs else own)
-            found.dashpots = found.dashpots * (form.dashpot_factor(part.p, motion, own) if form.spares_loss else own)
-            found.splits |= form.spares_loss
+            found.dashpots = found.dashpots * form.dashpot_factor(part.p, motion, own)
+            found.splits = True
+        elif own is not None:
+            found.factor = found.factor * own
         if beside is not None:
             found.parallel = found.parallel + beside
     if inside is not None and relaxes is not None:

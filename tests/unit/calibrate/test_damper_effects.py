@@ -645,7 +645,7 @@ MODULES = (
     *(payne, mullins, hardening, one_sided, relaxation_branch, velocity_power),
     *(temperature_law, self_heating, degradation, ageing),
 )
-AMPLITUDES = {"d", "k", "m", "b", "c", "f", "beta", "rate", "a1"}
+AMPLITUDES = {"d", "k", "m", "b", "c", "f", "n", "beta", "rate", "a1"}
 FURTHER = {"self_heating.core": ("beta_c",), "temperature_law.curved": ("c",), "ageing.course": ("a2", "a3")}
 
 
@@ -675,7 +675,7 @@ def test_an_amplitude_of_zero_changes_nothing(form: Form) -> None:
     "form", [form for form in FORMS if form.amendment], ids=lambda form: f"{form.name}.{form.form}"
 )
 def test_a_law_file_carries_the_same_effect_into_the_core(form: Form) -> None:
-    size = sizes()
+    size = sizes(5) if form.name == "ageing" else sizes()
     p = {u.name: v for u, v in zip(form.unknowns(size), form.starts(size)[-1], strict=True)} | dict(form.fixed(size))
     of = motion(10)
     values = LAWS["zener"].complete({"k0": 1e6, "k1": 2e6, "c1": 2e5})

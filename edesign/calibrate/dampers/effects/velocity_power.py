@@ -94,4 +94,25 @@ class Carreau(_Velocity):
         return np.asarray(p["c"] * v * (1.0 + (v / p["v0"]) ** 2) ** (0.5 * (p["alpha"] - 1.0)))
 
 
-FORMS = (Dashpot, Flow, Carreau)
+class Exponent(_Velocity):
+    """The law's own dashpots take another exponent above a velocity: dashpots (1 + (v/v0)^2)^(n/2)."""
+
+    may_be_inside: ClassVar[bool] = False
+    spares_loss: bool = True
+    spares_springs: bool = True
+    form: ClassVar[str] = "exponent"
+    title: ClassVar[str] = "another exponent of the law's dashpots above a velocity"
+    source: ClassVar[str] = "Carreau (1972), Trans. Soc. Rheol. 16, 99-127, as a factor"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        v = sizes.velocity
+        return Unknown("n", "", -2.0, 2.0, 0.5), Unknown("v0", "m/s", 1e-3 * v, v, 0.2 * v, logarithmic=True)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.2, share * sizes.velocity) for share in (0.02, 0.1, 0.4))
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return np.asarray((1.0 + (motion.velocity / p["v0"]) ** 2) ** (0.5 * p["n"]))
+
+
+FORMS = (Dashpot, Flow, Carreau, Exponent)
