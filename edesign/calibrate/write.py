@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
 import yaml
 
 from edesign.archive.dataset import Group
-from edesign.calibrate.result import Calibration, Estimate, Series, Stage
+from edesign.calibrate.result import Calibration, Effect, Estimate, Series, Stage
 from edesign.damper.amendments import AMENDMENTS, Amendment
 from edesign.damper.campaign import Campaign
 from edesign.damper.effects_file import write_effects
@@ -37,19 +38,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         },
         "noise_floor": found.noise_floor,
         "noise_floor_fit": found.noise_floor_fit,
-        "effects": [
-            {
-                "name": effect.name,
-                "kind": effect.kind,
-                "form": effect.form,
-                "title": effect.title,
-                "parameters": {name: _estimate(value) for name, value in effect.parameters.items()},
-                "delta_validate": _finite(effect.delta_validate),
-                "evidence": effect.evidence,
-                "indistinguishable_from": list(effect.indistinguishable_from),
-            }
-            for effect in found.effects
-        ],
+        "effects": _effects(found.effects),
         "unexplained": {"share": _finite(found.unexplained_share), "shape": found.unexplained_shape},
         "next_test": None
         if found.next_test is None
@@ -66,6 +55,32 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         },
         "seconds": round(found.seconds, 2),
     }
+
+
+def _effects(effects: Sequence[Effect]) -> list[dict[str, Any]]:
+    """An entry of each effect in order of adoption; further forms of one that is there add their parameters to it."""
+    forms: dict[str, list[Effect]] = {}
+    for effect in effects:
+        forms.setdefault(effect.name, []).append(effect)
+    found = []
+    for name, (first, *further) in forms.items():
+        every = (first, *further)
+        parameters = dict(first.parameters)
+        parameters |= {f"{form.form}.{key}": value for form in further for key, value in form.parameters.items()}
+        alike = dict.fromkeys(other for form in every for other in form.indistinguishable_from if other != name)
+        found.append(
+            {
+                "name": name,
+                "kind": first.kind,
+                "form": " + ".join(form.form for form in every),
+                "title": "; ".join(form.title for form in every),
+                "parameters": {key: _estimate(value) for key, value in parameters.items()},
+                "delta_validate": _finite(max(form.delta_validate for form in every)),
+                "evidence": "; ".join(form.evidence for form in every),
+                "indistinguishable_from": list(alike),
+            }
+        )
+    return found
 
 
 def law_text(found: Calibration, campaign: Campaign) -> str:

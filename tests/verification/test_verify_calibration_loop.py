@@ -5,12 +5,14 @@ nothing else.
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 from kelvin_voigt_campaign import C, Hidden, K, campaign, lawful
 
+from edesign.calibrate.result import Effect, Estimate
 from edesign.calibrate.run import calibrate
 from edesign.calibrate.write import calibration_json, law_text
 
@@ -117,3 +119,20 @@ def test_what_nothing_known_explains_is_told_as_that(tmp_path: Path) -> None:
     assert found.unexplained_shape
     told = calibration_json(found)
     assert json.loads(json.dumps(told, allow_nan=False)) == told
+
+
+def test_two_forms_of_an_effect_are_one_entry(tmp_path: Path) -> None:
+    found = calibrate(campaign(tmp_path, lawful), workers=1)
+    drift = {"offset": Estimate(3.0, 0.1, "N")}
+    lag, more, other = (
+        Effect(name, form, "instrument", form, "", parameters, {}, delta, form, 0.9, alike)
+        for name, form, parameters, delta, alike in (
+            ("lag", "delay", {"delay": Estimate(1e-3, 1e-5, "s")}, 0.2, ("velocity_power",)),
+            ("lag", "filter", {"tau": Estimate(2e-3, 1e-5, "s")}, 0.3, ("inertia", "velocity_power")),
+            ("offset", "constant", drift, 0.1, ()),
+        )
+    )
+    first, second = calibration_json(replace(found, effects=(lag, other, more)))["effects"]
+    assert (first["name"], first["form"], second["name"]) == ("lag", "delay + filter", "offset")
+    assert {name: value["value"] for name, value in first["parameters"].items()} == {"delay": 1e-3, "filter.tau": 2e-3}
+    assert first["delta_validate"] == 0.3 and first["indistinguishable_from"] == ["velocity_power", "inertia"]

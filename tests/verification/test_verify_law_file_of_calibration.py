@@ -33,11 +33,14 @@ FORMS = [*BESIDE, *(form.within() for form in BESIDE if form.may_be_inside)]
 
 @cache
 def problem(dt: float = 0.01) -> DamperProblem:
-    """Three tests from rest, at 26, 20 and 31 degC: sines that grow and fall, with no sample but the first at
+    """Five tests from rest, at 20 to 31 degC: sines that grow and fall, with no sample but the first at
     zero to rounding, where one side, and a power of the velocity, are what rounding makes of them."""
     tests = []
     for order, (frequency, amplitude, warm) in enumerate(
-        ((0.617, 9e-3, 26.0), (1.913, 4e-3, 20.0), (1.137, 12e-3, 31.0))
+        (
+            *((0.617, 9e-3, 26.0), (1.913, 4e-3, 20.0), (0.811, 6e-3, 22.0)),
+            *((1.513, 7e-3, 24.0), (1.137, 12e-3, 31.0)),
+        )
     ):
         t = np.arange(round(4.9 / dt) + 1) * dt
         w, b = 2.0 * np.pi * frequency, 2.0 * np.pi / 5.0
