@@ -74,6 +74,11 @@ class Evidence:
         return self.share > 0.0 and self.t >= _LEAST_T and self.bic > _LEAST_BIC
 
     @property
+    def adopts(self) -> bool:
+        """Whether the model is better by more than chance, and by a good share."""
+        return self.beyond_chance and self.share >= SHARE
+
+    @property
     def clearly_better(self) -> bool:
         """Whether a simpler rival cannot stand for the model: better beyond chance, or by a good share."""
         return self.beyond_chance or (self.share >= SHARE and self.t >= _LEAST_T)

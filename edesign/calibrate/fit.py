@@ -33,8 +33,8 @@ class Model:
         effects: in the order of adoption.
         held: whether the base keeps its declared parameters.
         misfit: standard deviation of what is left by the models compared, in units of noise and as if it were white:
-            what no model
-            explains does not make the parameters sure, so the belief in the declared ones counts by as much more.
+            what no model explains does not make the parameters sure, so the belief in the declared ones counts by as
+            much more.
     """
 
     problem: Problem

@@ -123,7 +123,7 @@ class Loop:
         rival = refit if compare(refit, declared).beyond_chance else declared
         held = self._beside_declared(declared) if self.may_refit else []
         if refit.at_floor:
-            return simplest([refit, *(judged for judged in held if _explains(judged, declared))]), ()
+            return simplest([refit, *(judged for judged in held if compare(judged, declared).adopts)]), ()
         self.material = _SMALL * (rival.fitted.chi2 - rival.fitted.samples)
         current, refused = self._round(refit, rival, held)
         if current is None:
@@ -196,12 +196,12 @@ class Loop:
         if more and evidence.share < _CLEAR and len(known) + 2 <= _MOST:
             pair = self._pair(current, short, signatures)
             if pair is not None:
-                both = compare(pair, rival)
+                together = compare(pair, rival)
                 alone = max(evidence.share, 0.0)
-                needed = both.share - alone > SHARE * (1.0 - alone) and both.share > 2.0 * SHARE
-                if both.beyond_chance and needed and self._matters(pair, rival):
+                needed = together.share - alone > SHARE * (1.0 - alone) and together.share > 2.0 * SHARE
+                if together.beyond_chance and needed and self._matters(pair, rival):
                     return pair, refused
-        if evidence.beyond_chance and evidence.share >= SHARE and self._matters(best, rival):
+        if evidence.adopts and self._matters(best, rival):
             return best, refused
         return None, refused
 
@@ -261,8 +261,9 @@ class Loop:
 
     def _reformed(self, current: Judged) -> Judged:
         """Each effect in the form that suits best, now that the others are there."""
-        for effect in current.fitted.model.effects:
-            if current.at_floor or len(current.fitted.model.effects) < 2:
+        effects = current.fitted.model.effects
+        for effect in effects if len(effects) > 1 else ():  # forms of a single one have just been compared
+            if current.at_floor:
                 break
             forms = self._other_forms(current, effect)
             if forms and compare(better := simplest(forms), current).beyond_chance:
@@ -371,12 +372,6 @@ def _refitted(judged: Judged) -> Judged:
     fitted = judged.fitted
     model = replace(fitted.model, misfit=fitted.misfit)
     return Judged(fit(model, fitted.x))
-
-
-def _explains(model: Judged, rival: Judged) -> bool:
-    """Whether a model is better than a rival by more than chance, and by a good share."""
-    evidence = compare(model, rival)
-    return evidence.beyond_chance and evidence.share >= SHARE
 
 
 def _labels(effects: Sequence[Candidate]) -> frozenset[str]:

@@ -10,6 +10,7 @@ import pytest
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.effects import MODULES
+from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
@@ -104,7 +105,7 @@ def calibration(of: DamperProblem, form: Form, candidate: Candidate, values: tup
 
 def difference(form: Form, folder: Path, of: DamperProblem) -> tuple[float, float]:
     """Of the law file's force from the loop's, and of that from the law's alone, over the peak."""
-    candidate = candidate_of(form, of.sizes, [], [])
+    candidate = candidate_of(form, of.sizes, Left())
     assert candidate is not None
     values = candidate.starts[0]
     order = (

@@ -16,12 +16,13 @@ carries what the specimen remembers from one test to the next."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from copy import copy
 from typing import Any, ClassVar
 
 import numpy as np
 
+from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Described, Kind
 from edesign.calibrate.unknown import Unknown
@@ -50,8 +51,7 @@ class Form:
         spares_springs: whether it changes dashpots alone.
         refined: steps into which one between samples is cut, for forms with corners that do not fall on samples.
         amendment: whether a law file can carry it (edesign.damper.amendments has this name and form, or
-            `amendment_form`
-            where there is one).
+            `amendment_form` where there is one).
     """
 
     name: ClassVar[str]
@@ -77,10 +77,8 @@ class Form:
         """Values (SI) to start from, a grid over what acts non-linearly; amplitudes about a twentieth of the force."""
         raise NotImplementedError
 
-    def starts_from_residuals(
-        self, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
-    ) -> tuple[tuple[float, ...], ...]:
-        """The starts, if they depend on residuals (n_i,) N of trials."""
+    def starts_from_residuals(self, sizes: Sizes, left: Left) -> tuple[tuple[float, ...], ...]:
+        """The starts, if they depend on what is left of the tests."""
         return self.starts(sizes)
 
     def fixed(self, sizes: Sizes) -> Mapping[str, float]:

@@ -1,6 +1,4 @@
-"""Forces inside a law that relaxes all of its forces, such as the MGMM: F + tau F' = everything, tau = c1/k1 (thesis
-Eq. 4.29).
-"""
+"""Forces inside a law that relaxes them all, as the MGMM: F + tau F' = everything, tau = c1/k1 (thesis Eq. 4.29)."""
 
 from __future__ import annotations
 
@@ -40,12 +38,10 @@ def relaxed_force(motion: Motion, force: np.ndarray, tau: float) -> np.ndarray:
 
 
 def relaxed_factor(motion: Motion, factor: np.ndarray, force: np.ndarray, tau: float) -> np.ndarray:
-    """Q (n,) N with Q + tau Q' = (factor - 1)(F + tau F'): what a factor (n,) inside the law adds to its force F (n,)
-    N.
+    """Q (n,) N with Q + tau Q' = (factor - 1)(F + tau F'): what a factor (n,) in the law adds to its force F (n,) N.
 
     By parts Q = (factor - 1) F + R with R + tau R' = -tau factor' F, so that no force is differentiated; exact for
-    factor and
-    force linear between samples.
+    factor and force linear between samples.
     """
     x = motion.steps / tau
     decay, mean = np.exp(-x), -np.expm1(-x) / x

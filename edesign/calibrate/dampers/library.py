@@ -2,24 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
-import numpy as np
-
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.effects import MODULES
-from edesign.calibrate.dampers.trial import Sizes, Trial
+from edesign.calibrate.dampers.left import Left
+from edesign.calibrate.dampers.trial import Sizes
 from edesign.calibrate.problem import Candidate
 
 
-def candidates(
-    sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray], relaxes: bool, splits: bool
-) -> tuple[Candidate, ...]:
+def candidates(sizes: Sizes, left: Left, relaxes: bool, splits: bool) -> tuple[Candidate, ...]:
     """All forms of all effects that a campaign can show.
 
     Args:
         sizes: of the campaign.
-        trials, residuals: tests, and what is left of them (n_i,) N: some forms take their starts from it.
+        left: of the tests: some forms take their starts from it.
         relaxes: whether the law relaxes all its forces, so that effects may stand inside it.
         splits: whether its springs and dashpots can be told apart, so that effects may change them differently.
     """
@@ -32,17 +27,15 @@ def candidates(
             if splits and form.may_spare_loss:
                 variants += [form.sparing_loss(), form.of_loss()]
             for variant in variants:
-                candidate = candidate_of(variant, sizes, trials, residuals)
+                candidate = candidate_of(variant, sizes, left)
                 if candidate is not None:
                     found.append(candidate)
     return tuple(found)
 
 
-def candidate_of(
-    form: Form, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
-) -> Candidate | None:
+def candidate_of(form: Form, sizes: Sizes, left: Left) -> Candidate | None:
     """A form with its unknowns for a campaign; None if the campaign cannot show it."""
-    starts = form.starts_from_residuals(sizes, trials, residuals)
+    starts = form.starts_from_residuals(sizes, left)
     if not starts:
         return None
     slow = type(form).series is not Form.series

@@ -26,8 +26,7 @@ def next_test(problem: DamperProblem, found: Selection) -> NextTest | None:
     """The test, of those a laboratory can make, in which look-alikes would differ most.
 
     Each model predicts each test that could be made after the campaign; the one with the largest NRMS between two
-    predictions
-    is told. None: no effect has a look-alike among effects.
+    predictions is told. None: no effect has a look-alike among effects.
     """
     best: NextTest | None = None
     for adopted in found.adopted:

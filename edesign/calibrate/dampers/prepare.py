@@ -1,6 +1,4 @@
-"""From a campaign of damper tests to the loop: the declared law, tests freed from displacement noise, and what looks
-wrong.
-"""
+"""From a campaign of damper tests to the loop: declared law, tests freed from displacement noise, what looks wrong."""
 
 from __future__ import annotations
 
@@ -84,13 +82,11 @@ def _with_motion_noise(problem: DamperProblem, noise: Sequence[float]) -> Damper
             noisy = motion.displacement + size * random.standard_normal(motion.time.size)
             motion = Motion(motion.time, *smooth(motion.time, noisy)[:3])
         again.append(replace(trial, motion=motion))
-    twice = replace(problem, trials=tuple(again))
-    forces = [p.predict(p.declared, (), ("fit", "validate")) for p in (problem, twice)]
-    trials = []
-    for trial, one, other in zip(problem.trials, *forces, strict=True):
-        assert one is not None and other is not None
-        trials.append(replace(trial, motion_noise=float(np.sqrt(np.mean((one - other) ** 2)))))
-    return replace(problem, trials=tuple(trials))
+    changes = _changes(problem, again)
+    return replace(
+        problem,
+        trials=tuple(replace(trial, motion_noise=own) for trial, own in zip(problem.trials, changes, strict=True)),
+    )
 
 
 def _with_warmth_noise(problem: DamperProblem) -> DamperProblem:
@@ -98,13 +94,22 @@ def _with_warmth_noise(problem: DamperProblem) -> DamperProblem:
     means = [trial.mean_temperature for trial in problem.trials]
     if max(means) - min(means) <= _THERMOMETER:
         return problem
-    warmer = tuple(replace(trial, temperature=trial.temperature + _THERMOMETER) for trial in problem.trials)
-    forces = [p.predict(p.declared, (), ("fit", "validate")) for p in (problem, replace(problem, trials=warmer))]
-    trials = []
-    for trial, one, other in zip(problem.trials, *forces, strict=True):
+    warmer = [replace(trial, temperature=trial.temperature + _THERMOMETER) for trial in problem.trials]
+    changes = _changes(problem, warmer)
+    return replace(
+        problem,
+        trials=tuple(replace(trial, warmth_noise=own) for trial, own in zip(problem.trials, changes, strict=True)),
+    )
+
+
+def _changes(problem: DamperProblem, trials: Sequence[Trial]) -> list[float]:
+    """Root mean square N of what changed trials make of the declared law's force, in each."""
+    both = (problem, replace(problem, trials=tuple(trials)))
+    found = []
+    for one, other in zip(*(p.predict(p.declared, (), ("fit", "validate")) for p in both), strict=True):
         assert one is not None and other is not None
-        trials.append(replace(trial, warmth_noise=float(np.sqrt(np.mean((one - other) ** 2)))))
-    return replace(problem, trials=tuple(trials))
+        found.append(float(np.sqrt(np.mean((one - other) ** 2))))
+    return found
 
 
 def _check_forces(problem: DamperProblem, campaign: Campaign) -> None:

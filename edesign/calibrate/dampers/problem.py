@@ -13,6 +13,7 @@ from edesign.calibrate.dampers.band import band_power
 from edesign.calibrate.dampers.effect import Form, Memory, Series
 from edesign.calibrate.dampers.inside import relaxation_time, relaxed_factor, relaxed_force, without_dashpots
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
+from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidates
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
@@ -77,7 +78,7 @@ class DamperProblem:
         fitted = [trial for trial in self.trials if trial.use == "fit"]
         relaxes = relaxation_time(self.law, self.start) is not None
         splits = without_dashpots(self.law, self.start) is not None
-        return candidates(self.sizes, fitted, residuals, relaxes, splits)
+        return candidates(self.sizes, Left(fitted, residuals), relaxes, splits)
 
     def law_values(self, base: np.ndarray) -> dict[str, float]:
         """Parameters of the law, all of them, of the values of the unknown ones."""
@@ -152,10 +153,11 @@ class DamperProblem:
         series = [s for s in (part.form.series(part.p) for part in acting) if s is not None]
         law_force = self._law_force(trial, own, values)
         changed = _changed(trial, own, law_force, acting, relaxation_time(self.law, values))
+        beside = changed.parallel + changed.factor * self._split(trial, own, values, law_force, changed)
         if series:
-            force = self._in_series(trial, own, values, changed, series)
+            force = self._in_series(trial, own, values, changed.factor, beside, series)
         else:
-            force = np.asarray(changed.factor * self._split(trial, own, values, law_force, changed) + changed.parallel)
+            force = np.asarray(changed.factor * law_force + beside)
         for part in acting:
             force = part.form.channel(part.p, trial, force)
         if not np.all(np.isfinite(force)):
@@ -164,17 +166,18 @@ class DamperProblem:
 
     def _split(
         self, trial: Trial, motion: Motion, values: dict[str, float], force: np.ndarray, changed: _Changed
-    ) -> np.ndarray:
-        """The law's force (n,) N with factors of its springs and dashpots, inside its relaxation if it has one."""
+    ) -> np.ndarray | float:
+        """What factors of springs and dashpots apart add to the law's force (n,) N, inside its relaxation if it has
+        one.
+        """
         if not changed.splits:
-            return force
+            return 0.0
         springs = self._law_force(trial, motion, without_dashpots(self.law, values) or values)
-        dashpots = force - springs
         tau = relaxation_time(self.law, values)
+        sides = ((changed.springs, springs), (changed.dashpots, force - springs))
         if tau is None:
-            return np.asarray(changed.springs * springs + changed.dashpots * dashpots)
-        sides = ((changed.springs, springs), (changed.dashpots, dashpots))
-        return force + sum(
+            return sum(((own - 1.0) * side for own, side in sides), start=np.zeros_like(force))
+        return sum(
             (relaxed_factor(motion, np.broadcast_to(own, side.shape), side, tau) for own, side in sides),
             start=np.zeros_like(force),
         )
@@ -184,19 +187,18 @@ class DamperProblem:
         trial: Trial,
         motion: Motion,
         values: dict[str, float],
-        changed: _Changed,
+        factor: np.ndarray | float,
+        beside: np.ndarray | float,
         series: Sequence[Series],
     ) -> np.ndarray:
         """Force with the rig in series; springs add by their compliance, plays by their widths.
 
-        Factors and parallel forces are those of the whole motion, the factor that of the springs: what the rig takes
-            of it is small.
+        The factor and the forces beside are those of the whole motion: what the rig takes of it is small.
         """
         stiffness = 1.0 / sum(1.0 / s for s, _, _ in series)
         bend = sum(b * (stiffness / s) ** 3 for s, b, _ in series)  # e = F/s - b (F/s)^3 of each, for a little bend
         play = sum(g for _, _, g in series)
         n = motion.time.size
-        factor = changed.factor * changed.springs
         damper = _damper(self.law.name, self._at(trial, values))
         try:
             force, _ = damper.force_in_series(
@@ -205,8 +207,8 @@ class DamperProblem:
                 motion.velocity,
                 stiffness,
                 play,
-                None if np.isscalar(factor) else np.broadcast_to(factor, n),
-                None if np.isscalar(changed.parallel) else np.broadcast_to(changed.parallel, n),
+                np.broadcast_to(factor, n),
+                np.broadcast_to(beside, n),
                 bend,
             )
         except CoreError as error:

@@ -20,6 +20,7 @@ from edesign.calibrate.dampers.effects import (
     temperature_law,
     velocity_power,
 )
+from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.problem import Candidate
@@ -44,10 +45,10 @@ _MODULES = (
 def candidates_of(problem: DamperProblem) -> tuple[Candidate, ...]:
     """All forms of effects for a table whose rows are the trials of a problem."""
     fitted = [trial for trial in problem.trials if trial.use == "fit"]
-    nothing = [np.zeros(trial.force.size) for trial in fitted]
+    left = Left(fitted, [np.zeros(trial.force.size) for trial in fitted])
     temperatures = sorted({float(np.mean(trial.temperature)) for trial in fitted})
     relaxes = problem.law.name == "mgmm"
-    found = [candidate_of(form, problem.sizes, fitted, nothing) for form in _forms(relaxes, temperatures)]
+    found = [candidate_of(form, problem.sizes, left) for form in _forms(relaxes, temperatures)]
     return tuple(candidate for candidate in found if candidate is not None and candidate.starts)
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from edesign.calibrate.dampers.effects.relaxation_branch import Maxwell
 from edesign.calibrate.dampers.effects.velocity_power import Dashpot
+from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
@@ -198,6 +199,6 @@ _BESIDE = {("relaxation_branch", "maxwell"): Maxwell, ("velocity_power", "dashpo
 
 
 def _candidate(name: str, form: str, problem: DamperProblem) -> Candidate:
-    found = candidate_of(_BESIDE[(name, form)](), problem.sizes, (), ())
+    found = candidate_of(_BESIDE[(name, form)](), problem.sizes, Left())
     assert found is not None
     return found

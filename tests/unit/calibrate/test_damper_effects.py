@@ -3,14 +3,27 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.special import erf
+from irregular_motion import (
+    ROUNDING,
+    STIFFNESS,
+    SWEPT,
+    U,
+    close,
+    factor,
+    motion,
+    parallel,
+    shaken,
+    sizes,
+    steps,
+    trial,
+    two_tests,
+)
 
-from edesign.calibrate.dampers.drivers import cycles, fractional_rate, relaxed, weighted_path
+from edesign.calibrate.dampers.drivers import fractional_rate, relaxed
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.effects import (
     ageing,
@@ -24,215 +37,14 @@ from edesign.calibrate.dampers.effects import (
     temperature_law,
     velocity_power,
 )
+from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidates
 from edesign.calibrate.dampers.problem import DamperProblem
-from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
+from edesign.calibrate.dampers.trial import Motion, Sizes
 from edesign.core.damper import CoreDamper
 from edesign.damper.amendments import Amendment
 from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
-
-U, STIFFNESS = 0.01, 2e6  # m, N/m: largest displacement and stiffness of the motions here
-SWEPT = 1e-6  # of a factor by work: sweeps over all steps end when its state moves by less than 1e-6 of itself
-ROUNDING = 1e-12  # of quantities about 1: sums of a few hundred terms in double precision
-
-
-def motion(seed: int, n: int = 400, uneven: bool = False) -> Motion:
-    """Five sines from rest, with their own derivatives."""
-    rng = np.random.default_rng(seed)
-    step = rng.uniform(0.005, 0.02, n - 1) if uneven else np.full(n - 1, 0.01)
-    t = np.concatenate(([0.0], np.cumsum(step)))
-    w, phase = rng.uniform(2.0, 20.0, 5), rng.uniform(0.0, 6.0, 5)
-    angle = np.outer(t, w) + phase
-    scale = 0.3 * U
-    return Motion(t, scale * np.sin(angle).sum(1), scale * np.cos(angle) @ w, -scale * np.sin(angle) @ w**2)
-
-
-def trial(of: Motion, order: int = 0, temperature: float | np.ndarray = 20.0) -> Trial:
-    law = STIFFNESS * of.displacement + 2e4 * of.velocity
-    return Trial("t", "fit", order, of, law, np.broadcast_to(temperature, of.time.shape).astype(float))
-
-
-def two_tests() -> tuple[Trial, Trial]:
-    return trial(motion(1), 0), trial(motion(2, 300, uneven=True), 1)
-
-
-def steps(of: Motion) -> Iterator[tuple[int, float, float]]:
-    """Index of a step's end, its duration and its deformation."""
-    for i in range(1, of.time.size):
-        yield i, float(of.time[i] - of.time[i - 1]), float(of.displacement[i] - of.displacement[i - 1])
-
-
-def factor(form: Form, p: dict[str, float], tests: tuple[Trial, ...]) -> list[np.ndarray]:
-    memory: dict[str, float] = {}
-    found = [form.factor(p, t, t.motion, t.force, memory) for t in tests]
-    return [np.broadcast_to(f, t.force.shape) for f, t in zip(found, tests, strict=True) if f is not None]
-
-
-def parallel(form: Form, p: dict[str, float], tests: tuple[Trial, ...]) -> list[np.ndarray]:
-    memory: dict[str, float] = {}
-    found = [form.parallel(p, t, t.motion, memory) for t in tests]
-    return [np.asarray(f) for f in found if f is not None]
-
-
-def close(found: list[np.ndarray], expected: list[np.ndarray], scale: float = 1.0) -> None:
-    assert len(found) == len(expected)
-    for a, b in zip(found, expected, strict=True):
-        np.testing.assert_allclose(a, b, rtol=0.0, atol=ROUNDING * scale)
-
-
-def sizes(tests: int = 3) -> Sizes:
-    further = (trial(motion(order + 1), order, 25.0) for order in range(2, tests))
-    return Sizes.of((*two_tests(), *further))
-
-
-# --- Mullins ---
-
-
-def virgin_share(tests: tuple[Trial, ...], s0: float, recovery: float) -> list[np.ndarray]:
-    left, found = 1.0, []
-    for n, t in enumerate(tests):
-        left = left + recovery * (1.0 - left) if n else left
-        rows = [left]
-        for _, _, du in steps(t.motion):
-            left *= math.exp(-abs(du) / s0)
-            rows.append(left)
-        found.append(np.array(rows))
-    return found
-
-
-@pytest.mark.parametrize("recovery", [0.0, 0.3, 1.0])
-def test_mullins_by_path_wears_off_over_two_tests(recovery: float) -> None:
-    tests, s0 = two_tests(), 0.2
-    share = virgin_share(tests, s0, recovery)
-    assert share[0][-1] < 0.5  # the first test wears much off: the memory matters
-    close(factor(mullins.Path(), {"m": 0.3, "s0": s0, "recovery": recovery}, tests), [1.0 + 0.3 * s for s in share])
-    spring = [5e5 * s * t.motion.displacement for s, t in zip(share, tests, strict=True)]
-    close(parallel(mullins.Elastic(), {"k": 5e5, "s0": s0, "recovery": recovery}, tests), spring, 5e5 * U)
-
-
-def test_full_recovery_begins_as_virgin_and_none_goes_on() -> None:
-    again = (trial(motion(1)), trial(motion(1), 1))
-    first, second = factor(mullins.Path(), {"m": 0.3, "s0": 0.1, "recovery": 1.0}, again)
-    assert np.array_equal(first, second) and first[0] == 1.3
-    first, second = factor(mullins.Path(), {"m": 0.3, "s0": 0.1, "recovery": 0.0}, again)
-    assert second[0] == first[-1] < 1.05
-
-
-@pytest.mark.parametrize("recovery", [0.0, 0.4])
-def test_mullins_by_largest_deformation(recovery: float) -> None:
-    tests, largest = two_tests(), 0.0
-    below, damaged = [], []
-    for n, t in enumerate(tests):
-        largest *= 1.0 - recovery if n else 1.0
-        rows = []
-        for u in t.motion.displacement:
-            largest = max(largest, abs(u))
-            gone = 1.0 - math.exp(-((largest / 4e-3) ** 1.7))
-            rows.append((1.0 - 0.2 * erf((largest - abs(u)) / 3e-3), 1.0 - 0.2 * gone))
-        below.append(np.array([a for a, _ in rows]))
-        damaged.append(np.array([b for _, b in rows]))
-    close(factor(mullins.Maximum(), {"m": 0.2, "r": 3e-3, "recovery": recovery}, tests), below)
-    close(factor(mullins.Damage(), {"m": 0.2, "r": 4e-3, "p": 1.7, "recovery": recovery}, tests), damaged)
-
-
-def test_a_single_test_has_no_recovery() -> None:
-    single = Sizes.of((trial(motion(1)),))
-    for form in (kind() for kind in mullins.FORMS):
-        assert "recovery" not in [u.name for u in form.unknowns(single)]
-        assert form.fixed(single)["recovery"] == 0.0
-        assert "recovery" not in form.fixed(sizes())
-
-
-# --- drivers of virgin softening ---
-
-
-def shaken(u: np.ndarray) -> Motion:
-    still = np.zeros_like(u)
-    return Motion(np.linspace(0.0, 10.0, u.size), u, still, still)
-
-
-def test_cycles_of_a_sine_are_its_periods_and_a_half_each_way() -> None:
-    t = np.linspace(0.0, 10.0, 1001)
-    counted = cycles(shaken(U * np.cos(2.0 * np.pi * t)), 0.05 * U)
-    np.testing.assert_allclose(counted[::50], 0.5 * np.arange(21), rtol=0.0, atol=1e-12)
-    # between two reversals with the path: a quarter where the deformation passes zero
-    np.testing.assert_allclose(counted[25::50], 0.5 * np.arange(20) + 0.25, rtol=0.0, atol=1e-12)
-    # from zero on, the first way and the last one are ways as well
-    assert cycles(shaken(U * np.sin(2.0 * np.pi * t)), 0.05 * U)[-1] == pytest.approx(10.5, abs=1e-12)
-
-
-def test_ripples_are_no_cycles_and_small_cycles_are() -> None:
-    t = np.linspace(0.0, 10.0, 4001)
-    large = U * np.cos(2.0 * np.pi * 0.5 * t)
-    rippled = large + 0.02 * U * np.sin(2.0 * np.pi * 13.0 * t)  # ways back of at most 0.04 U
-    assert cycles(shaken(rippled), 0.05 * U)[-1] == 5.0
-    small = np.where(t < 4.0, large, U - 0.1 * U * (1.0 - np.cos(2.0 * np.pi * (t - 4.0))))  # 2 large ones, 6 small
-    assert cycles(shaken(small), 0.05 * U)[-1] == 8.0
-
-
-@pytest.mark.parametrize("size", [1.02, 1.5, 1.98, 2.02, 5.0])
-def test_cycles_count_from_the_least_way_on(size: float) -> None:
-    t = np.linspace(0.0, 10.0, 4001)
-    least = 0.05 * U
-    assert cycles(shaken(0.5 * size * least * np.cos(2.0 * np.pi * t)), least)[-1] == 10.0
-    assert cycles(shaken(0.49 * least * np.cos(2.0 * np.pi * t)), least)[-1] == 0.5  # one way, however it goes
-
-
-@pytest.mark.parametrize("q", [0.0, 1.0, 3.0])
-def test_weighted_path_of_a_quarter_of_a_sine(q: float) -> None:
-    # integral of (u/U)^q over u from 0 to U; trapezoids over steps of at most 0.002 U: q (q - 1)/12 of their square
-    quarter = shaken(U * np.sin(np.linspace(0.0, 0.5 * np.pi, 1001)))
-    weight = np.abs(quarter.displacement / U) ** q
-    assert weighted_path(quarter, weight)[-1] == pytest.approx(U / (q + 1.0), rel=1e-5)
-
-
-# --- later forms of Mullins ---
-
-
-@pytest.mark.parametrize("recovery", [0.0, 0.3, 1.0])
-def test_mullins_by_work_step_by_step(recovery: float) -> None:
-    tests, s0, left, expected = two_tests(), 0.1, 1.0, []
-    for n, t in enumerate(tests):
-        left, rows = (left + recovery * (1.0 - left) if n else left), []
-        rows.append(1.0 + 0.3 * left)
-        u = t.motion.displacement
-        for i, _, du in steps(t.motion):
-            left *= math.exp(-abs(du) * 0.5 * (abs(u[i - 1]) + abs(u[i])) / U / s0)
-            rows.append(1.0 + 0.3 * left)
-        expected.append(np.array(rows))
-    close(factor(mullins.Work(), {"m": 0.3, "s0": s0, "U": U, "recovery": recovery}, tests), expected)
-    assert mullins.Work().fixed(sizes())["U"] == sizes().displacement
-
-
-def test_mullins_by_cycles_is_the_same_at_all_amplitudes_and_goes_on() -> None:
-    t = np.linspace(0.0, 4.0, 401)
-    tests = tuple(trial(shaken(a * np.cos(2.0 * np.pi * t)), n) for n, a in enumerate((U, 0.2 * U)))
-    for recovery in (0.0, 0.6):
-        p = {"m": 0.3, "N0": 3.0, "recovery": recovery, "least": 0.05 * U}
-        first, second = factor(mullins.Cycles(), p, tests)
-        again = math.exp(-4.0 / 3.0) + recovery * (1.0 - math.exp(-4.0 / 3.0))
-        wearing = np.exp(-np.arange(5) / 3.0)
-        np.testing.assert_allclose(first[::100], 1.0 + 0.3 * wearing, rtol=ROUNDING)
-        np.testing.assert_allclose(second[::100], 1.0 + 0.3 * again * wearing, rtol=ROUNDING)
-
-
-@pytest.mark.parametrize("recovery", [0.0, 0.4])
-def test_pseudo_elastic_softening_is_whole_at_the_largest_deformation(recovery: float) -> None:
-    tests, largest, expected, at_most = two_tests(), 0.0, [], []
-    for n, t in enumerate(tests):
-        largest *= 1.0 - recovery if n else 1.0
-        rows = []
-        for u in t.motion.displacement:
-            largest = max(largest, abs(u))
-            at_most.append(abs(u) == largest)
-            rows.append(1.0 - 0.2 * erf((largest**2 - u**2) / (3e-3**2 + 0.5 * largest**2)))
-        expected.append(np.array(rows))
-    found = factor(mullins.PseudoElastic(), {"m": 0.2, "e": 3e-3, "b": 0.5, "recovery": recovery}, tests)
-    close(found, expected)
-    whole = np.concatenate(found)
-    assert set(whole[at_most]) == {1.0} and whole[~np.array(at_most)].max() < 1.0 and whole.min() < 0.85
-
 
 # --- springs ---
 
@@ -589,8 +401,8 @@ def test_kraus_softens_springs_and_gives_dashpots_a_hump() -> None:
     g = np.array(broken)
     phi, phi2 = 1.0 - 0.3 * g, (1.0 - 0.3 * g) * (1.0 + 2.0 * 0.5 * np.sqrt(g * (1.0 - g)))
     size, rest = sizes(), [np.zeros_like(test.force)]
-    (kraus,) = (c for c in candidates(size, (test,), rest, False, True) if c.label == "payne.kraus")
-    assert not [c for c in candidates(size, (test,), rest, False, False) if c.label == "payne.kraus"]
+    (kraus,) = (c for c in candidates(size, Left((test,), rest), False, True) if c.label == "payne.kraus")
+    assert not [c for c in candidates(size, Left((test,), rest), False, False) if c.label == "payne.kraus"]
     solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), size)
     values = np.array([p[unknown.name] for unknown in kraus.unknowns])
     (found,) = solid.predict(solid.declared, [(kraus, values)], ("fit",))
@@ -603,7 +415,7 @@ def test_kraus_softens_springs_and_gives_dashpots_a_hump() -> None:
 def test_of_loss_changes_dashpots_alone() -> None:
     warm = replace(trial(motion(11)), temperature=np.full(motion(11).time.size, 26.0))
     size, rest = replace(sizes(), temperatures=(20.0, 26.0)), [np.zeros_like(warm.force)]
-    found = {c.label: c for c in candidates(size, (warm,), rest, False, True)}
+    found = {c.label: c for c in candidates(size, Left((warm,), rest), False, True)}
     solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (warm,), size)
     springs, dashpots = STIFFNESS * warm.motion.displacement, 2e4 * warm.motion.velocity
     phi = math.exp(-0.03 * 6.0)

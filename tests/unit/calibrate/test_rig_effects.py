@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -10,7 +12,8 @@ from edesign.calibrate.dampers.effects.friction import Loaded, LuGre, Presliding
 from edesign.calibrate.dampers.effects.play import Backlash, Gap, GapAside, follow
 from edesign.calibrate.dampers.effects.series_flexibility import Linear
 from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear
-from edesign.calibrate.dampers.library import candidate_of
+from edesign.calibrate.dampers.left import Left
+from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.dampers.turning_points import with_turning_points
@@ -196,7 +199,7 @@ def test_pins_aside_lose_the_clearance_one_way_and_nothing_the_other(aside: floa
     motion = Motion(time, 0.004 * time, np.full(201, 0.004), np.zeros(201))
     trial, play, k, rig = _trial(motion), 2e-3, 1e6, 1e8
     problem = DamperProblem(law("kelvin_voigt"), {"k": k, "c": 0.0}, None, (trial,), Sizes.of((trial,)))
-    candidate = candidate_of(GapAside(), problem.sizes, (trial,), ())
+    candidate = candidate_of(GapAside(), problem.sizes, Left())
     assert candidate is not None
     (force,) = problem.predict(problem.declared, [(candidate, np.array([play, rig, aside]))], ("fit",))
     beyond = np.maximum(motion.displacement - lost * play, 0.0)
@@ -269,3 +272,30 @@ def test_series_of_a_spring_is_two_springs() -> None:
         force, own = damper.force_in_series(time, u, np.full(41, 0.01), series[0], series[2])
         np.testing.assert_allclose(force, k * k_s / (k + k_s) * np.maximum(u - gap, 0.0), atol=1e-6 * k * 0.01)
         np.testing.assert_allclose(force, k * own, atol=1e-6 * k * 0.01)
+
+
+@pytest.mark.parametrize(
+    ("label", "values", "springs", "dashpots"),
+    [
+        ("ageing.linear", (0.02,), 1.1, 1.1),  # one number for the whole test
+        ("ageing.linear_loss", (0.02, 3.0), 1.1, 1.1**3),
+        ("ageing.linear_of_loss", (0.02,), 1.0, 1.1),
+    ],
+)
+def test_effects_keep_their_size_behind_a_stiff_rig(
+    label: str, values: tuple[float, ...], springs: float, dashpots: float
+) -> None:
+    k, c = 1e7, 2e5
+    trial = _trial(_sine(200.0), order=5)
+    sizes = replace(Sizes.of((trial,)), tests=8)
+    problem = DamperProblem(law("kelvin_voigt"), {"k": k, "c": c}, None, (trial,), sizes)
+    found = {one.label: one for one in candidates(sizes, Left((trial,), (trial.force,)), False, True)}
+    parts = [(found[label], np.array(values)), (found["series_flexibility.linear"], np.array([1e5 * k]))]
+    (force,) = problem.predict(problem.declared, parts, ("fit",))
+    expected = springs * k * trial.motion.displacement + dashpots * c * trial.motion.velocity
+    # the rig gives by a 1e-5 of the spring; the first samples are those of a dashpot that is pulled at once
+    np.testing.assert_allclose(force[5:], expected[5:], rtol=0.0, atol=1e-3 * k * AMPLITUDE)
+    assert (
+        np.max(np.abs(expected - k * trial.motion.displacement - c * trial.motion.velocity))
+        > 0.05 * c * 2 * np.pi * AMPLITUDE
+    )

@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
-from edesign.calibrate.dampers.peaks import common_tones
+from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.trial import Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
 _LOWEST, _HIGHEST = 5.0, 1000.0  # Hz
-_MAINS = (50.0, 60.0)  # Hz
 _SLOW = 5  # half cycles over a test, and none, in which the amplitude may change
 _QUICK = 21
 
@@ -39,14 +37,9 @@ class _Hum(Form):
         # a tone that is off by 0.3 / duration is out of step by a third of a turn at the end
         return (Frequency("frequency", "Hz", _LOWEST, _HIGHEST, 0.3 / sizes.duration),)
 
-    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((frequency,) for frequency in _MAINS)
-
-    def starts_from_residuals(
-        self, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
-    ) -> tuple[tuple[float, ...], ...]:
-        """Frequencies of narrow peaks of the residuals (n_i,) N of trials; none: no hum."""
-        return tuple((f,) for f in common_tones(trials, residuals) if _LOWEST < f < _HIGHEST)
+    def starts_from_residuals(self, sizes: Sizes, left: Left) -> tuple[tuple[float, ...], ...]:
+        """Frequencies of narrow peaks; none: no hum."""
+        return tuple((f,) for f in left.tones if _LOWEST < f < _HIGHEST)
 
     def columns(self, p: Values, trial: Trial) -> np.ndarray:
         angle = 2.0 * np.pi * p["frequency"] * (trial.motion.time - trial.motion.time[0])
@@ -69,11 +62,9 @@ class Harmonics(_Hum):
     signature: ClassVar[str] = "narrow peaks of the spectrum at a frequency, twice and three times it, in all tests"
     _orders: ClassVar[tuple[int, ...]] = (1, 2, 3)
 
-    def starts_from_residuals(
-        self, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
-    ) -> tuple[tuple[float, ...], ...]:
+    def starts_from_residuals(self, sizes: Sizes, left: Left) -> tuple[tuple[float, ...], ...]:
         """The lowest of the peaks: the others may be its harmonics."""
-        return tuple(sorted(super().starts_from_residuals(sizes, trials, residuals))[:1])
+        return tuple(sorted(super().starts_from_residuals(sizes, left))[:1])
 
 
 class Unsteady(_Hum):

@@ -34,6 +34,7 @@ class _Mullins(Form):
 
 
 class _ByPath(_Mullins):
+    _scale: ClassVar[str] = "s0"
     signature: ClassVar[str] = (
         "too little force in the first cycles of the specimen's life (or of every test), at all amplitudes, fading "
         "with the path travelled"
@@ -54,15 +55,15 @@ class _ByPath(_Mullins):
         return (*self._each_recovery(rows, sizes), *beyond)
 
     def _virgin(self, p: Values, motion: Motion, memory: Memory) -> np.ndarray:
-        """exp(-s / s0) (n,): what is left of the virgin specimen."""
+        """exp(-s / s0) (n,) of what wears it: what is left of the virgin specimen."""
         worn = memory.get("left")
         left = 1.0 if worn is None else worn + p["recovery"] * (1.0 - worn)
-        found = left * np.exp(-self._worn(p, motion) / p["s0"])
+        found = left * np.exp(-self._worn(p, motion) / p[self._scale])
         memory["left"] = float(found[-1])
         return np.asarray(found)
 
     def _worn(self, p: Values, motion: Motion) -> np.ndarray:
-        """Path (n,) m in the test that wears the virgin specimen."""
+        """What has worn the virgin specimen (n,) in the test, in the unit of its scale: path, m."""
         return motion.path
 
 
@@ -122,10 +123,10 @@ class Elastic(_ByPath):
         return np.asarray(p["k"] * self._virgin(p, motion, memory) * motion.displacement)
 
 
-class Cycles(_Mullins):
+class Cycles(Path):
     """The whole force softens with the number of cycles, of whatever amplitude: F = (1 + m exp(-N/N0)) F_law."""
 
-    may_spare_loss: ClassVar[bool] = True
+    _scale: ClassVar[str] = "N0"
     amendment: ClassVar[bool] = False
     form: ClassVar[str] = "cycles"
     title: ClassVar[str] = "softening of the virgin specimen with the number of cycles"
@@ -151,12 +152,8 @@ class Cycles(_Mullins):
     def fixed(self, sizes: Sizes) -> dict[str, float]:
         return {**super().fixed(sizes), "least": _LEAST_CYCLE * sizes.displacement}
 
-    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        worn = memory.get("left")
-        left = 1.0 if worn is None else worn + p["recovery"] * (1.0 - worn)
-        found = left * np.exp(-cycles(motion, p["least"]) / p["N0"])
-        memory["left"] = float(found[-1])
-        return np.asarray(1.0 + p["m"] * found)
+    def _worn(self, p: Values, motion: Motion) -> np.ndarray:
+        return cycles(motion, p["least"])
 
 
 class _ByMaximum(_Mullins):

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 from typing import ClassVar
 
 import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -75,11 +75,9 @@ class Displacement(_Offset):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return ((0.05 * sizes.displacement,),)
 
-    def starts_from_residuals(
-        self, sizes: Sizes, trials: Sequence[Trial], residuals: Sequence[np.ndarray]
-    ) -> tuple[tuple[float, ...], ...]:
+    def starts_from_residuals(self, sizes: Sizes, left: Left) -> tuple[tuple[float, ...], ...]:
         """Where the records begin; none if that is at zero, or here and there."""
-        first = np.array([trial.motion.displacement[0] for trial in trials])
+        first = np.array([trial.motion.displacement[0] for trial in left.trials])
         middle = float(np.median(first)) if first.size else 0.0
         spread = float(np.median(np.abs(first - middle))) if first.size else 0.0
         alike = abs(middle) > _LEAST * sizes.displacement and spread < 0.2 * abs(middle)
