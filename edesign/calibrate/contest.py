@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TypeVar
 
 import numpy as np
@@ -13,6 +12,7 @@ from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Fitted, fit
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.screening import Signature
+from edesign.calibrate.side_by_side import side_by_side
 
 FITTED = 10
 """Forms fitted in a round."""
@@ -27,52 +27,47 @@ T = TypeVar("T")
 S = TypeVar("S")
 
 
-@dataclass(frozen=True)
-class Contest:
-    """Fits models in threads."""
+def fit_best(signatures: Sequence[Signature], workers: int = 1) -> list[Judged]:
+    """Models fitted from their starts: all of them roughly, then the best of them well.
 
-    workers: int
+    Args:
+        signatures: forms of effects with their starts.
+        workers: processes.
+    """
+    known = {id(thing): thing for s in signatures for thing in (*s.model.given, *s.frozen)}.values()
 
-    def fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
-        """Models fitted from their starts: all of them roughly, then the best of them well."""
+    def side(function: Callable[[T], S | None], items: Iterable[T]) -> list[S]:
+        return [found for found in side_by_side(function, items, workers, tuple(known)) if found is not None]
 
-        def rough(signature: Signature) -> Fitted | None:
-            try:
-                return fit(
-                    signature.model, signature.start, most_steps=_ROUGH_STEPS, enough=_ROUGH, frozen=signature.frozen
-                )
-            except PredictionError:
-                return None
+    best: dict[tuple[str, ...], Fitted] = {}
+    for found in side(_roughly, signatures):
+        key = tuple(effect.label for effect in found.model.effects)
+        best[key] = min(best.get(key, found), found, key=lambda f: f.chi2)
+    nearby = side(_nearer, _promising(best.values(), _HOPELESS))
+    return side(_well, _promising(nearby, _BEHIND)[:_WELL_FITTED])
 
-        def nearer(found: Fitted) -> Fitted | None:
-            try:
-                return fit(found.model, found.x, most_steps=_MORE_STEPS, enough=_ROUGH)
-            except PredictionError:
-                return None
 
-        def well(found: Fitted) -> Judged | None:
-            try:
-                judged = Judged(fit(found.model, found.x, enough=_WELL))
-                _ = judged.held_out
-            except PredictionError:
-                return None
-            return judged
+def _roughly(signature: Signature) -> Fitted | None:
+    try:
+        return fit(signature.model, signature.start, _ROUGH_STEPS, _ROUGH, signature.frozen)
+    except PredictionError:
+        return None
 
-        best: dict[tuple[str, ...], Fitted] = {}
-        for found in self.map(rough, signatures):
-            if found is not None:
-                key = tuple(effect.label for effect in found.model.effects)
-                best[key] = min(best.get(key, found), found, key=lambda f: f.chi2)
-        nearby = [found for found in self.map(nearer, _promising(best.values(), _HOPELESS)) if found is not None]
-        near = _promising(nearby, _BEHIND)[:_WELL_FITTED]
-        return [judged for judged in self.map(well, near) if judged is not None]
 
-    def map(self, function: Callable[[T], S], items: Iterable[T]) -> list[S]:
-        """The function of each item, in their order."""
-        if self.workers < 2:
-            return [function(item) for item in items]
-        with ThreadPoolExecutor(self.workers) as pool:
-            return list(pool.map(function, items))
+def _nearer(found: Fitted) -> Fitted | None:
+    try:
+        return fit(found.model, found.x, _MORE_STEPS, _ROUGH)
+    except PredictionError:
+        return None
+
+
+def _well(found: Fitted) -> Judged | None:
+    try:
+        judged = Judged(fit(found.model, found.x, enough=_WELL))
+        _ = judged.held_out
+    except PredictionError:
+        return None
+    return judged
 
 
 def _promising(found: Iterable[Fitted], behind: float) -> list[Fitted]:

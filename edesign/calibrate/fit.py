@@ -53,6 +53,11 @@ class Model:
         """All unknowns."""
         return (*self.base, *(unknown for effect in self.effects for unknown in effect.unknowns))
 
+    @property
+    def given(self) -> tuple[object, ...]:
+        """What models share: problem and effects."""
+        return (self.problem, *self.effects)
+
     def coordinates(self, base: np.ndarray | None = None, parts: Sequence[Part] = ()) -> np.ndarray:
         """Coordinates (p,) of values of the base (None: declared) and of the parts; effects without a part at their
         first start.

@@ -26,7 +26,7 @@ def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda 
 
     Args:
         campaign: tests, and the declared law.
-        workers: threads.
+        workers: processes.
         progress: told what is done.
 
     Raises:

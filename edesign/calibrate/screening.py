@@ -4,13 +4,14 @@ can already do.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from edesign.calibrate.fit import Fitted, Model
 from edesign.calibrate.problem import Candidate, PredictionError
+from edesign.calibrate.side_by_side import side_by_side
 
 _STARTS = 2  # of a form that are looked at with the slopes to all of its parameters
 _FAR = 1.5  # a linear step is not believed farther, in logarithmic coordinates
@@ -137,19 +138,17 @@ def _within(candidate: Candidate, x: np.ndarray, move: np.ndarray) -> np.ndarray
     return found
 
 
-Mapper = Callable[[Callable[[Candidate], "Signature | None"], Iterable[Candidate]], Iterable["Signature | None"]]
-
-
-def screen(fitted: Fitted, candidates: Sequence[Candidate], run: Mapper = map) -> list[Signature]:
+def screen(fitted: Fitted, candidates: Sequence[Candidate], workers: int = 1) -> list[Signature]:
     """Signatures of candidates, those that explain most first.
 
     Args:
         fitted: the model so far.
         candidates: forms of effects it may lack.
-        run: maps a function over candidates, in any number of threads.
+        workers: processes.
     """
     whole = Screen(fitted)
-    found = [signature for signature in run(whole.signature, candidates) if signature is not None]
+    signatures = side_by_side(whole.signature, candidates, workers, (*fitted.model.given, *fitted.slopes, *candidates))
+    found = [signature for signature in signatures if signature is not None]
     return sorted(found, key=lambda signature: -signature.gain)
 
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from edesign.calibrate.contest import FITTED, Contest, both, likely_forms, shortlist
+from edesign.calibrate.contest import FITTED, both, fit_best, likely_forms, shortlist
 from edesign.calibrate.evidence import SHARE, Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import Candidate, Problem
@@ -81,7 +81,7 @@ class Loop:
         problem: tests, model, and effects it may lack.
         noise: (tests,) standard deviation of each test's noise.
         refit: whether the parameters of the model may be fitted.
-        workers: threads.
+        workers: processes.
         progress: told what is done.
     """
 
@@ -96,7 +96,7 @@ class Loop:
         self.problem = problem
         self.noise = tuple(noise)
         self.may_refit = refit
-        self.contest = Contest(workers)
+        self.workers = workers
         self.tell = progress
         self.material = 0.0
         self.rivals: dict[frozenset[str], list[Judged]] = {}
@@ -153,7 +153,7 @@ class Loop:
             without = self._without(current, effect)
             self.tell(f"two effects in the place of {effect.name}")
             signatures = screen(
-                without.fitted, [c for c in self._candidates(without) if _may_join(c, others)], run=self.contest.map
+                without.fitted, [c for c in self._candidates(without) if _may_join(c, others)], self.workers
             )
             pair = self._pair(without, shortlist(signatures), signatures)
             if pair is not None and self._matters(pair, current):
@@ -176,15 +176,15 @@ class Loop:
         names = {effect.name for effect in known}
         pool = [c for c in self._candidates(current) if _may_join(c, known) and (more or c.name in names)]
         self.tell(f"effect {number}: screening {len(pool)} forms of effects")
-        signatures = screen(current.fitted, pool, run=self.contest.map)
+        signatures = screen(current.fitted, pool, self.workers)
         short = shortlist(signatures)
         self.tell(f"effect {number}: fitting {', '.join(dict.fromkeys(s.candidate.name for s in short))}")
         elsewhere = []
         unfitted = current.fitted.model.coordinates()
         if not known and unfitted.size and float(np.max(np.abs(current.fitted.x - unfitted))) > _FAR:
             # the refit has gone far to make up for what is missing, and searches from there may not find back
-            elsewhere = shortlist(screen(self._unfitted(current), pool, run=self.contest.map))
-        tried = [*self.contest.fit_best([*short, *elsewhere]), *further]
+            elsewhere = shortlist(screen(self._unfitted(current), pool, self.workers))
+        tried = [*self._fit_best([*short, *elsewhere]), *further]
         tried += self._other_forms_of_likely(tried)
         self.rivals[_labels(known)] = tried
         if not tried:
@@ -244,7 +244,7 @@ class Loop:
             chosen.setdefault(frozenset((a.candidate.name, b.candidate.name)), (a, b))
         pairs = list(chosen.values())[:_PAIRS]
         self.tell("fitting pairs: " + ", ".join(f"{a.candidate.name} + {b.candidate.name}" for a, b in pairs))
-        found = self.contest.fit_best([both(*pair) for pair in pairs])
+        found = self._fit_best([both(*pair) for pair in pairs])
         return min(found, key=lambda j: j.held_out.score, default=None)
 
     def _reconsider(self, current: Judged) -> Judged:
@@ -279,7 +279,7 @@ class Loop:
         without = fit(smaller, smaller.coordinates(fitted.base, kept), most_steps=0)
         here = _labels(fitted.model.effects)
         pool = [c for c in self._candidates(current) if c.name == effect.name and c.label not in here]
-        return self.contest.fit_best(likely_forms(screen(without, pool, run=self.contest.map), _FORMS))
+        return self._fit_best(likely_forms(screen(without, pool, self.workers), _FORMS))
 
     def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models in which another effect, or another form, stands in the place of one."""
@@ -288,8 +288,8 @@ class Loop:
             return self.rivals[_labels(others)]
         without = self._without(current, effect)
         pool = [c for c in self._candidates(without) if _may_join(c, others) and c.label != effect.label]
-        short = shortlist(screen(without.fitted, pool, run=self.contest.map))
-        self.rivals[_labels(others)] = self.contest.fit_best(short)
+        short = shortlist(screen(without.fitted, pool, self.workers))
+        self.rivals[_labels(others)] = self._fit_best(short)
         return self.rivals[_labels(others)]
 
     def _without(self, current: Judged, effect: Candidate) -> Judged:
@@ -312,9 +312,7 @@ class Loop:
         against nine.
         """
         self.tell("screening effects beside the law as declared")
-        found = self.contest.fit_best(
-            shortlist(screen(declared.fitted, self._candidates(declared), run=self.contest.map))
-        )
+        found = self._fit_best(shortlist(screen(declared.fitted, self._candidates(declared), self.workers)))
         self.rivals[_labels(())] = found
         return found
 
@@ -355,6 +353,9 @@ class Loop:
                 alike["refit"] = refit
             found.append(Adopted(effect, values, evidence, without, alike))
         return tuple(found)
+
+    def _fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
+        return fit_best(signatures, self.workers)
 
     def _unfitted(self, refit: Judged) -> Fitted:
         """The model of a refit with the parameters as declared."""

@@ -25,7 +25,7 @@ def calibrate(
     ] = None,
     page: Annotated[bool, typer.Option("--page/--no-page", help="Write calibration.html.")] = True,
     json_output: Annotated[bool, typer.Option("--json", help="Print calibration.json instead of tables.")] = False,
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Threads.")] = 2,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Processes.")] = 2,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
 ) -> None:
     """Predict measured tests, find what the law or structure lacks, add it, and report errors before and after."""

@@ -137,13 +137,14 @@ class CoreDamper:
         factor: ArrayLike | None = None,
         added: ArrayLike | None = None,
         bend: float = 0.0,
+        within: float = 0.0,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Force history in series with a rig whose pins have play and whose parts are flexible.
 
-        The force factor F + added, F that of the damper under its own deformation, is stiffness z (1 + bend z^2), z the
-        stretch of the rig beyond half the play, either way: none within the play, where the damper moves by itself.
-            Held at the
-        first deformation for long before. The stretch is linear between samples.
+        The force factor F + added, F that of the damper under its own deformation, is within (e - z) + stiffness z
+        (1 + bend z^2), e the stretch of the rig and z what of it is beyond half the play, either way: none within the
+        play, unless it is a soft part that closes there. Held at the first deformation for long before. The stretch is
+        linear between samples, in quarters of a step where it comes to an end of the play.
 
         Args:
             time: (n,) s, ascending.
@@ -154,6 +155,7 @@ class CoreDamper:
             factor: (n,) of the damper's force, at least 0; None: 1.
             added: (n,) N, carried by the rig beside the damper's force; None: 0.
             bend: by which the rig stiffens, 1/m2, at least 0.
+            within: stiffness within the play, N/m, at least 0.
 
         Returns:
             Force through rig and damper (n,) N, and the damper's own deformation (n,) m.
@@ -175,7 +177,7 @@ class CoreDamper:
         if not (stiffness > 0.0 and np.isfinite(stiffness)):
             text = f"stiffness = {stiffness:g} is not allowed: finite and above 0"
             raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
-        for name, value in (("play", play), ("bend", bend)):
+        for name, value in (("play", play), ("bend", bend), ("within", within)):
             if not (value >= 0.0 and np.isfinite(value)):
                 text = f"{name} = {value:g} is not allowed: finite, at least 0"
                 raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
@@ -189,6 +191,7 @@ class CoreDamper:
             *given,
             stiffness,
             bend,
+            within,
             play,
             ffi.from_buffer("double[]", force),
             ffi.from_buffer("double[]", own),

@@ -202,6 +202,6 @@ def test_a_rig_that_stiffens_balances_and_closes_on_a_spring() -> None:
         roots = np.roots([stiffness * bend, 0.0, stiffness + k, -k * size])
         z = float(roots[np.abs(roots.imag) < 1e-9 * np.abs(roots.real).max()].real[0])
         expected[i] = np.sign(u[i]) * stiffness * z * (1.0 + bend * z**2)
-    # the dashpot of 1e-3 N s/m is there because the law needs one, and gives 1e-5 N
-    assert force == pytest.approx(expected, abs=1e-4)
-    assert force == pytest.approx(k * own, abs=1e-4)
+    # balances are kept to 1e-8 of the largest force, 12 kN; the dashpot that the law needs, 1e-3 N s/m, gives 1e-5 N
+    assert force == pytest.approx(expected, abs=1e-3)
+    assert force == pytest.approx(k * own, abs=1e-3)

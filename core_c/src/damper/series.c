@@ -1,6 +1,6 @@
 /* A damper in a test rig whose pins have play and whose parts are flexible: u = u_d + e, and
  *
- *   factor F(u_d) + added = stiffness * z (1 + bend z^2), z: e beyond half the play, either way.
+ *   factor F(u_d) + added = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond half the play, either way.
  *
  * The stretch e of the rig is linear in time over a step and balances at its end; what the damper's own deformation u_d then does
  * is a cubic, that its law meets exactly. The force of the law falls as e grows, that of the rig rises: there is one balance.
@@ -16,14 +16,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ITERATIONS = 200, PATIENCE = 8 };
+enum { MOST_ITERATIONS = 200, PATIENCE = 8, PARTS = 4 };
 /* Of the largest force so far. Laws that SUNDIALS integrates carry its tolerance, a tenth of theirs here. */
-static const double TOLERANCE = 1e-10, ODE_TOLERANCE = 1e-7;
+static const double TOLERANCE = 1e-8, ODE_TOLERANCE = 1e-7;
 
 typedef struct {
   const ed_damper *damper;
   ed_ode_system *system; /* for laws without exact step */
-  double stiffness, bend, gap; /* of the rig; half the play */
+  double stiffness, bend, within, gap; /* of the rig; half the play */
   double tolerance, largest;
 } series;
 
@@ -34,8 +34,8 @@ static double beyond(const series *in, double stretch)
 
 static double carried(const series *in, double stretch)
 {
-  const double z = beyond(in, stretch);
-  return z > 0.0 ? copysign(in->stiffness * z * (1.0 + in->bend * z * z), stretch) : 0.0;
+  const double z = beyond(in, stretch), closing = in->within * fmin(fabs(stretch), in->gap);
+  return copysign(closing + in->stiffness * z * (1.0 + in->bend * z * z), stretch);
 }
 
 /* Where a force that falls by `slope` (>= 0) from `force` at a stretch meets that of the rig, straight from this stretch on. */
@@ -48,12 +48,13 @@ static double meet(const series *in, double stretch, double force, double slope)
     if (next * stretch > 0.0 && fabs(next) >= in->gap)
       return next;
   }
+  const double closed = in->within * in->gap;
   const double at_high = force - slope * (in->gap - stretch), at_low = force + slope * (in->gap + stretch);
-  if (at_high > 0.0)
-    return in->gap + at_high / (in->stiffness + slope);
-  if (at_low < 0.0)
-    return at_low / (in->stiffness + slope) - in->gap;
-  return slope > 0.0 ? stretch + force / slope : fmax(-in->gap, fmin(in->gap, stretch));
+  if (at_high > closed)
+    return in->gap + (at_high - closed) / (in->stiffness + slope);
+  if (at_low < -closed)
+    return (at_low + closed) / (in->stiffness + slope) - in->gap;
+  return in->within + slope > 0.0 ? (force + slope * stretch) / (in->within + slope) : fmax(-in->gap, fmin(in->gap, stretch));
 }
 
 /* The stretch at the end of a step in which the damper follows `path` + (stretch - from) * direction; *stretch: a first guess. */
@@ -117,10 +118,50 @@ static int begin(series *in, const double *state, double *trial, double slowly, 
   return settle(in, state, trial, &path, direction, 0.0, factor, added, stretch);
 }
 
+/* One step along `path`, which begins at the deformation less the stretch `from`. *stretch: in, a first guess; out, that at its end. */
+static int advance(series *in, const double *committed, double *trial, const ed_path *path, double from, double factor, double added,
+                   double *stretch)
+{
+  const double h = path->h;
+  const ed_path direction[2] = {{h, {0.0, -1.0 / h, 0.0, 0.0}}, {h, {0.0}}};
+  return settle(in, committed, trial, path, direction, from, factor, added, stretch);
+}
+
+static int turns_corner(const series *in, double from, double stretch)
+{
+  return in->gap > 0.0 && (fabs(from) < in->gap || fabs(stretch) < in->gap || from * stretch < 0.0) &&
+         (fabs(from) > in->gap || fabs(stretch) > in->gap);
+}
+
+/* The same step in PARTS, as the stretch is not linear where pins meet or part. `state` and `trial` are swapped in between; the
+ * state at the end is in *trial. */
+static int in_parts(series *in, double **state, double **trial, const ed_path *whole, double from, const double factor[2],
+                    const double added[2], double *stretch)
+{
+  double end = from;
+  for (int i = 0; i < PARTS; i++) {
+    const double share = (i + 1.0) / PARTS, begin = end;
+    ed_path path;
+    ed_path_piece(whole, whole->h * i / PARTS, whole->h * share, &path);
+    path.c[0] += from - begin;
+    if (i > 0) {
+      double *swap = *state;
+      *state = *trial;
+      *trial = swap;
+    }
+    const int status = advance(in, *state, *trial, &path, begin, factor[0] + share * (factor[1] - factor[0]),
+                               added[0] + share * (added[1] - added[0]), &end);
+    if (status != ED_OK)
+      return status;
+  }
+  *stretch = end;
+  return ED_OK;
+}
+
 static int run(series *in, double *state, double *trial, int n, const double *time, const double *u, const double *v,
                const double *factor, const double *added, double *force, double *own, int *done)
 {
-  double stretch, speed = 0.0;
+  double stretch, speed = 0.0, speeding = 0.0;
   int status = begin(in, state, trial, 1e6 * (time[n - 1] - time[0] + 1.0), u[0], factor ? factor[0] : 1.0, added ? added[0] : 0.0,
                      &stretch);
   for (int i = 0; status == ED_OK; i++) {
@@ -133,28 +174,32 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
     if (i + 1 == n)
       break;
     const double h = time[i + 1] - time[i], from = stretch;
-    const ed_path direction[2] = {{h, {0.0, -1.0 / h, 0.0, 0.0}}, {h, {0.0}}};
+    const double factors[2] = {factor ? factor[i] : 1.0, factor ? factor[i + 1] : 1.0};
+    const double more[2] = {added ? added[i] : 0.0, added ? added[i + 1] : 0.0};
     ed_path path;
     ed_path_hermite(&path, h, u[i], v[i], u[i + 1], v[i + 1]);
     path.c[0] -= from;
-    stretch = from + h * speed;
-    status = settle(in, state, trial, &path, direction, from, factor ? factor[i + 1] : 1.0, added ? added[i + 1] : 0.0, &stretch);
+    stretch = from + h * (speed + h * speeding);
+    status = advance(in, state, trial, &path, from, factors[1], more[1], &stretch);
+    if (status == ED_OK && turns_corner(in, from, stretch))
+      status = in_parts(in, &state, &trial, &path, from, factors, more, &stretch);
+    speeding = ((stretch - from) / h - speed) / h;
     speed = (stretch - from) / h;
   }
   return status;
 }
 
 int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
-                                const double *factor, const double *added, double stiffness, double bend, double play,
-                                double *force, double *own, int *done)
+                                const double *factor, const double *added, double stiffness, double bend, double within,
+                                double play, double *force, double *own, int *done)
 {
   *done = 0;
-  if (!(stiffness > 0.0) || !(bend >= 0.0) || !(play >= 0.0) || !isfinite(stiffness + bend + play))
+  if (!(stiffness > 0.0) || !(bend >= 0.0) || !(within >= 0.0) || !(play >= 0.0) || !isfinite(stiffness + bend + within + play))
     return ED_E_ARGUMENT;
   int status = check(n, time, u, v, factor, added, done);
   if (status != ED_OK)
     return status;
-  series in = {.damper = damper, .stiffness = stiffness, .bend = bend, .gap = 0.5 * play, .tolerance = TOLERANCE};
+  series in = {.damper = damper, .stiffness = stiffness, .bend = bend, .within = within, .gap = 0.5 * play, .tolerance = TOLERANCE};
   if (!ed_damper_has_exact_step(damper)) {
     in.tolerance = ODE_TOLERANCE;
     in.system = ed_ode_system_new(1, &damper, 0.1 * ODE_TOLERANCE, &status);

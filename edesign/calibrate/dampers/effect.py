@@ -16,9 +16,9 @@ carries what the specimen remembers from one test to the next."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from copy import copy
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 
@@ -28,8 +28,37 @@ from edesign.calibrate.problem import Described, Kind
 from edesign.calibrate.unknown import Unknown
 
 Memory = dict[str, Any]
-Series = tuple[float, float, float]
-"""Stiffness N/m, bend 1/m2 and play m of what stands in series with the specimen (CoreDamper.force_in_series)."""
+
+
+class Series(NamedTuple):
+    """What stands in series with the specimen (CoreDamper.force_in_series).
+
+    Attributes:
+        stiffness: N/m.
+        bend: by which it stiffens, 1/m2.
+        play: end to end, m, across which the stiffness is `within`, N/m.
+    """
+
+    stiffness: float
+    bend: float = 0.0
+    play: float = 0.0
+    within: float = 0.0
+
+    @property
+    def soft(self) -> float:
+        """Stiffness about rest, N/m."""
+        return self.within if self.play > 0.0 else self.stiffness
+
+    @staticmethod
+    def together(each: Sequence[Series]) -> Series:
+        """One behind the other: compliances add, plays too; ends of soft parts are where the same force closes them."""
+        stiffness = 1.0 / sum(1.0 / one.stiffness for one in each)
+        # e = F/s - b (F/s)^3 of each, for a little bend
+        bend = sum(one.bend * (stiffness / one.stiffness) ** 3 for one in each)
+        if any(one.soft == 0.0 for one in each):
+            return Series(stiffness, bend, sum(one.play for one in each))
+        within = 1.0 / sum(1.0 / one.soft for one in each)
+        return Series(stiffness, bend, sum(one.play * one.within for one in each) / within, within)
 
 
 class Form:

@@ -25,7 +25,7 @@ from edesign.damper.temperature import TemperatureModel, at
 from edesign.errors import InputError
 
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
-_KEPT = 64  # force histories of the law alone: those of one set of parameters, for the searches of two threads
+_KEPT = 64  # force histories of the law alone: those of one set of parameters
 
 T = TypeVar("T")
 
@@ -191,13 +191,11 @@ class DamperProblem:
         beside: np.ndarray | float,
         series: Sequence[Series],
     ) -> np.ndarray:
-        """Force with the rig in series; springs add by their compliance, plays by their widths.
+        """Force with the rig in series.
 
         The factor and the forces beside are those of the whole motion: what the rig takes of it is small.
         """
-        stiffness = 1.0 / sum(1.0 / s for s, _, _ in series)
-        bend = sum(b * (stiffness / s) ** 3 for s, b, _ in series)  # e = F/s - b (F/s)^3 of each, for a little bend
-        play = sum(g for _, _, g in series)
+        rig = Series.together(series)
         n = motion.time.size
         damper = _damper(self.law.name, self._at(trial, values))
         try:
@@ -205,11 +203,12 @@ class DamperProblem:
                 motion.time,
                 motion.displacement,
                 motion.velocity,
-                stiffness,
-                play,
+                rig.stiffness,
+                rig.play,
                 np.broadcast_to(factor, n),
                 np.broadcast_to(beside, n),
-                bend,
+                rig.bend,
+                rig.within,
             )
         except CoreError as error:
             raise PredictionError(str(error)) from error

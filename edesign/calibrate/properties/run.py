@@ -31,7 +31,7 @@ def calibrate_properties(
 
     Args:
         campaign: the table, and the declared law.
-        workers: threads.
+        workers: processes.
         progress: told what is done.
     """
     begin = clock.perf_counter()

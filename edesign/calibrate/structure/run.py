@@ -29,7 +29,7 @@ def calibrate_structure(
 
     Args:
         campaign: records, and the declared building.
-        workers: threads.
+        workers: processes.
         progress: told what is done.
 
     Raises:

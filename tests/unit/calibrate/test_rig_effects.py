@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.effect import Form, Series
 from edesign.calibrate.dampers.effects.friction import Loaded, LuGre, Presliding, Stribeck, Tanh
 from edesign.calibrate.dampers.effects.play import Backlash, Gap, GapAside, follow
 from edesign.calibrate.dampers.effects.series_flexibility import Linear
@@ -269,9 +269,26 @@ def test_series_of_a_spring_is_two_springs() -> None:
     ):
         series = form.series(p)
         assert series is not None
-        force, own = damper.force_in_series(time, u, np.full(41, 0.01), series[0], series[2])
+        force, own = damper.force_in_series(time, u, np.full(41, 0.01), series.stiffness, series.play)
         np.testing.assert_allclose(force, k * k_s / (k + k_s) * np.maximum(u - gap, 0.0), atol=1e-6 * k * 0.01)
         np.testing.assert_allclose(force, k * own, atol=1e-6 * k * 0.01)
+
+
+def test_parts_in_series_share_their_force() -> None:
+    # of each part the stretch under a force, by hand
+    parts = (Series(4e7), Series(6e7, play=2e-3, within=2e7), Series(9e7))
+    whole = Series.together(parts)
+
+    def stretch(part: Series, force: float) -> float:
+        closing = part.within * 0.5 * part.play
+        if force <= closing:
+            return force / part.within
+        return 0.5 * part.play + (force - closing) / part.stiffness
+
+    for force in (5e3, 20e3, 50e3):
+        assert stretch(whole, force) == pytest.approx(sum(stretch(part, force) for part in parts), rel=1e-12)
+    plays = Series.together((Series(4e7, play=1e-3), Series(6e7, play=2e-3)))
+    assert (plays.play, plays.within) == (pytest.approx(3e-3), 0.0)
 
 
 @pytest.mark.parametrize(

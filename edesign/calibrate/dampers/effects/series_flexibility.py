@@ -31,7 +31,7 @@ class Linear(Form):
         return ((20.0 * sizes.stiffness,),)
 
     def series(self, p: Values) -> Series:
-        return p["stiffness"], 0.0, 0.0
+        return Series(p["stiffness"])
 
 
 class Stiffening(Linear):
@@ -55,7 +55,33 @@ class Stiffening(Linear):
         )
 
     def series(self, p: Values) -> Series:
-        return p["stiffness"], 1.0 / p["e0"] ** 2, 0.0
+        return Series(p["stiffness"], bend=1.0 / p["e0"] ** 2)
 
 
-FORMS = (Linear, Stiffening)
+class Closing(Linear):
+    """A joint that closes: stiffness up to a force F_c, `ratio` times as stiff beyond, as where shims or clearances
+    close.
+    """
+
+    form: ClassVar[str] = "closing"
+    title: ClassVar[str] = "a joint of the rig in series with the specimen that closes under a force"
+    signature: ClassVar[str] = "as series_flexibility.linear up to a force, and less of it beyond"
+    source: ClassVar[str] = "piecewise linear joints: Ibrahim & Pettit (2005), J. Sound Vib. 279, 857-936"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        force = sizes.force
+        return (
+            *super().unknowns(sizes),
+            Unknown("F_c", "N", 0.01 * force, 1.5 * force, 0.3 * force, logarithmic=True),
+            Unknown("ratio", "", 1.0, 100.0, 2.0, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((20.0 * sizes.stiffness, share * sizes.force, 2.0) for share in (0.15, 0.4, 0.75))
+
+    def series(self, p: Values) -> Series:
+        k = p["stiffness"]
+        return Series(p["ratio"] * k, play=2.0 * p["F_c"] / k, within=k)
+
+
+FORMS = (Linear, Stiffening, Closing)

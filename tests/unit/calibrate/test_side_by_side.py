@@ -1,0 +1,56 @@
+"""Functions of many things in processes of their own."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+
+import numpy as np
+import pytest
+
+from edesign.calibrate.side_by_side import side_by_side
+
+
+def test_results_come_in_the_order_of_the_items() -> None:
+    def slow_first(i: int) -> int:
+        time.sleep(0.1 if i == 0 else 0.0)
+        return i * i
+
+    assert side_by_side(slow_first, range(7), 2) == [i * i for i in range(7)]
+    assert side_by_side(slow_first, [], 2) == []
+
+
+def test_they_run_in_other_processes() -> None:
+    assert os.getpid() not in side_by_side(lambda _: os.getpid(), range(4), 2)
+    assert side_by_side(lambda _: os.getpid(), range(4), 1) == [os.getpid()] * 4
+
+
+def test_what_is_known_comes_back_as_it_is() -> None:
+    big, functions = np.arange(5.0), lambda: 1  # the latter cannot be pickled
+
+    def refer(i: int) -> tuple[int, np.ndarray, object, np.ndarray]:
+        return i, big, functions, big + i
+
+    for i, same, also, own in side_by_side(refer, range(3), 2, (big, functions)):
+        assert same is big and also is functions
+        np.testing.assert_array_equal(own, big + i)
+
+
+def test_errors_are_raised_here() -> None:
+    def wrong(i: int) -> int:
+        raise ValueError(f"no {i}")
+
+    with pytest.raises(ValueError, match="no 0"):
+        side_by_side(wrong, range(3), 2)
+
+
+def test_a_killed_process_loses_nothing() -> None:
+    here = os.getpid()
+
+    def dies_elsewhere(i: int) -> int:
+        if os.getpid() != here and i == 1:
+            os.kill(os.getpid(), signal.SIGKILL)
+        return i + 10
+
+    assert side_by_side(dies_elsewhere, range(4), 2) == [10, 11, 12, 13]
