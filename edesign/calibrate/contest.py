@@ -15,9 +15,10 @@ from edesign.calibrate.screening import Signature
 from edesign.calibrate.side_by_side import side_by_side
 
 FITTED = 10
-"""Forms fitted in a round."""
+"""Forms fitted in the first round."""
+_LATER, _SLOW = 7, 5  # in later ones, which take longer and have less to tell apart; beside slow effects
 _PER_EFFECT = 2  # forms of one effect among them
-_WELL_FITTED = 7  # forms or pairs of those that are fitted to the end
+_WELL_FITTED = 6  # forms or pairs of those that are fitted to the end
 _ROUGH_STEPS, _MORE_STEPS = 5, 3  # with slopes known before, and with new ones
 _HOPELESS, _BEHIND = 6.0, 3.0  # times the best chi2 beyond which a model is not fitted further, and not to the end
 _NEARLY = 0.9  # of the gain of the best form
@@ -78,12 +79,14 @@ def _promising(found: Iterable[Fitted], behind: float) -> list[Fitted]:
 
 def shortlist(signatures: Sequence[Signature]) -> list[Signature]:
     """The best forms, not too many of one effect."""
+    known = signatures[0].model.effects[:-1] if signatures else ()
+    most = _SLOW if any(effect.slow for effect in known) else _LATER if known else FITTED
     best: dict[str, list[Signature]] = {}
     for signature in signatures:
         if signature.gain > 0.0:
             best.setdefault(signature.candidate.name, []).append(signature)
     found = [signature for forms in best.values() for signature in likely_forms(forms, _PER_EFFECT)]
-    return sorted(found, key=lambda signature: -signature.gain)[:FITTED]
+    return sorted(found, key=lambda signature: -signature.gain)[:most]
 
 
 def likely_forms(forms: Sequence[Signature], most: int) -> list[Signature]:

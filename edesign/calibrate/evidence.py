@@ -23,6 +23,7 @@ _LEAST_EXCESS = 0.02  # of the noise: less is not told from nothing
 _TWINS = 0.01  # difference of the mean logarithm of the error below which two effects are one equation
 _KINDS = ("instrument", "rig", "structure", "damper")
 _LEAST_T = 1.0  # of the tests' improvements: one test that improves against all others passes only if it is much
+_ONE_ALONE = 0.7  # the same, for what may show in one test alone, the largest, and the others take a little for it
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,7 +82,7 @@ class Evidence:
     @property
     def clearly_better(self) -> bool:
         """Whether a simpler rival cannot stand for the model: better beyond chance, or by a good share."""
-        return self.beyond_chance or (self.share >= SHARE and self.t >= _LEAST_T)
+        return self.beyond_chance or (self.share >= SHARE and self.t >= _ONE_ALONE)
 
     @property
     def text(self) -> str:

@@ -20,7 +20,7 @@ before miss.
 """
 _CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
 _PAIRS = 4  # pairs fitted in a round
-_FORMS = 6  # forms of an effect that are compared once it is a likely one
+_FORMS = 5  # forms of an effect that are compared once it is a likely one
 _LIKELY = 2  # effects of which forms are compared
 _MOST = 4  # effects
 _FAR = 0.5  # coordinates: factors of e

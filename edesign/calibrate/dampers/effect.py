@@ -7,7 +7,9 @@ The prediction of a test runs through these stages; a form of an effect override
                     -> `law`       parameters of the law in this test (temperature)
                     -> force of the law, in series with the rig if a part gives `series`
                     -> `factor`    factors of the law's force (softening, damage, heat)
-                    -> `parallel`  forces beside it (springs, branches, friction, masses)
+                    -> `parallel`  forces beside it (springs, branches)
+                    -> `carriage`  forces of what moves with the actuator (guides, masses): a rig that gives stands
+                                   between them and the specimen
                     -> `channel`   what the load cell and its amplifier make of the sum
                     -> `columns`   shares that are each test's own (phase of hum), projected out of the residual
 
@@ -142,6 +144,12 @@ class Form:
 
     def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray | float | None:
         """Force (n,) N beside that of the law; None: the form is none."""
+        return None
+
+    def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray | None:
+        """Force (n,) N of guides and masses under the motion that was made, besides the one (n,) N that goes through
+        them to the specimen; None: the form is none.
+        """
         return None
 
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:

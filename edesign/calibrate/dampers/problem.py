@@ -158,6 +158,8 @@ class DamperProblem:
             force = self._in_series(trial, own, values, changed.factor, beside, series)
         else:
             force = np.asarray(changed.factor * law_force + beside)
+        carried = [part.form.carriage(part.p, trial, motion, force) for part in acting]
+        force = sum((own for own in carried if own is not None), start=force)
         for part in acting:
             force = part.form.channel(part.p, trial, force)
         if not np.all(np.isfinite(force)):

@@ -67,7 +67,7 @@ def test_no_amplitude_leaves_the_force_unchanged() -> None:
     np.testing.assert_array_equal(same.velocity, trial.motion.velocity)
     np.testing.assert_array_equal(same.displacement, trial.motion.displacement)
     np.testing.assert_array_equal(drift.Campaign().parallel({"rate": 0.0}, trial, trial.motion, {}), 0.0)
-    np.testing.assert_array_equal(inertia.Mass().parallel({"mass": 0.0}, trial, trial.motion, {}), 0.0)
+    np.testing.assert_array_equal(inertia.Mass().carriage({"mass": 0.0}, trial, trial.motion, trial.force), 0.0)
 
 
 def test_a_delay_is_that_of_a_sine() -> None:
@@ -100,17 +100,20 @@ def test_gains_scale_their_channel() -> None:
 
 def test_a_gain_that_changes_has_a_form_for_each_place() -> None:
     forms = gain.forms_of(_sizes(4))
-    assert [form.form for form in forms] == ["force_from_test_2", "force_from_test_3", "force_from_test_4"]
+    channels = ("force", "displacement")
+    assert [form.form for form in forms] == [f"{one}_from_test_{k}" for one in channels for k in (2, 3, 4)]
     assert gain.forms_of(_sizes(1)) == ()
     for form in forms:
         first = form.fixed(_sizes(4))["first_test"]
         p = {"g": 0.1, **form.fixed(_sizes(4))}
         for order in range(4):
             trial = _trial(100.0, 1.0, order=order)
-            changed = order + 1 >= first
-            np.testing.assert_allclose(
-                form.channel(p, trial, trial.force), (1.1 if changed else 1.0) * trial.force, rtol=1e-14
-            )
+            shown = 1.1 if order + 1 >= first else 1.0
+            of_force = isinstance(form, gain.ForceFromTest)
+            force, motion = form.channel(p, trial, trial.force), form.actuator(p, trial, trial.motion)
+            np.testing.assert_allclose(force, (shown if of_force else 1.0) * trial.force, rtol=1e-14)
+            made = trial.motion.displacement / (1.0 if of_force else shown)
+            np.testing.assert_allclose(motion.displacement, made, rtol=1e-14)
     copied = pickle.loads(pickle.dumps(forms[1]))
     assert (copied.form, copied.first) == ("force_from_test_3", 3)
 
@@ -166,7 +169,7 @@ def test_wandering_leaves_the_motion_alone() -> None:
 
 def test_inertia_is_mass_times_acceleration() -> None:
     trial = _trial(100.0, 2.0)
-    force = inertia.Mass().parallel({"mass": 40.0}, trial, trial.motion, {})
+    force = inertia.Mass().carriage({"mass": 40.0}, trial, trial.motion, trial.force)
     np.testing.assert_allclose(force, -40.0 * W**2 * trial.motion.displacement, rtol=1e-12)
 
 

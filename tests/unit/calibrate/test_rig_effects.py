@@ -20,6 +20,7 @@ from edesign.calibrate.dampers.turning_points import with_turning_points
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import law
 
+NO_FORCE = np.zeros(1)
 AMPLITUDE = 0.01  # m
 FORMS = (Tanh, Presliding, Stribeck, LuGre, Loaded, Gap, GapAside, Backlash, Linear, PreShear, ConstantForce)
 
@@ -79,7 +80,7 @@ def test_a_motion_without_reversal_has_no_turning_points() -> None:
 
 def test_tanh_friction_is_coulomb_away_from_rest_and_dissipates_four_times_force_and_amplitude() -> None:
     motion = _sine(5000.0, cycles=1.0)
-    force = Tanh().parallel({"F_c": 300.0, "v0": 1e-4 * 2 * np.pi * AMPLITUDE}, _trial(motion), motion, {})
+    force = Tanh().carriage({"F_c": 300.0, "v0": 1e-4 * 2 * np.pi * AMPLITUDE}, _trial(motion), motion, NO_FORCE)
     moving = np.abs(motion.velocity) > 0.01 * np.max(np.abs(motion.velocity))
     np.testing.assert_allclose(force[moving], 300.0 * np.sign(motion.velocity[moving]), rtol=1e-12)
     work = np.trapezoid(force * motion.velocity, motion.time)
@@ -89,7 +90,7 @@ def test_tanh_friction_is_coulomb_away_from_rest_and_dissipates_four_times_force
 def test_stribeck_friction_breaks_away_at_the_larger_force() -> None:
     velocity = np.array([-1.0, -0.003, 0.0, 0.003, 1.0])
     motion = Motion(np.arange(5.0), np.zeros(5), velocity, np.zeros(5))
-    force = Stribeck().parallel({"F_c": 100.0, "s": 0.5, "v_s": 0.01}, _trial(motion), motion, {})
+    force = Stribeck().carriage({"F_c": 100.0, "s": 0.5, "v_s": 0.01}, _trial(motion), motion, NO_FORCE)
     near = 100.0 * (1.0 + 0.5 * np.exp(-0.09)) * np.tanh(3.0)
     np.testing.assert_allclose(force, [-100.0, -near, 0.0, near, 100.0], rtol=1e-12)
 
@@ -105,7 +106,7 @@ def test_presliding_follows_its_differential_equation() -> None:
         half = z + 0.5 * h * (v - abs(v) * z / x0)
         z += h * (v - abs(v) * half / x0)
         found.append(z)
-    force = Presliding().parallel({"F_c": 300.0, "x0": x0}, _trial(coarse), coarse, {})
+    force = Presliding().carriage({"F_c": 300.0, "x0": x0}, _trial(coarse), coarse, NO_FORCE)
     np.testing.assert_allclose(force, 300.0 * np.array(found)[::stride] / x0, atol=300.0 * 1e-4)
 
 
@@ -113,7 +114,7 @@ def test_presliding_dissipates_four_times_force_and_amplitude_when_it_slides_at_
     # steady loop between +-A: F = F_c (1 - (1 + q) exp(-way / x0)), q = tanh(A / x0); closed form of its area
     motion = _sine(2000.0, cycles=3.0)
     for x0, to_the_limit in ((1e-3 * AMPLITUDE, 1.1e-3), (0.3 * AMPLITUDE, 1.0)):
-        force = Presliding().parallel({"F_c": 300.0, "x0": x0}, _trial(motion), motion, {})
+        force = Presliding().carriage({"F_c": 300.0, "x0": x0}, _trial(motion), motion, NO_FORCE)
         last = motion.time >= 2.0 - 1e-9
         work = np.trapezoid(force[last], motion.displacement[last])
         q = np.tanh(AMPLITUDE / x0)
@@ -126,14 +127,14 @@ def test_presliding_dissipates_four_times_force_and_amplitude_when_it_slides_at_
 def test_presliding_does_not_know_speed() -> None:
     slow, fast = _sine(100.0, frequency=1.0), _sine(1000.0, frequency=10.0)
     p = {"F_c": 300.0, "x0": 0.001}
-    forces = [Presliding().parallel(p, _trial(m), m, {}) for m in (slow, fast)]
+    forces = [Presliding().carriage(p, _trial(m), m, NO_FORCE) for m in (slow, fast)]
     np.testing.assert_allclose(forces[0], forces[1], atol=300.0 * 1e-9)
 
 
 def test_lugre_without_a_rise_at_rest_is_presliding() -> None:
     motion = _irregular()
     p = {"F_c": 300.0, "x0": 0.001, "s": 0.0, "v_s": 0.01}
-    forces = [form.parallel(p, _trial(motion), motion, {}) for form in (LuGre(), Presliding())]
+    forces = [form.carriage(p, _trial(motion), motion, NO_FORCE) for form in (LuGre(), Presliding())]
     np.testing.assert_allclose(forces[0], forces[1], rtol=0.0, atol=300.0 * 1e-12)
 
 
@@ -142,7 +143,7 @@ def test_lugre_slides_by_the_curve_of_stribeck(speed: float) -> None:
     # z' = 0 at a constant velocity: F = F_c g(v)
     time = np.linspace(0.0, 0.01 / speed, 401)
     motion = Motion(time, -speed * time, np.full(401, -speed), np.zeros(401))
-    force = LuGre().parallel({"F_c": 300.0, "x0": 1e-4, "s": 0.5, "v_s": 0.02}, _trial(motion), motion, {})
+    force = LuGre().carriage({"F_c": 300.0, "x0": 1e-4, "s": 0.5, "v_s": 0.02}, _trial(motion), motion, NO_FORCE)
     curve = 1.0 + 0.5 * np.exp(-((speed / 0.02) ** 2))
     assert force[0] == 0.0 and force[-1] == pytest.approx(-300.0 * curve, rel=1e-12)  # exp(-way/x0) = e^-66 at most
 
@@ -159,7 +160,7 @@ def test_lugre_follows_its_differential_equation() -> None:
         half = z + 0.5 * h * (v - abs(v) * z / own)
         z += h * (v - abs(v) * half / own)
         found.append(z)
-    force = LuGre().parallel(p, _trial(coarse), coarse, {})
+    force = LuGre().carriage(p, _trial(coarse), coarse, NO_FORCE)
     np.testing.assert_allclose(force, 300.0 * np.array(found)[::stride] / p["x0"], atol=300.0 * 2e-3)
     assert np.max(np.abs(force)) > 1.02 * 300.0  # the rise near rest is there
 
@@ -168,17 +169,15 @@ def test_loaded_guides_dissipate_a_share_of_the_force_besides_their_own() -> Non
     # a spring k: 4 F_c A, and mu times the way weighted by k |u|: 4 mu k A^2 / 2
     motion, k = _sine(5000.0, cycles=1.0), 1e7
     trial, p = _trial(motion), {"F_c": 300.0, "v0": 1e-4 * 2 * np.pi * AMPLITUDE, "mu": 0.1}
-    phi = Loaded().factor(p, trial, motion, trial.force, {})
-    beside = Loaded().parallel(p, trial, motion, {})
-    work = np.trapezoid((phi * trial.force + beside) * motion.velocity, motion.time)
+    friction = Loaded().carriage(p, trial, motion, trial.force)
+    work = np.trapezoid((trial.force + friction) * motion.velocity, motion.time)
     assert work == pytest.approx(4.0 * 300.0 * AMPLITUDE + 2.0 * 0.1 * k * AMPLITUDE**2, rel=1e-4)
     # against the motion on both sides of zero, by the size of the force
-    against = (phi - 1.0) * trial.force
     moving = np.abs(motion.velocity) > 0.01 * np.max(np.abs(motion.velocity))
-    expected = 0.1 * np.abs(trial.force) * np.sign(motion.velocity)
-    np.testing.assert_allclose(against[moving], expected[moving], atol=1e-9 * k * AMPLITUDE)
-    np.testing.assert_array_equal(Loaded().factor({**p, "mu": 0.0}, trial, motion, trial.force, {}), 1.0)
-    np.testing.assert_array_equal(beside, Tanh().parallel(p, trial, motion, {}))
+    expected = (300.0 + 0.1 * np.abs(trial.force)) * np.sign(motion.velocity)
+    np.testing.assert_allclose(friction[moving], expected[moving], atol=1e-9 * k * AMPLITUDE)
+    own = Tanh().carriage(p, trial, motion, trial.force)
+    np.testing.assert_array_equal(Loaded().carriage({**p, "mu": 0.0}, trial, motion, trial.force), own)
 
 
 def test_follow_is_the_textbook_play_operator() -> None:
@@ -240,9 +239,9 @@ def test_no_amplitude_leaves_everything_unchanged() -> None:
         (Stribeck(), {"F_c": 0.0, "s": 0.5, "v_s": 0.01}),
         (LuGre(), {"F_c": 0.0, "x0": 0.001, "s": 0.5, "v_s": 0.01}),
         (Loaded(), {"F_c": 0.0, "v0": 0.01, "mu": 0.0}),
-        (ConstantForce(), {"P": 0.0}),
     ):
-        np.testing.assert_array_equal(form.parallel(p, trial, motion, {}) * np.ones(motion.time.size), 0.0)
+        np.testing.assert_array_equal(form.carriage(p, trial, motion, trial.force), np.zeros(motion.time.size))
+    assert ConstantForce().parallel({"P": 0.0}, trial, motion, {}) == 0.0
     for form, p in ((Backlash(), {"play": 0.0}), (PreShear(), {"offset": 0.0})):
         own = form.specimen(p, trial, motion)
         for name in ("time", "displacement", "velocity", "acceleration"):

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.dampers.turning_points import with_turning_points
 from edesign.calibrate.problem import Kind
@@ -43,7 +43,7 @@ class Tanh(_Friction):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((_START * sizes.force, v0 * sizes.velocity) for v0 in (0.02, 0.1, 0.002))
 
-    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+    def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
         return np.asarray(p["F_c"] * np.tanh(motion.velocity / p["v0"]))
 
 
@@ -62,7 +62,7 @@ class Presliding(_Friction):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((_START * sizes.force, x0 * sizes.displacement) for x0 in (0.02, 0.1))
 
-    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+    def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
         """Exact: between turning points z goes exponentially over the way to +-x0, whatever the speed."""
         points, index = with_turning_points(motion)
         way = np.diff(points)
@@ -129,13 +129,13 @@ class Stribeck(_Friction):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((_START * sizes.force, 0.5, v_s * sizes.velocity) for v_s in (0.1, 0.02))
 
-    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+    def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
         ratio = motion.velocity / p["v_s"]
         return np.asarray(p["F_c"] * (1.0 + p["s"] * np.exp(-(ratio**2))) * np.tanh(10.0 * ratio))
 
 
 class Loaded(Tanh):
-    """Friction that grows with the force in the guides: F = (1 + mu sgn(F_law) t) F_law + F_c t, t = tanh(v / v0)."""
+    """Friction that grows with the force F through the guides: (F_c + mu |F|) tanh(v / v0)."""
 
     form: ClassVar[str] = "loaded"
     title: ClassVar[str] = "friction in the guides that grows with the force"
@@ -150,8 +150,8 @@ class Loaded(Tanh):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((0.3 * size, v0, _START) for size, v0 in super().starts(sizes))
 
-    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        return np.asarray(1.0 + p["mu"] * np.sign(force) * np.tanh(motion.velocity / p["v0"]))
+    def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
+        return np.asarray((p["F_c"] + p["mu"] * np.abs(force)) * np.tanh(motion.velocity / p["v0"]))
 
 
 FORMS = (Tanh, Presliding, Stribeck, LuGre, Loaded)

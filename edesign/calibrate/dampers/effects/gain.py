@@ -48,33 +48,55 @@ class Displacement(_Gain):
         return Motion(motion.time, share * motion.displacement, share * motion.velocity, share * motion.acceleration)
 
 
-class ForceFromTest(_Gain):
-    """The gain of the force channel changed between two tests: (1 + g) from there on. One form for each place.
+class _FromTest(Form):
+    """A gain that changed between two tests: one form for each place, which is no number that a search could move.
 
     Args:
         first: the test from which it is changed; 2 is the second of the campaign.
     """
 
-    form: ClassVar[str] = "force_from_test"
-    title: ClassVar[str] = "gain of the force channel that changed between tests"
-    signature: ClassVar[str] = "proportional to the force itself, by one share in all tests from one on"
+    channel_name: ClassVar[str]
 
     def __init__(self, first: int) -> None:
         vars(self).update(
-            form=f"force_from_test_{first}", title=f"gain of the force channel that changed before test {first}"
+            form=f"{self.channel_name}_from_test_{first}",
+            title=f"gain of the {self.channel_name} channel that changed before test {first}",
         )
         self.first = first
 
     def fixed(self, sizes: Sizes) -> Mapping[str, float]:
         return {"first_test": float(self.first)}
 
+    def _changed(self, trial: Trial) -> bool:
+        return trial.order + 1 >= self.first
+
+
+class ForceFromTest(_FromTest, Force):
+    """The force channel shows (1 + g) of the force from a test on."""
+
+    channel_name: ClassVar[str] = "force"
+    signature: ClassVar[str] = "proportional to the force itself, by one share in all tests from one on"
+
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
-        return np.asarray((1.0 + p["g"]) * force) if trial.order + 1 >= self.first else force
+        return super().channel(p, trial, force) if self._changed(trial) else force
+
+
+class DisplacementFromTest(_FromTest, Displacement):
+    """The displacement channel shows (1 + g) of the displacement from a test on."""
+
+    channel_name: ClassVar[str] = "displacement"
+    signature: ClassVar[str] = (
+        "that of a gain of the force from one test on; by the law's tangent where it is not linear"
+    )
+
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        return super().actuator(p, trial, motion) if self._changed(trial) else motion
 
 
 def forms_of(sizes: Sizes) -> tuple[Form, ...]:
-    """A form for each place between two tests: which one it is, is no number that a search could move."""
-    return tuple(ForceFromTest(first) for first in range(2, sizes.tests + 1))
+    """A form of each channel for each place between two tests."""
+    places = range(2, sizes.tests + 1)
+    return (*(ForceFromTest(first) for first in places), *(DisplacementFromTest(first) for first in places))
 
 
 FORMS = (Force, Displacement)

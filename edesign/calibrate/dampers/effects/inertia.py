@@ -6,7 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -31,7 +31,7 @@ class Mass(Form):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return ((0.02 * sizes.force / sizes.acceleration,),)
 
-    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+    def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
         return np.asarray(p["mass"] * motion.acceleration)
 
 
