@@ -46,16 +46,19 @@ def effects_table(calibration: Calibration) -> Table:
 
 
 def effect_parameters_table(calibration: Calibration) -> Table:
-    """Parameters of the effects with standard errors and 95 % intervals, in practical units."""
-    columns = ("effect", "parameter", "value", "std. error", "95 % interval", "unit", "meaning")
-    table = Table("Parameters of the effects", columns, left=2)
+    """Parameters of the effects with standard errors and 95 % intervals, in practical units; meanings where law files
+    know them.
+    """
+    columns = ("effect", "parameter", "value", "std. error", "95 % interval", "unit")
+    known = any(_parameters(effect) for effect in calibration.effects)
+    table = Table("Parameters of the effects", (*columns, "meaning") if known else columns, left=2)
     for effect in calibration.effects:
         meanings = _parameters(effect)
         for name, estimate in (dict(effect.parameters) | _fixed(effect)).items():
             shown = practical(estimate, effect.parameters)
             texts = [value_text(shown), error_text(shown), interval_text(shown), shown.unit or "-"]
-            meaning = meanings[name].meaning if name in meanings else "-"
-            table.rows.append([effect.name, name, *texts, meaning])
+            meaning = [meanings[name].meaning if name in meanings else "-"] if known else []
+            table.rows.append([effect.name, name, *texts, *meaning])
     return table
 
 
