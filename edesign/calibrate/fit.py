@@ -90,7 +90,9 @@ class Model:
         return tuple(found)
 
     def residuals(self, x: np.ndarray, uses: Sequence[Use] = ("fit",)) -> list[np.ndarray]:
-        """Residuals (n_i,) of the tests used so, in units of noise, freed from what is each test's own."""
+        """Residuals (n_i,) of the tests used so, in units of noise, freed from what is each test's own, and whitened
+        where a condition of a test is in doubt.
+        """
         parts = self.parts(x)
         predicted = self.problem.predict(self.base_values(x), parts, uses)
         found = []
@@ -98,10 +100,12 @@ class Model:
             if values is None:
                 continue
             residual = (self.problem.measured[i] - values) / self.noise[i]
+            doubt = self.problem.doubt(i)
             columns = self.problem.nuisance(parts, i) if parts else None
             if columns is not None:
                 residual = residual - columns @ (columns.T @ residual)
-            found.append(residual)
+                doubt = None if doubt is None else doubt - columns @ (columns.T @ doubt)
+            found.append(residual if doubt is None else whitened(residual, doubt / self.noise[i]))
         return found
 
 
@@ -172,6 +176,16 @@ class Fitted:
     def misfit(self) -> float:
         """Standard deviation of the residuals as if they were white, at least that of the noise."""
         return math.sqrt(max(sum(float(r @ r) * correlation_length(r) for r in self.residuals) / self.samples, 1.0))
+
+
+def whitened(residual: np.ndarray, doubt: np.ndarray) -> np.ndarray:
+    """(I + d d^T)^(-1/2) r of a residual r (n,): white noise of unit size beside a share of d (n,), normal with unit
+    standard deviation. Its sum of squares is that of generalised least squares.
+    """
+    size = float(doubt @ doubt)
+    if size == 0.0:
+        return residual
+    return residual - doubt * (float(doubt @ residual) * (1.0 - 1.0 / math.sqrt(1.0 + size)) / size)
 
 
 def correlation_length(residual: np.ndarray) -> float:

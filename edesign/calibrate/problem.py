@@ -107,6 +107,11 @@ class Problem(Protocol):
     def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """Orthonormal columns (n_i, k) whose share is each test's own, as the phase of hum is; None: there are none."""
 
+    def doubt(self, index: int) -> np.ndarray | None:
+        """What a condition of a test that is known only so well may change (n_i,), by one standard deviation; None:
+        nothing.
+        """
+
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
         """Power of the residuals of the tests fitted to, in units of their noise, over that of noise; 1 where only
         noise is left.

@@ -20,8 +20,9 @@ before miss.
 """
 _CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
 _PAIRS = 4  # pairs fitted in a round
-_FORMS = 5  # forms of an effect that are compared once it is a likely one
+_FORMS, _FORMS_HELD = 5, 10  # forms of an effect that are compared once it is a likely one; quick ones, the law held
 _LIKELY = 2  # effects of which forms are compared
+_RIVALS = 5  # forms that are tried in the place of one
 _MOST = 4  # effects
 _FAR = 0.5  # coordinates: factors of e
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
@@ -129,7 +130,9 @@ class Loop:
         if current is None:
             return rival, refused
         while True:
-            current = _refitted(self._freed(self._prune(self._reformed(self._reconsider(current)))))
+            if _last_is_new(current):
+                current = self._reformed(self._reconsider(current))
+            current = _refitted(self._freed(self._prune(current)))
             if current.at_floor or len(current.fitted.model.effects) >= _MOST:
                 break
             found, refused = self._round(current, current)
@@ -191,7 +194,7 @@ class Loop:
             return None, ()
         near = sorted(tried, key=lambda judged: judged.held_out.score)[:3]
         refused = tuple((judged.fitted.model.effects[-1], compare(judged, rival)) for judged in near)
-        best = simplest(tried)
+        best = simplest([judged for judged in tried if compare(judged, rival).adopts] or tried)
         evidence = compare(best, rival)
         if more and evidence.share < _CLEAR and len(known) + 2 <= _MOST:
             pair = self._pair(current, short, signatures)
@@ -210,12 +213,18 @@ class Loop:
         return current.fitted.chi2 - current.fitted.samples >= self.material
 
     def _other_forms_of_likely(self, tried: Sequence[Judged]) -> list[Judged]:
-        """Models with further forms of the effects that the best models have last."""
-        best: dict[str, Judged] = {}
-        for judged in sorted(tried, key=lambda judged: judged.held_out.score):
-            best.setdefault(judged.fitted.model.effects[-1].name, judged)
+        """Models with further forms of the effects that the best models have last: best on tests left out, or on those
+        fitted to, as a wrong form of the right effect may extrapolate badly.
+        """
+        likely: dict[str, Judged] = {}
+        for order in (lambda j: j.held_out.score, lambda j: j.fitted.chi2):
+            best: dict[str, Judged] = {}
+            for judged in sorted(tried, key=order):
+                best.setdefault(judged.fitted.model.effects[-1].name, judged)
+            for name in [*best][:_LIKELY]:
+                likely.setdefault(name, best[name])
         found: list[Judged] = []
-        for judged in [*best.values()][:_LIKELY]:
+        for judged in likely.values():
             if not judged.at_floor:
                 found += self._other_forms(judged, judged.fitted.model.effects[-1])
         return found
@@ -279,7 +288,8 @@ class Loop:
         without = fit(smaller, smaller.coordinates(fitted.base, kept), most_steps=0)
         here = _labels(fitted.model.effects)
         pool = [c for c in self._candidates(current) if c.name == effect.name and c.label not in here]
-        return self._fit_best(likely_forms(screen(without, pool, self.workers), _FORMS))
+        most = _FORMS_HELD if fitted.model.held else _FORMS
+        return self._fit_best(likely_forms(screen(without, pool, self.workers), most))
 
     def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models in which another effect, or another form, stands in the place of one."""
@@ -288,7 +298,7 @@ class Loop:
             return self.rivals[_labels(others)]
         without = self._without(current, effect)
         pool = [c for c in self._candidates(without) if _may_join(c, others) and c.label != effect.label]
-        short = shortlist(screen(without.fitted, pool, self.workers))
+        short = shortlist(screen(without.fitted, pool, self.workers))[:_RIVALS]
         self.rivals[_labels(others)] = self._fit_best(short)
         return self.rivals[_labels(others)]
 
@@ -377,6 +387,12 @@ def _refitted(judged: Judged) -> Judged:
 
 def _labels(effects: Sequence[Candidate]) -> frozenset[str]:
     return frozenset(effect.label for effect in effects)
+
+
+def _last_is_new(judged: Judged) -> bool:
+    """Whether the last effect is another one, not a further form of one that was there."""
+    *before, last = judged.fitted.model.effects
+    return all(effect.name != last.name for effect in before)
 
 
 def _may_join(candidate: Candidate, others: Sequence[Candidate]) -> bool:

@@ -39,7 +39,7 @@ def damper_problem(campaign: Campaign) -> DamperProblem:
     trials = tuple(trial for trial, _ in prepared)
     problem = DamperProblem(chosen, start, None, trials, Sizes.of(trials))
     _check_forces(problem, campaign)
-    return _with_warmth_noise(_with_motion_noise(problem, [noise for _, noise in prepared]))
+    return _with_warmth(_with_motion_noise(problem, [noise for _, noise in prepared]))
 
 
 def thinned(problem: DamperProblem) -> DamperProblem:
@@ -82,14 +82,14 @@ def _with_motion_noise(problem: DamperProblem, noise: Sequence[float]) -> Damper
             noisy = motion.displacement + size * random.standard_normal(motion.time.size)
             motion = Motion(motion.time, *smooth(motion.time, noisy)[:3])
         again.append(replace(trial, motion=motion))
-    changes = _changes(problem, again)
+    changes = [float(np.sqrt(np.mean(change**2))) for change in _changes(problem, again)]
     return replace(
         problem,
         trials=tuple(replace(trial, motion_noise=own) for trial, own in zip(problem.trials, changes, strict=True)),
     )
 
 
-def _with_warmth_noise(problem: DamperProblem) -> DamperProblem:
+def _with_warmth(problem: DamperProblem) -> DamperProblem:
     """What an error of the thermometer makes of force, where tests differ in temperature."""
     means = [trial.mean_temperature for trial in problem.trials]
     if max(means) - min(means) <= _THERMOMETER:
@@ -98,17 +98,17 @@ def _with_warmth_noise(problem: DamperProblem) -> DamperProblem:
     changes = _changes(problem, warmer)
     return replace(
         problem,
-        trials=tuple(replace(trial, warmth_noise=own) for trial, own in zip(problem.trials, changes, strict=True)),
+        trials=tuple(replace(trial, warmth=own) for trial, own in zip(problem.trials, changes, strict=True)),
     )
 
 
-def _changes(problem: DamperProblem, trials: Sequence[Trial]) -> list[float]:
-    """Root mean square N of what changed trials make of the declared law's force, in each."""
+def _changes(problem: DamperProblem, trials: Sequence[Trial]) -> list[np.ndarray]:
+    """What changed trials make of the declared law's force (n,) N, in each."""
     both = (problem, replace(problem, trials=tuple(trials)))
     found = []
     for one, other in zip(*(p.predict(p.declared, (), ("fit", "validate")) for p in both), strict=True):
         assert one is not None and other is not None
-        found.append(float(np.sqrt(np.mean((one - other) ** 2))))
+        found.append(other - one)
     return found
 
 

@@ -124,21 +124,24 @@ class DamperProblem:
 
         return kept
 
+    def doubt(self, index: int) -> np.ndarray | None:
+        """What an error of the thermometer changes (n_i,) N; None: nothing."""
+        return self.trials[index].warmth
+
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
         """Power of the residuals in the band of the motion over that of noise there, or of all over all, whichever is
         more.
 
-        The noise in the band is white noise as strong as above it, and what noise of the displacement and of the
-        temperature makes through the law.
+        The noise in the band is white noise as strong as above it, and what noise of the displacement makes through the
+        law.
         """
         fitted = [trial for trial in self.trials if trial.use == "fit"]
         inside = expected = whole = 0.0
         for residual, trial, size in zip(residuals, fitted, noise, strict=True):
             power, white = band_power(residual, trial.motion)
             inside += power
-            other = trial.motion_noise**2 + trial.warmth_noise**2
-            expected += white + 0.5 * residual.size * other / size**2  # of a one-sided spectrum
-            whole += residual.size * (1.0 + (trial.warmth_noise / size) ** 2)
+            expected += white + 0.5 * residual.size * (trial.motion_noise / size) ** 2  # of a one-sided spectrum
+            whole += residual.size
         return max(inside / expected, sum(float(r @ r) for r in residuals) / whole)
 
     def _force(self, trial: Trial, values: dict[str, float], acting: Sequence[_Acting]) -> np.ndarray:

@@ -90,6 +90,10 @@ class PropertyProblem:
         """Nothing is a group's own."""
         return None
 
+    def doubt(self, index: int) -> np.ndarray | None:
+        """Nothing is in doubt."""
+        return None
+
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
         """Mean square of the residuals in units of noise."""
         return sum(float(r @ r) for r in residuals) / sum(r.size for r in residuals)

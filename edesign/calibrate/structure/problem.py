@@ -226,6 +226,10 @@ class StructureProblem:
         """Nothing is each test's own."""
         return None
 
+    def doubt(self, index: int) -> np.ndarray | None:
+        """Nothing is in doubt."""
+        return None
+
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
         """Power of the residuals over that of noise: where the channels have theirs, or of all, whichever is more."""
         tests = [test for test in self.tests if test.use == "fit"]

@@ -28,6 +28,7 @@ class LinearProblem:
     names: tuple[str, ...] = ()
     base: tuple[Unknown, ...] = ()
     declared: np.ndarray = field(default_factory=lambda: np.empty(0))
+    doubts: tuple[np.ndarray, ...] = ()
 
     def __post_init__(self) -> None:
         count = self.matrices[0].shape[1]
@@ -52,6 +53,9 @@ class LinearProblem:
 
     def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         return None
+
+    def doubt(self, index: int) -> np.ndarray | None:
+        return self.doubts[index] if self.doubts else None
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
         return sum(float(r @ r) for r in residuals) / sum(r.size for r in residuals)

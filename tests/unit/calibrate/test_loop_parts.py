@@ -54,6 +54,26 @@ def test_fit_is_least_squares() -> None:
     )
 
 
+def test_a_condition_in_doubt_is_generalised_least_squares() -> None:
+    # noise I + d d^T of each test fitted to, beside the belief in the declared ones
+    problem = linear()
+    random = np.random.default_rng(5)
+    problem.doubts = tuple(3.0 * random.standard_normal(y.size) for y in problem.measured)
+    found = fit(_model(problem), np.ones(3))
+    total, right, chi2 = np.eye(3) / BELIEF**2, np.ones(3) / BELIEF**2, 0.0
+    fitted = [i for i, use in enumerate(problem.uses) if use == "fit"]
+    inverses = {i: np.linalg.inv(np.eye(d.size) + np.outer(d, d)) for i, d in enumerate(problem.doubts)}
+    for i in fitted:
+        total += problem.matrices[i].T @ inverses[i] @ problem.matrices[i]
+        right += problem.matrices[i].T @ inverses[i] @ problem.measured[i]
+    expected = np.linalg.solve(total, right)
+    np.testing.assert_allclose(found.x, expected, rtol=1e-6)
+    for i in fitted:
+        left = problem.measured[i] - problem.matrices[i] @ expected
+        chi2 += float(left @ inverses[i] @ left)
+    assert found.chi2 == pytest.approx(chi2, rel=1e-9)
+
+
 def test_a_bound_holds_and_the_others_find_their_best_place() -> None:
     problem = linear()
     problem.base = (Unknown("b0", "", -1.0, 0.9, 1.0), *problem.base[1:])
