@@ -54,8 +54,8 @@ class Campaign:
         time, displacement, force: samples (m,) of each test in s, mm, kN.
         temperature: likewise in degC, or None.
         floor: NRMS of the noise of the force on the tests to validate.
-        floor_with_law: NRMS there between records and the true law with its effects, if fed with displacements as
-            recorded: what noise of the displacement adds.
+        floor_with_law: NRMS there between records and the true law with its effects, if fed with displacements and
+            temperatures as recorded: what noise of the displacement and the thermometer's error add.
         joint: NRMS there of all effects together.
         after_refit: what a refit of the law's parameters leaves of it; None if there are none.
     """
@@ -117,14 +117,16 @@ def _recorded(
     exact = [y[:: test.every] for test, y in zip(tests, x, strict=True)]
     displacement = noisy_displacement(rng, noise, exact)
     added = [m - c for m, c in zip(measured, clean, strict=True)]
+    column = len({test.temperature for test in tests}) > 1 and rng.random() < 0.6 or rng.random() < 0.1
+    read = [thermometer(rng, test.temperature, m.size) for test, m in zip(tests, measured, strict=True)]
+    known = [float(np.mean(values)) if column else test.temperature for test, values in zip(tests, read, strict=True)]
     through = [
-        law.force(law.at_temperature(true, test.temperature), a, test.h * test.every)
+        law.force(law.at_temperature(true, warmth), a, test.h * test.every)
         - law.force(law.at_temperature(true, test.temperature), b, test.h * test.every)
-        for test, a, b in zip(tests, displacement, exact, strict=True)
+        for test, warmth, a, b in zip(tests, known, displacement, exact, strict=True)
     ]
     at = [i for i, test in enumerate(tests) if test.use == "validate"]
     effects = [h.effect for h in hidden]
-    column = len({test.temperature for test in tests}) > 1 and rng.random() < 0.6 or rng.random() < 0.1
     return Campaign(
         planned,
         seed,
@@ -137,9 +139,7 @@ def _recorded(
         [test.h * test.every * np.arange(m.size) for test, m in zip(tests, measured, strict=True)],
         displacement,
         measured,
-        [thermometer(rng, test.temperature, m.size) for test, m in zip(tests, measured, strict=True)]
-        if column
-        else None,
+        read if column else None,
         nrms([added[i] for i in at], [measured[i] for i in at]),
         nrms([added[i] - through[i] for i in at], [measured[i] for i in at]),
         share(true, tests, effects) if effects else 0.0,

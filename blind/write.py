@@ -72,7 +72,7 @@ def truth(campaign: Campaign) -> dict[str, Any]:
         "nrms_of_effects": campaign.joint,
         "nrms_after_refit": campaign.after_refit,
         "noise_floor": campaign.floor,
-        "noise_floor_with_displacement": campaign.floor_with_law,
+        "noise_floor_with_channels": campaign.floor_with_law,
         "noise": vars(campaign.noise),
         "law": {
             "true": dict(campaign.true),

@@ -32,7 +32,7 @@ def truth(*effects: dict[str, Any], kind: str = "one", floor: float = 1e-5, **ch
         "nrms_of_effects": 0.01 if effects else 0.0,
         "nrms_after_refit": 0.008 if effects else None,
         "noise_floor": floor,
-        "noise_floor_with_displacement": floor,
+        "noise_floor_with_channels": floor,
         "law": {"refit": True},
         **changed,
     }
@@ -99,7 +99,7 @@ def test_two_effects_are_a_set() -> None:
 def test_floors() -> None:
     judged = judge(truth(FRICTION, floor=1e-5), result(effect("friction", "rig"), validate=3e-5, floor=2e-5), OUTCOME)
     assert judged["at_own_floor"] and not judged["at_true_floor"]
-    noisy = truth(FRICTION, floor=1e-5, noise_floor_with_displacement=2e-5)
+    noisy = truth(FRICTION, floor=1e-5, noise_floor_with_channels=2e-5)
     assert judge(noisy, result(validate=3e-5), OUTCOME)["at_true_floor"]
     assert visible(truth(FRICTION)) and not visible(truth(FRICTION, nrms_after_refit=2e-5))
     assert visible(truth(FRICTION, nrms_after_refit=2e-5, law={"refit": False}))
