@@ -10,12 +10,12 @@ import numpy as np
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.trial import Trial
+from edesign.calibrate.loop import Loop, Progress
 from edesign.calibrate.noise import white_noise
 from edesign.calibrate.outcome import Outcome, residual_of
 from edesign.calibrate.problem import Candidate, Described
 from edesign.calibrate.residual.analysis import analyse
 from edesign.calibrate.result import Calibration, Series
-from edesign.calibrate.selection import Loop, Progress
 from edesign.damper.campaign import Campaign
 
 _LEAST_NOISE = 5e-4  # of a test's rms force: no load cell is better, and no integration of a law is asked to be

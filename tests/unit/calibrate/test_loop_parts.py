@@ -12,8 +12,8 @@ from edesign.calibrate.contest import likely_forms, shortlist
 from edesign.calibrate.cross_validation import leave_one_out
 from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit
+from edesign.calibrate.loop import Loop
 from edesign.calibrate.screening import Screen, Signature, joint_gain, screen
-from edesign.calibrate.selection import Loop
 from edesign.calibrate.unknown import Unknown
 
 

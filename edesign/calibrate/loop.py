@@ -1,0 +1,368 @@
+"""The loop: find what a model lacks, add it; stop when noise is left, or when nothing known explains what is left."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.calibrate.contest import FITTED, both, fit_best, likely_forms, shortlist
+from edesign.calibrate.evidence import SHARE, Judged, compare, simplest
+from edesign.calibrate.fit import Fitted, Model, fit
+from edesign.calibrate.problem import Candidate, Problem
+from edesign.calibrate.screening import Signature, joint_gain, screen
+from edesign.calibrate.selection import Adopted, Refused, Selection
+
+_SMALL = 0.01
+"""Least share of all that the refitted law leaves over noise: below it stands what the equations of effects found
+before miss.
+"""
+_CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
+_PAIRS = 4  # pairs fitted in a round
+_FORMS, _FORMS_HELD = 5, 10  # forms of an effect that are compared once it is a likely one; quick ones, the law held
+_LIKELY = 2  # effects of which forms are compared
+_RIVALS = 5  # forms that are tried in the place of one
+_MOST = 4  # effects
+_FAR = 0.5  # coordinates: factors of e
+_ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
+_UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
+
+Progress = Callable[[str], None]
+
+
+class Loop:
+    """The search for what a model lacks.
+
+    Args:
+        problem: tests, model, and effects it may lack.
+        noise: (tests,) standard deviation of each test's noise.
+        refit: whether the parameters of the model may be fitted.
+        workers: processes.
+        progress: told what is done.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        noise: Sequence[float],
+        refit: bool = True,
+        workers: int = 2,
+        progress: Progress = lambda _: None,
+    ) -> None:
+        self.problem = problem
+        self.noise = tuple(noise)
+        self.may_refit = refit
+        self.workers = workers
+        self.tell = progress
+        self.material = 0.0
+        self.rivals: dict[frozenset[str], list[Judged]] = {}
+
+    def run(self) -> Selection:
+        """Find the effects."""
+        held = Model(self.problem, self.noise, held=True)
+        declared = Judged(fit(held, held.coordinates()))
+        refit = declared
+        if self.may_refit:
+            self.tell("refitting the declared law")
+            free = Model(self.problem, self.noise)
+            refit = _refitted(Judged(fit(free, free.coordinates(), most_steps=40)))
+        if declared.at_floor:
+            return Selection(declared, refit, declared, ())
+        final, near = self._search(declared, refit)
+        adopted_labels = _labels(final.fitted.model.effects)
+        refused = tuple(item for item in near if item[0].label not in adopted_labels)
+        adopted = self._explain(final, refit)
+        return Selection(declared, refit, final, adopted, refused)
+
+    def _search(self, declared: Judged, refit: Judged) -> tuple[Judged, Refused]:
+        """The final model, and what came near it in the last round."""
+        rival = refit if compare(refit, declared).beyond_chance else declared
+        held = self._beside_declared(declared) if self.may_refit else []
+        if refit.at_floor:
+            return simplest([refit, *(judged for judged in held if compare(judged, declared).adopts)]), ()
+        self.material = _SMALL * (rival.fitted.chi2 - rival.fitted.samples)
+        current, refused = self._round(refit, rival, held)
+        if current is None:
+            return rival, refused
+        while True:
+            if _last_is_new(current):
+                current = self._reformed(self._reconsider(current))
+            current = _refitted(self._freed(self._prune(current)))
+            if current.at_floor or len(current.fitted.model.effects) >= _MOST:
+                break
+            found, refused = self._round(current, current)
+            if found is None:
+                found = self._in_pairs(current)
+            if found is None:
+                break
+            current = found
+        return self._held_again(current), refused
+
+    def _in_pairs(self, current: Judged) -> Judged | None:
+        """A model in which two effects stand in the place of one that was a compromise between them; None: there is
+        none, or the search takes too long.
+        """
+        effects = current.fitted.model.effects
+        slow = any(effect.slow for effect in effects)
+        if len(effects) + 1 > _MOST or slow or not self._more_than_misses(current):
+            return None
+        for effect in effects:
+            others = [e for e in effects if e is not effect]
+            without = self._without(current, effect)
+            self.tell(f"two effects in the place of {effect.name}")
+            signatures = screen(
+                without.fitted, [c for c in self._candidates(without) if _may_join(c, others)], self.workers
+            )
+            pair = self._pair(without, shortlist(signatures), signatures)
+            if pair is not None and self._matters(pair, current):
+                evidence = compare(pair, current)
+                if evidence.beyond_chance and evidence.share >= _CLEAR:
+                    return pair
+        return None
+
+    def _round(self, current: Judged, rival: Judged, further: Sequence[Judged] = ()) -> tuple[Judged | None, Refused]:
+        """The best model with one effect more, or two, and what came near; None: chance may have made it.
+
+        Args:
+            current: the model to which effects are added.
+            rival: the model to beat.
+            further: models with one effect more that were fitted before.
+        """
+        known = current.fitted.model.effects
+        number = len(known) + 1
+        more = not known or self._more_than_misses(current)
+        names = {effect.name for effect in known}
+        pool = [c for c in self._candidates(current) if _may_join(c, known) and (more or c.name in names)]
+        self.tell(f"effect {number}: screening {len(pool)} forms of effects")
+        signatures = screen(current.fitted, pool, self.workers)
+        short = shortlist(signatures)
+        self.tell(f"effect {number}: fitting {', '.join(dict.fromkeys(s.candidate.name for s in short))}")
+        elsewhere = []
+        unfitted = current.fitted.model.coordinates()
+        if not known and unfitted.size and float(np.max(np.abs(current.fitted.x - unfitted))) > _FAR:
+            # the refit has gone far to make up for what is missing, and searches from there may not find back
+            elsewhere = shortlist(screen(self._unfitted(current), pool, self.workers))
+        tried = [*self._fit_best([*short, *elsewhere]), *further]
+        tried += self._other_forms_of_likely(tried)
+        self.rivals[_labels(known)] = tried
+        if not tried:
+            return None, ()
+        near = sorted(tried, key=lambda judged: judged.held_out.score)[:3]
+        refused = tuple((judged.fitted.model.effects[-1], compare(judged, rival)) for judged in near)
+        best = simplest([judged for judged in tried if compare(judged, rival).adopts] or tried)
+        evidence = compare(best, rival)
+        if more and evidence.share < _CLEAR and len(known) + 2 <= _MOST:
+            pair = self._pair(current, short, signatures)
+            if pair is not None:
+                together = compare(pair, rival)
+                alone = max(evidence.share, 0.0)
+                needed = together.share - alone > SHARE * (1.0 - alone) and together.share > 2.0 * SHARE
+                if together.beyond_chance and needed and self._matters(pair, rival):
+                    return pair, refused
+        if evidence.adopts and self._matters(best, rival):
+            return best, refused
+        return None, refused
+
+    def _more_than_misses(self, current: Judged) -> bool:
+        """Whether more is left than what the equations of the known effects may miss."""
+        return current.fitted.chi2 - current.fitted.samples >= self.material
+
+    def _other_forms_of_likely(self, tried: Sequence[Judged]) -> list[Judged]:
+        """Models with further forms of the effects that the best models have last: best on tests left out, or on those
+        fitted to, as a wrong form of the right effect may extrapolate badly.
+        """
+        likely: dict[str, Judged] = {}
+        for order in (lambda j: j.held_out.score, lambda j: j.fitted.chi2):
+            best: dict[str, Judged] = {}
+            for judged in sorted(tried, key=order):
+                best.setdefault(judged.fitted.model.effects[-1].name, judged)
+            for name in [*best][:_LIKELY]:
+                likely.setdefault(name, best[name])
+        found: list[Judged] = []
+        for judged in likely.values():
+            if not judged.at_floor:
+                found += self._other_forms(judged, judged.fitted.model.effects[-1])
+        return found
+
+    def _matters(self, judged: Judged, current: Judged) -> bool:
+        """Whether what new effects remove is more than the equations of the known ones may miss; further forms of
+        these may do less.
+        """
+        known = {effect.name for effect in current.fitted.model.effects}
+        new = any(effect.name not in known for effect in judged.fitted.model.effects)
+        return not new or current.fitted.chi2 - judged.fitted.chi2 >= self.material
+
+    def _pair(self, current: Judged, tried: Sequence[Signature], all_: Sequence[Signature]) -> Judged | None:
+        """The best pair of effects that a linear estimate makes look good together."""
+        pool = list({id(s): s for s in (*tried, *all_[: 2 * FITTED])}.values())
+        scored = sorted(
+            (
+                (joint_gain(current.fitted, a, b), a, b)
+                for a, b in itertools.combinations(pool, 2)
+                if a.candidate.name != b.candidate.name
+            ),
+            key=lambda item: -item[0],
+        )
+        chosen: dict[frozenset[str], tuple[Signature, Signature]] = {}
+        for _, a, b in scored:
+            chosen.setdefault(frozenset((a.candidate.name, b.candidate.name)), (a, b))
+        pairs = list(chosen.values())[:_PAIRS]
+        self.tell("fitting pairs: " + ", ".join(f"{a.candidate.name} + {b.candidate.name}" for a, b in pairs))
+        found = self._fit_best([both(*pair) for pair in pairs])
+        return min(found, key=lambda j: j.held_out.score, default=None)
+
+    def _reconsider(self, current: Judged) -> Judged:
+        """Each effect against what could stand in its place, now that the others are there."""
+        effects = current.fitted.model.effects
+        if len(effects) < 2:
+            return current
+        for effect in effects[:-1]:
+            self.tell(f"reconsidering {effect.name}")
+            rivals = self._alternatives(current, effect)
+            if rivals and compare(better := simplest(rivals), current).beyond_chance:
+                current = better
+        return current
+
+    def _reformed(self, current: Judged) -> Judged:
+        """Each effect in the form that suits best, now that the others are there."""
+        effects = current.fitted.model.effects
+        for effect in effects if len(effects) > 1 else ():  # forms of a single one have just been compared
+            if current.at_floor:
+                break
+            forms = self._other_forms(current, effect)
+            if forms and compare(better := simplest(forms), current).beyond_chance:
+                current = better
+        return current
+
+    def _other_forms(self, current: Judged, effect: Candidate) -> list[Judged]:
+        """Models with another form of an effect; which are likely is seen beside the law as the model has it."""
+        self.tell(f"comparing forms of {effect.name}")
+        fitted = current.fitted
+        smaller = replace(fitted.model, effects=tuple(e for e in fitted.model.effects if e is not effect))
+        kept = [part for part in fitted.parts if part[0] is not effect]
+        without = fit(smaller, smaller.coordinates(fitted.base, kept), most_steps=0)
+        here = _labels(fitted.model.effects)
+        pool = [c for c in self._candidates(current) if c.name == effect.name and c.label not in here]
+        most = _FORMS_HELD if fitted.model.held else _FORMS
+        return self._fit_best(likely_forms(screen(without, pool, self.workers), most))
+
+    def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
+        """Models in which another effect, or another form, stands in the place of one."""
+        others = [e for e in current.fitted.model.effects if e is not effect]
+        if _labels(others) in self.rivals:
+            return self.rivals[_labels(others)]
+        without = self._without(current, effect)
+        pool = [c for c in self._candidates(without) if _may_join(c, others) and c.label != effect.label]
+        short = shortlist(screen(without.fitted, pool, self.workers))[:_RIVALS]
+        self.rivals[_labels(others)] = self._fit_best(short)
+        return self.rivals[_labels(others)]
+
+    def _without(self, current: Judged, effect: Candidate) -> Judged:
+        model = current.fitted.model
+        effects = tuple(e for e in model.effects if e is not effect)
+        smaller = replace(model, effects=effects)
+        return Judged(fit(smaller, smaller.coordinates(current.fitted.base, current.fitted.parts)))
+
+    def _prune(self, current: Judged) -> Judged:
+        """Without the effects that others made needless."""
+        for effect in current.fitted.model.effects[:-1]:
+            without = self._without(current, effect)
+            evidence = compare(current, without)
+            if not evidence.beyond_chance or evidence.share < _UNCHANGED:
+                current = without
+        return current
+
+    def _beside_declared(self, declared: Judged) -> list[Judged]:
+        """Models with one effect beside the law as declared: a gain, say, is all moduli changed alike, one number
+        against nine.
+        """
+        self.tell("screening effects beside the law as declared")
+        found = self._fit_best(shortlist(screen(declared.fitted, self._candidates(declared), self.workers)))
+        self.rivals[_labels(())] = found
+        return found
+
+    def _freed(self, current: Judged) -> Judged:
+        """With the parameters of the law fitted, if that is better by more than chance."""
+        model = current.fitted.model
+        if not model.held or not self.may_refit:
+            return current
+        free = replace(model, held=False)
+        found = Judged(fit(free, free.coordinates(None, current.fitted.parts)))
+        return found if compare(found, current).beyond_chance else current
+
+    def _held_again(self, current: Judged) -> Judged:
+        """With the law as declared, if that explains the tests as well once the effects are there."""
+        model = current.fitted.model
+        if model.held or not model.effects or not self.may_refit:
+            return current
+        held = replace(model, held=True)
+        start = held.coordinates(None, current.fitted.parts)
+        found = Judged(fit(held, start))
+        return current if _worse(found, current) else found
+
+    def _explain(self, final: Judged, refit: Judged) -> tuple[Adopted, ...]:
+        """The evidence for each effect of the final model, and what cannot be told from it."""
+        found: list[Adopted] = []
+        for effect, values in final.fitted.parts:
+            self.tell(f"telling {effect.name} apart from others")
+            without = self._without(final, effect)
+            evidence = compare(final, without)
+            alike: dict[str, Judged] = {}
+            for other in sorted(self._alternatives(final, effect), key=lambda j: j.held_out.score):
+                if _labels(other.fitted.model.effects) == _labels(final.fitted.model.effects):
+                    continue
+                near = compare(other, without).share > _ALIKE * evidence.share
+                if near and not compare(final, other).beyond_chance and _replacement(other, final).name != effect.name:
+                    alike.setdefault(_replacement(other, final).name, other)
+            if final.fitted.model.held and len(final.fitted.parts) == 1 and not _worse(refit, final):
+                alike["refit"] = refit
+            found.append(Adopted(effect, values, evidence, without, alike))
+        return tuple(found)
+
+    def _fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
+        return fit_best(signatures, self.workers)
+
+    def _unfitted(self, refit: Judged) -> Fitted:
+        """The model of a refit with the parameters as declared."""
+        model = refit.fitted.model
+        return fit(model, model.coordinates(), most_steps=0)
+
+    def _candidates(self, judged: Judged) -> tuple[Candidate, ...]:
+        """Effects that may be missing in a model."""
+        noise = [s for s, use in zip(self.noise, self.problem.uses, strict=True) if use == "fit"]
+        return self.problem.candidates([s * r for s, r in zip(noise, judged.fitted.residuals, strict=True)])
+
+
+def _refitted(judged: Judged) -> Judged:
+    """With the belief in the declared parameters that suits what is left."""
+    fitted = judged.fitted
+    model = replace(fitted.model, misfit=fitted.misfit)
+    return Judged(fit(model, fitted.x))
+
+
+def _labels(effects: Sequence[Candidate]) -> frozenset[str]:
+    return frozenset(effect.label for effect in effects)
+
+
+def _last_is_new(judged: Judged) -> bool:
+    """Whether the last effect is another one, not a further form of one that was there."""
+    *before, last = judged.fitted.model.effects
+    return all(effect.name != last.name for effect in before)
+
+
+def _may_join(candidate: Candidate, others: Sequence[Candidate]) -> bool:
+    """Whether a form may stand beside others: a second one of the same effect may, to follow its shape more closely."""
+    alike = [other for other in others if other.name == candidate.name]
+    return len(alike) < 2 and all(other.label != candidate.label for other in alike)
+
+
+def _worse(model: Judged, rival: Judged) -> bool:
+    """Whether a simpler model leaves more than a rival by more than chance."""
+    return compare(rival, model).bic > 0.0
+
+
+def _replacement(judged: Judged, of: Judged) -> Candidate:
+    known = {effect.label for effect in of.fitted.model.effects}
+    return next(effect for effect in judged.fitted.model.effects if effect.label not in known)
