@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -11,8 +10,9 @@ import numpy as np
 from edesign.calibrate.contest import FITTED, both, fit_best, likely_forms, shortlist
 from edesign.calibrate.evidence import SHARE, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
+from edesign.calibrate.pairs import likely_pairs
 from edesign.calibrate.problem import Candidate, Problem
-from edesign.calibrate.screening import Signature, joint_gain, screen
+from edesign.calibrate.screening import Signature, screen
 from edesign.calibrate.selection import Adopted, Refused, Selection
 
 _SMALL = 0.01
@@ -197,18 +197,7 @@ class Loop:
     def _pair(self, current: Judged, tried: Sequence[Signature], all_: Sequence[Signature]) -> Judged | None:
         """The best pair of effects that a linear estimate makes look good together."""
         pool = list({id(s): s for s in (*tried, *all_[: 2 * FITTED])}.values())
-        scored = sorted(
-            (
-                (joint_gain(current.fitted, a, b), a, b)
-                for a, b in itertools.combinations(pool, 2)
-                if a.candidate.name != b.candidate.name
-            ),
-            key=lambda item: -item[0],
-        )
-        chosen: dict[frozenset[str], tuple[Signature, Signature]] = {}
-        for _, a, b in scored:
-            chosen.setdefault(frozenset((a.candidate.name, b.candidate.name)), (a, b))
-        pairs = list(chosen.values())[:_PAIRS]
+        pairs = likely_pairs(current.fitted, pool, _PAIRS)
         self.tell("fitting pairs: " + ", ".join(f"{a.candidate.name} + {b.candidate.name}" for a, b in pairs))
         found = self._fit_best([both(*pair) for pair in pairs])
         return min(found, key=lambda j: j.held_out.score, default=None)

@@ -150,15 +150,3 @@ def screen(fitted: Fitted, candidates: Sequence[Candidate], workers: int = 1) ->
     signatures = side_by_side(whole.signature, candidates, workers, (*fitted.model.given, *fitted.slopes, *candidates))
     found = [signature for signature in signatures if signature is not None]
     return sorted(found, key=lambda signature: -signature.gain)
-
-
-def joint_gain(fitted: Fitted, first: Signature, second: Signature) -> float:
-    """Reduction of chi2 that two effects together could bring, linear about their starts."""
-    whole = Screen(fitted)
-    columns = np.column_stack((first.columns, second.columns))
-    size = np.linalg.norm(columns, axis=0)
-    columns = columns[:, size > 0.0] / size[size > 0.0]
-    residual = whole.free(whole.residual)
-    share = np.linalg.lstsq(columns, residual, rcond=1e-6)[0]
-    left = residual - columns @ share
-    return float(residual @ residual - left @ left)

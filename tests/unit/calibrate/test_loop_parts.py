@@ -13,7 +13,8 @@ from edesign.calibrate.cross_validation import leave_one_out
 from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit
 from edesign.calibrate.loop import Loop
-from edesign.calibrate.screening import Screen, Signature, joint_gain, screen
+from edesign.calibrate.pairs import joint_gains, likely_pairs
+from edesign.calibrate.screening import Screen, Signature, screen
 from edesign.calibrate.unknown import Unknown
 
 
@@ -116,7 +117,10 @@ def test_two_effects_gain_what_both_columns_gain() -> None:
     residual = whole.free(whole.residual)
     left = residual - columns @ np.linalg.lstsq(columns, residual, rcond=None)[0]
     expected = float(residual @ residual - left @ left)
-    assert joint_gain(rival, signatures["x"], signatures["y"]) == pytest.approx(expected, rel=1e-6)
+    pair = [signatures["x"], signatures["y"]]
+    assert joint_gains(rival, pair)[0, 1] == pytest.approx(expected, rel=1e-6)
+    assert likely_pairs(rival, pair, 3) == [tuple(pair)]
+    assert likely_pairs(rival, [pair[0], pair[0]], 3) == []  # one effect is no pair
 
 
 def test_slow_effects_do_not_hide_what_others_would_gain() -> None:
