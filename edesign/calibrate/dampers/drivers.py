@@ -16,6 +16,7 @@ from edesign.calibrate.dampers.trial import Motion
 _SWEEPS = 40
 _STILL = 1e-6  # relative
 _KEPT = 32  # motions whose cycles have been counted
+_ROUNDED = 1e-3  # of what fades in a step: time columns are rounded, and such errors do not add up
 
 
 def envelope(motion: Motion, forgets: float) -> np.ndarray:
@@ -84,9 +85,9 @@ def relaxed(motion: Motion, tau: float) -> np.ndarray:
 
 def fading(decay: np.ndarray, made: np.ndarray, before: float) -> np.ndarray:
     """q (n,) with q_i = decay_i q_(i-1) + made_i, each (n - 1,)."""
-    first = float(decay[0])
-    if np.ptp(decay) <= 1e-9 * first:  # even steps
-        return np.concatenate(([before], lfilter([1.0], [1.0, -first], made, zi=[first * before])[0]))
+    mean = float(np.mean(decay))
+    if np.ptp(decay) <= _ROUNDED * (1.0 - mean):  # even steps
+        return np.concatenate(([before], lfilter([1.0], [1.0, -mean], made, zi=[mean * before])[0]))
     bands = np.ones((2, made.size + 1))
     bands[1, :-1] = -decay
     right = np.concatenate(([before], made))
