@@ -21,7 +21,8 @@ before miss.
 """
 _CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
 _PAIRS = 4  # pairs fitted in a round
-_FORMS, _FORMS_HELD = 5, 10  # forms of an effect that are compared once it is a likely one; quick ones, the law held
+_FORMS, _FORMS_HELD, _FORMS_SLOW = 5, 10, 3
+"""Forms of an effect that are compared once it is a likely one: usually, with the law held, and beside slow effects."""
 _LIKELY = 2  # effects of which forms are compared
 _RIVALS = 5  # forms that are tried in the place of one
 _MOST = 4  # effects
@@ -234,7 +235,8 @@ class Loop:
         without = fit(smaller, smaller.coordinates(fitted.base, kept), most_steps=0)
         here = _labels(fitted.model.effects)
         pool = [c for c in self._candidates(current) if c.name == effect.name and c.label not in here]
-        most = _FORMS_HELD if fitted.model.held else _FORMS
+        slow = any(other.slow for other in smaller.effects)
+        most = _FORMS_SLOW if slow else _FORMS_HELD if fitted.model.held else _FORMS
         return self._fit_best(likely_forms(screen(without, pool, self.workers), most))
 
     def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
