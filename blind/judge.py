@@ -68,7 +68,7 @@ def judge(truth: Mapping[str, Any], result: Mapping[str, Any] | None, outcome: M
 
 
 def floor(truth: Mapping[str, Any]) -> float:
-    """Noise floor of the tests to validate; that of a displacement with noise counts if it is larger."""
+    """Noise floor of the tests to validate, or that with the errors of displacement and thermometer if it is larger."""
     return max(truth["noise_floor"], truth["noise_floor_with_channels"])
 
 

@@ -208,8 +208,9 @@ static double maxwell_error(int n)
 
 static void check_play(void)
 {
-  CHECK(maxwell_error(200) < 5e-3);
-  CHECK(maxwell_error(1600) < 2e-4);
+  /* with steps in parts where pins meet or part 5.9e-4 and 3.5e-5, without 8.1e-4 and 4.1e-5 */
+  CHECK(maxwell_error(200) < 7e-4);
+  CHECK(maxwell_error(1600) < 3.8e-5);
 }
 
 /* What is refused leaves the results as they were, and the damper too. */

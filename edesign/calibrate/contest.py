@@ -35,10 +35,10 @@ def fit_best(signatures: Sequence[Signature], workers: int = 1) -> list[Judged]:
         signatures: forms of effects with their starts.
         workers: processes.
     """
-    known = {id(thing): thing for s in signatures for thing in (*s.model.given, *s.frozen)}.values()
+    known = [thing for s in signatures for thing in (*s.model.given, *s.frozen)]
 
     def side(function: Callable[[T], S | None], items: Iterable[T]) -> list[S]:
-        return [found for found in side_by_side(function, items, workers, tuple(known)) if found is not None]
+        return [found for found in side_by_side(function, items, workers, known) if found is not None]
 
     best: dict[tuple[str, ...], Fitted] = {}
     for found in side(_roughly, signatures):

@@ -2,10 +2,10 @@
  *
  *   factor F(u_d) + added = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond half the play, either way.
  *
- * The stretch e of the rig is linear in time over a step and balances at its end; what the damper's own deformation u_d then does
- * is a cubic, that its law meets exactly. The force of the law falls as e grows, that of the rig rises: there is one balance.
- * Newton's method with the law's own tangent finds it, the corners of the rig taken as they are; bisection where that leaves the
- * bracket.
+ * The stretch e of the rig is linear in time over a step, or over a part of one in which it turns a corner, and balances at its end;
+ * what the damper's own deformation u_d then does is a cubic, that its law meets exactly. The force of the law falls as e grows, that
+ * of the rig rises: there is one balance. Newton's method with the law's own tangent finds it, the corners of the rig taken as they
+ * are; bisection where that leaves the bracket.
  *
  * Second order in the sampling step; first order for laws whose force jumps with the velocity (a bare dashpot), where a power of
  * the velocity is steep at rest, and where e turns a corner of the rig inside a step. */

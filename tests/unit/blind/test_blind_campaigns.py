@@ -66,6 +66,22 @@ def test_edesign_reads_what_is_written(one: Campaign, tmp_path: Path) -> None:
     assert truth["noise_floor"] == one.floor
 
 
+def test_the_floor_is_the_error_of_the_true_law_fed_with_what_is_recorded() -> None:
+    candidates = (make(Planned(number, "clean"), seed=2) for number in range(1, 30))
+    one = next(c for c in candidates if c.temperature is not None and c.noise.displacement == 0.0)
+    assert one.temperature is not None
+    error = power = 0.0
+    for i, test in enumerate(one.tests):
+        if test.use == "validate":
+            at = law.at_temperature(one.true, float(np.mean(one.temperature[i])))
+            predicted = law.force(at, one.displacement[i], test.h * test.every)
+            error += float(np.sum((one.force[i] - predicted) ** 2))
+            power += float(np.sum(one.force[i] ** 2))
+    # the generator's law has a step of 0.5 ms or less, this one that of the record: 3e-4 of the force, squared
+    assert one.floor_with_law == pytest.approx(error / power, rel=0.05, abs=3e-7)
+    assert one.floor_with_law > 1.2 * one.floor  # the thermometer of this one is off by enough
+
+
 def test_declared_parameters_keep_their_units() -> None:
     """A mapping is read as the numbers in kN, mm and s that were drawn; with the name, as Table 4.2."""
     seen = set()
