@@ -9,7 +9,7 @@ from typing import TypeVar
 import numpy as np
 
 from edesign.calibrate.evidence import Judged
-from edesign.calibrate.fit import Fitted, fit
+from edesign.calibrate.fit import Fitted, fit, refine
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.screening import Signature
 from edesign.calibrate.side_by_side import side_by_side
@@ -20,7 +20,9 @@ _LATER, _SLOW = 7, 5  # in later ones, which take longer and have less to tell a
 _PER_EFFECT = 2  # forms of one effect among them
 _WELL_FITTED = 6  # forms or pairs of those that are fitted to the end
 _ROUGH_STEPS, _MORE_STEPS = 5, 3  # with slopes known before, and with new ones
-_HOPELESS, _BEHIND = 6.0, 3.0  # times the best chi2 beyond which a model is not fitted further, and not to the end
+_HOPELESS = 6.0  # times the best chi2 beyond which a model is not fitted further
+BEHIND = 3.0
+"""Times the best chi2 beyond which a model is not fitted to the end, nor other forms of its last effect."""
 _NEARLY = 0.9  # of the gain of the best form
 _ROUGH, _WELL = 1e-2, 1e-3  # changes of chi2 that end a search
 
@@ -44,8 +46,10 @@ def fit_best(signatures: Sequence[Signature], workers: int = 1) -> list[Judged]:
     for found in side(_roughly, signatures):
         key = tuple(effect.label for effect in found.model.effects)
         best[key] = min(best.get(key, found), found, key=lambda f: f.chi2)
-    nearby = side(_nearer, _promising(best.values(), _HOPELESS))
-    return side(_well, _promising(nearby, _BEHIND)[:_WELL_FITTED])
+    promising = _promising(best.values(), _HOPELESS)
+    if len(promising) <= _WELL_FITTED:
+        return side(_well, promising)
+    return side(_on, _promising(side(_nearer, promising), BEHIND)[:_WELL_FITTED])
 
 
 def _roughly(signature: Signature) -> Fitted | None:
@@ -62,9 +66,17 @@ def _nearer(found: Fitted) -> Fitted | None:
         return None
 
 
+def _on(found: Fitted) -> Judged | None:
+    return _judged(lambda: refine(found, _WELL))
+
+
 def _well(found: Fitted) -> Judged | None:
+    return _judged(lambda: fit(found.model, found.x, enough=_WELL))
+
+
+def _judged(search: Callable[[], Fitted]) -> Judged | None:
     try:
-        judged = Judged(fit(found.model, found.x, enough=_WELL))
+        judged = Judged(search())
         _ = judged.held_out
     except PredictionError:
         return None

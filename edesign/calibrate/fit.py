@@ -18,9 +18,9 @@ tell.
 """
 _MOST_STEPS = 15
 _ENOUGH = 1e-4  # relative change of the sum of squares that ends a search
-_REFRESH = (
-    0.3  # a step that lowers the sum of squares by less than this share of what was hoped for asks for new slopes
-)
+_REFRESH = 0.3
+"""A step that lowers the sum of squares by less than this share of what was hoped for asks for new slopes."""
+_STILL = 0.1  # moves of the coordinates after which updated slopes are good enough for errors on tests left out
 
 
 @dataclass(frozen=True)
@@ -218,18 +218,39 @@ def fit(
         start: moved inside the bounds.
         most_steps: of the search.
         enough: relative change of the sum of squares that ends it.
-        frozen: slopes (n_i, q) to the first unknowns, taken as known all along: those of the base, which effects
-            change little.
+        frozen: slopes (n_i, q) to the first unknowns, for which no differences are taken: those of the base, which
+            effects change little.
 
     Raises:
         PredictionError: the model cannot predict at the start.
     """
-    low, high = _bounds(model)
-    x = np.clip(start, low, high)
-    weights, centre = _belief(model), model.coordinates()
+    x = np.clip(start, *_bounds(model))
     residuals = model.residuals(x)
+    begun = Fitted(model, x, tuple(residuals), tuple(slopes_at(model, x, residuals, frozen)))
+    return _search(begun, most_steps, enough, frozen)
+
+
+def refine(fitted: Fitted, enough: float = _ENOUGH) -> Fitted:
+    """Search on from what was found, with the slopes known there.
+
+    Args:
+        fitted: what was found.
+        enough: relative change of the sum of squares that ends the search.
+    """
+    return _search(fitted, _MOST_STEPS, enough, None)
+
+
+def _search(begun: Fitted, most_steps: int, enough: float, frozen: Sequence[np.ndarray] | None) -> Fitted:
+    """Levenberg-Marquardt; between differences the slopes follow from what the steps show.
+
+    Source: Madsen, Nielsen and Tingleff (2004), Methods for non-linear least squares problems, sections 3.2 and 3.5
+    (the update is Broyden's).
+    """
+    model, x = begun.model, begun.x
+    low, high = _bounds(model)
+    weights, centre = _belief(model), model.coordinates()
+    residuals, slopes, slopes_x = list(begun.residuals), list(begun.slopes), x
     cost = _cost(residuals, x, weights, centre)
-    slopes, slopes_x = slopes_at(model, x, residuals, frozen), x
     damping = 1e-3
     for _ in range(most_steps if x.size else 0):
         hessian, gradient = _normal(residuals, slopes, x, weights, centre)
@@ -250,15 +271,24 @@ def fit(
             slopes, slopes_x = slopes_at(model, x, residuals, frozen), x
             continue
         gain = cost - tried_cost
+        slopes = _updated(slopes, step, residuals, tried)
         x, residuals, cost = x + step, tried, tried_cost
         damping = max(damping * (0.1 if gain > 0.5 * hoped else 1.0), 1e-9)
         if gain < enough * cost:
             break
-        if gain < _REFRESH * hoped or frozen is not None:
+        if gain < _REFRESH * hoped:
             slopes, slopes_x = slopes_at(model, x, residuals, frozen), x
-    if slopes_x is not x:
+    if x.size and np.max(np.abs(x - slopes_x)) > _STILL:
         slopes = slopes_at(model, x, residuals, frozen)
     return Fitted(model, x, tuple(residuals), tuple(slopes))
+
+
+def _updated(
+    slopes: Sequence[np.ndarray], step: np.ndarray, before: Sequence[np.ndarray], after: Sequence[np.ndarray]
+) -> list[np.ndarray]:
+    """Slopes (n_i, p) that give what a step (p,) changed, and are else as they were."""
+    direction = step / float(step @ step)
+    return [j + np.outer(new - old - j @ step, direction) for j, old, new in zip(slopes, before, after, strict=True)]
 
 
 def slopes_at(

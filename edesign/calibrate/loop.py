@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibrate.contest import FITTED, both, fit_best, likely_forms, shortlist
+from edesign.calibrate.contest import BEHIND, FITTED, both, fit_best, likely_forms, shortlist
 from edesign.calibrate.evidence import SHARE, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.pairs import likely_pairs
@@ -59,6 +59,8 @@ class Loop:
         self.tell = progress
         self.material = 0.0
         self.rivals: dict[frozenset[str], list[Judged]] = {}
+        self.fitted: dict[tuple[frozenset[str], bool, float], Judged] = {}
+        self.compared: set[tuple[str, frozenset[str]]] = set()
 
     def run(self) -> Selection:
         """Find the effects."""
@@ -182,8 +184,9 @@ class Loop:
             for name in [*best][:_LIKELY]:
                 likely.setdefault(name, best[name])
         found: list[Judged] = []
+        least = min((judged.fitted.chi2 for judged in tried), default=0.0)
         for judged in likely.values():
-            if not judged.at_floor:
+            if judged.fitted.chi2 <= BEHIND * least and not judged.at_floor:
                 found += self._other_forms(judged, judged.fitted.model.effects[-1])
         return found
 
@@ -228,8 +231,12 @@ class Loop:
 
     def _other_forms(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models with another form of an effect; which are likely is seen beside the law as the model has it."""
-        self.tell(f"comparing forms of {effect.name}")
         fitted = current.fitted
+        others = _labels([e for e in fitted.model.effects if e is not effect])
+        if (effect.name, others) in self.compared:
+            return []
+        self.compared.add((effect.name, others))
+        self.tell(f"comparing forms of {effect.name}")
         smaller = replace(fitted.model, effects=tuple(e for e in fitted.model.effects if e is not effect))
         kept = [part for part in fitted.parts if part[0] is not effect]
         without = fit(smaller, smaller.coordinates(fitted.base, kept), most_steps=0)
@@ -313,7 +320,11 @@ class Loop:
         return tuple(found)
 
     def _fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
-        return fit_best(signatures, self.workers)
+        """Models fitted from their starts; those that have been fitted before are not fitted again."""
+        known = {_key(s.model): self.fitted[_key(s.model)] for s in signatures if _key(s.model) in self.fitted}
+        found = fit_best([s for s in signatures if _key(s.model) not in known], self.workers)
+        self.fitted |= {_key(judged.fitted.model): judged for judged in found}
+        return [*known.values(), *found]
 
     def _unfitted(self, refit: Judged) -> Fitted:
         """The model of a refit with the parameters as declared."""
@@ -329,8 +340,11 @@ class Loop:
 def _refitted(judged: Judged) -> Judged:
     """With the belief in the declared parameters that suits what is left."""
     fitted = judged.fitted
-    model = replace(fitted.model, misfit=fitted.misfit)
-    return Judged(fit(model, fitted.x))
+    return Judged(fit(replace(fitted.model, misfit=fitted.misfit), fitted.x))
+
+
+def _key(model: Model) -> tuple[frozenset[str], bool, float]:
+    return _labels(model.effects), model.held, model.misfit
 
 
 def _labels(effects: Sequence[Candidate]) -> frozenset[str]:

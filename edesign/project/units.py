@@ -151,8 +151,9 @@ def _parse_unit(value: str, unit: str, kind: Kind) -> Any:
     # "mm2" and "m/s2" are how engineers write powers; pint wants a sign between
     text = re.sub(r"([A-Za-z])([0-9])", r"\1^\2", unit.translate(_POWERS))
     if _UNIT.fullmatch(unit):
+        registry = _registry()
         try:
-            return _registry().parse_units(text)
+            return registry.parse_units(text)
         except Exception:  # noqa: BLE001  pint raises many kinds, all of which mean the same here
             pass
     if unit.startswith(","):
