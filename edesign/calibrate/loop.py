@@ -11,9 +11,10 @@ from edesign.calibrate.contest import BEHIND, FITTED, both, fit_best, likely_for
 from edesign.calibrate.evidence import SHARE, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.pairs import likely_pairs
-from edesign.calibrate.problem import Candidate, Problem
+from edesign.calibrate.problem import Candidate, PredictionError, Problem
 from edesign.calibrate.screening import Signature, screen
 from edesign.calibrate.selection import Adopted, Refused, Selection
+from edesign.errors import InputError
 
 _SMALL = 0.01
 """Least share of all that the refitted law leaves over noise: below it stands what the equations of effects found
@@ -63,9 +64,16 @@ class Loop:
         self.compared: set[tuple[str, frozenset[str]]] = set()
 
     def run(self) -> Selection:
-        """Find the effects."""
+        """Find the effects.
+
+        Raises:
+            InputError: the model as declared has no prediction of the tests.
+        """
         held = Model(self.problem, self.noise, held=True)
-        declared = Judged(fit(held, held.coordinates()))
+        try:
+            declared = Judged(fit(held, held.coordinates()))
+        except PredictionError as error:
+            raise InputError(f"the declared model cannot predict the tests: {error}") from error
         refit = declared
         if self.may_refit:
             self.tell("refitting the declared law")

@@ -10,6 +10,7 @@ import numpy as np
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.noise import smooth
+from edesign.calibrate.problem import PredictionError
 from edesign.damper.campaign import Campaign
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
@@ -38,6 +39,7 @@ def damper_problem(campaign: Campaign) -> DamperProblem:
     prepared = [_trial(test, order) for order, test in enumerate(campaign.tests)]
     trials = tuple(trial for trial, _ in prepared)
     problem = DamperProblem(chosen, start, None, trials, Sizes.of(trials))
+    _check_law(problem, campaign)
     _check_forces(problem, campaign)
     return _with_warmth(_with_motion_noise(problem, [noise for _, noise in prepared]))
 
@@ -110,6 +112,15 @@ def _changes(problem: DamperProblem, trials: Sequence[Trial]) -> list[np.ndarray
         assert one is not None and other is not None
         found.append(other - one)
     return found
+
+
+def _check_law(problem: DamperProblem, campaign: Campaign) -> None:
+    """Refuse tests of which the declared law has no prediction: it is not for their temperature, say."""
+    for trial, test in zip(problem.trials, campaign.tests, strict=True):
+        try:
+            replace(problem, trials=(trial.thinned(),)).predict(problem.declared, (), ("fit", "validate"))
+        except PredictionError as error:
+            raise InputError(f"{campaign.path}: {test.name}: the declared law cannot predict it: {error}") from error
 
 
 def _check_forces(problem: DamperProblem, campaign: Campaign) -> None:

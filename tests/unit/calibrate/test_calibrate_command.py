@@ -7,6 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
+import yaml
 from kelvin_voigt_campaign import campaign, lawful
 
 from edesign.archive.reader import open_archive
@@ -115,6 +116,18 @@ def test_what_is_wrong_with_tests_is_told(
         assert text in error, error
     assert "Traceback" not in error
     assert not (tmp_path / "calibration.json").exists()
+
+
+def test_a_temperature_that_the_law_does_not_know(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    campaign(tmp_path)
+    path = tmp_path / "campaign.yaml"
+    given = yaml.safe_load(path.read_text(encoding="utf-8"))
+    given["law"] = {"type": "mgmm", "parameters": "thesis_table_4_2"}
+    given["tests"][2]["temperature_C"] = 293  # kelvin, as often
+    path.write_text(yaml.safe_dump(given), encoding="utf-8")
+    assert _run(tmp_path) == 2
+    error = capsys.readouterr().err
+    assert "test_03" in error and "293 degC" in error and "edesign itself" not in error
 
 
 @pytest.mark.parametrize(
