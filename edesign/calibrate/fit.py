@@ -302,18 +302,26 @@ def slopes_at(
         for own, given in zip(slopes, frozen, strict=True):
             own[:, :known] = given
     for j, unknown in list(enumerate(model.unknowns))[known:]:
-        moved = x.copy()
-        step = unknown.step(float(x[j]))
-        moved[j] += step
-        try:
-            after = model.residuals(moved)
-        except PredictionError:
-            moved[j] = x[j] - step
-            step = -step
-            after = model.residuals(moved)
+        step, after = _moved(model, x, j, unknown.step(float(x[j])))
         for i, r in enumerate(residuals):
             slopes[i][:, j] = (after[i] - r) / step
     return slopes
+
+
+def _moved(model: Model, x: np.ndarray, j: int, step: float) -> tuple[float, list[np.ndarray]]:
+    """Step of a coordinate, and the residuals after it; where the model has no prediction, of another step.
+
+    Raises:
+        PredictionError: the model has none about x.
+    """
+    for share in (1.0, -1.0, 3.0):
+        moved = x.copy()
+        moved[j] += share * step
+        try:
+            return share * step, model.residuals(moved)
+        except PredictionError as error:
+            last = error
+    raise last
 
 
 def _bounds(model: Model) -> tuple[np.ndarray, np.ndarray]:

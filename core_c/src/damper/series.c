@@ -12,6 +12,7 @@
 #include "damper/law.h"
 #include "damper/ode_system.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -88,7 +89,7 @@ static int settle(series *in, const double *committed, double *trial, const ed_p
     next = meet(in, e, force, slope);
     if (isfinite(low) && isfinite(high) && ((i > PATIENCE && i % 2) || !(next > low && next < high)))
       next = 0.5 * (low + high);
-    if (next == low || next == high)
+    if (fabs(next - e) <= 2.0 * DBL_EPSILON * (fabs(e) + in->gap))
       return ED_OK; /* the last digit */
   }
   return ED_E_NOT_CONVERGED;
