@@ -84,11 +84,11 @@ def relaxed(motion: Motion, tau: float) -> np.ndarray:
 
 
 def fading(decay: np.ndarray, made: np.ndarray, before: float) -> np.ndarray:
-    """q (n,) with q_i = decay_i q_(i-1) + made_i, each (n - 1,)."""
-    mean = float(np.mean(decay))
-    if np.ptp(decay) <= _ROUNDED * (1.0 - mean):  # even steps
+    """q (n,) with q_i = decay_i q_(i-1) + made_i, each (n - 1,), real or complex."""
+    mean = np.mean(decay)
+    if np.max(np.abs(decay - mean)) <= 0.5 * _ROUNDED * abs(1.0 - mean):  # even steps
         return np.concatenate(([before], lfilter([1.0], [1.0, -mean], made, zi=[mean * before])[0]))
-    bands = np.ones((2, made.size + 1))
+    bands = np.ones((2, made.size + 1), dtype=decay.dtype)
     bands[1, :-1] = -decay
     right = np.concatenate(([before], made))
     return np.asarray(solve_banded((1, 0), bands, right, overwrite_ab=True, overwrite_b=True, check_finite=False))

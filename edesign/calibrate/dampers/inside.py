@@ -25,8 +25,11 @@ def without_dashpots(law: Law, values: Mapping[str, float]) -> dict[str, float] 
     return None if none is None else {**values, **dict.fromkeys(none, 0.0)}
 
 
-def relaxed_force(motion: Motion, force: np.ndarray, tau: float) -> np.ndarray:
-    """Q (n,) N with Q + tau Q' = force (n,) N, a cubic spline between samples; at rest before the first."""
+def relaxed_force(motion: Motion, force: np.ndarray, tau: complex) -> np.ndarray:
+    """Q (n,) N with Q + tau Q' = force (n,) N, a cubic spline between samples; at rest before the first.
+
+    A complex time constant, its real part positive, makes Q complex.
+    """
     time = motion.time
     fine = np.interp(np.arange((time.size - 1) * _PARTS + 1) / _PARTS, np.arange(time.size), time)
     values = CubicSpline(time, force)(fine) if time.size > 3 else np.interp(fine, time, force)

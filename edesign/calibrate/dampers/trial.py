@@ -149,6 +149,11 @@ class Sizes:
         """Largest force over largest displacement, N/m."""
         return self.force / self.displacement
 
+    @property
+    def frequency(self) -> float:
+        """Of a sine with the largest velocity and the largest acceleration, Hz."""
+        return self.acceleration / self.velocity / (2.0 * np.pi)
+
     @staticmethod
     def of(trials: Sequence[Trial]) -> Sizes:
         """Sizes in trials."""

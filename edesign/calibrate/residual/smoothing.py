@@ -11,6 +11,7 @@ from scipy.optimize import isotonic_regression
 _SHORTEST = 6  # samples of what is fitted at an end
 _FITS = 1.2  # times the noise
 _SIGNIFICANT = 3.0  # standard errors
+_LEAST_GAIN = 0.1  # less is chance, which two differentiations would turn into an acceleration
 
 
 def smoothed(values: np.ndarray, noise: float) -> tuple[np.ndarray, float]:
@@ -30,7 +31,7 @@ def smoothed(values: np.ndarray, noise: float) -> tuple[np.ndarray, float]:
     power, level = spectrum**2, noise**2
     power = np.maximum(power, 1e-300)
     gain = isotonic_regression(1.0 - level / power, weights=omega**2 * power, increasing=False).x
-    gain = np.clip(gain, 0.0, 1.0)
+    gain[gain < _LEAST_GAIN] = 0.0
     found = ends.copy()
     found[1:-1] += idst(gain * spectrum, type=1, norm="ortho")
     return found, float(np.mean(gain**2))

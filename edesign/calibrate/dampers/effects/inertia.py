@@ -7,9 +7,12 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.inside import relaxed_force
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+
+_MOST = 10.0  # times force over acceleration: the mass may carry what the elastomer holds back
 
 
 class Mass(Form):
@@ -26,7 +29,7 @@ class Mass(Form):
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         mass = sizes.force / sizes.acceleration
-        return (Unknown("mass", "kg", -mass, mass, 0.1 * mass),)
+        return (Unknown("mass", "kg", -_MOST * mass, _MOST * mass, 0.1 * mass),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return ((0.02 * sizes.force / sizes.acceleration,),)
@@ -35,4 +38,32 @@ class Mass(Form):
         return np.asarray(p["mass"] * motion.acceleration)
 
 
-FORMS = (Mass,)
+class Sprung(Mass):
+    """The mass is held by a fixture that gives: F = F_true + m b, b'' + 2 zeta w b' + w^2 b = w^2 a, w = 2 pi f."""
+
+    form: ClassVar[str] = "sprung"
+    title: ClassVar[str] = "inertia of moving mass on a fixture that gives, in the force channel"
+    source: ClassVar[str] = "Chopra, Dynamics of Structures, section 1.7 (motion of the support)"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        f = sizes.frequency
+        return (
+            *super().unknowns(sizes),
+            Unknown("f", "Hz", f, 100.0 * f, 10.0 * f, logarithmic=True),
+            Unknown("zeta", "", 0.01, 0.99, 0.1, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        ((mass,),) = super().starts(sizes)
+        return ((mass, 10.0 * sizes.frequency, 0.2),)
+
+    def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
+        # 1 / (1 + 2 zeta s / w + s^2 / w^2) = 2 Re r / (1 - s / pole) of a real input
+        w, zeta = 2.0 * np.pi * p["f"], p["zeta"]
+        swings = w * np.sqrt(1.0 - zeta**2)
+        pole = complex(-zeta * w, swings)
+        relaxed = relaxed_force(motion, motion.acceleration, -1.0 / pole)
+        return np.asarray(p["mass"] * (1j * w**2 / (swings * pole) * relaxed).real)
+
+
+FORMS = (Mass, Sprung)
