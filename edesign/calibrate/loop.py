@@ -94,7 +94,10 @@ class Loop:
         if refit.at_floor:
             return simplest([refit, *(judged for judged in held if compare(judged, declared).adopts)]), ()
         self.material = _SMALL * (rival.fitted.chi2 - rival.fitted.samples)
-        current, refused = self._round(refit, rival, held)
+        refused: Refused = ()
+        current = self._two_beside_declared(held, refit)
+        if current is None:
+            current, refused = self._round(refit, rival, held)
         if current is None:
             return rival, refused
         while True:
@@ -289,6 +292,21 @@ class Loop:
         self.rivals[_labels(())] = found
         return found
 
+    def _two_beside_declared(self, held: Sequence[Judged], refit: Judged) -> Judged | None:
+        """Two effects beside the law as declared, where one does as much as all of the law's parameters fitted again:
+        what is beside that refit may be its symptoms.
+        """
+        best = min(held, key=lambda judged: judged.held_out.score, default=None)
+        if best is None or best.fitted.chi2 > refit.fitted.chi2 or (freed := self._freed(best)).at_floor:
+            return None
+        known = best.fitted.model.effects
+        self.tell(f"screening effects beside {known[0].name} and the law as declared")
+        pool = [c for c in self._candidates(best) if _may_join(c, known)]
+        found = self._fit_best(shortlist(screen(best.fitted, pool, self.workers)))
+        rivals = (refit, best, freed)
+        clear = [judged for judged in found if all(_clearly(judged, rival) for rival in rivals)]
+        return simplest(clear) if clear else None
+
     def _freed(self, current: Judged) -> Judged:
         """With the parameters of the law fitted, if that is better by more than chance."""
         model = current.fitted.model
@@ -343,6 +361,11 @@ class Loop:
         """Effects that may be missing in a model."""
         noise = [s for s, use in zip(self.noise, self.problem.uses, strict=True) if use == "fit"]
         return self.problem.candidates([s * r for s, r in zip(noise, judged.fitted.residuals, strict=True)])
+
+
+def _clearly(model: Judged, rival: Judged) -> bool:
+    evidence = compare(model, rival)
+    return evidence.adopts and evidence.share >= _CLEAR
 
 
 def _refitted(judged: Judged) -> Judged:

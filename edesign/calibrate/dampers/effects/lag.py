@@ -14,6 +14,7 @@ from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
 _LONGEST = 0.05  # of the slowest period: more is another test, not a lag
+_STARTS = (0.002, 0.02)  # of it: what a long lag does is not linear in it where tests are fast
 
 
 class _Lag(Form):
@@ -37,7 +38,7 @@ class Delay(_Lag):
         return (Unknown("lag", "s", -longest, longest, 0.1 * longest),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return ((0.002 * sizes.period,),)
+        return tuple((share * sizes.period,) for share in _STARTS)
 
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
         time = trial.motion.time
@@ -56,7 +57,7 @@ class Filter(_Lag):
         return (Unknown("time_constant", "s", 1e-6 * longest, longest, 0.1 * longest, logarithmic=True),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return ((0.002 * sizes.period,),)
+        return tuple((share * sizes.period,) for share in _STARTS)
 
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
         return relaxed_force(trial.motion, force, p["time_constant"])
