@@ -309,12 +309,12 @@ def slopes_at(
 
 
 def _moved(model: Model, x: np.ndarray, j: int, step: float) -> tuple[float, list[np.ndarray]]:
-    """Step of a coordinate, and the residuals after it; where the model has no prediction, of another step.
+    """Step of a coordinate, and the residuals after it; where the model has no prediction, of the other way.
 
     Raises:
         PredictionError: the model has none about x.
     """
-    for share in (1.0, -1.0, 3.0):
+    for share in (1.0, -1.0):
         moved = x.copy()
         moved[j] += share * step
         try:

@@ -193,6 +193,23 @@ def test_the_loop_finds_what_is_hidden(hidden: dict[str, float], found: list[str
         assert adopted.values[0] == pytest.approx(hidden[adopted.candidate.name], abs=4.0 / np.sqrt(1000.0))
 
 
+@pytest.mark.parametrize(("second", "found"), [(0.7, ["x", "y"]), (0.0, ["x"])])
+def test_a_second_effect_is_sought_beside_the_law_as_declared(second: float, found: list[str]) -> None:
+    # x is nearly what the law can do, so that the law fitted again takes most of it; the declared law is right
+    problem = linear(seed=7)
+    random = np.random.default_rng(8)
+    problem.columns["x"] = [m @ [1.0, -1.0, 0.5] + 0.7 * random.standard_normal(200) for m in problem.matrices]
+    problem.measured = tuple(
+        m.sum(axis=1) + 3.0 * x + second * y + random.standard_normal(200)
+        for m, x, y in zip(problem.matrices, problem.columns["x"], problem.columns["y"], strict=True)
+    )
+    told: list[str] = []
+    selection = Loop(problem, (1.0,) * 6, workers=1, progress=told.append).run()
+    assert [a.candidate.name for a in selection.adopted] == found
+    assert selection.final.fitted.model.held
+    assert any("beside x and the law as declared" in line for line in told) == (second > 0.0)
+
+
 def test_ten_draws_without_effects_find_none() -> None:
     for seed in range(10):
         assert not Loop(linear(seed=100 + seed), (1.0,) * 6, workers=1).run().adopted
