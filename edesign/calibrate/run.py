@@ -10,6 +10,7 @@ import numpy as np
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.trial import Trial
+from edesign.calibrate.full_rate import at_full_rate
 from edesign.calibrate.loop import Loop, Progress
 from edesign.calibrate.noise import white_noise
 from edesign.calibrate.outcome import Outcome, residual_of
@@ -37,6 +38,8 @@ def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda 
     assert campaign.law is not None
     noise = tuple(noise_of(trial) for trial in problem.trials)
     found = Loop(thinned(problem), noise, campaign.law.refit, workers, progress).run()
+    progress("fitting all samples")
+    found = at_full_rate(found, problem, workers)
     progress("predicting all tests")
     outcome = Outcome.of(problem, noise, found)
     series = tuple(

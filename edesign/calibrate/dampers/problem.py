@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import Any, Generic, TypeVar
 
@@ -127,6 +127,13 @@ class DamperProblem:
     def doubt(self, index: int) -> np.ndarray | None:
         """What an error of the thermometer changes (n_i,) N; None: nothing."""
         return self.trials[index].warmth
+
+    @cached_property
+    def certain(self) -> DamperProblem:
+        """The same with temperatures as they were read."""
+        if all(trial.warmth is None for trial in self.trials):
+            return self
+        return replace(self, trials=tuple(replace(trial, warmth=None) for trial in self.trials))
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
         """Power of the residuals in the band of the motion over that of noise there, or of all over all, whichever is

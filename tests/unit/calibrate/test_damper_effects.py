@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -313,14 +314,19 @@ def test_heat_without_loss_comes_to_the_closed_form() -> None:
     assert errors[1] == pytest.approx(0.5 * errors[0], rel=0.05)
 
 
-def test_degradation_by_energy_step_by_step_over_two_tests() -> None:
-    d, scale, energy, expected = 0.4, 100.0, 0.0, []
+@pytest.mark.parametrize(
+    ("form", "p", "left"),
+    [
+        (degradation.Energy(), {"d": 0.4, "E0": 100.0}, lambda e: 1.0 - 0.4 * (1.0 - math.exp(-max(e, 0.0) / 100.0))),
+        (degradation.Work(), {"d": 0.4, "p": 1.3, "W": 200.0}, lambda e: 1.0 - 0.4 * (max(e, 0.0) / 200.0) ** 1.3),
+    ],
+)
+def test_degradation_by_energy_step_by_step_over_two_tests(
+    form: Form, p: dict[str, float], left: Callable[[float], float]
+) -> None:
+    energy, expected = 0.0, []
     tests = two_tests()
     for t in tests:
-
-        def left(e: float) -> float:
-            return 1.0 - d * (1.0 - math.exp(-max(e, 0.0) / scale))
-
         rows, force = [left(energy)], left(energy) * t.force[0]
         for i, _, du in steps(t.motion):
             phi = left(energy)
@@ -329,7 +335,7 @@ def test_degradation_by_energy_step_by_step_over_two_tests() -> None:
             rows.append(phi)
         expected.append(np.array(rows))
     assert expected[1][0] == pytest.approx(expected[0][-1], abs=0.02) and expected[1][-1] < 0.95
-    close(factor(degradation.Energy(), {"d": d, "E0": scale}, tests), expected, SWEPT / ROUNDING)
+    close(factor(form, p, tests), expected, SWEPT / ROUNDING)
 
 
 def test_degradation_by_path_goes_on_in_the_next_test() -> None:

@@ -50,6 +50,35 @@ class Energy(_Degradation):
         return phi
 
 
+class Work(_Degradation):
+    """The force falls with a power of the work done in its life, without end: F = (1 - d (max(E, 0)/W)^p) F_law."""
+
+    form: ClassVar[str] = "work"
+    may_spare_loss: ClassVar[bool] = True
+    title: ClassVar[str] = "lasting degradation by dissipated energy, without end"
+    signature: ClassVar[str] = Energy.signature
+    source: ClassVar[str] = (
+        "hysteresis energy as damage: Feltner & Morrow (1961), J. Basic Engng 83, 15-22; power of the damage sum: "
+        "Marco & Starkey (1954), Trans. ASME 76, 627-632"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return Unknown("d", "", -0.95, 0.95, 0.5), Unknown("p", "", 0.1, 6.0, 1.0, logarithmic=True)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return (0.1, 0.3), (0.1, 1.0), (0.1, 2.5)
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"W": sizes.work}
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        def left(energy: np.ndarray) -> np.ndarray:
+            return np.asarray(1.0 - p["d"] * (np.maximum(energy, 0.0) / p["W"]) ** p["p"])
+
+        phi, memory["energy"] = worked(motion, force, left, memory.get("energy", 0.0))
+        return phi
+
+
 class Path(_Degradation):
     """The force falls with a power of the path travelled in its life, without end: F = (1 - d (s/S)^p) F_law."""
 
@@ -111,4 +140,4 @@ class Fatigue(_Degradation):
         return np.asarray(1.0 - p["d"] * damage ** p["p"])
 
 
-FORMS = (Energy, Path, Fatigue)
+FORMS = (Energy, Work, Path, Fatigue)
