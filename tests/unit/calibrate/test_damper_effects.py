@@ -511,3 +511,16 @@ def test_a_law_file_carries_the_same_effect_into_the_core(form: Form) -> None:
     # independent code in C that takes step by step: but for effects by work, rounding
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=SWEPT * np.max(np.abs(law)))
     assert np.max(np.abs(found - law)) > 1e-3 * np.max(np.abs(law))
+
+
+def test_a_bend_of_another_exponent_goes_from_a_smooth_one_to_a_corner() -> None:
+    test = trial(motion(3))
+    v = np.abs(test.motion.velocity) / 0.1
+    (smooth,) = factor(velocity_power.Bend(), {"n": -0.3, "v0": 0.1, "a": 2.0}, (test,))
+    (same,) = factor(velocity_power.Exponent(), {"n": -0.3, "v0": 0.1}, (test,))
+    np.testing.assert_allclose(smooth, same, rtol=1e-12)
+    (sharp,) = factor(velocity_power.Bend(), {"n": -0.3, "v0": 0.1, "a": 20.0}, (test,))
+    # largest at the corner: 2^(n/a)
+    np.testing.assert_allclose(sharp, np.maximum(v, 1.0) ** -0.3, rtol=1.0 - 2.0 ** (-0.3 / 20.0) + 1e-9)
+    at_rest = replace(test, motion=replace(test.motion, velocity=np.zeros_like(v)))
+    np.testing.assert_array_equal(factor(velocity_power.Bend(), {"n": 0.5, "v0": 0.1, "a": 3.0}, (at_rest,))[0], 1.0)

@@ -173,6 +173,14 @@ def test_inertia_is_mass_times_acceleration() -> None:
     np.testing.assert_allclose(force, -40.0 * W**2 * trial.motion.displacement, rtol=1e-12)
 
 
+def test_more_mass_on_one_side_is_another_mass_there() -> None:
+    trial = _trial(100.0, 2.0)
+    p = {"mass": 40.0, "s": 0.25}
+    force = inertia.OneSided().carriage(p, trial, trial.motion, trial.force)
+    on = np.where(trial.motion.displacement > 0.0, 50.0, 30.0)
+    np.testing.assert_allclose(force, on * trial.motion.acceleration, atol=1e-12)
+
+
 @pytest.mark.parametrize("rate", [40.0, 100.0, 1000.0])
 def test_a_mass_on_a_fixture_swings_as_an_oscillator(rate: float) -> None:
     trial = _trial(rate, 20.0, frequency=2.0)

@@ -66,4 +66,25 @@ class Sprung(Mass):
         return np.asarray(p["mass"] * (1j * w**2 / (swings * pole) * relaxed).real)
 
 
-FORMS = (Mass, Sprung)
+class OneSided(Mass):
+    """Parts lift off a stop and rest on it on the other side: F = F_true + m (1 + s sgn u) a."""
+
+    form: ClassVar[str] = "one_sided"
+    title: ClassVar[str] = "inertia of moving mass, more of it on one side, in the force channel"
+    signature: ClassVar[str] = (
+        "proportional to the acceleration, more on one side: a negative stiffness that grows with the square of the "
+        "frequency, and a mean force with it"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), Unknown("s", "", -1.0, 1.0, 0.3))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        ((mass,),) = super().starts(sizes)
+        return (mass, -0.2), (mass, 0.2)
+
+    def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
+        return np.asarray(p["mass"] * (1.0 + p["s"] * np.sign(motion.displacement)) * motion.acceleration)
+
+
+FORMS = (Mass, Sprung, OneSided)

@@ -115,4 +115,23 @@ class Exponent(_Velocity):
         return np.asarray((1.0 + (motion.velocity / p["v0"]) ** 2) ** (0.5 * p["n"]))
 
 
-FORMS = (Dashpot, Flow, Carreau, Exponent)
+class Bend(Exponent):
+    """The same, the bend as sharp or as gentle as it is: dashpots (1 + |v/v0|^a)^(n/a)."""
+
+    form: ClassVar[str] = "bend"
+    title: ClassVar[str] = "another exponent of the law's dashpots above a velocity, the bend of any sharpness"
+    source: ClassVar[str] = "Yasuda, Armstrong & Cohen (1981), Rheol. Acta 20, 163-178, as a factor"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), Unknown("a", "", 0.5, 100.0, 2.0, logarithmic=True))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*start, a) for start in super().starts(sizes) for a in (1.0, 6.0))
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        with np.errstate(divide="ignore"):
+            over = p["a"] * np.log(np.abs(motion.velocity) / p["v0"])
+        return np.exp(p["n"] / p["a"] * np.logaddexp(0.0, over))
+
+
+FORMS = (Dashpot, Flow, Carreau, Exponent, Bend)
