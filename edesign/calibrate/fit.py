@@ -20,6 +20,7 @@ _MOST_STEPS = 15
 _ENOUGH = 1e-4  # relative change of the sum of squares that ends a search
 _REFRESH = 0.3
 """A step that lowers the sum of squares by less than this share of what was hoped for asks for new slopes."""
+_FARTHEST = 2.0  # standard deviations by which a condition in doubt may be off
 _STILL = 0.1  # moves of the coordinates after which updated slopes are good enough for errors on tests left out
 
 
@@ -180,12 +181,19 @@ class Fitted:
 
 def whitened(residual: np.ndarray, doubt: np.ndarray) -> np.ndarray:
     """(I + d d^T)^(-1/2) r of a residual r (n,): white noise of unit size beside a share of d (n,), normal with unit
-    standard deviation. Its sum of squares is that of generalised least squares.
+    standard deviation. Its sum of squares is that of generalised least squares up to a share of two: more is no error
+    of a condition that was measured, and what is beyond counts in full.
     """
-    size = float(doubt @ doubt)
+    size = float(np.sqrt(doubt @ doubt))
     if size == 0.0:
         return residual
-    return residual - doubt * (float(doubt @ residual) * (1.0 - 1.0 / math.sqrt(1.0 + size)) / size)
+    along = doubt / size
+    found = float(along @ residual)
+    if abs(found) * size <= _FARTHEST * (1.0 + size**2):
+        left = found / math.hypot(1.0, size)
+    else:
+        left = math.copysign(math.hypot(abs(found) - _FARTHEST * size, _FARTHEST), found)
+    return residual + along * (left - found)
 
 
 def correlation_length(residual: np.ndarray) -> float:

@@ -11,7 +11,7 @@ from linear_problem import LinearProblem, linear
 from edesign.calibrate.contest import likely_forms, shortlist
 from edesign.calibrate.cross_validation import leave_one_out
 from edesign.calibrate.evidence import Judged, compare, simplest
-from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit
+from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit, whitened
 from edesign.calibrate.loop import Loop
 from edesign.calibrate.pairs import joint_gains, likely_pairs
 from edesign.calibrate.screening import Screen, Signature, screen
@@ -73,6 +73,17 @@ def test_a_condition_in_doubt_is_generalised_least_squares() -> None:
         left = problem.measured[i] - problem.matrices[i] @ expected
         chi2 += float(left @ inverses[i] @ left)
     assert found.chi2 == pytest.approx(chi2, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("share", "expected"), [(0.5, 0.25 * 49.0 / 50.0), (-1.9, 3.61 * 49.0 / 50.0), (-10.0, 8.0**2 * 49.0 + 2.0**2)]
+)
+def test_a_condition_is_not_in_doubt_without_limit(share: float, expected: float) -> None:
+    # of a share s of d with |d| = 7 generalised least squares leave s^2 d^2 / (1 + d^2); beyond two all the rest
+    doubt, beside = 7.0 * np.array([0.6, 0.0, 0.8]), np.array([0.8, 0.0, -0.6])
+    found = whitened(share * doubt + beside, doubt)
+    assert found @ found == pytest.approx(expected + 1.0, rel=1e-12)
+    assert found @ beside == pytest.approx(1.0, rel=1e-12)
 
 
 def test_a_bound_holds_and_the_others_find_their_best_place() -> None:
