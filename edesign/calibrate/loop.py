@@ -32,6 +32,7 @@ _ALIKE = 0.8  # an effect that removes less than this share of what another remo
 _UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
 
 Progress = Callable[[str], None]
+_Key = tuple[frozenset[str], bool, float]
 
 
 class Loop:
@@ -59,9 +60,9 @@ class Loop:
         self.workers = workers
         self.tell = progress
         self.material = 0.0
-        self.rivals: dict[frozenset[str], list[Judged]] = {}
-        self.fitted: dict[tuple[frozenset[str], bool, float], Judged] = {}
-        self.compared: set[tuple[str, frozenset[str]]] = set()
+        self.rivals: dict[frozenset[str], list[Judged]] = {}  # models with one effect more, by the effects they share
+        self.fitted: dict[_Key, Judged] = {}  # since the model was last fitted again
+        self.compared: set[tuple[str, _Key]] = set()  # effects whose forms were, beside which model
 
     def run(self) -> Selection:
         """Find the effects.
@@ -104,6 +105,7 @@ class Loop:
             if _last_is_new(current):
                 current = self._reformed(self._reconsider(current))
             current = _refitted(self._freed(self._prune(current)))
+            self.fitted.clear()  # of another belief in the declared parameters: not asked for again
             if current.at_floor or len(current.fitted.model.effects) >= _MOST:
                 break
             found, refused = self._round(current, current)
@@ -243,12 +245,11 @@ class Loop:
     def _other_forms(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models with another form of an effect; which are likely is seen beside the law as the model has it."""
         fitted = current.fitted
-        others = _labels([e for e in fitted.model.effects if e is not effect])
-        if (effect.name, others) in self.compared:
-            return []
-        self.compared.add((effect.name, others))
-        self.tell(f"comparing forms of {effect.name}")
         smaller = replace(fitted.model, effects=tuple(e for e in fitted.model.effects if e is not effect))
+        if (effect.name, _key(smaller)) in self.compared:
+            return []
+        self.compared.add((effect.name, _key(smaller)))
+        self.tell(f"comparing forms of {effect.name}")
         kept = [part for part in fitted.parts if part[0] is not effect]
         without = fit(smaller, smaller.coordinates(fitted.base, kept), most_steps=0)
         here = _labels(fitted.model.effects)
@@ -374,7 +375,7 @@ def _refitted(judged: Judged) -> Judged:
     return Judged(fit(replace(fitted.model, misfit=fitted.misfit), fitted.x))
 
 
-def _key(model: Model) -> tuple[frozenset[str], bool, float]:
+def _key(model: Model) -> _Key:
     return _labels(model.effects), model.held, model.misfit
 
 

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 
+from edesign.calibrate.dampers.full_rate import at_full_rate
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.trial import Trial
-from edesign.calibrate.full_rate import at_full_rate
 from edesign.calibrate.loop import Loop, Progress
 from edesign.calibrate.noise import white_noise
 from edesign.calibrate.outcome import Outcome, residual_of
