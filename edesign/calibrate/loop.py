@@ -161,7 +161,7 @@ class Loop:
             # the refit has gone far to make up for what is missing, and searches from there may not find back
             elsewhere = shortlist(screen(self._unfitted(current), pool, self.workers))
         tried = [*self._fit_best([*short, *elsewhere]), *further]
-        tried += self._other_forms_of_likely(tried)
+        tried = [*dict.fromkeys((*tried, *self._other_forms_of_likely(tried)))]  # some forms are likely twice
         self.rivals[_labels(known)] = tried
         if not tried:
             return None, ()
