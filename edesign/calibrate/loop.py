@@ -28,6 +28,7 @@ _LIKELY = 2  # effects of which forms are compared
 _RIVALS = 5  # forms that are tried in the place of one
 _MOST = 4  # effects
 _FAR = 0.5  # coordinates: factors of e
+_ABOUT = 1.5  # times what the refit leaves: an effect beside the declared law does about as much
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 _UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
 
@@ -293,18 +294,25 @@ class Loop:
         self.rivals[_labels(())] = found
         return found
 
-    def _two_beside_declared(self, held: Sequence[Judged], refit: Judged) -> Judged | None:
-        """Two effects beside the law as declared, where one does as much as all of the law's parameters fitted again:
-        what is beside that refit may be its symptoms.
+    def _two_beside_declared(self, held: list[Judged], refit: Judged) -> Judged | None:
+        """Two effects beside the law as declared, where one does about as much as all of the law's parameters fitted
+        again: what is beside that refit may be its symptoms.
         """
         best = min(held, key=lambda judged: judged.held_out.score, default=None)
-        if best is None or best.fitted.chi2 > refit.fitted.chi2 or (freed := self._freed(best)).at_floor:
+        if best is None or best.fitted.chi2 > _ABOUT * refit.fitted.chi2:
+            return None
+        held += self._other_forms(best, best.fitted.model.effects[0])
+        best = min(held, key=lambda judged: judged.held_out.score)
+        if (freed := self._freed(best)).at_floor:
             return None
         known = best.fitted.model.effects
         self.tell(f"screening effects beside {known[0].name} and the law as declared")
         pool = [c for c in self._candidates(best) if _may_join(c, known)]
         found = self._fit_best(shortlist(screen(best.fitted, pool, self.workers)))
         rivals = (refit, best, freed)
+        least = min(rival.fitted.chi2 for rival in rivals)
+        if any(judged.fitted.chi2 <= _CLEAR * least for judged in found):
+            found += self._other_forms_of_likely(found)
         clear = [judged for judged in found if all(_clearly(judged, rival) for rival in rivals)]
         return simplest(clear) if clear else None
 

@@ -85,13 +85,25 @@ def relaxed(motion: Motion, tau: float) -> np.ndarray:
 
 def fading(decay: np.ndarray, made: np.ndarray, before: float) -> np.ndarray:
     """q (n,) with q_i = decay_i q_(i-1) + made_i, each (n - 1,), real or complex."""
-    mean = np.mean(decay)
-    if np.max(np.abs(decay - mean)) <= 0.5 * _ROUNDED * abs(1.0 - mean):  # even steps
-        return np.concatenate(([before], lfilter([1.0], [1.0, -mean], made, zi=[mean * before])[0]))
-    bands = np.ones((2, made.size + 1), dtype=decay.dtype)
+    return fading_by(decay)(made, before)
+
+
+def fading_by(decay: np.ndarray) -> Callable[[np.ndarray, float], np.ndarray]:
+    """`fading` of one decay, as a function of what is made and what was there before."""
+    mean = decay.sum() / decay.size
+    if mean == 1.0:
+        return lambda made, before: np.concatenate(([before], before + np.cumsum(made)))
+    if np.abs(decay - mean).max() <= 0.5 * _ROUNDED * abs(1.0 - mean):  # even steps
+        up, down = np.ones(1), np.array([1.0, -mean])
+        return lambda made, before: np.concatenate(([before], lfilter(up, down, made, zi=[mean * before])[0]))
+    bands = np.ones((2, decay.size + 1), dtype=decay.dtype)
     bands[1, :-1] = -decay
-    right = np.concatenate(([before], made))
-    return np.asarray(solve_banded((1, 0), bands, right, overwrite_ab=True, overwrite_b=True, check_finite=False))
+
+    def solved(made: np.ndarray, before: float) -> np.ndarray:
+        right = np.concatenate(([before], made))
+        return np.asarray(solve_banded((1, 0), bands, right, overwrite_b=True, check_finite=False))
+
+    return solved
 
 
 def fractional_rate(motion: Motion, order: float) -> np.ndarray:
@@ -140,15 +152,15 @@ def worked(
         The factor (n,); e at the end.
     """
     way = 0.5 * np.diff(motion.displacement)
-    kinds = [(gain, np.exp(-motion.steps / forgets), before)]
+    kinds = [(gain, fading_by(np.exp(-motion.steps / forgets)), before)]
     if quick[0]:
-        kinds.append((quick[0], np.exp(-motion.steps / quick[1]), 0.0))
+        kinds.append((quick[0], fading_by(np.exp(-motion.steps / quick[1])), 0.0))
     e = np.full(force.size, before)
     for _ in range(_SWEEPS):
         phi = np.concatenate((factor(e[:1]), factor(e[:-1])))
         softened = phi * force
         done = way * (softened[1:] + softened[:-1])
-        after = sum((fading(decay, each * done, first) for each, decay, first in kinds), start=np.zeros_like(e))
+        after = sum((fade(each * done, first) for each, fade, first in kinds), start=np.zeros_like(e))
         moved = float(np.max(np.abs(after - e)))
         e = after
         if moved <= _STILL * float(np.max(np.abs(e))):

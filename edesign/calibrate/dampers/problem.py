@@ -96,11 +96,10 @@ class DamperProblem:
         parts_of_step = max((part.form.refined for part in acting), default=1)
         found: list[np.ndarray | None] = []
         for trial, asked in zip(self.trials, wanted, strict=True):
-            force = (
-                self._force((trial.finer(parts_of_step) if parts_of_step > 1 else trial), values, acting)
-                if asked or remembers
-                else None
-            )
+            force = None
+            if asked or remembers:
+                with np.errstate(all="ignore"):  # a search may ask for anything; a force that is not finite is refused
+                    force = self._force((trial.finer(parts_of_step) if parts_of_step > 1 else trial), values, acting)
             found.append(None if force is None or not asked else force[::parts_of_step])
         return found
 

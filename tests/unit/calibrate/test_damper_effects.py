@@ -461,6 +461,19 @@ def test_hump_of_kraus_is_h_where_half_is_broken() -> None:
     assert np.asarray(dashpots)[0] == pytest.approx((1.0 - 0.5 * 0.3) * (1.0 + 0.5), rel=ROUNDING)
 
 
+def test_mean_square_forgets_a_held_deformation_exponentially() -> None:
+    """a^2 = 2 u^2 (1 - exp(-t/tau)) of u held since the test began; in steady cycles far faster than tau, a = u0."""
+    p = {"d": 1.0, "a0": 4e-3, "m": 2.0, "tau_a": 3.0}
+    held = shaken(np.full(300, 4e-3))
+    (phi,) = factor(payne.MeanSquare(), p, (trial(held),))
+    square = 2.0 * -np.expm1(-(held.time - held.time[0]) / 3.0)
+    np.testing.assert_allclose(phi, 1.0 / (1.0 + square), rtol=ROUNDING)
+    cycles = shaken(4e-3 * np.sin(2.0 * math.pi * np.arange(4001) / 20.0))
+    (phi,) = factor(payne.MeanSquare(), p | {"tau_a": 20.0 * 10.0 / 200.0}, (trial(cycles),))
+    # exp(-10) is not yet there after ten tau of 20 cycles; u^2 swings about its mean by 1/(2 w tau) = 0.4 %
+    assert np.mean(phi[-100:]) == pytest.approx(0.5, rel=5e-3)
+
+
 # --- all ---
 
 MODULES = (

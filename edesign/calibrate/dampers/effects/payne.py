@@ -39,8 +39,11 @@ class _Payne(Form):
             (amplitude, a * sizes.displacement, 1.0, t * sizes.period) for a in (0.1, 0.4, 1.2) for t in (1.0, 10.0)
         )
 
+    def _amplitude(self, p: Values, motion: Motion) -> np.ndarray:
+        return envelope(motion, p["tau_a"])
+
     def _broken(self, p: Values, motion: Motion) -> np.ndarray:
-        ratio = (envelope(motion, p["tau_a"]) / p["a0"]) ** p["m"]
+        ratio = (self._amplitude(p, motion) / p["a0"]) ** p["m"]
         return np.asarray(ratio / (1.0 + ratio))
 
 
@@ -59,6 +62,21 @@ class Whole(_Payne):
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         return np.asarray(1.0 - p["d"] * self._broken(p, motion))
+
+
+class MeanSquare(Whole):
+    """As `whole`, of the fading mean square of the deformation: a^2' = (2 u^2 - a^2)/tau_a."""
+
+    form: ClassVar[str] = "mean_square"
+    title: ClassVar[str] = "softening of the whole force with the mean square of the deformation"
+    source: ClassVar[str] = "Lion & Kardelky (2004), Int. J. Plasticity 20, 1313-1345, averages the deformation process"
+    amendment: ClassVar[bool] = False
+
+    def _amplitude(self, p: Values, motion: Motion) -> np.ndarray:
+        decay = np.exp(-motion.steps / p["tau_a"])
+        square = 2.0 * motion.displacement**2
+        mean = fading(decay, (1.0 - decay) * 0.5 * (square[1:] + square[:-1]), 0.0)
+        return np.asarray(np.sqrt(np.maximum(mean, 0.0)))
 
 
 class Kraus(Whole):
@@ -135,4 +153,4 @@ class Network(Form):
         return np.asarray(1.0 - p["d"] * fading(decay, breaking / both * (1.0 - decay), 0.0))
 
 
-FORMS = (Whole, Elastic, Network, Kraus)
+FORMS = (Whole, MeanSquare, Elastic, Network, Kraus)

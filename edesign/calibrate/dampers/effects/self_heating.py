@@ -80,7 +80,6 @@ class Core(Rate):
 class Carried(Rate):
     """As `rate`, but a share of the heat is still there when the next test begins."""
 
-    may_spare_loss: ClassVar[bool] = False
     form: ClassVar[str] = "carried"
     title: ClassVar[str] = "softening by self-heating, part of which lasts into the next test"
     signature: ClassVar[str] = "as self_heating.rate, and a test that follows a heavy one begins with too little force"
