@@ -141,7 +141,7 @@ ctest: $(STAMPS)/test
 
 pytest: $(STAMPS)/peers
 	$(SAY) Python tests
-	@$(PY) -m pytest -n $(WORKERS) $(ARGS)
+	@$(PY) -m pytest -n $(WORKERS) --dist worksteal $(ARGS)
 
 memcheck: $(STAMPS)/build
 	@tools/setup_system.sh memcheck >/dev/null

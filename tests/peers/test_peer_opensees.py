@@ -38,10 +38,10 @@ def test_pushover_to_two_per_cent_of_roof_drift(frame: PeerFrame) -> None:
     assert np.max(theirs[1]) > 5e5  # the curve is not empty
 
 
-@pytest.mark.parametrize("pga", [None, 0.414], ids=["unscaled", "0.414 g"])
-@pytest.mark.parametrize("frame", FRAMES)
-def test_el_centro(frame: PeerFrame, pga: float | None) -> None:
+@pytest.mark.parametrize(("bays", "pga"), [(3, 0.414), (4, None)], ids=["3 bays, 0.414 g", "4 bays, unscaled"])
+def test_el_centro(bays: int, pga: float | None) -> None:
     """Peaks within 0.3 %, residual displacement within 2 mm, over 53.7 s of the 1940 recording."""
+    frame = thesis_frame(bays)
     acceleration, dt = el_centro(pga)
     theirs = opensees_frame.history(frame, acceleration, dt)
     ours, _ = edesign_frame.history(frame, acceleration, dt)

@@ -58,12 +58,24 @@ def test_springs_beside_the_law_by_their_formulas() -> None:
     close(parallel(hardening.Power(), {"k": 2e5, "p": 3.5, "r": U}, (t,)), [np.array(power)], 2e5 * U)
     threshold = [3e5 * (abs(x) - 4e-3) * math.copysign(1.0, x) if abs(x) > 4e-3 else 0.0 for x in u]
     close(parallel(hardening.Threshold(), {"k": 3e5, "u0": 4e-3}, (t,)), [np.array(threshold)], 3e5 * U)
+    exponential = [2e5 * x * (math.exp((x / 6e-3) ** 2) - 1.0) for x in u]
+    close(parallel(hardening.Exponential(), {"k": 2e5, "u0": 6e-3}, (t,)), [np.array(exponential)], 2e5 * U)
+    length = 1.2 * float(np.max(np.abs(u)))
+    gent = [2e5 * x * (1.0 / (1.0 - (x / length) ** 2) - 1.0) for x in u]
+    close(parallel(hardening.Gent(), {"k": 2e5, "u_m": length}, (t,)), [np.array(gent)], 2e5 * U)
     above = np.array([3e5 * (x - 2e-3) if x > 2e-3 else 0.0 for x in u])
     below = np.array([3e5 * (x + 2e-3) if x < -2e-3 else 0.0 for x in u])
     assert above.max() > 0.0 > below.min()
     spring = {"k": 3e5, "u0": 2e-3}
     close(parallel(one_sided.SpringPositive(), {**spring, "side": 1.0}, (t,)), [above], 3e5 * U)
     close(parallel(one_sided.SpringNegative(), {**spring, "side": -1.0}, (t,)), [below], 3e5 * U)
+
+
+def test_chains_longer_than_their_length_keep_the_last_stiffness() -> None:
+    t = trial(motion(4))
+    (force,) = parallel(hardening.Gent(), {"k": 1.0, "u_m": 0.5 * np.max(np.abs(t.motion.displacement))}, (t,))
+    beyond = np.argmax(np.abs(t.motion.displacement))
+    assert force[beyond] == pytest.approx(99.0 * t.motion.displacement[beyond], rel=ROUNDING)  # 0.99/(1 - 0.99)
 
 
 def test_a_factor_acts_on_its_side_alone() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import ClassVar
 
 import numpy as np
@@ -10,6 +11,9 @@ from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+
+_LEAST_LENGTH = 1.01  # of the largest displacement of the tests fitted to
+_NEAREST = 0.99  # a test to be predicted may go further than those
 
 
 class _Hardening(Form):
@@ -71,6 +75,50 @@ class Threshold(_Hardening):
         return np.asarray(p["k"] * np.maximum(np.abs(u) - p["u0"], 0.0) * np.sign(u))
 
 
+class Exponential(_Hardening):
+    """A spring beside the law that stiffens exponentially: k u (exp((u/u0)^2) - 1)."""
+
+    form: ClassVar[str] = "exponential"
+    title: ClassVar[str] = "exponential hardening at large strain"
+    source: ClassVar[str] = "Fung (1993), Biomechanics: Mechanical Properties of Living Tissues, section 7.5"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return Unknown("k", "N/m", -2.0 * k, 5.0 * k, 0.5 * k), Unknown(
+            "u0", "m", 0.3 * u, 5.0 * u, u, logarithmic=True
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return tuple((0.1 * k / math.expm1(share**-2), share * u) for share in (0.5, 1.0))
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        u = motion.displacement
+        return np.asarray(p["k"] * u * np.expm1((u / p["u0"]) ** 2))
+
+
+class Gent(_Hardening):
+    """A spring beside the law whose chains come to an end: k u x^2/(1 - x^2), x = u/u_m, x^2 at most _NEAREST."""
+
+    form: ClassVar[str] = "gent"
+    title: ClassVar[str] = "hardening towards the length of the chains"
+    source: ClassVar[str] = "simple shear of Gent (1996), Rubber Chem. Technol. 69, 59-61, less its initial stiffness"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return Unknown("k", "N/m", -2.0 * k, 5.0 * k, 0.5 * k), Unknown(
+            "u_m", "m", _LEAST_LENGTH * u, 10.0 * u, u, True
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return tuple((0.1 * k * (length**2 - 1.0), length * u) for length in (1.1, 1.5))
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        square = np.minimum((motion.displacement / p["u_m"]) ** 2, _NEAREST)
+        return np.asarray(p["k"] * motion.displacement * square / (1.0 - square))
+
+
 class Inside(_FromLargest):
     """The whole law stiffens, its relaxing forces too: it sees u (1 + b (|u|/r)^p)."""
 
@@ -97,4 +145,4 @@ class Inside(_FromLargest):
         return Motion(motion.time, u * (1.0 + more), slope * v, slope * motion.acceleration + bend * v * v)
 
 
-FORMS = (Power, Threshold, Inside)
+FORMS = (Power, Threshold, Exponential, Gent, Inside)
