@@ -282,9 +282,10 @@ def _search(begun: Fitted, most_steps: int, enough: float, frozen: Sequence[np.n
         slopes = _updated(slopes, step, residuals, tried)
         x, residuals, cost = x + step, tried, tried_cost
         damping = max(damping * (0.1 if gain > 0.5 * hoped else 1.0), 1e-9)
-        if gain < enough * cost:
+        poor = gain < _REFRESH * hoped
+        if gain < enough * cost and (fresh or not poor):
             break
-        if gain < _REFRESH * hoped:
+        if poor:
             slopes, slopes_x = slopes_at(model, x, residuals, frozen), x
     if x.size and np.max(np.abs(x - slopes_x)) > _STILL:
         slopes = slopes_at(model, x, residuals, frozen)

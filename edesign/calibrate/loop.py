@@ -115,7 +115,7 @@ class Loop:
             if found is None:
                 break
             current = found
-        return self._held_again(current), refused
+        return self._prune(self._held_again(current)), refused
 
     def _in_pairs(self, current: Judged) -> Judged | None:
         """A model in which two effects stand in the place of one that was a compromise between them; None: there is
@@ -227,9 +227,7 @@ class Loop:
             return current
         for effect in effects[:-1]:
             self.tell(f"reconsidering {effect.name}")
-            rivals = self._alternatives(current, effect)
-            if rivals and compare(better := simplest(rivals), current).beyond_chance:
-                current = better
+            current = simplest([current, *self._alternatives(current, effect)])
         return current
 
     def _reformed(self, current: Judged) -> Judged:
@@ -238,9 +236,7 @@ class Loop:
         for effect in effects if len(effects) > 1 else ():  # forms of a single one have just been compared
             if current.at_floor:
                 break
-            forms = self._other_forms(current, effect)
-            if forms and compare(better := simplest(forms), current).beyond_chance:
-                current = better
+            current = simplest([current, *self._other_forms(current, effect)])
         return current
 
     def _other_forms(self, current: Judged, effect: Candidate) -> list[Judged]:
@@ -257,7 +253,8 @@ class Loop:
         pool = [c for c in self._candidates(current) if c.name == effect.name and c.label not in here]
         slow = any(other.slow for other in smaller.effects)
         most = _FORMS_SLOW if slow else _FORMS_HELD if fitted.model.held else _FORMS
-        return self._fit_best(likely_forms(screen(without, pool, self.workers), most))
+        likely = likely_forms(screen(without, pool, self.workers), most)
+        return self._fit_best([*likely, *(found for s in likely if (found := _begun_from(fitted, effect, s)))])
 
     def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models in which another effect, or another form, stands in the place of one."""
@@ -277,12 +274,20 @@ class Loop:
         return Judged(fit(smaller, smaller.coordinates(current.fitted.base, current.fitted.parts)))
 
     def _prune(self, current: Judged) -> Judged:
-        """Without the effects that others made needless."""
-        for effect in current.fitted.model.effects[:-1]:
+        """Without the effects that others make needless, or the law fitted again; another one in the form that suits
+        best then, as an effect found before may be a part of what another form does.
+        """
+        for effect in current.fitted.model.effects:
+            if len(current.fitted.model.effects) < 2:
+                break
             without = self._without(current, effect)
-            evidence = compare(current, without)
-            if not evidence.beyond_chance or evidence.share < _UNCHANGED:
-                current = without
+            forms = self._other_forms(without, without.fitted.model.effects[-1])
+            smaller = {id(judged): judged for judged in (without, self._freed(without), *forms)}
+            for judged in sorted(smaller.values(), key=lambda judged: judged.held_out.score):
+                evidence = compare(current, judged)
+                if not evidence.beyond_chance or evidence.share < _UNCHANGED:
+                    current = judged
+                    break
         return current
 
     def _beside_declared(self, declared: Judged) -> list[Judged]:
@@ -395,6 +400,18 @@ def _last_is_new(judged: Judged) -> bool:
     """Whether the last effect is another one, not a further form of one that was there."""
     *before, last = judged.fitted.model.effects
     return all(effect.name != last.name for effect in before)
+
+
+def _begun_from(fitted: Fitted, effect: Candidate, signature: Signature) -> Signature | None:
+    """Another form of an effect begun where this one is; None: it has not all of its parameters."""
+    parts = [part for part in fitted.parts if part[0] is not effect]
+    values = next(values for candidate, values in fitted.parts if candidate is effect)
+    known = {unknown.name: float(value) for unknown, value in zip(effect.unknowns, values, strict=True)}
+    other = signature.candidate
+    if not known.keys() <= {unknown.name for unknown in other.unknowns}:
+        return None
+    own = np.array([known.get(unknown.name, unknown.size) for unknown in other.unknowns])
+    return replace(signature, start=signature.model.coordinates(fitted.base, [*parts, (other, own)]))
 
 
 def _may_join(candidate: Candidate, others: Sequence[Candidate]) -> bool:

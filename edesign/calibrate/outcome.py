@@ -141,7 +141,7 @@ def verdict_of(found: Selection, corrected: Errors, floors: Mapping[Use, float])
     quiet = found.final.left <= AT_FLOOR or found.final.fitted.reduced <= _EXPLAINED
     at_floor = quiet and corrected.validate <= _EXPLAINED * floors["validate"]
     if not found.adopted:
-        return "none" if at_floor else "unexplained"
+        return "none" if at_floor or corrected.validate <= floors["validate"] else "unexplained"
     return "explained" if at_floor else "partly_explained"
 
 

@@ -57,7 +57,7 @@ class _ByPath(_Mullins):
     def _virgin(self, p: Values, motion: Motion, memory: Memory) -> np.ndarray:
         """exp(-s / s0) (n,) of what wears it: what is left of the virgin specimen."""
         worn = memory.get("left")
-        left = 1.0 if worn is None else worn + p["recovery"] * (1.0 - worn)
+        left = 1.0 if worn is None else self._rested(worn, p["recovery"])
         found = left * np.exp(-self._worn(p, motion) / p[self._scale])
         memory["left"] = float(found[-1])
         return np.asarray(found)
@@ -65,6 +65,10 @@ class _ByPath(_Mullins):
     def _worn(self, p: Values, motion: Motion) -> np.ndarray:
         """What has worn the virgin specimen (n,) in the test, in the unit of its scale: path, m."""
         return motion.path
+
+    def _rested(self, left: float, recovery: float) -> float:
+        """What is left of the virgin specimen when the next test begins."""
+        return left + recovery * (1.0 - left)
 
 
 class Path(_ByPath):
@@ -154,6 +158,23 @@ class Cycles(Path):
 
     def _worn(self, p: Values, motion: Motion) -> np.ndarray:
         return cycles(motion, p["least"])
+
+
+class Forgotten(Cycles):
+    """As `cycles`, a share of the cycles being forgotten between tests: the next one begins at (1 - recovery) N."""
+
+    form: ClassVar[str] = "forgotten_cycles"
+    title: ClassVar[str] = "softening of the virgin specimen with the number of cycles, of which rest forgets a share"
+
+    def _rested(self, left: float, recovery: float) -> float:
+        return float(left ** (1.0 - recovery))
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return super().unknowns(sizes) if sizes.tests > 1 else ()  # one test: it is `cycles`
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        rows = ((0.15, 1.0), (0.15, 4.0), (0.15, 15.0))
+        return tuple((*row, share) for share in (0.4, 0.8) for row in rows) if sizes.tests > 1 else ()
 
 
 class _ByMaximum(_Mullins):
@@ -250,4 +271,4 @@ class Damage(_ByMaximum):
         return np.asarray(1.0 + p["m"] * np.expm1(-(ratio ** p["p"])))
 
 
-FORMS = (Path, Work, Maximum, Elastic, Damage, PseudoElastic, Cycles)
+FORMS = (Path, Work, Maximum, Elastic, Damage, PseudoElastic, Cycles, Forgotten)
