@@ -17,7 +17,7 @@ class LinearProblem:
 
     Attributes:
         matrices: (n_i, p) of each test.
-        columns: of each effect (n_i,) of each test, by its name.
+        columns: of each effect (n_i,) of each test, by its name, or name.form.
         measured: (n_i,) of each test.
     """
 
@@ -38,8 +38,8 @@ class LinearProblem:
 
     def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
         return tuple(
-            Candidate(name, "only", "damper", (Unknown("a", "", -1e6, 1e6, 1.0),), ((0.1,),), name)
-            for name in self.columns
+            Candidate(name, form or "only", "damper", (Unknown("a", "", -1e6, 1e6, 1.0),), ((0.1,),), name + dot + form)
+            for name, dot, form in (key.partition(".") for key in self.columns)
         )
 
     def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:

@@ -12,7 +12,7 @@ from edesign.calibrate.contest import likely_forms, shortlist
 from edesign.calibrate.cross_validation import leave_one_out
 from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit, whitened
-from edesign.calibrate.loop import Loop
+from edesign.calibrate.loop import Loop, _begun_from
 from edesign.calibrate.pairs import joint_gains, likely_pairs
 from edesign.calibrate.screening import Screen, Signature, screen
 from edesign.calibrate.unknown import Unknown
@@ -219,6 +219,40 @@ def test_a_second_effect_is_sought_beside_the_law_as_declared(second: float, fou
     assert [a.candidate.name for a in selection.adopted] == found
     assert selection.final.fitted.model.held
     assert any("beside x and the law as declared" in line for line in told) == (second > 0.0)
+
+
+def test_an_effect_that_is_a_part_of_another_form_goes() -> None:
+    # what is hidden was found as x in a form that lacks a part, and that part as y: x in its whole form is both
+    problem = linear(seed=9)
+    x, y = problem.columns.pop("x"), problem.columns["y"]
+    problem.columns |= {"x.part": x, "x.whole": [a + b for a, b in zip(x, y, strict=True)]}
+    problem.measured = tuple(m + 2.0 * w for m, w in zip(problem.measured, problem.columns["x.whole"], strict=True))
+    by_label = {c.label: c for c in problem.candidates([])}
+    model = replace(_model(problem), effects=(by_label["y.only"], by_label["x.part"]))
+    both = Judged(fit(model, model.coordinates()))
+    (left,) = Loop(problem, (1.0,) * 6, workers=1)._prune(both).fitted.parts
+    assert left[0].label == "x.whole" and left[1][0] == pytest.approx(2.0, abs=4.0 / np.sqrt(2.0 * 1000.0))
+
+
+def test_a_form_begins_where_another_one_with_the_same_parameters_stands() -> None:
+    problem = linear(hidden={"x": 0.5})
+    own, further = Unknown("a", "", -1e6, 1e6, 1.0), Unknown("p", "", 0.1, 10.0, 3.0, logarithmic=True)
+    x = next(c for c in problem.candidates([]) if c.name == "x")
+    model = replace(_model(problem), effects=(x,))
+    fitted = fit(model, model.coordinates())
+    for unknowns, start in (
+        ((own, further), (fitted.x[-1], 0.0)),
+        ((further, own), (0.0, fitted.x[-1])),
+        ((further,), ()),
+    ):
+        other = replace(x, form="other", unknowns=unknowns, starts=((0.3,) * len(unknowns),))
+        signature = Signature(
+            other, replace(model, effects=(other,)), np.zeros(3 + len(unknowns)), (), 0.0, np.empty(0)
+        )
+        begun = _begun_from(fitted, x, signature)
+        assert (begun is None) == (not start)
+        if begun is not None:
+            assert begun.start == pytest.approx([*fitted.x[:3], *start], abs=1e-12)
 
 
 def test_ten_draws_without_effects_find_none() -> None:

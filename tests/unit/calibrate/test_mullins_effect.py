@@ -48,6 +48,16 @@ def test_full_recovery_begins_as_virgin_and_none_goes_on() -> None:
     assert second[0] == first[-1] < 1.05
 
 
+@pytest.mark.parametrize("recovery", [0.0, 0.4, 1.0])
+def test_forgotten_cycles_are_counted_from_there(recovery: float) -> None:
+    tests, least = two_tests(), 0.05 * U
+    gone = [cycles(t.motion, least) for t in tests]
+    before = (1.0 - recovery) * gone[0][-1]
+    expected = [1.0 + 0.3 * np.exp(-gone[0] / 4.0), 1.0 + 0.3 * np.exp(-(before + gone[1]) / 4.0)]
+    found = factor(mullins.Forgotten(), {"m": 0.3, "N0": 4.0, "recovery": recovery, "least": least}, tests)
+    close(found, expected)
+
+
 @pytest.mark.parametrize("recovery", [0.0, 0.4])
 def test_mullins_by_largest_deformation(recovery: float) -> None:
     tests, largest = two_tests(), 0.0
