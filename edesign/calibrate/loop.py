@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.calibrate.contest import BEHIND, FITTED, both, fit_best, likely_forms, shortlist
-from edesign.calibrate.evidence import SHARE, Judged, compare, simplest
+from edesign.calibrate.evidence import SHARE, Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.pairs import likely_pairs
 from edesign.calibrate.problem import Candidate, PredictionError, Problem
@@ -283,11 +283,9 @@ class Loop:
             without = self._without(current, effect)
             forms = self._other_forms(without, without.fitted.model.effects[-1])
             smaller = {id(judged): judged for judged in (without, self._freed(without), *forms)}
-            for judged in sorted(smaller.values(), key=lambda judged: judged.held_out.score):
-                evidence = compare(current, judged)
-                if not evidence.beyond_chance or evidence.share < _UNCHANGED:
-                    current = judged
-                    break
+            enough = [judged for judged in smaller.values() if not _needed(compare(current, judged))]
+            if enough:
+                current = simplest(enough)
         return current
 
     def _beside_declared(self, declared: Judged) -> list[Judged]:
@@ -380,6 +378,11 @@ class Loop:
 def _clearly(model: Judged, rival: Judged) -> bool:
     evidence = compare(model, rival)
     return evidence.adopts and evidence.share >= _CLEAR
+
+
+def _needed(evidence: Evidence) -> bool:
+    """Whether what a model has more than its rival does something."""
+    return evidence.beyond_chance and evidence.share >= _UNCHANGED
 
 
 def _refitted(judged: Judged) -> Judged:
