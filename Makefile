@@ -141,7 +141,8 @@ ctest: $(STAMPS)/test
 
 pytest: $(STAMPS)/peers
 	$(SAY) Python tests
-	@$(PY) -m pytest -n $(WORKERS) --dist worksteal $(ARGS)
+	@# files whole: what a file's tests share is made once
+	@$(PY) -m pytest -n $(WORKERS) --dist loadfile $(ARGS)
 
 memcheck: $(STAMPS)/build
 	@tools/setup_system.sh memcheck >/dev/null

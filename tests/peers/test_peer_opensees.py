@@ -38,11 +38,13 @@ def test_pushover_to_two_per_cent_of_roof_drift(frame: PeerFrame) -> None:
     assert np.max(theirs[1]) > 5e5  # the curve is not empty
 
 
-@pytest.mark.parametrize(("bays", "pga"), [(3, 0.414), (4, None)], ids=["3 bays, 0.414 g", "4 bays, unscaled"])
-def test_el_centro(bays: int, pga: float | None) -> None:
-    """Peaks within 0.3 %, residual displacement within 2 mm, over 53.7 s of the 1940 recording."""
-    frame = thesis_frame(bays)
-    acceleration, dt = el_centro(pga)
+def test_el_centro() -> None:
+    """Peaks within 0.3 %, residual displacement within 2 mm, over 53.7 s of the 1940 recording at 0.414 g.
+
+    Three bays; of four bays the values below are known.
+    """
+    frame = thesis_frame(3)
+    acceleration, dt = el_centro(0.414)
     theirs = opensees_frame.history(frame, acceleration, dt)
     ours, _ = edesign_frame.history(frame, acceleration, dt)
     assert ours.status == "completed" and theirs.status == "completed"
