@@ -141,8 +141,8 @@ ctest: $(STAMPS)/test
 
 pytest: $(STAMPS)/peers
 	$(SAY) Python tests
-	@# files whole: what a file's tests share is made once
-	@$(PY) -m pytest -n $(WORKERS) --dist loadfile $(ARGS)
+	@# files whole, as what their tests share is made once, and the long ones (cases, peers, published) first
+	@$(PY) -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder $(ARGS)
 
 memcheck: $(STAMPS)/build
 	@tools/setup_system.sh memcheck >/dev/null
