@@ -28,7 +28,7 @@ _LIKELY = 2  # effects of which forms are compared
 _RIVALS = 5  # forms that are tried in the place of one
 _MOST = 4  # effects
 _FAR = 0.5  # coordinates: factors of e
-_ABOUT = 1.5  # times what the refit leaves: an effect beside the declared law does about as much
+_ABOUT = 1.5  # times what the refit leaves: an effect beside the declared law that leaves no more does about as much
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 _UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
 
@@ -97,7 +97,11 @@ class Loop:
             return simplest([refit, *(judged for judged in held if compare(judged, declared).adopts)]), ()
         self.material = _SMALL * (rival.fitted.chi2 - rival.fitted.samples)
         refused: Refused = ()
-        current = self._two_beside_declared(held, refit)
+        current = None
+        best = min(held, key=lambda judged: judged.held_out.score, default=None)
+        if best is not None and best.fitted.chi2 <= _ABOUT * refit.fitted.chi2:
+            held = [*held, *self._other_forms(best, best.fitted.model.effects[0])]
+            current = self._two_beside_declared(held, refit)
         if current is None:
             current, refused = self._round(refit, rival, held)
         if current is None:
@@ -277,13 +281,14 @@ class Loop:
         """Without the effects that others make needless, or the law fitted again; another one in the form that suits
         best then, as an effect found before may be a part of what another form does.
         """
-        for effect in current.fitted.model.effects:
-            if len(current.fitted.model.effects) < 2:
-                break
+        for label in [effect.label for effect in current.fitted.model.effects]:
+            effect = next((e for e in current.fitted.model.effects if e.label == label), None)
+            if effect is None or len(current.fitted.model.effects) < 2:
+                continue
             without = self._without(current, effect)
             forms = self._other_forms(without, without.fitted.model.effects[-1])
-            smaller = {id(judged): judged for judged in (without, self._freed(without), *forms)}
-            enough = [judged for judged in smaller.values() if not _needed(compare(current, judged))]
+            smaller = [without, self._freed(without), *forms]
+            enough = [judged for judged in smaller if not _needed(compare(current, judged))]
             if enough:
                 current = simplest(enough)
         return current
@@ -297,14 +302,10 @@ class Loop:
         self.rivals[_labels(())] = found
         return found
 
-    def _two_beside_declared(self, held: list[Judged], refit: Judged) -> Judged | None:
+    def _two_beside_declared(self, held: Sequence[Judged], refit: Judged) -> Judged | None:
         """Two effects beside the law as declared, where one does about as much as all of the law's parameters fitted
         again: what is beside that refit may be its symptoms.
         """
-        best = min(held, key=lambda judged: judged.held_out.score, default=None)
-        if best is None or best.fitted.chi2 > _ABOUT * refit.fitted.chi2:
-            return None
-        held += self._other_forms(best, best.fitted.model.effects[0])
         best = min(held, key=lambda judged: judged.held_out.score)
         if (freed := self._freed(best)).at_floor:
             return None

@@ -80,7 +80,7 @@ class Form:
         may_spare_loss: whether its factor may change the law's dashpots less, or more, than its springs, or them alone.
         spares_loss: whether it does, see `dashpot_factor`.
         spares_springs: whether it changes dashpots alone.
-        refined: steps into which one between samples is cut, for forms with corners that do not fall on samples.
+        refined: steps into which one between samples is cut, for motions that bend or turn between samples.
         amendment: whether a law file can carry it (edesign.damper.amendments has this name and form, or
             `amendment_form` where there is one).
     """

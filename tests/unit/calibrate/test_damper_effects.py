@@ -481,8 +481,8 @@ def test_mean_square_forgets_a_held_deformation_exponentially() -> None:
     square = 2.0 * -np.expm1(-(held.time - held.time[0]) / 3.0)
     np.testing.assert_allclose(phi, 1.0 / (1.0 + square), rtol=ROUNDING)
     cycles = shaken(4e-3 * np.sin(2.0 * math.pi * np.arange(4001) / 20.0))
-    (phi,) = factor(payne.MeanSquare(), p | {"tau_a": 20.0 * 10.0 / 200.0}, (trial(cycles),))
-    # exp(-10) is not yet there after ten tau of 20 cycles; u^2 swings about its mean by 1/(2 w tau) = 0.4 %
+    (phi,) = factor(payne.MeanSquare(), p | {"tau_a": 1.0}, (trial(cycles),))  # 200 cycles in 10 s
+    # of the beginning exp(-10) is left, and a^2 swings by 1/(2 w tau) = 0.4 %
     assert np.mean(phi[-100:]) == pytest.approx(0.5, rel=5e-3)
 
 

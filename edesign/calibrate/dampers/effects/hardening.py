@@ -24,6 +24,10 @@ class _Hardening(Form):
         "too little force at the tips of large loops alone, odd in the deformation, the same at all frequencies"
     )
 
+    def _spring(self, sizes: Sizes) -> Unknown:
+        k = sizes.stiffness
+        return Unknown("k", "N/m", -2.0 * k, 5.0 * k, 0.5 * k)
+
 
 class _FromLargest(_Hardening):
     def fixed(self, sizes: Sizes) -> dict[str, float]:
@@ -41,8 +45,7 @@ class Power(_FromLargest):
     amendment: ClassVar[bool] = True
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        k = sizes.stiffness
-        return Unknown("k", "N/m", -2.0 * k, 5.0 * k, 0.5 * k), Unknown("p", "", 1.5, 15.0, 3.0, logarithmic=True)
+        return self._spring(sizes), Unknown("p", "", 1.5, 15.0, 3.0, logarithmic=True)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((0.1 * sizes.stiffness, p) for p in (2.0, 3.0, 5.0, 9.0))
@@ -83,10 +86,8 @@ class Exponential(_Hardening):
     source: ClassVar[str] = "Fung (1993), Biomechanics: Mechanical Properties of Living Tissues, section 7.5"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        k, u = sizes.stiffness, sizes.displacement
-        return Unknown("k", "N/m", -2.0 * k, 5.0 * k, 0.5 * k), Unknown(
-            "u0", "m", 0.3 * u, 5.0 * u, u, logarithmic=True
-        )
+        u = sizes.displacement
+        return self._spring(sizes), Unknown("u0", "m", 0.3 * u, 5.0 * u, u, logarithmic=True)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         k, u = sizes.stiffness, sizes.displacement
@@ -105,10 +106,8 @@ class Gent(_Hardening):
     source: ClassVar[str] = "simple shear of Gent (1996), Rubber Chem. Technol. 69, 59-61, less its initial stiffness"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        k, u = sizes.stiffness, sizes.displacement
-        return Unknown("k", "N/m", -2.0 * k, 5.0 * k, 0.5 * k), Unknown(
-            "u_m", "m", _LEAST_LENGTH * u, 10.0 * u, u, True
-        )
+        u = sizes.displacement
+        return self._spring(sizes), Unknown("u_m", "m", _LEAST_LENGTH * u, 10.0 * u, u, logarithmic=True)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         k, u = sizes.stiffness, sizes.displacement
