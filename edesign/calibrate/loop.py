@@ -27,6 +27,7 @@ _FORMS, _FORMS_HELD, _FORMS_SLOW = 5, 10, 3
 _LIKELY = 2  # effects of which forms are compared
 _RIVALS = 5  # forms that are tried in the place of one
 _MOST = 4  # effects
+_FEW = 2  # effects up to which pairs are sought
 _FAR = 0.5  # coordinates: factors of e
 _ABOUT = 1.5  # times what the refit leaves: an effect beside the declared law that leaves no more does about as much
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
@@ -123,11 +124,12 @@ class Loop:
 
     def _in_pairs(self, current: Judged) -> Judged | None:
         """A model in which two effects stand in the place of one that was a compromise between them; None: there is
-        none, or the search takes too long.
+        none, or the search takes too long. An effect in two forms is no compromise between others.
         """
         effects = current.fitted.model.effects
+        twice = len({effect.name for effect in effects}) < len(effects)
         slow = any(effect.slow for effect in effects)
-        if len(effects) + 1 > _MOST or slow or not self._more_than_misses(current):
+        if len(effects) > _FEW or twice or slow or not self._more_than_misses(current):
             return None
         for effect in effects:
             others = [e for e in effects if e is not effect]
@@ -174,7 +176,7 @@ class Loop:
         refused = tuple((judged.fitted.model.effects[-1], compare(judged, rival)) for judged in near)
         best = simplest([judged for judged in tried if compare(judged, rival).adopts] or tried)
         evidence = compare(best, rival)
-        if more and evidence.share < _CLEAR and len(known) + 2 <= _MOST:
+        if more and evidence.share < _CLEAR and len(known) < _FEW:
             pair = self._pair(current, short, signatures)
             if pair is not None:
                 together = compare(pair, rival)

@@ -9,8 +9,8 @@ import pytest
 
 from edesign.calibrate.dampers.effect import Form, Series
 from edesign.calibrate.dampers.effects.friction import Loaded, LuGre, Presliding, Stribeck, Tanh
-from edesign.calibrate.dampers.effects.play import Backlash, Gap, GapAside, follow
-from edesign.calibrate.dampers.effects.series_flexibility import Linear
+from edesign.calibrate.dampers.effects.play import CLOSES, Backlash, Gap, GapAside, GapSeated, follow
+from edesign.calibrate.dampers.effects.series_flexibility import Closing, Linear
 from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
@@ -22,7 +22,21 @@ from edesign.damper.laws import law
 
 NO_FORCE = np.zeros(1)
 AMPLITUDE = 0.01  # m
-FORMS = (Tanh, Presliding, Stribeck, LuGre, Loaded, Gap, GapAside, Backlash, Linear, PreShear, ConstantForce)
+FORMS = (
+    Tanh,
+    Presliding,
+    Stribeck,
+    LuGre,
+    Loaded,
+    Gap,
+    GapAside,
+    GapSeated,
+    Backlash,
+    Linear,
+    Closing,
+    PreShear,
+    ConstantForce,
+)
 
 
 def _sine(rate: float, cycles: float = 4.0, frequency: float = 1.0, phase: float = 0.0) -> Motion:
@@ -271,6 +285,27 @@ def test_series_of_a_spring_is_two_springs() -> None:
         force, own = damper.force_in_series(time, u, np.full(41, 0.01), series.stiffness, series.play)
         np.testing.assert_allclose(force, k * k_s / (k + k_s) * np.maximum(u - gap, 0.0), atol=1e-6 * k * 0.01)
         np.testing.assert_allclose(force, k * own, atol=1e-6 * k * 0.01)
+
+
+def test_a_seated_gap_is_crossed_under_its_force() -> None:
+    # two springs in series, that of the pins 2 F_c / play to half the play, stiff beyond: by hand on a monotone way
+    time = np.linspace(0.0, 1.0, 401)
+    u, k, rig, play, crossing = 0.01 * time, 1e7, 3e7, 0.004, 5e3
+    series = GapSeated().series({"play": play, "stiffness": rig, "F_c": crossing})
+    assert series is not None
+    damper = CoreDamper("kelvin_voigt", (k, 0.0))
+    force, _ = damper.force_in_series(time, u, np.full(401, 0.01), series.stiffness, series.play, within=series.within)
+    soft, half = 2.0 * crossing / play, 0.5 * play
+    within = u / (1.0 / k + 1.0 / soft)
+    beyond = (u - half + crossing / rig) / (1.0 / k + 1.0 / rig)
+    np.testing.assert_allclose(force, np.where(within <= crossing, within, beyond), atol=1e-6 * k * 0.01)
+
+
+def test_a_joint_is_either_a_seated_gap_or_closes() -> None:
+    # one equation of both: which it is depends on the force that closes it, which one of them only has
+    sizes = Sizes.of([_trial(_irregular())])
+    by_form = {form: next(u for u in form().unknowns(sizes) if u.name == "F_c") for form in (GapSeated, Closing)}
+    assert by_form[GapSeated].upper == by_form[Closing].lower == CLOSES * sizes.force
 
 
 def test_parts_in_series_share_their_force() -> None:

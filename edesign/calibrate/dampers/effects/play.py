@@ -13,6 +13,9 @@ from edesign.calibrate.dampers.turning_points import with_turning_points
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
+CLOSES = 0.03
+"""Share of the largest force that closes a joint: below it is a clearance that is crossed, above it a soft part."""
+
 
 class _Play(Form):
     name: ClassVar[str] = "play"
@@ -59,6 +62,29 @@ class GapAside(Gap):
         return replace(motion, displacement=motion.displacement - 0.5 * p["aside"] * p["play"])
 
 
+class GapSeated(Gap):
+    """Pins that seat softly, in rubber or with burrs: the clearance is crossed under a small force, not under none."""
+
+    form: ClassVar[str] = "gap_seated"
+    title: ClassVar[str] = "clearance of the pins, crossed under a small force, in series with the specimen"
+    signature: ClassVar[str] = "force that hesitates where it changes its sign; the same length at all amplitudes"
+    source: ClassVar[str] = "piecewise linear joints: Ibrahim & Pettit (2005), J. Sound Vib. 279, 857-936"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u, force = sizes.displacement, sizes.force
+        return (
+            Unknown("play", "m", 1e-4 * u, 0.5 * u, 0.1 * u, logarithmic=True),
+            super().unknowns(sizes)[1],
+            Unknown("F_c", "N", 1e-4 * force, CLOSES * force, 0.3 * CLOSES * force, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*row, share * CLOSES * sizes.force) for row in super().starts(sizes) for share in (0.05, 0.4))
+
+    def series(self, p: Values) -> Series:
+        return Series(p["stiffness"], play=p["play"], within=2.0 * p["F_c"] / p["play"])
+
+
 class Backlash(_Play):
     """The specimen follows through a play: it rests until the clearance is crossed, whatever its force."""
 
@@ -100,4 +126,4 @@ def follow(displacement: np.ndarray, play: float) -> np.ndarray:
     return np.array(found)
 
 
-FORMS = (Gap, GapAside, Backlash)
+FORMS = (Gap, GapAside, GapSeated, Backlash)

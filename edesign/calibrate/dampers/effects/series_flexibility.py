@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import ClassVar
 
 from edesign.calibrate.dampers.effect import Form, Series
+from edesign.calibrate.dampers.effects.play import CLOSES
 from edesign.calibrate.dampers.trial import Sizes, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -73,7 +74,7 @@ class Closing(Linear):
         force = sizes.force
         return (
             *super().unknowns(sizes),
-            Unknown("F_c", "N", 0.01 * force, 1.5 * force, 0.3 * force, logarithmic=True),
+            Unknown("F_c", "N", CLOSES * force, 1.5 * force, 0.3 * force, logarithmic=True),
             Unknown("ratio", "", 1.0, 100.0, 2.0, logarithmic=True),
         )
 
