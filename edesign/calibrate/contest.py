@@ -16,7 +16,7 @@ from edesign.calibrate.side_by_side import side_by_side
 
 FITTED = 10
 """Forms fitted in the first round."""
-_LATER, _SLOW = 7, 5  # in later ones, which take longer and have less to tell apart; beside slow effects
+_LATER, _SLOW = 7, 5  # in the second, which takes longer and has less to tell apart; in later ones, beside slow effects
 _PER_EFFECT = 2  # forms of one effect among them
 _WELL_FITTED = 6  # forms or pairs of those that are fitted to the end
 _ROUGH_STEPS, _MORE_STEPS = 5, 3  # with slopes known before, and with new ones
@@ -92,7 +92,8 @@ def _promising(found: Iterable[Fitted], behind: float) -> list[Fitted]:
 def shortlist(signatures: Sequence[Signature]) -> list[Signature]:
     """The best forms, not too many of one effect."""
     known = signatures[0].model.effects[:-1] if signatures else ()
-    most = _SLOW if any(effect.slow for effect in known) else _LATER if known else FITTED
+    slow = len(known) > 1 or any(effect.slow for effect in known)
+    most = _SLOW if slow else _LATER if known else FITTED
     best: dict[str, list[Signature]] = {}
     for signature in signatures:
         if signature.gain > 0.0:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,6 +15,7 @@ from edesign.calibrate.problem import PredictionError
 _FEWEST = 4  # tests of which each may be left out
 _PARTS = 4  # of each, if there are fewer
 _NOTHING = 1e-12
+_HALVINGS = 5
 _NEAR = 0.2  # moves of the coordinates up to which the slopes predict what a left-out test would show
 
 
@@ -48,8 +50,8 @@ def leave_one_out(fitted: Fitted) -> HeldOut:
     """Each test of a fit left out in turn; of fewer than four tests their quarters, lest the others be too few.
 
     The fit without a test is one Gauss-Newton step from the fit with it; where the step is short the test's residual
-    follows from the slopes, else the model is run again. A parameter that no other test shows goes back towards where
-    it was declared.
+    follows from the slopes, else the model is run again, and the step is halved until the other tests are fitted no
+    worse than before it. A parameter that no other test shows goes back towards where it was declared.
 
     Source: Cook and Weisberg (1982), Residuals and Influence in Regression, chapter 5 (one-step approximation).
     """
@@ -65,14 +67,31 @@ def leave_one_out(fitted: Fitted) -> HeldOut:
         move = np.linalg.lstsq(fitted.hessian - j.T @ j, j.T @ r, rcond=1e-12)[0]
         move = np.clip(x + np.clip(move, -3.0, 3.0), low, high) - x
         left = r + j @ move
-        if np.max(np.abs(move)) > _NEAR:
-            try:
-                left = model.residuals(x + move)[i][block]
-            except PredictionError:
-                found.append(np.inf)
-                continue
-        found.append(float(left @ left))
+        found.append(float(left @ left) if np.max(np.abs(move)) <= _NEAR else _after(fitted, move, i, block))
     return HeldOut(np.array(found), np.array(samples))
+
+
+def _after(fitted: Fitted, move: np.ndarray, i: int, block: slice) -> float:
+    """Sum of squared residuals of what is left out, after a move of the coordinates that a fit to the rest asks for."""
+    model, x, found = fitted.model, fitted.x, math.inf
+    before = _of_rest(fitted, x, fitted.residuals, i, block)
+    for _ in range(_HALVINGS):
+        try:
+            residuals = model.residuals(x + move)
+        except PredictionError:
+            residuals = None
+        if residuals is not None:
+            found = float(residuals[i][block] @ residuals[i][block])
+            if _of_rest(fitted, x + move, residuals, i, block) <= before:
+                break
+        move = 0.5 * move
+    return found
+
+
+def _of_rest(fitted: Fitted, x: np.ndarray, residuals: Sequence[np.ndarray], i: int, block: slice) -> float:
+    """What a fit to the rest makes small."""
+    left_out = residuals[i][block]
+    return fitted.model.cost(residuals, x) - float(left_out @ left_out)
 
 
 def _blocks(fitted: Fitted) -> Iterator[tuple[int, slice]]:

@@ -85,6 +85,13 @@ class Evidence:
         return self.beyond_chance or (self.share >= SHARE and self.t >= _ONE_ALONE)
 
     @property
+    def better_form(self) -> bool:
+        """Whether another form of the same effects is better: that these are there is not in question, and a test that
+        alone tells a parameter, as the only one at its temperature, need not agree.
+        """
+        return self.share >= SHARE and self.bic > _LEAST_BIC
+
+    @property
     def text(self) -> str:
         """For people."""
         removed = f"removes {100.0 * self.share:.1f} %" if self.share > 0.0 else "removes nothing"
@@ -97,12 +104,21 @@ class Evidence:
 def simplest(models: Sequence[Judged]) -> Judged:
     """Of models, the one with the fewest parameters that the best on tests left out does not clearly beat."""
     best = min(models, key=_score)
-    fair = [judged for judged in models if judged is best or not compare(best, judged).clearly_better]
+    fair = [judged for judged in models if judged is best or not _beaten(judged, best)]
     least = min(judged.fitted.freedom for judged in fair)
     equal = [judged for judged in fair if judged.fitted.freedom == least]
     first = min(_score(judged) for judged in equal)
     twins = [judged for judged in equal if _score(judged) - first < _TWINS]
     return min(twins, key=lambda judged: (_rank(judged), _score(judged)))
+
+
+def _beaten(judged: Judged, best: Judged) -> bool:
+    evidence = compare(best, judged)
+    return evidence.clearly_better or (_names(judged) == _names(best) and evidence.better_form)
+
+
+def _names(judged: Judged) -> set[str]:
+    return {effect.name for effect in judged.fitted.model.effects}
 
 
 def _score(judged: Judged) -> float:

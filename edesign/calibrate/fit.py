@@ -73,6 +73,11 @@ class Model:
         """Half the slope (p,) of the belief in the declared parameters."""
         return np.asarray(_belief(self) ** 2 * (x - self.coordinates()))
 
+    def cost(self, residuals: Sequence[np.ndarray], x: np.ndarray) -> float:
+        """Sum of squares that a fit makes small: of the residuals, and of the belief in the declared parameters."""
+        cost = float(sum(r @ r for r in residuals)) + float(np.sum((_belief(self) * (x - self.coordinates())) ** 2))
+        return cost if np.isfinite(cost) else np.inf
+
     def base_values(self, x: np.ndarray) -> np.ndarray:
         """Values of the base's parameters, SI."""
         if self.held:
@@ -258,7 +263,7 @@ def _search(begun: Fitted, most_steps: int, enough: float, frozen: Sequence[np.n
     low, high = _bounds(model)
     weights, centre = _belief(model), model.coordinates()
     residuals, slopes, slopes_x = list(begun.residuals), list(begun.slopes), x
-    cost = _cost(residuals, x, weights, centre)
+    cost = model.cost(residuals, x)
     damping = 1e-3
     for _ in range(most_steps if x.size else 0):
         hessian, gradient = _normal(residuals, slopes, x, weights, centre)
@@ -267,7 +272,7 @@ def _search(begun: Fitted, most_steps: int, enough: float, frozen: Sequence[np.n
             step, hoped = _step(hessian, gradient, damping, x, low, high)
             try:
                 tried = model.residuals(x + step)
-                tried_cost = _cost(tried, x + step, weights, centre)
+                tried_cost = model.cost(tried, x + step)
             except PredictionError:
                 tried_cost = np.inf
             if tried_cost < cost:
@@ -342,11 +347,6 @@ def _belief(model: Model) -> np.ndarray:
     """Weight (p,) of the declared value of each unknown; effects have none but what keeps the equations regular."""
     known, added = len(model.base), len(model.unknowns) - len(model.base)
     return model.misfit * np.array([1.0 / BELIEF] * known + [1e-3] * added)
-
-
-def _cost(residuals: Sequence[np.ndarray], x: np.ndarray, weights: np.ndarray, centre: np.ndarray) -> float:
-    cost = float(sum(r @ r for r in residuals)) + float(np.sum((weights * (x - centre)) ** 2))
-    return cost if np.isfinite(cost) else np.inf
 
 
 def _normal(

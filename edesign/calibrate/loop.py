@@ -23,7 +23,9 @@ before miss.
 _CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
 _PAIRS = 4  # pairs fitted in a round
 _FORMS, _FORMS_HELD, _FORMS_SLOW = 5, 10, 3
-"""Forms of an effect that are compared once it is a likely one: usually, with the law held, and beside slow effects."""
+"""Forms of an effect that are compared once it is a likely one: usually, with the law held, and beside slow or several
+effects.
+"""
 _LIKELY = 2  # effects of which forms are compared
 _RIVALS = 5  # forms that are tried in the place of one
 _MOST = 4  # effects
@@ -124,26 +126,19 @@ class Loop:
 
     def _in_pairs(self, current: Judged) -> Judged | None:
         """A model in which two effects stand in the place of one that was a compromise between them; None: there is
-        none, or the search takes too long. An effect in two forms is no compromise between others.
+        none, the search takes too long, or there are several effects.
         """
         effects = current.fitted.model.effects
-        twice = len({effect.name for effect in effects}) < len(effects)
-        slow = any(effect.slow for effect in effects)
-        if len(effects) > _FEW or twice or slow or not self._more_than_misses(current):
+        if len(effects) > 1 or effects[0].slow or not self._more_than_misses(current):
             return None
-        for effect in effects:
-            others = [e for e in effects if e is not effect]
-            without = self._without(current, effect)
-            self.tell(f"two effects in the place of {effect.name}")
-            signatures = screen(
-                without.fitted, [c for c in self._candidates(without) if _may_join(c, others)], self.workers
-            )
-            pair = self._pair(without, shortlist(signatures), signatures)
-            if pair is not None and self._matters(pair, current):
-                evidence = compare(pair, current)
-                if evidence.beyond_chance and evidence.share >= _CLEAR:
-                    return pair
-        return None
+        without = self._without(current, effects[0])
+        self.tell(f"two effects in the place of {effects[0].name}")
+        signatures = screen(without.fitted, self._candidates(without), self.workers)
+        pair = self._pair(without, shortlist(signatures), signatures)
+        if pair is None or not self._matters(pair, current):
+            return None
+        evidence = compare(pair, current)
+        return pair if evidence.beyond_chance and evidence.share >= _CLEAR else None
 
     def _round(self, current: Judged, rival: Judged, further: Sequence[Judged] = ()) -> tuple[Judged | None, Refused]:
         """The best model with one effect more, or two, and what came near; None: chance may have made it.
@@ -257,7 +252,7 @@ class Loop:
         without = fit(smaller, smaller.coordinates(fitted.base, kept), most_steps=0)
         here = _labels(fitted.model.effects)
         pool = [c for c in self._candidates(current) if c.name == effect.name and c.label not in here]
-        slow = any(other.slow for other in smaller.effects)
+        slow = len(smaller.effects) > 1 or any(other.slow for other in smaller.effects)
         most = _FORMS_SLOW if slow else _FORMS_HELD if fitted.model.held else _FORMS
         likely = likely_forms(screen(without, pool, self.workers), most)
         return self._fit_best([*likely, *(found for s in likely if (found := _begun_from(fitted, effect, s)))])

@@ -37,6 +37,10 @@ class TemperatureModel(Protocol):
         """Parameters at a temperature, and warnings; the law is one of `laws`, the values are complete."""
 
 
+CHANGING = ("k1", "c1", "k0", "c_NL", "alpha", "k_a", "k_b", "u_ref", "c_a", "c_b", "v_ref")
+"""Parameters of the MGMM that gamma_T multiplies."""
+
+
 @dataclass(frozen=True)
 class GammaT:
     """The factor gamma_T of the MGMM; linear between the temperatures of the table, and beyond it with a warning.
@@ -112,14 +116,20 @@ class GammaT:
                 f"gamma_T at {temperature_C:g} degC is {gamma:.3g} on a straight line beyond its table, which goes "
                 f"from {low:g} to {high:g} degC"
             )
-        found = dict(values)
-        for name in ("k1", "c1", "k0", "c_NL", "alpha", "k_a", "k_b", "u_ref", "c_a", "c_b", "v_ref"):
-            found[name] *= gamma
+        found = at_one_rate(values, gamma)
         if self.squared:
             found["k_a"] *= gamma
             found["k_b"] *= gamma
-        found["c_NL"] *= UNIT_SPEED ** (values["alpha"] - found["alpha"])
         return found, tuple(warnings)
+
+
+def at_one_rate(values: Mapping[str, float], gamma: float) -> dict[str, float]:
+    """Parameters of the MGMM, SI, all multiplied by one factor: c_NL as the thesis has it, in kN (s/mm)^alpha."""
+    found = dict(values)
+    for name in CHANGING:
+        found[name] *= gamma
+    found["c_NL"] *= UNIT_SPEED ** (values["alpha"] - found["alpha"])
+    return found
 
 
 # what is multiplied by a_T to which power (1, or the parameter of that name) in laws with relaxation times

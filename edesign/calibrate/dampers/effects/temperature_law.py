@@ -14,7 +14,7 @@ from edesign.calibrate.unknown import Unknown
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
-from edesign.damper.temperature import REFERENCE_C
+from edesign.damper.temperature import CHANGING, REFERENCE_C, at_one_rate
 
 _LEAST_SPAN = 1.0  # K: tests at one temperature tell nothing of it
 
@@ -99,6 +99,44 @@ class Shift(_Temperature):
         return {q.name: values[q.name] * slower.of(q.unit, values) for q in _parameters(values)}
 
 
+class Gamma(_Temperature):
+    """The MGMM's own factor falls at another rate: all of its parameters, alpha and u_ref too, are multiplied by
+    exp(-b (T - T0)) beside gamma_T. It does nothing to other laws.
+    """
+
+    form: ClassVar[str] = "gamma"
+    title: ClassVar[str] = "another gamma_T of all of the law's parameters"
+    signature: ClassVar[str] = (
+        "a factor of the force that goes with the temperature of the tests, which soften the more with amplitude the "
+        "warmer they are"
+    )
+    source: ClassVar[str] = "thesis section 4.5: all parameters change with temperature at the same rate"
+
+    def law(self, p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
+        return _at_rate(values, p["b"] * (float(np.mean(trial.temperature)) - p["T0"]))
+
+
+class GammaCurved(Gamma):
+    """The same at a rate that changes: exp(-b (T - T0) - c (T - T0)^2) beside gamma_T."""
+
+    form: ClassVar[str] = "gamma_curved"
+    title: ClassVar[str] = "another gamma_T of all of the law's parameters, at a changing rate"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return Curved().unknowns(sizes)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return Curved().starts(sizes)
+
+    def law(self, p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
+        warmer = float(np.mean(trial.temperature)) - p["T0"]
+        return _at_rate(values, p["b"] * warmer + p["c"] * warmer**2)
+
+
+def _at_rate(values: dict[str, float], fall: float) -> dict[str, float]:
+    return at_one_rate(values, math.exp(-fall)) if values.keys() >= {*CHANGING} else values
+
+
 def _shown(sizes: Sizes) -> bool:
     low, high = sizes.temperatures
     return high - low >= _LEAST_SPAN
@@ -110,4 +148,4 @@ def _parameters(values: Values) -> tuple[Parameter, ...]:
     return next(own for own in every if {parameter.name for parameter in own} == set(values))
 
 
-FORMS = (Exponential, Shift, Curved)
+FORMS = (Exponential, Shift, Curved, Gamma, GammaCurved)
