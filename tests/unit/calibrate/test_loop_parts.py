@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -14,6 +15,7 @@ from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit, whitened
 from edesign.calibrate.loop import Loop, _begun_from
 from edesign.calibrate.pairs import joint_gains, likely_pairs
+from edesign.calibrate.problem import Part, Use
 from edesign.calibrate.screening import Screen, Signature, screen
 from edesign.calibrate.unknown import Unknown
 
@@ -106,6 +108,27 @@ def test_leaving_a_test_out_is_fitting_the_others() -> None:
         expected = float(np.sum((problem.measured[i] - problem.matrices[i] @ b) ** 2))
         assert found.chi2[i] == pytest.approx(expected, rel=1e-6)
     assert float(found.chi2.sum()) > fit(_model(problem), np.ones(3)).chi2
+
+
+def test_a_step_too_far_without_a_test_is_shortened() -> None:
+    # arctan 4 b with b of 0.5 in five tests, of 6 in one of ten times the weight: without that one, a Gauss-Newton step
+    # from the flat part, where the fit with it ends, goes far beyond 0.5 and fits the five worse than before
+    class Arctan(LinearProblem):
+        def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
+            return [None if y is None else np.arctan(y) for y in super().predict(base, parts, uses)]
+
+    sizes = (20, 20, 20, 20, 20, 1000)
+    values = (0.5, 0.5, 0.5, 0.5, 0.5, 6.0)
+    measured = tuple(np.arctan(np.full(n, 4.0 * b)) for n, b in zip(sizes, values, strict=True))
+    problem = Arctan([np.full((n, 1), 4.0) for n in sizes], {}, measured, ("fit",) * 6)
+    found = fit(_model(problem, noise=0.01), np.ones(1))
+    alone = sizes[-1] * ((np.arctan(24.0) - np.arctan(2.0)) / 0.01) ** 2  # of a fit to the five
+    assert found.residuals[-1] @ found.residuals[-1] < leave_one_out(found).chi2[-1] < 1.1 * alone
+    weight = found.hessian - found.slopes[-1].T @ found.slopes[-1]
+    whole = float((found.slopes[-1].T @ found.residuals[-1])[0] / weight[0, 0])
+    assert whole < -2.0
+    (*_, far) = found.model.residuals(found.x + max(whole, -3.0))
+    assert far @ far > 5.0 * alone
 
 
 def test_screening_tells_what_a_fit_would_gain() -> None:
