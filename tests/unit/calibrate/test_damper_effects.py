@@ -260,6 +260,35 @@ def test_shifted_law_is_the_law_on_another_clock(law: str, values: dict[str, flo
         assert np.max(np.abs(warm - plain)) > 0.01 * np.max(np.abs(plain))
 
 
+def test_another_gamma_multiplies_every_parameter_in_the_units_of_the_thesis() -> None:
+    # Table 4.2 by hand: c_NL is in kN (s/mm)^alpha there, and alpha changes too
+    printed = {
+        "k1": 0.515,
+        "c1": 0.0151,
+        "k0": 0.107,
+        "k_a": 3.741,
+        "k_b": 3.613,
+        "c_a": 0.902,
+        "c_b": 0.190,
+    }  # kN, mm, s
+    rest = {"u_ref": 7.966e-3, "v_ref": 13.468e-3, "alpha": 0.374, "consistent": 0.0}
+    values = {**{name: 1e6 * value for name, value in printed.items()}, **rest}
+    values["c_NL"] = 1.585e3 * 1e3**0.374
+    b, c, of = 0.02, -5e-4, motion(3)
+    for form, gamma in (
+        (temperature_law.Gamma(), math.exp(-b * 9.0)),
+        (temperature_law.GammaCurved(), math.exp(-b * 9.0 - c * 81.0)),
+    ):
+        found = form.law({"b": b, "c": c, "T0": 20.0}, trial(of, 0, 29.0), values)
+        assert found.keys() == values.keys()
+        for name in (*printed, "u_ref", "v_ref", "alpha"):
+            assert found[name] == pytest.approx(gamma * values[name], rel=1e-12)
+        assert found["c_NL"] == pytest.approx(1.585e3 * gamma * 1e3 ** (0.374 * gamma), rel=1e-12)
+        assert found["consistent"] == 0.0
+        other = {"k": 1e6, "c": 2e4}
+        assert form.law({"b": b, "c": c, "T0": 20.0}, trial(of, 0, 29.0), other) == other
+
+
 def test_one_temperature_shows_no_temperature_law() -> None:
     alike = Sizes.of((trial(motion(1), 0, 20.0), trial(motion(2), 1, 20.5)))
     for form in (kind() for kind in temperature_law.FORMS):
@@ -271,21 +300,26 @@ def test_one_temperature_shows_no_temperature_law() -> None:
 
 
 def test_heat_step_by_step() -> None:
-    beta, tau_h, kept = 2e-3, 1.5, 0.6
+    beta, tau_h, kept, m = 2e-3, 1.5, 0.6, 0.5
     tests = two_tests()
-    for form, carried in ((self_heating.Rate(), 0.0), (self_heating.Carried(), kept)):
+    for form, carried, left in (
+        (self_heating.Rate(), 0.0, lambda q: math.exp(-q)),
+        (self_heating.Carried(), kept, lambda q: math.exp(-q)),
+        (self_heating.Levelling(), kept, lambda q: (1.0 + max(q, 0.0) / m) ** -m),
+    ):
         q, expected = 0.0, []
         for t in tests:
             q *= carried
-            rows, force = [math.exp(-q)], math.exp(-q) * t.force[0]
+            rows, force = [left(q)], left(q) * t.force[0]
             for i, h, du in steps(t.motion):
-                phi = math.exp(-q)
+                phi = left(q)
                 q = q * math.exp(-h / tau_h) + beta * 0.5 * (force + phi * t.force[i]) * du
                 force = phi * t.force[i]
                 rows.append(phi)
             expected.append(np.array(rows))
         assert expected[0].min() < 0.9
-        close(factor(form, {"beta": beta, "tau_h": tau_h, "kept": kept}, tests), expected, SWEPT / ROUNDING)
+        p = {"beta": beta, "tau_h": tau_h, "kept": kept, "m": m}
+        close(factor(form, p, tests), expected, SWEPT / ROUNDING)
 
 
 def test_core_and_damper_are_two_nodes_step_by_step() -> None:
@@ -493,7 +527,12 @@ MODULES = (
     *(temperature_law, self_heating, degradation, ageing),
 )
 AMPLITUDES = {"d", "k", "m", "b", "c", "f", "n", "beta", "rate", "a1"}
-FURTHER = {"self_heating.core": ("beta_c",), "temperature_law.curved": ("c",), "ageing.course": ("a2", "a3")}
+FURTHER = {
+    "self_heating.core": ("beta_c",),
+    "temperature_law.curved": ("c",),
+    "temperature_law.gamma_curved": ("c",),
+    "ageing.course": ("a2", "a3"),
+}
 
 
 FORMS = [kind() for module in MODULES for kind in module.FORMS]

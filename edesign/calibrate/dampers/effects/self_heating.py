@@ -100,4 +100,33 @@ class Carried(Rate):
         return phi
 
 
-FORMS = (Rate, Carried, Core)
+class Levelling(Carried):
+    """As `carried`, but the softening levels off: F = (1 + q/m)^-m F_law, as a modulus does beyond its transition."""
+
+    form: ClassVar[str] = "levelling"
+    may_spare_loss: ClassVar[bool] = False
+    title: ClassVar[str] = "softening by self-heating that levels off"
+    signature: ClassVar[str] = "as self_heating.carried, and ever less of it the warmer the damper is"
+    source: ClassVar[str] = (
+        "heat balance as of rate; the fall of the modulus over a transition: Ferry (1980), Viscoelastic Properties of "
+        "Polymers, chapter 11"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        own = super().unknowns(sizes)
+        return (*own, Unknown("m", "", 0.05, 20.0, 1.0, logarithmic=True)) if own else ()
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*row, 0.5) for row in super().starts(sizes))
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        m = p["m"]
+
+        def left(q: np.ndarray) -> np.ndarray:
+            return np.asarray((1.0 + np.maximum(q, 0.0) / m) ** -m)
+
+        phi, memory["heat"] = worked(motion, force, left, p["kept"] * memory.get("heat", 0.0), p["beta"], p["tau_h"])
+        return phi
+
+
+FORMS = (Rate, Carried, Levelling, Core)
