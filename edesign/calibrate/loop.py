@@ -16,9 +16,9 @@ from edesign.calibrate.screening import Signature, screen
 from edesign.calibrate.selection import Adopted, Refused, Selection
 from edesign.errors import InputError
 
-_SMALL = 0.01
-"""Least share of all that the refitted law leaves over noise: below it stands what the equations of effects found
-before miss.
+_SMALL, _MISSED = 0.01, 1e-3
+"""Shares of all that the refitted law leaves over noise, and of what the effects found before do to the force: below
+the larger stands what the equations of these effects miss.
 """
 _CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
 _PAIRS = 4  # pairs fitted in a round
@@ -185,7 +185,18 @@ class Loop:
 
     def _more_than_misses(self, current: Judged) -> bool:
         """Whether more is left than what the equations of the known effects may miss."""
-        return current.fitted.chi2 - current.fitted.samples >= self.material
+        return current.fitted.chi2 - current.fitted.samples >= self._may_miss(current)
+
+    def _may_miss(self, current: Judged) -> float:
+        """Sum of squares that the equations of the known effects may miss."""
+        fitted = current.fitted
+        bare = replace(fitted.model, effects=())
+        try:
+            without = bare.residuals(fitted.x[: len(bare.base)])
+        except PredictionError:
+            return self.material
+        done = sum(float((w - r) @ (w - r)) for w, r in zip(without, fitted.residuals, strict=True))
+        return max(self.material, _MISSED * done)
 
     def _other_forms_of_likely(self, tried: Sequence[Judged]) -> list[Judged]:
         """Models with further forms of the effects that the best models have last: best on tests left out, or on those
@@ -211,7 +222,7 @@ class Loop:
         """
         known = {effect.name for effect in current.fitted.model.effects}
         new = any(effect.name not in known for effect in judged.fitted.model.effects)
-        return not new or current.fitted.chi2 - judged.fitted.chi2 >= self.material
+        return not new or current.fitted.chi2 - judged.fitted.chi2 >= self._may_miss(current)
 
     def _pair(self, current: Judged, tried: Sequence[Signature], all_: Sequence[Signature]) -> Judged | None:
         """The best pair of effects that a linear estimate makes look good together."""
