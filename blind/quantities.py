@@ -82,7 +82,7 @@ SAME: dict[str, tuple[Same, ...]] = {
         Same("stiffness", ("k", "stiffness"), ("slow", "fast")),
         Same("relaxation_time", ("tau", "relaxation_time"), ("slow", "fast")),
     ),
-    "velocity_power": (Same("exponent", ("alpha", "exponent", "p"), ("dashpot",)),),
+    "velocity_exponent": (Same("exponent", ("alpha", "exponent", "p"), ("dashpot",)),),
     "hardening": (Same("power", ("p", "power", "exponent"), ("polynomial",)),),
     "static_offset": (
         Same("force", ("force", "load", "f0", "offset"), ("hanging_mass",)),

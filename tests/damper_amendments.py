@@ -25,10 +25,10 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("one_sided", "factor"): {"b": 0.15, "side": -1.0},
     ("one_sided", "spring"): {"k": 2e6, "u0": 1.7e-3, "side": -1.0},
     ("relaxation_branch", "maxwell"): {"k": 2e6, "tau": 0.2},
-    ("velocity_power", "dashpot"): {"c": 8e3, "alpha": 0.4},
+    ("velocity_exponent", "dashpot"): {"c": 8e3, "alpha": 0.4},
     ("payne", "network"): {"d": 0.3, "s0": 0.01, "tau": 2.0},
     ("mullins", "damage"): {"m": 0.25, "r": 4e-3, "p": 1.4, "recovery": 0.2},
-    ("velocity_power", "flow"): {"f": 1.5e3, "v0": 4e-3},
+    ("velocity_exponent", "flow"): {"f": 1.5e3, "v0": 4e-3},
     ("degradation", "path"): {"d": 0.2, "p": 1.3, "S": 0.1},
     ("ageing", "logarithmic"): {"rate": -0.03, "n": 7.0},
 }
@@ -69,7 +69,7 @@ def _inside(
     force = _beside((one,), np.zeros_like(u), time, u, v, None)
     phi = _beside((one,), np.ones_like(u), time, u, v, None) - force
     q = np.empty_like(u)
-    q[0] = (phi[0] - 1.0) * law_force[0] + (0.0 if one.name == "velocity_power" else force[0])
+    q[0] = (phi[0] - 1.0) * law_force[0] + (0.0 if one.name == "velocity_exponent" else force[0])
     for i, h in enumerate(np.diff(time)):
         rate = (law_force[i + 1] - law_force[i]) / h
         share = np.polynomial.Polynomial([phi[i] - 1.0, (phi[i + 1] - phi[i]) / h])
@@ -129,9 +129,9 @@ def _beside(
                 beside += p["k"] * np.maximum(p["side"] * u - p["u0"], 0.0) * p["side"]
             case "relaxation_branch.maxwell":
                 beside += _branch(p, h, v)
-            case "velocity_power.dashpot":
+            case "velocity_exponent.dashpot":
                 beside += p["c"] * np.abs(v) ** p["alpha"] * np.sign(v)
-            case "velocity_power.flow":
+            case "velocity_exponent.flow":
                 beside += p["f"] * np.arcsinh(v / p["v0"])
             case _:
                 counted.append(one)

@@ -24,7 +24,7 @@ from blind.effects import (
     series_flexibility,
     static_offset,
     temperature_law,
-    velocity_power,
+    velocity_exponent,
 )
 from blind.effects.base import Effect
 
@@ -43,7 +43,7 @@ _MODULES: tuple[ModuleType, ...] = (
     drift,
     relaxation_branch,
     inertia,
-    velocity_power,
+    velocity_exponent,
     hum,
     temperature_law,
     self_heating,

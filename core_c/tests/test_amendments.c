@@ -26,10 +26,10 @@ static const amendment EACH[] = {
     {ED_AMEND_ONE_SIDED_FACTOR, 2, {0.2, -1.0}},
     {ED_AMEND_ONE_SIDED_SPRING, 3, {2.5, 0.5, -1.0}},
     {ED_AMEND_RELAXATION_BRANCH_MAXWELL, 2, {3.0, 0.25}},
-    {ED_AMEND_VELOCITY_POWER_DASHPOT, 2, {0.6, 0.4}},
+    {ED_AMEND_VELOCITY_EXPONENT_DASHPOT, 2, {0.6, 0.4}},
     {ED_AMEND_PAYNE_NETWORK, 3, {0.4, 1.5, 2.0}},
     {ED_AMEND_MULLINS_DAMAGE, 3, {0.3, 0.7, 1.4}},
-    {ED_AMEND_VELOCITY_POWER_FLOW, 2, {0.5, 0.3}},
+    {ED_AMEND_VELOCITY_EXPONENT_FLOW, 2, {0.5, 0.3}},
     {ED_AMEND_DEGRADATION_PATH, 3, {0.2, 0.8, 20.0}},
 };
 enum { KINDS = sizeof EACH / sizeof *EACH };
@@ -95,7 +95,7 @@ static double expected(memory *m, const int *used, double h, double u, double v,
       beside += m->branch;
       break;
     }
-    case ED_AMEND_VELOCITY_POWER_DASHPOT: beside += copysign(p[0] * pow(fabs(v), p[1]), v); break;
+    case ED_AMEND_VELOCITY_EXPONENT_DASHPOT: beside += copysign(p[0] * pow(fabs(v), p[1]), v); break;
     case ED_AMEND_PAYNE_NETWORK: { /* of x' = a - (a + b) x the steady a/(a + b), from which it is exp(-(a + b) h) away */
       const double a = fabs(u - m->u) / (h * p[1]), both = a + 1.0 / p[2], steady = a / both;
       m->network = steady + (m->network - steady) * exp(-both * h);
@@ -103,7 +103,7 @@ static double expected(memory *m, const int *used, double h, double u, double v,
       break;
     }
     case ED_AMEND_MULLINS_DAMAGE: phi *= 1.0 - p[0] * (1.0 - exp(-pow(m->largest / p[1], p[2]))); break;
-    case ED_AMEND_VELOCITY_POWER_FLOW: beside += p[0] * log(v / p[1] + sqrt(v * v / (p[1] * p[1]) + 1.0)); break;
+    case ED_AMEND_VELOCITY_EXPONENT_FLOW: beside += p[0] * log(v / p[1] + sqrt(v * v / (p[1] * p[1]) + 1.0)); break;
     case ED_AMEND_DEGRADATION_PATH: phi *= 1.0 - p[0] * pow(m->path / p[2], p[1]); break;
     }
   }
@@ -282,7 +282,7 @@ static double differ(rig *one, rig *other, double h, double *largest)
  * second order. */
 static void check_inside_is_a_term(void)
 {
-  const amendment terms[] = {{ED_AMEND_VELOCITY_POWER_DASHPOT, 2, {0.7, 1.5}}, {ED_AMEND_HARDENING_POWER, 3, {0.9, 1.0, 1.0}}};
+  const amendment terms[] = {{ED_AMEND_VELOCITY_EXPONENT_DASHPOT, 2, {0.7, 1.5}}, {ED_AMEND_HARDENING_POWER, 3, {0.9, 1.0, 1.0}}};
   for (int i = 0; i < 2; i++) {
     double with[12], error[2], largest;
     memcpy(with, LINEAR_MGMM, sizeof with);

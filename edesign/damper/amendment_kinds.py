@@ -16,7 +16,7 @@ _MULLINS = "Mullins (1969), Rubber Chem. Technol. 42, 339-362"
 _VISCOUS = "Soong and Dargush (1997), Passive Energy Dissipation Systems in Structural Engineering"
 _ANY = -math.inf
 _INSIDE = "_inside"
-_MAY_BE_INSIDE = ("payne", "mullins", "hardening", "one_sided", "velocity_power")
+_MAY_BE_INSIDE = ("payne", "mullins", "hardening", "one_sided", "velocity_exponent")
 
 
 @dataclass(frozen=True)
@@ -281,7 +281,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             True,
         ),
         kind(
-            "velocity_power.dashpot",
+            "velocity_exponent.dashpot",
             "further power-law dashpot",
             "c |u'|^alpha sgn u'",
             _VISCOUS,
@@ -292,7 +292,7 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             True,
         ),
         kind(
-            "velocity_power.flow",
+            "velocity_exponent.flow",
             "viscous force that saturates with the velocity",
             "f asinh(u'/v0)",
             "Eyring (1936), J. Chem. Phys. 4, 283-291",

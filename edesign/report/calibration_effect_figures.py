@@ -100,7 +100,7 @@ _SHAPES: dict[tuple[str, str], _Shape] = {
         force=True,
     ),
     ("one_sided", "factor"): _Shape(_U, 1e-3, _deformation, lambda p, u: 1.0 + p["b"] * (p["side"] * u > 0.0)),
-    ("velocity_power", "dashpot"): _Shape(
+    ("velocity_exponent", "dashpot"): _Shape(
         "velocity (mm/s)",
         1e-3,
         _velocity,

@@ -98,7 +98,7 @@ def test_inside_a_law_that_does_not_relax_all_of_its_forces_there_is_no_place():
 def test_a_power_of_the_velocity_inside_the_mgmm_is_its_own():
     """c |v|^alpha sgn v inside is c_NL |v|^alpha sgn v (thesis Eq. 4.23), but for taking it as linear over a step."""
     without = MGMM | {"c_NL": 0.0}
-    dashpot = Amendment("velocity_power", "dashpot_inside", {"c": MGMM["c_NL"], "alpha": MGMM["alpha"]})
+    dashpot = Amendment("velocity_exponent", "dashpot_inside", {"c": MGMM["c_NL"], "alpha": MGMM["alpha"]})
     errors = []
     for dt in (4e-3, 5e-4):
         t = np.arange(round(3.0 / dt) + 1) * dt
@@ -129,7 +129,7 @@ FRAME_AMENDMENTS = (
     Amendment("self_heating", "rate", {"beta": 2e-3, "tau_h": 5.0}),
     Amendment("hardening", "power", {"k": 0.2 * STIFFNESS, "p": 3.0, "r": 0.05}),
     Amendment("relaxation_branch", "maxwell", {"k": 0.2 * STIFFNESS, "tau": 0.3}),
-    Amendment("velocity_power", "dashpot", {"c": 0.005 * STIFFNESS, "alpha": 1.5}),
+    Amendment("velocity_exponent", "dashpot", {"c": 0.005 * STIFFNESS, "alpha": 1.5}),
 )
 
 
@@ -203,7 +203,7 @@ def inside_law() -> LawValues:
         Amendment("payne", "network_inside", {"d": 0.3, "s0": 0.1, "tau": 1.0}),
         Amendment("mullins", "path_inside", {"m": 0.5, "s0": 0.5}),
         Amendment("hardening", "power_inside", {"k": 0.2 * k, "p": 3.0, "r": 0.05}),
-        Amendment("velocity_power", "flow_inside", {"f": 1e-3 * k, "v0": 0.05}),
+        Amendment("velocity_exponent", "flow_inside", {"f": 1e-3 * k, "v0": 0.05}),
     )
     return LawValues("mgmm", values, tuple(one.for_core() for one in (*FRAME_AMENDMENTS, *inside)))
 

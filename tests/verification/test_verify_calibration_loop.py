@@ -127,12 +127,12 @@ def test_two_forms_of_an_effect_are_one_entry(tmp_path: Path) -> None:
     lag, more, other = (
         Effect(name, form, "instrument", form, "", parameters, {}, delta, form, 0.9, alike)
         for name, form, parameters, delta, alike in (
-            ("lag", "delay", {"delay": Estimate(1e-3, 1e-5, "s")}, 0.2, ("velocity_power",)),
-            ("lag", "filter", {"tau": Estimate(2e-3, 1e-5, "s")}, 0.3, ("inertia", "velocity_power")),
+            ("lag", "delay", {"delay": Estimate(1e-3, 1e-5, "s")}, 0.2, ("velocity_exponent",)),
+            ("lag", "filter", {"tau": Estimate(2e-3, 1e-5, "s")}, 0.3, ("inertia", "velocity_exponent")),
             ("offset", "constant", drift, 0.1, ()),
         )
     )
     first, second = calibration_json(replace(found, effects=(lag, other, more)))["effects"]
     assert (first["name"], first["form"], second["name"]) == ("lag", "delay + filter", "offset")
     assert {name: value["value"] for name, value in first["parameters"].items()} == {"delay": 1e-3, "filter.tau": 2e-3}
-    assert first["delta_validate"] == 0.3 and first["indistinguishable_from"] == ["velocity_power", "inertia"]
+    assert first["delta_validate"] == 0.3 and first["indistinguishable_from"] == ["velocity_exponent", "inertia"]

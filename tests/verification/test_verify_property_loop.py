@@ -60,7 +60,7 @@ def test_power_of_the_velocity(tmp_path: Path) -> None:
     c = 6e3 / 0.1**0.3
     found = _calibrated(tmp_path, c, 0.3)
     effects = found.found.effects
-    assert [effect.name for effect in effects][:1] == ["velocity_power"]
+    assert [effect.name for effect in effects][:1] == ["velocity_exponent"]
     assert found.found.errors["corrected"].validate < 2.0 * found.found.noise_floor
     assert found.found.errors["refit"].validate > 10.0 * found.found.noise_floor
     if effects[0].form == "dashpot":

@@ -93,8 +93,8 @@ static void dashpot(const double *p, double before, const ed_ends *ends, double 
   out->chord = fmax(secant - out->by_v1, 0.0);
 }
 
-const ed_amendment_kind ed_amend_velocity_power_dashpot = {
-    .name = "velocity_power.dashpot", .on_speed = 1, .n_parameters = 2,
+const ed_amendment_kind ed_amend_velocity_exponent_dashpot = {
+    .name = "velocity_exponent.dashpot", .on_speed = 1, .n_parameters = 2,
     .parameter = {{"c", ED_ANY}, {"alpha", ED_POSITIVE}}, .at_end = dashpot};
 
 /* Activated flow [Eyring 1936]. */
@@ -107,5 +107,5 @@ static void flow(const double *p, double before, const ed_ends *ends, double *af
   out->chord = v != 0.0 ? fmax(out->value / v - out->by_v1, 0.0) : 0.0;
 }
 
-const ed_amendment_kind ed_amend_velocity_power_flow = {
-    .name = "velocity_power.flow", .on_speed = 1, .n_parameters = 2, .parameter = {{"f", ED_ANY}, {"v0", ED_POSITIVE}}, .at_end = flow};
+const ed_amendment_kind ed_amend_velocity_exponent_flow = {
+    .name = "velocity_exponent.flow", .on_speed = 1, .n_parameters = 2, .parameter = {{"f", ED_ANY}, {"v0", ED_POSITIVE}}, .at_end = flow};

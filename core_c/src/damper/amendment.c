@@ -28,10 +28,10 @@ static const ed_amendment_kind *kind_of(int id)
       [ED_AMEND_ONE_SIDED_FACTOR] = &ed_amend_one_sided_factor,
       [ED_AMEND_ONE_SIDED_SPRING] = &ed_amend_one_sided_spring,
       [ED_AMEND_RELAXATION_BRANCH_MAXWELL] = &ed_amend_relaxation_branch_maxwell,
-      [ED_AMEND_VELOCITY_POWER_DASHPOT] = &ed_amend_velocity_power_dashpot,
+      [ED_AMEND_VELOCITY_EXPONENT_DASHPOT] = &ed_amend_velocity_exponent_dashpot,
       [ED_AMEND_PAYNE_NETWORK] = &ed_amend_payne_network,
       [ED_AMEND_MULLINS_DAMAGE] = &ed_amend_mullins_damage,
-      [ED_AMEND_VELOCITY_POWER_FLOW] = &ed_amend_velocity_power_flow,
+      [ED_AMEND_VELOCITY_EXPONENT_FLOW] = &ed_amend_velocity_exponent_flow,
       [ED_AMEND_DEGRADATION_PATH] = &ed_amend_degradation_path,
   };
   return id >= 0 && id < (int)(sizeof kinds / sizeof *kinds) ? kinds[id] : NULL;

@@ -50,8 +50,8 @@ extern const ed_amendment_kind ed_amend_constant, ed_amend_payne_whole, ed_amend
     ed_amend_degradation_path;
 /* amend_parallel.c */
 extern const ed_amendment_kind ed_amend_payne_elastic, ed_amend_mullins_elastic, ed_amend_hardening_power,
-    ed_amend_hardening_threshold, ed_amend_one_sided_spring, ed_amend_relaxation_branch_maxwell, ed_amend_velocity_power_dashpot,
-    ed_amend_velocity_power_flow;
+    ed_amend_hardening_threshold, ed_amend_one_sided_spring, ed_amend_relaxation_branch_maxwell, ed_amend_velocity_exponent_dashpot,
+    ed_amend_velocity_exponent_flow;
 
 static inline double ed_sign(double x)
 {

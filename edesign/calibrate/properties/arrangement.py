@@ -70,7 +70,7 @@ class PowerBeside(Arrangement):
         return {**values, "c_NL": 0.0}
 
     def beside(self, values: Mapping[str, float]) -> tuple[Beside, ...]:
-        return (("velocity_power", "dashpot", {"c": values["c_NL"], "alpha": values["alpha"]}),)
+        return (("velocity_exponent", "dashpot", {"c": values["c_NL"], "alpha": values["alpha"]}),)
 
 
 class AllBeside(Arrangement):

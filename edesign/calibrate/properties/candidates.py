@@ -18,7 +18,7 @@ from edesign.calibrate.dampers.effects import (
     relaxation_branch,
     series_flexibility,
     temperature_law,
-    velocity_power,
+    velocity_exponent,
 )
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
@@ -32,7 +32,7 @@ _MODULES = (
     payne,
     hardening,
     relaxation_branch,
-    velocity_power,
+    velocity_exponent,
     friction,
     play,
     series_flexibility,

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from edesign.calibrate.dampers.effects.relaxation_branch import Maxwell
-from edesign.calibrate.dampers.effects.velocity_power import Dashpot
+from edesign.calibrate.dampers.effects.velocity_exponent import Dashpot
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
@@ -199,7 +199,7 @@ def _trial(table: PropertyTable, specimen: Specimen, row: int, use: Use, cycles:
     return Trial(f"row {row + 1}", use, 0, motion, force, np.full(time.size, table.temperature_C[row]))
 
 
-_BESIDE = {("relaxation_branch", "maxwell"): Maxwell, ("velocity_power", "dashpot"): Dashpot}
+_BESIDE = {("relaxation_branch", "maxwell"): Maxwell, ("velocity_exponent", "dashpot"): Dashpot}
 
 
 def _candidate(name: str, form: str, problem: DamperProblem) -> Candidate:

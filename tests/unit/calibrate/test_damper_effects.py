@@ -36,7 +36,7 @@ from edesign.calibrate.dampers.effects import (
     relaxation_branch,
     self_heating,
     temperature_law,
-    velocity_power,
+    velocity_exponent,
 )
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidates
@@ -173,10 +173,10 @@ def test_dashpot_and_flow_by_their_formulas() -> None:
     t = trial(motion(7))
     v = t.motion.velocity
     expected = np.array([1e5 * abs(x) ** 0.6 * math.copysign(1.0, x) for x in v])
-    close(parallel(velocity_power.Dashpot(), {"c": 1e5, "alpha": 0.6}, (t,)), [expected], 1e5)
-    slow = parallel(velocity_power.Flow(), {"f": 2e3, "v0": 1e4}, (t,))[0]
+    close(parallel(velocity_exponent.Dashpot(), {"c": 1e5, "alpha": 0.6}, (t,)), [expected], 1e5)
+    slow = parallel(velocity_exponent.Flow(), {"f": 2e3, "v0": 1e4}, (t,))[0]
     np.testing.assert_allclose(slow, 2e3 * v / 1e4, rtol=1e-8)  # a dashpot: next term (v/v0)^2 / 6
-    fast = parallel(velocity_power.Flow(), {"f": 2e3, "v0": 1e-9}, (t,))[0]
+    fast = parallel(velocity_exponent.Flow(), {"f": 2e3, "v0": 1e-9}, (t,))[0]
     np.testing.assert_allclose(fast, 2e3 * np.sign(v) * np.log(2.0 * np.abs(v) / 1e-9), rtol=1e-8)
 
 
@@ -184,7 +184,7 @@ def test_carreau_is_a_dashpot_when_slow_and_a_power_when_fast() -> None:
     # limits of Carreau (1972): next terms (alpha - 1)/2 of (v/v0)^2, or of (v0/v)^2
     t, c = trial(motion(7)), 1e5
     v = t.motion.velocity
-    form, moving = velocity_power.Carreau(), np.abs(v) > 1e-3
+    form, moving = velocity_exponent.Carreau(), np.abs(v) > 1e-3
     close(parallel(form, {"c": c, "v0": 0.02, "alpha": 1.0}, (t,)), [c * v], c)
     (slow,) = parallel(form, {"c": c, "v0": 1e4, "alpha": 0.4}, (t,))
     np.testing.assert_allclose(slow, c * v, rtol=1e-8)
@@ -202,7 +202,7 @@ def test_dashpot_dissipates_what_a_sine_tells() -> None:
     # c w^alpha U^(1 + alpha): Soong & Constantinou (1994)
     alpha, w = 0.5, 5.0
     of = sine(w, 1, 4000)
-    (force,) = parallel(velocity_power.Dashpot(), {"c": 1e5, "alpha": alpha}, (trial(of),))
+    (force,) = parallel(velocity_exponent.Dashpot(), {"c": 1e5, "alpha": alpha}, (trial(of),))
     work = float(np.sum(0.5 * (force[1:] + force[:-1]) * np.diff(of.displacement)))
     shape = 4.0 * 2.0**alpha * math.gamma(1.0 + alpha / 2.0) ** 2 / math.gamma(2.0 + alpha)
     assert work == pytest.approx(shape * 1e5 * w**alpha * U ** (1.0 + alpha), rel=1e-4)  # trapezoids at the root of v
@@ -523,7 +523,7 @@ def test_mean_square_forgets_a_held_deformation_exponentially() -> None:
 # --- all ---
 
 MODULES = (
-    *(payne, mullins, hardening, one_sided, relaxation_branch, velocity_power),
+    *(payne, mullins, hardening, one_sided, relaxation_branch, velocity_exponent),
     *(temperature_law, self_heating, degradation, ageing),
 )
 AMPLITUDES = {"d", "k", "m", "b", "c", "f", "n", "beta", "rate", "a1"}
@@ -580,11 +580,11 @@ def test_a_law_file_carries_the_same_effect_into_the_core(form: Form) -> None:
 def test_a_bend_of_another_exponent_goes_from_a_smooth_one_to_a_corner() -> None:
     test = trial(motion(3))
     v = np.abs(test.motion.velocity) / 0.1
-    (smooth,) = factor(velocity_power.Bend(), {"n": -0.3, "v0": 0.1, "a": 2.0}, (test,))
-    (same,) = factor(velocity_power.Exponent(), {"n": -0.3, "v0": 0.1}, (test,))
+    (smooth,) = factor(velocity_exponent.Bend(), {"n": -0.3, "v0": 0.1, "a": 2.0}, (test,))
+    (same,) = factor(velocity_exponent.Exponent(), {"n": -0.3, "v0": 0.1}, (test,))
     np.testing.assert_allclose(smooth, same, rtol=1e-12)
-    (sharp,) = factor(velocity_power.Bend(), {"n": -0.3, "v0": 0.1, "a": 20.0}, (test,))
+    (sharp,) = factor(velocity_exponent.Bend(), {"n": -0.3, "v0": 0.1, "a": 20.0}, (test,))
     # largest at the corner: 2^(n/a)
     np.testing.assert_allclose(sharp, np.maximum(v, 1.0) ** -0.3, rtol=1.0 - 2.0 ** (-0.3 / 20.0) + 1e-9)
     at_rest = replace(test, motion=replace(test.motion, velocity=np.zeros_like(v)))
-    np.testing.assert_array_equal(factor(velocity_power.Bend(), {"n": 0.5, "v0": 0.1, "a": 3.0}, (at_rest,))[0], 1.0)
+    np.testing.assert_array_equal(factor(velocity_exponent.Bend(), {"n": 0.5, "v0": 0.1, "a": 3.0}, (at_rest,))[0], 1.0)

@@ -32,13 +32,13 @@ THESIS = (ROOT / "projects" / "thesis_one_storey" / "project.yaml").read_text(en
 MGMM = read_parameters(law("mgmm"), "thesis_table_4_2")
 EFFECTS = """effects:
   - {name: payne, form: whole, parameters: {d: 20 %, a0: 3 mm, m: 1, tau_a: 5 s}}
-  - {name: velocity_power, form: dashpot, parameters: {c: 1.2 kN*(s/mm)^0.4, alpha: 0.4}}
+  - {name: velocity_exponent, form: dashpot, parameters: {c: 1.2 kN*(s/mm)^0.4, alpha: 0.4}}
   - {name: degradation, form: energy, parameters: {d: 0.1, E0: 20 kJ}}
 """
 LAW = "type: mgmm\nparameters: thesis_table_4_2\n" + EFFECTS
 READ = (
     Amendment("payne", "whole", {"d": 0.2, "a0": 3e-3, "m": 1.0, "tau_a": 5.0}),
-    Amendment("velocity_power", "dashpot", {"c": 1.2e3 * 1e3**0.4, "alpha": 0.4}),
+    Amendment("velocity_exponent", "dashpot", {"c": 1.2e3 * 1e3**0.4, "alpha": 0.4}),
     Amendment("degradation", "energy", {"d": 0.1, "E0": 2e4}),
 )
 

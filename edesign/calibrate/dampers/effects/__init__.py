@@ -22,7 +22,7 @@ from edesign.calibrate.dampers.effects import (
     series_flexibility,
     static_offset,
     temperature_law,
-    velocity_power,
+    velocity_exponent,
 )
 
 MODULES: tuple[ModuleType, ...] = (
@@ -31,7 +31,7 @@ MODULES: tuple[ModuleType, ...] = (
     hardening,
     one_sided,
     relaxation_branch,
-    velocity_power,
+    velocity_exponent,
     temperature_law,
     self_heating,
     degradation,

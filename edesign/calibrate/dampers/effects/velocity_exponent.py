@@ -16,7 +16,7 @@ _LEAST, _MOST = 0.1, 3.0  # below it is friction; above it there is no damper
 
 
 class _Velocity(Form):
-    name: ClassVar[str] = "velocity_power"
+    name: ClassVar[str] = "velocity_exponent"
     may_be_inside: ClassVar[bool] = True
     kind: ClassVar[Kind] = "damper"
     signature: ClassVar[str] = (

@@ -15,7 +15,7 @@ from blind.programme import Trial
 class Dashpot(Effect):
     """An oil dashpot beside the damper, c |v|^p."""
 
-    name, kind, form = "velocity_power", "damper", "dashpot"
+    name, kind, form = "velocity_exponent", "damper", "dashpot"
     first, most = 0.1, 30.0
 
     def shape(self, rng: Generator, tests: Sequence[Trial]) -> None:
@@ -32,7 +32,7 @@ class Dashpot(Effect):
 class Kink(Effect):
     """Above a velocity the exponent of the law's dashpot is another one; the force is continuous."""
 
-    name, kind, form = "velocity_power", "damper", "kink"
+    name, kind, form = "velocity_exponent", "damper", "kink"
     first, most = 0.2, 1.5
 
     def shape(self, rng: Generator, tests: Sequence[Trial]) -> None:
@@ -52,7 +52,7 @@ class Kink(Effect):
 class Eyring(Effect):
     """Thermally activated flow, c asinh(v/v0), through the relaxation."""
 
-    name, kind, form = "velocity_power", "damper", "eyring"
+    name, kind, form = "velocity_exponent", "damper", "eyring"
     first, most = 0.3, 60.0
 
     def shape(self, rng: Generator, tests: Sequence[Trial]) -> None:
