@@ -26,12 +26,15 @@ _FORMS, _FORMS_HELD, _FORMS_SLOW = 5, 10, 3
 """Forms of an effect that are compared once it is a likely one: usually, with the law held, and beside slow or several
 effects.
 """
-_LIKELY = 2  # effects of which forms are compared
+_LIKELY = 2  # effects of which forms are compared, or models with which the law is fitted again
 _RIVALS = 5  # forms that are tried in the place of one
 _MOST = 4  # effects
 _FEW = 2  # effects up to which pairs are sought
 _FAR = 0.5  # coordinates: factors of e
-_ABOUT = 1.5  # times what the refit leaves: an effect beside the declared law that leaves no more does about as much
+_ABOUT, _PERHAPS = 1.5, 6.0
+"""Times what the refit leaves: an effect beside the declared law that leaves no more does about as much, and perhaps as
+much together with another one.
+"""
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 _UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
 
@@ -102,9 +105,10 @@ class Loop:
         refused: Refused = ()
         current = None
         best = min(held, key=lambda judged: judged.held_out.score, default=None)
+        beside = best is not None and best.fitted.chi2 <= _PERHAPS * refit.fitted.chi2  # the declared law, two effects
         if best is not None and best.fitted.chi2 <= _ABOUT * refit.fitted.chi2:
             held = [*held, *self._other_forms(best, best.fitted.model.effects[0])]
-            current = self._two_beside_declared(held, refit)
+            current, beside = self._two_beside_declared(held, refit), False
         if current is None:
             current, refused = self._round(refit, rival, held)
         if current is None:
@@ -116,7 +120,9 @@ class Loop:
             self.fitted.clear()  # of another belief in the declared parameters: not asked for again
             if current.at_floor or len(current.fitted.model.effects) >= _MOST:
                 break
-            found, refused = self._round(current, current)
+            found, beside = self._two_beside_declared(held, current) if beside else None, False
+            if found is None:
+                found, refused = self._round(current, current)
             if found is None:
                 found = self._in_pairs(current)
             if found is None:
@@ -310,9 +316,9 @@ class Loop:
         self.rivals[_labels(())] = found
         return found
 
-    def _two_beside_declared(self, held: Sequence[Judged], refit: Judged) -> Judged | None:
-        """Two effects beside the law as declared, where one does about as much as all of the law's parameters fitted
-        again: what is beside that refit may be its symptoms.
+    def _two_beside_declared(self, held: Sequence[Judged], free: Judged) -> Judged | None:
+        """Two effects beside the law as declared, where one does nearly as much as all of the law's parameters fitted
+        again: what is beside that refit may be its symptoms. They must beat a model whose law is fitted.
         """
         best = min(held, key=lambda judged: judged.held_out.score)
         if (freed := self._freed(best)).at_floor:
@@ -321,11 +327,16 @@ class Loop:
         self.tell(f"screening effects beside {known[0].name} and the law as declared")
         pool = [c for c in self._candidates(best) if _may_join(c, known)]
         found = self._fit_best(shortlist(screen(best.fitted, pool, self.workers)))
-        rivals = (refit, best, freed)
+        rivals = (free, best, freed)
         least = min(rival.fitted.chi2 for rival in rivals)
         if any(judged.fitted.chi2 <= _CLEAR * least for judged in found):
             found += self._other_forms_of_likely(found)
         clear = [judged for judged in found if all(_clearly(judged, rival) for rival in rivals)]
+        if not clear:  # the declared law may be off
+            likely = [
+                self._freed(judged) for judged in sorted(found, key=lambda judged: judged.held_out.score)[:_LIKELY]
+            ]
+            clear = [judged for judged in likely if all(_clearly(judged, rival) for rival in rivals)]
         return simplest(clear) if clear else None
 
     def _freed(self, current: Judged) -> Judged:

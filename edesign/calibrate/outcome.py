@@ -15,7 +15,7 @@ from edesign.calibrate.result import Calibration, Effect, Errors, Estimate, Next
 from edesign.calibrate.selection import Adopted, Selection
 
 BOTH: tuple[Use, ...] = ("fit", "validate")
-_EXPLAINED = 1.5  # times the noise floor: error of the validation tests up to which nothing is left to explain
+_EXPLAINED = 2.0  # times the noise floor: error of the validation tests up to which nothing is left to explain
 
 
 @dataclass(frozen=True, eq=False)
