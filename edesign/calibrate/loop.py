@@ -16,7 +16,7 @@ from edesign.calibrate.screening import Signature, screen
 from edesign.calibrate.selection import Adopted, Refused, Selection
 from edesign.errors import InputError
 
-_SMALL, _MISSED = 0.01, 1e-3
+_SMALL, _MISSED = 0.01, 5e-4
 """Shares of all that the refitted law leaves over noise, and of what the effects found before do to the force: below
 the larger stands what the equations of these effects miss.
 """
