@@ -279,10 +279,10 @@ enum {
   ED_AMEND_ONE_SIDED_FACTOR = 10,         /* b side(1, -1): phi = 1 + b where side u > 0; with a brace rising over 1e-5 m */
   ED_AMEND_ONE_SIDED_SPRING = 11,         /* k u0 side(1, -1): k max(side u - u0, 0) side */
   ED_AMEND_RELAXATION_BRANCH_MAXWELL = 12,/* k tau: Q' + Q/tau = k v, v linear over the step */
-  ED_AMEND_VELOCITY_EXPONENT_DASHPOT = 13,   /* c alpha: c |v|^alpha sgn v */
+  ED_AMEND_VELOCITY_EXPONENT_DASHPOT = 13,/* c alpha: c |v|^alpha sgn v */
   ED_AMEND_PAYNE_NETWORK = 14,            /* d s0 tau: phi = 1 - d x, x' = (1 - x) |v|/s0 - x/tau, |v| constant over the step */
   ED_AMEND_MULLINS_DAMAGE = 15,           /* m r p: phi = 1 - m (1 - exp(-(M/r)^p)) */
-  ED_AMEND_VELOCITY_EXPONENT_FLOW = 16,      /* f v0: f asinh(v/v0) */
+  ED_AMEND_VELOCITY_EXPONENT_FLOW = 16,   /* f v0: f asinh(v/v0) */
   ED_AMEND_DEGRADATION_PATH = 17          /* d p S: phi = 1 - d (s/S)^p */
 };
 /* Adds one to a damper, before its first state is made; several act together. inside: not beside the law but inside one that relaxes all
