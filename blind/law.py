@@ -36,8 +36,10 @@ Parameters = Mapping[str, float]
 
 
 def at_temperature(p: Parameters, temperature: float) -> dict[str, float]:
-    """Parameters at a temperature in degC: each times gamma_T, linear between the values of Table 4.4."""
-    gamma = float(np.interp(temperature, *TABLE_4_4))
+    """Parameters at a temperature in degC: each times gamma_T, linear between values of Table 4.4 and beyond."""
+    warmths, gammas = TABLE_4_4
+    i = int(np.clip(np.searchsorted(warmths, temperature) - 1, 0, len(warmths) - 2))
+    gamma = gammas[i] + (gammas[i + 1] - gammas[i]) / (warmths[i + 1] - warmths[i]) * (temperature - warmths[i])
     return {name: gamma * value for name, value in p.items()}
 
 

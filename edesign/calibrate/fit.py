@@ -100,14 +100,15 @@ class Model:
         where a condition of a test is in doubt.
         """
         parts = self.parts(x)
-        predicted = self.problem.predict(self.base_values(x), parts, uses)
+        base = self.base_values(x)
+        predicted = self.problem.predict(base, parts, uses)
         found = []
         for i, values in enumerate(predicted):
             if values is None:
                 continue
             residual = (self.problem.measured[i] - values) / self.noise[i]
             doubt = self.problem.doubt(i)
-            columns = self.problem.nuisance(parts, i) if parts else None
+            columns = self.problem.nuisance(base, parts, i) if parts else None
             if columns is not None:
                 residual = residual - columns @ (columns.T @ residual)
                 doubt = None if doubt is None else doubt - columns @ (columns.T @ doubt)
@@ -145,7 +146,7 @@ class Fitted:
     def freedom(self) -> int:
         """How many numbers were fitted, with those that are each test's own."""
         problem = self.model.problem
-        columns = [problem.nuisance(self.parts, i) for i, use in enumerate(problem.uses) if use == "fit"]
+        columns = [problem.nuisance(self.base, self.parts, i) for i, use in enumerate(problem.uses) if use == "fit"]
         return self.x.size + sum(own.shape[1] for own in columns if own is not None)
 
     @property

@@ -11,9 +11,10 @@ from edesign.calibrate.contest import BEHIND, FITTED, both, fit_best, likely_for
 from edesign.calibrate.evidence import SHARE, Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.pairs import likely_pairs
-from edesign.calibrate.problem import Candidate, PredictionError, Problem
+from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem
 from edesign.calibrate.screening import Signature, screen
 from edesign.calibrate.selection import Adopted, Refused, Selection
+from edesign.calibrate.side_by_side import side_by_side
 from edesign.errors import InputError
 
 _SMALL, _MISSED = 0.01, 5e-4
@@ -68,7 +69,7 @@ class Loop:
         self.tell = progress
         self.material = 0.0
         self.rivals: dict[frozenset[str], list[Judged]] = {}  # models with one effect more, by the effects they share
-        self.fitted: dict[_Key, Judged] = {}  # since the model was last fitted again
+        self.known: dict[_Key, Judged] = {}  # since the model was last fitted again
         self.compared: set[tuple[str, _Key]] = set()  # effects whose forms were, beside which model
 
     def run(self) -> Selection:
@@ -116,8 +117,8 @@ class Loop:
         while True:
             if _last_is_new(current):
                 current = self._reformed(self._reconsider(current))
-            current = _refitted(self._freed(self._prune(current)))
-            self.fitted.clear()  # of another belief in the declared parameters: not asked for again
+            current = self._finer(_refitted(self._freed(self._prune(current))))
+            self.known.clear()  # of another belief in the declared parameters: not asked for again
             if current.at_floor or len(current.fitted.model.effects) >= _MOST:
                 break
             found, beside = self._two_beside_declared(held, current) if beside else None, False
@@ -257,6 +258,34 @@ class Loop:
             current = simplest([current, *self._other_forms(current, effect)])
         return current
 
+    def _finer(self, current: Judged) -> Judged:
+        """Each effect in a finer form, where more than noise is left and that form is better: with nothing in doubt, as
+        what is in doubt may have made up for the coarser one.
+        """
+        problem = self.problem.certain
+        best = current
+        if problem is not self.problem:
+            best = Judged(fit(replace(current.fitted.model, problem=problem), current.fitted.x))
+        first = best
+        for i in range(len(current.fitted.model.effects)):
+            while not best.at_floor and (found := self._in_finer_form(best, i)) is not best:
+                best = found
+        if best is first:
+            return current
+        if problem is self.problem:
+            return best
+        return Judged(fit(replace(best.fitted.model, problem=self.problem), best.fitted.x))
+
+    def _in_finer_form(self, current: Judged, i: int) -> Judged:
+        model, parts = current.fitted.model, current.fitted.parts
+        self.tell(f"finer forms of {model.effects[i].name}")
+        begun = []
+        for part in self.problem.finer(parts[i]):
+            own = [*parts[:i], part, *parts[i + 1 :]]
+            other = replace(model, effects=tuple(effect for effect, _ in own))
+            begun.append((other, other.coordinates(current.fitted.base, own)))
+        return simplest([current, *self._fitted(begun)])
+
     def _other_forms(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models with another form of an effect; which are likely is seen beside the law as the model has it."""
         fitted = current.fitted
@@ -280,10 +309,42 @@ class Loop:
         if _labels(others) in self.rivals:
             return self.rivals[_labels(others)]
         without = self._without(current, effect)
-        pool = [c for c in self._candidates(without) if _may_join(c, others) and c.label != effect.label]
-        short = shortlist(screen(without.fitted, pool, self.workers))[:_RIVALS]
-        self.rivals[_labels(others)] = self._fit_best(short)
-        return self.rivals[_labels(others)]
+        known = [part for part in self._stood_beside(others) if part[0].label != effect.label]
+        if known:
+            found = self._fit_all(without, known)
+        else:
+            pool = [c for c in self._candidates(without) if _may_join(c, others) and c.label != effect.label]
+            found = self._fit_best(shortlist(screen(without.fitted, pool, self.workers))[:_RIVALS])
+        self.rivals[_labels(others)] = found
+        return found
+
+    def _stood_beside(self, others: Sequence[Candidate]) -> list[Part]:
+        """The best form of each effect, the best first, that was fitted beside other forms of these effects."""
+        names = sorted(other.name for other in others)
+        tried = [
+            judged
+            for judged in (model for models in self.rivals.values() for model in models)
+            if sorted(effect.name for effect in judged.fitted.model.effects[:-1]) == names
+        ]
+        best: dict[str, Part] = {}
+        for judged in sorted(tried, key=lambda judged: judged.held_out.score):
+            part = judged.fitted.parts[-1]
+            if _may_join(part[0], others):
+                best.setdefault(part[0].name, part)
+        return [*best.values()][:_RIVALS]
+
+    def _fit_all(self, current: Judged, parts: Sequence[Part]) -> list[Judged]:
+        """Models with each of some effects added, those that can be predicted."""
+        model, base, here = current.fitted.model, current.fitted.base, current.fitted.parts
+        models = [replace(model, effects=(*model.effects, part[0])) for part in parts]
+        starts = [one.coordinates(base, (*here, part)) for one, part in zip(models, parts, strict=True)]
+        return self._fitted([*zip(models, starts, strict=True)])
+
+    def _fitted(self, begun: Sequence[tuple[Model, np.ndarray]]) -> list[Judged]:
+        """Models fitted from coordinates, those that can be predicted."""
+        given = [thing for model, _ in begun for thing in model.given]
+        found = side_by_side(lambda one: _judged(*one), begun, self.workers, given)
+        return [judged for judged in found if judged is not None]
 
     def _without(self, current: Judged, effect: Candidate) -> Judged:
         model = current.fitted.model
@@ -379,9 +440,9 @@ class Loop:
 
     def _fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
         """Models fitted from their starts; those that have been fitted before are not fitted again."""
-        known = {_key(s.model): self.fitted[_key(s.model)] for s in signatures if _key(s.model) in self.fitted}
+        known = {_key(s.model): self.known[_key(s.model)] for s in signatures if _key(s.model) in self.known}
         found = fit_best([s for s in signatures if _key(s.model) not in known], self.workers)
-        self.fitted |= {_key(judged.fitted.model): judged for judged in found}
+        self.known |= {_key(judged.fitted.model): judged for judged in found}
         return [*known.values(), *found]
 
     def _unfitted(self, refit: Judged) -> Fitted:
@@ -393,6 +454,15 @@ class Loop:
         """Effects that may be missing in a model."""
         noise = [s for s, use in zip(self.noise, self.problem.uses, strict=True) if use == "fit"]
         return self.problem.candidates([s * r for s, r in zip(noise, judged.fitted.residuals, strict=True)])
+
+
+def _judged(model: Model, start: np.ndarray) -> Judged | None:
+    try:
+        judged = Judged(fit(model, start))
+        _ = judged.held_out
+    except PredictionError:
+        return None
+    return judged
 
 
 def _clearly(model: Judged, rival: Judged) -> bool:
@@ -438,9 +508,11 @@ def _begun_from(fitted: Fitted, effect: Candidate, signature: Signature) -> Sign
 
 
 def _may_join(candidate: Candidate, others: Sequence[Candidate]) -> bool:
-    """Whether a form may stand beside others: a second one of the same effect may, to follow its shape more closely."""
+    """Whether a form may stand beside others: a second one of the same effect may, to follow its shape more closely,
+    unless a finer form does.
+    """
     alike = [other for other in others if other.name == candidate.name]
-    return len(alike) < 2 and all(other.label != candidate.label for other in alike)
+    return len(alike) < 2 and all(other.label != candidate.label and not other.finer for other in alike)
 
 
 def _worse(model: Judged, rival: Judged) -> bool:

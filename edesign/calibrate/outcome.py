@@ -43,7 +43,8 @@ class Outcome:
         """Of what the loop found, with the noise (tests,) of the problem."""
         predicted = {stage: predict(problem, judged) for stage, judged in stages(found).items()}
         errors = {stage: errors_of(problem, values) for stage, values in predicted.items()}
-        floors = {use: floor_of(problem, noise, use) for use in BOTH}
+        doubting = found.final.fitted.model.problem  # or not, where the tests show no error of their temperatures
+        floors = {use: floor_of(doubting, noise, use) for use in BOTH}
         return Outcome(problem, found, errors, predicted, floors, verdict_of(found, errors["corrected"], floors))
 
     @property
@@ -109,7 +110,7 @@ def predict(problem: Problem, judged: Judged) -> list[np.ndarray]:
     found = []
     for i, values in enumerate(problem.predict(judged.fitted.base, parts, BOTH)):
         assert values is not None
-        columns = problem.nuisance(parts, i) if parts else None
+        columns = problem.nuisance(judged.fitted.base, parts, i) if parts else None
         if columns is not None:
             values = values + columns @ (columns.T @ (problem.measured[i] - values))
         found.append(values)
@@ -130,10 +131,12 @@ def errors_of(problem: Problem, predicted: Sequence[np.ndarray]) -> Errors:
 
 
 def floor_of(problem: Problem, noise: Sequence[float], use: Use) -> float:
-    """NRMS of noise (tests,) in the tests used so."""
+    """NRMS in the tests used so of noise (tests,), and of what a condition known only so well (a temperature) changes."""
     chosen = [i for i, u in enumerate(problem.uses) if u == use]
     power = sum(float(problem.measured[i] @ problem.measured[i]) for i in chosen)
-    return sum(noise[i] ** 2 * problem.measured[i].size for i in chosen) / power
+    doubts = [doubt for i in chosen if (doubt := problem.doubt(i)) is not None]
+    random = sum(noise[i] ** 2 * problem.measured[i].size for i in chosen)
+    return (random + sum(float(doubt @ doubt) for doubt in doubts)) / power
 
 
 def verdict_of(found: Selection, corrected: Errors, floors: Mapping[Use, float]) -> Verdict:

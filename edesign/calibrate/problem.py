@@ -29,6 +29,7 @@ class Candidate:
         effect: what the problem needs to predict with it.
         slow: whether predictions with it take many times longer, and others hardly change what it does: others are
             screened without it.
+        finer: whether it is a finer form of one that was found (`Problem.finer`).
     """
 
     name: str
@@ -38,6 +39,7 @@ class Candidate:
     starts: tuple[tuple[float, ...], ...]
     effect: Any
     slow: bool = False
+    finer: bool = False
 
     @property
     def label(self) -> str:
@@ -97,6 +99,13 @@ class Problem(Protocol):
         `measured`.
         """
 
+    @property
+    def certain(self) -> Problem:
+        """The same with nothing in doubt; itself if nothing is."""
+
+    def finer(self, part: Part) -> tuple[Part, ...]:
+        """Finer forms of an effect that was found, with the values at which they do what it does."""
+
     def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
         """Predicted values (n_i,) of each test used so; None for the others.
 
@@ -104,7 +113,7 @@ class Problem(Protocol):
             PredictionError: the model has no prediction for these values.
         """
 
-    def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
+    def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """Orthonormal columns (n_i, k) whose share is each test's own, as the phase of hum is; None: there are none."""
 
     def doubt(self, index: int) -> np.ndarray | None:

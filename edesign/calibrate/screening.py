@@ -40,7 +40,7 @@ class Signature:
     @property
     def freedom(self) -> int:
         """How many numbers the candidate has, with those that are the first test's own."""
-        own = self.model.problem.nuisance(self.model.parts(self.start)[-1:], 0)
+        own = self.model.problem.nuisance(self.model.base_values(self.start), self.model.parts(self.start)[-1:], 0)
         return len(self.candidate.unknowns) + (0 if own is None else own.shape[1])
 
 

@@ -64,6 +64,17 @@ def cycles(motion: Motion, least: float) -> np.ndarray:
     return found
 
 
+@lru_cache(maxsize=_KEPT)
+def equivalent_cycles(motion: Motion, least: float) -> np.ndarray:
+    """Number of cycles (n,) since the beginning of the test: path over four times the largest displacement so far, at
+    least `least` m.
+    """
+    amplitude = np.maximum(largest(motion, least)[1:], least)
+    found = np.concatenate(([0.0], np.cumsum(np.abs(np.diff(motion.displacement)) / (4.0 * amplitude))))
+    found.setflags(write=False)
+    return found
+
+
 def work(motion: Motion, force: np.ndarray) -> np.ndarray:
     """Work (n,) J done by a force (n,) N since the beginning of the test."""
     return np.concatenate(([0.0], np.cumsum(0.5 * (force[1:] + force[:-1]) * np.diff(motion.displacement))))

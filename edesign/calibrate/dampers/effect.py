@@ -30,6 +30,8 @@ from edesign.calibrate.problem import Described, Kind
 from edesign.calibrate.unknown import Unknown
 
 Memory = dict[str, Any]
+BEGUN = "begun"
+"""In a memory: by how much more the state at the beginning of a test is than what is left from before."""
 
 
 class Series(NamedTuple):
@@ -78,8 +80,12 @@ class Form:
             it too.
         inside: whether it does.
         may_spare_loss: whether its factor may change the law's dashpots less, or more, than its springs, or them alone.
+        loss_start: exponent of the dashpots from which a search goes.
         spares_loss: whether it does, see `dashpot_factor`.
         spares_springs: whether it changes dashpots alone.
+        has_columns: whether a share of it is each test's own, see `columns`.
+        begins: whether its state at the beginning of a test is that test's own, by `BEGUN` more than what is left from
+            before.
         refined: steps into which one between samples is cut, for motions that bend or turn between samples.
         amendment: whether a law file can carry it (edesign.damper.amendments has this name and form, or
             `amendment_form` where there is one).
@@ -97,8 +103,11 @@ class Form:
     may_be_inside: ClassVar[bool] = False
     inside = False
     may_spare_loss: ClassVar[bool] = False
+    loss_start: ClassVar[float] = 0.0
     spares_loss: bool = False
     spares_springs: bool = False
+    has_columns: bool = False
+    begins: bool = False
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         """Parameters with bounds that suit a campaign; () if the campaign cannot show the effect."""
@@ -138,6 +147,10 @@ class Form:
         """Factor (n,) of the law's force (n,) N; None: the form is no factor."""
         return None
 
+    def spring_factor(self, p: Values, factor: np.ndarray | float) -> np.ndarray | float:
+        """Factor of the law's springs, of the form's factor: 1 where it spares springs, or itself."""
+        return 1.0 if self.spares_springs else factor
+
     def dashpot_factor(self, p: Values, motion: Motion, factor: np.ndarray | float) -> np.ndarray | float:
         """Factor of the law's dashpots where the form spares loss or springs, of its factor: factor^loss, or itself."""
         return factor if self.spares_springs else np.asarray(np.maximum(factor, 0.0) ** p["loss"])
@@ -174,10 +187,10 @@ class Form:
 
         def more_unknowns(sizes: Sizes) -> tuple[Unknown, ...]:
             own = unknowns(sizes)
-            return (*own, Unknown("loss", "", -1.0, 4.0, 1.0)) if own else ()
+            return (*own, Unknown("loss", "", -1.0, 8.0, 1.0)) if own else ()
 
         def more_starts(sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-            return tuple((*row, 0.0) for row in starts(sizes))
+            return tuple((*row, self.loss_start) for row in starts(sizes))
 
         vars(other).update(
             form=f"{self.form}_loss",
@@ -206,6 +219,10 @@ class Form:
         """What people and files are told of the form, without the numbers that a campaign fixes."""
         amendment = getattr(self, "amendment_form", self.form) if self.amendment else ""
         return Described(self.title, self.signature, amendment)
+
+    def finer(self) -> tuple[Form, ...]:
+        """Finer forms that a search would be lost in, for when this one was found; each has its parameters first."""
+        return ()
 
     def columns(self, p: Values, trial: Trial) -> np.ndarray | None:
         """Columns (n, k) whose share is each test's own; None: there are none."""

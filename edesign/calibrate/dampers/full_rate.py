@@ -14,6 +14,7 @@ from edesign.calibrate.selection import Selection
 from edesign.calibrate.side_by_side import side_by_side
 
 _ENOUGH = 1e-6  # of the sum of squares of some ten thousand samples: a tenth of what chance makes
+_DOUBTS = (0.0, 0.1, 0.3, 1.0)  # shares of the doubt about conditions of the tests
 
 
 def at_full_rate(found: Selection, problem: DamperProblem, workers: int) -> Selection:
@@ -25,34 +26,36 @@ def at_full_rate(found: Selection, problem: DamperProblem, workers: int) -> Sele
         problem: of the same tests at full rate.
         workers: processes.
     """
-    begun = [judged.fitted for judged in (found.refit, found.final)]
-    problems = [problem] if problem.certain is problem else [problem, problem.certain]
-    jobs = [(fitted, each) for fitted in begun for each in problems]
-    known = (*problems, *begun[1].model.given)
-    fits = side_by_side(lambda job: _fitted(*job), jobs, workers, known)
-    refit, final = (_likelier(fits[i : i + len(problems)]) for i in (0, len(problems)))
+    shares = (0.0,) if problem.certain is problem else _DOUBTS
+    problems = [problem.doubting(share) for share in shares]
+    known = (*problems, *found.final.fitted.model.given)
+    final = _likeliest(side_by_side(lambda each: _fitted(found.final.fitted, each), problems, workers, known))
+    same = next(each for each in problems if each is final.model.problem)
+    refit = _fitted(found.refit.fitted, same)
     adopted = tuple(replace(one, values=values) for one, (_, values) in zip(found.adopted, final.parts, strict=True))
     return replace(found, refit=Judged(refit), final=Judged(final), adopted=adopted)
 
 
 def _fitted(begun: Fitted, problem: DamperProblem) -> Fitted:
+    model = replace(begun.model, problem=problem)
     try:
-        return fit(replace(begun.model, problem=problem), begun.x, enough=_ENOUGH)
+        return fit(model, begun.x, enough=_ENOUGH)
     except PredictionError:
         return begun
 
 
-def _likelier(fits: list[Fitted]) -> Fitted:
-    """With conditions of the tests in doubt, or without if that is as likely: what is in doubt then is no excuse.
+def _likeliest(fits: list[Fitted]) -> Fitted:
+    """With conditions of the tests as far in doubt as the tests show: what is in doubt beyond that is no excuse.
 
     The likelihood of residuals r in doubt by d is that of a normal distribution of covariance I + d d^T, whose
-    determinant is 1 + |d|^2; what is left counts as noise.
+    determinant is 1 + |d|^2 (empirical Bayes: Efron & Morris 1973, JASA 68, 117-130); what is left counts as noise.
     """
-    if len(fits) == 1:
-        return fits[0]
-    doubting, certain = fits
-    problem, noise = doubting.model.problem, doubting.model.noise
-    doubts = [problem.doubt(i) for i, use in enumerate(problem.uses) if use == "fit"]
-    sizes = [s for s, use in zip(noise, problem.uses, strict=True) if use == "fit"]
-    room = sum(np.log1p(float(d @ d) / s**2) for d, s in zip(doubts, sizes, strict=True) if d is not None)
-    return certain if certain.chi2 - doubting.chi2 <= room * doubting.misfit**2 else doubting
+    misfit = fits[-1].misfit
+
+    def unlikely(fitted: Fitted) -> float:
+        problem, noise = fitted.model.problem, fitted.model.noise
+        fitting = [i for i, use in enumerate(problem.uses) if use == "fit"]
+        doubts = [(doubt, noise[i]) for i in fitting if (doubt := problem.doubt(i)) is not None]
+        return fitted.chi2 / misfit**2 + sum(float(np.log1p(d @ d / s**2)) for d, s in doubts)
+
+    return min(fits, key=unlikely)

@@ -10,7 +10,8 @@ from typing import Any, Generic, TypeVar
 import numpy as np
 
 from edesign.calibrate.dampers.band import band_power
-from edesign.calibrate.dampers.effect import Form, Memory, Series
+from edesign.calibrate.dampers.effect import BEGUN, Form, Memory, Series
+from edesign.calibrate.dampers.finer import finer
 from edesign.calibrate.dampers.inside import relaxation_time, relaxed_factor, relaxed_force, without_dashpots
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
@@ -25,6 +26,7 @@ from edesign.damper.temperature import TemperatureModel, at
 from edesign.errors import InputError
 
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
+_BEGUN = 1e-3  # change of a state, a number, by which differences are taken
 _KEPT = 64  # force histories of the law alone: those of one set of parameters
 
 T = TypeVar("T")
@@ -80,6 +82,10 @@ class DamperProblem:
         splits = without_dashpots(self.law, self.start) is not None
         return candidates(self.sizes, Left(fitted, residuals), relaxes, splits)
 
+    def finer(self, part: Part) -> tuple[Part, ...]:
+        """Finer forms of an effect that was found, with the values at which they do what it does."""
+        return finer(part, self.sizes, without_dashpots(self.law, self.start) is not None)
+
     def law_values(self, base: np.ndarray) -> dict[str, float]:
         """Parameters of the law, all of them, of the values of the unknown ones."""
         return {**self.start, **{u.name: float(v) for u, v in zip(self.base, base, strict=True)}}
@@ -93,33 +99,50 @@ class DamperProblem:
         values = self.law_values(base)
         wanted = [trial.use in uses for trial in self.trials]
         remembers = any(part.form.remembers for part in acting)
-        parts_of_step = max((part.form.refined for part in acting), default=1)
         found: list[np.ndarray | None] = []
         for trial, asked in zip(self.trials, wanted, strict=True):
-            force = None
-            if asked or remembers:
-                with np.errstate(all="ignore"):  # a search may ask for anything; a force that is not finite is refused
-                    force = self._force((trial.finer(parts_of_step) if parts_of_step > 1 else trial), values, acting)
-            found.append(None if force is None or not asked else force[::parts_of_step])
+            force = self._force(trial, values, acting) if asked or remembers else None
+            found.append(force if asked else None)
         return found
 
-    def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
+    def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """Orthonormal columns (n_i, k) of what is each test's own; None: there is nothing."""
-        own = [part for part in parts if type(part[0].effect[0]).columns is not Form.columns]
-        return self._kept_nuisance(tuple((_Same(c), tuple(v.tolist())) for c, v in own), index) if own else None
+        own = [part for part in parts if part[0].effect[0].has_columns]
+        columns = [self._kept_nuisance(tuple((_Same(c), tuple(v.tolist())) for c, v in own), index)] if own else []
+        if any(part[0].effect[0].begins for part in parts):
+            columns.append(self._begun(base, parts)[index][:, np.newaxis])
+        return columns[0] if own and len(columns) == 1 else _orthonormal(columns) if columns else None
+
+    def _begun(self, base: np.ndarray, parts: Sequence[Part]) -> tuple[np.ndarray, ...]:
+        """By how much the force (n,) N of each test changes with the state at its beginning."""
+        return self._kept_begun(tuple(base.tolist()), tuple((_Same(c), tuple(v.tolist())) for c, v in parts))
 
     @cached_property
-    def _kept_nuisance(self) -> Callable[[tuple[tuple[_Same[Candidate], tuple[float, ...]], ...], int], np.ndarray]:
+    def _kept_begun(self) -> Callable[[tuple[float, ...], tuple[_KeptPart, ...]], tuple[np.ndarray, ...]]:
+        """Kept for the parameters last used: each test asks for its own."""
+
+        @lru_cache(maxsize=1)
+        def kept(base: tuple[float, ...], parts: tuple[_KeptPart, ...]) -> tuple[np.ndarray, ...]:
+            acting = [_Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
+            values = self.law_values(np.array(base))
+            found = []
+            for trial in self.trials:
+                more = [replace(part, memory={**part.memory, BEGUN: _BEGUN}) for part in acting]
+                warm, cold = (self._force(trial, values, own) for own in (more, acting))  # `acting` remembers
+                found.append((warm - cold) / _BEGUN)
+            return tuple(found)
+
+        return kept
+
+    @cached_property
+    def _kept_nuisance(self) -> Callable[[tuple[_KeptPart, ...], int], np.ndarray]:
         """Kept, as most searches move other parameters than those of the columns."""
 
         @lru_cache(maxsize=_KEPT)
-        def kept(parts: tuple[tuple[_Same[Candidate], tuple[float, ...]], ...], index: int) -> np.ndarray:
+        def kept(parts: tuple[_KeptPart, ...], index: int) -> np.ndarray:
             acting = [_Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
             columns = [part.form.columns(part.p, self.trials[index]) for part in acting]
-            basis, sizes, _ = np.linalg.svd(np.hstack([c for c in columns if c is not None]), full_matrices=False)
-            basis = basis[:, sizes > _DEPENDENT * sizes[0]]
-            basis.setflags(write=False)
-            return basis
+            return _orthonormal([c for c in columns if c is not None])
 
         return kept
 
@@ -130,9 +153,18 @@ class DamperProblem:
     @cached_property
     def certain(self) -> DamperProblem:
         """The same with temperatures as they were read."""
-        if all(trial.warmth is None for trial in self.trials):
+        return self if all(trial.warmth is None for trial in self.trials) else self.doubting(0.0)
+
+    def doubting(self, share: float) -> DamperProblem:
+        """The same with a share of the thermometer's error; itself where temperatures do not matter."""
+
+        def of(trial: Trial) -> Trial:
+            warmth = None if share == 0.0 or trial.warmth is None else share * trial.warmth
+            return replace(trial, warmth=warmth)
+
+        if share == 1.0 or all(trial.warmth is None for trial in self.trials):
             return self
-        return replace(self, trials=tuple(replace(trial, warmth=None) for trial in self.trials))
+        return replace(self, trials=tuple(of(trial) for trial in self.trials))
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
         """Power of the residuals in the band of the motion over that of noise there, or of all over all, whichever is
@@ -151,6 +183,13 @@ class DamperProblem:
         return max(inside / expected, sum(float(r @ r) for r in residuals) / whole)
 
     def _force(self, trial: Trial, values: dict[str, float], acting: Sequence[_Acting]) -> np.ndarray:
+        parts_of_step = max((part.form.refined for part in acting), default=1)
+        with np.errstate(all="ignore"):  # a search may ask for anything; a force that is not finite is refused
+            fine = trial.finer(parts_of_step) if parts_of_step > 1 else trial
+            return self._recorded(fine, values, acting)[::parts_of_step]
+
+    def _recorded(self, trial: Trial, values: dict[str, float], acting: Sequence[_Acting]) -> np.ndarray:
+        """Force (n,) N that the load cell records."""
         motion = trial.motion
         for part in acting:
             motion = part.form.actuator(part.p, trial, motion)
@@ -295,7 +334,7 @@ def _changed(
                 inside = beside if inside is None else inside + beside
             continue
         if own is not None and form.spares_loss:
-            found.springs = found.springs * (1.0 if form.spares_springs else own)
+            found.springs = found.springs * form.spring_factor(part.p, own)
             found.dashpots = found.dashpots * form.dashpot_factor(part.p, motion, own)
             found.splits = True
         elif own is not None:
@@ -318,6 +357,19 @@ class _Same(Generic[T]):
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, _Same) and other.thing is self.thing
+
+
+def _orthonormal(columns: Sequence[np.ndarray]) -> np.ndarray:
+    """A basis (n, k) of columns, those that depend on others left out."""
+    basis, sizes, _ = np.linalg.svd(
+        np.hstack([c / np.maximum(np.linalg.norm(c, axis=0), 1e-300) for c in columns]), full_matrices=False
+    )
+    basis = basis[:, sizes > _DEPENDENT * sizes[0]]
+    basis.setflags(write=False)
+    return np.asarray(basis)
+
+
+_KeptPart = tuple[_Same[Candidate], tuple[float, ...]]
 
 
 def _damper(law: str, values: tuple[float, ...]) -> CoreDamper:

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.linalg import eigh
 
 from edesign.calibrate.noise import white_noise
-from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
+from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem, Use
 from edesign.calibrate.structure.band import band_power
 from edesign.calibrate.structure.building import Building
 from edesign.calibrate.structure.campaign import Isolation, StructureCampaign
@@ -222,9 +222,18 @@ class StructureProblem:
             found.append(response if asked else None)
         return found
 
-    def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
+    def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """Nothing is each test's own."""
         return None
+
+    @property
+    def certain(self) -> Problem:
+        """Nothing is in doubt."""
+        return self
+
+    def finer(self, part: Part) -> tuple[Part, ...]:
+        """There are none."""
+        return ()
 
     def doubt(self, index: int) -> np.ndarray | None:
         """Nothing is in doubt."""

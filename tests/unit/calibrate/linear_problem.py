@@ -51,7 +51,7 @@ class LinearProblem:
             found.append(value if use in uses else None)
         return found
 
-    def nuisance(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
+    def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
         return None
 
     def doubt(self, index: int) -> np.ndarray | None:

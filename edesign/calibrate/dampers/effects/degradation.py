@@ -122,13 +122,13 @@ class Fatigue(_Degradation):
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         return (
-            Unknown("d", "", -0.95, 0.95, 0.5),
+            Unknown("d", "", -50.0, 50.0, 0.5),  # small cycles leave D, on the scale of the path, far below 1
             Unknown("q", "", 0.0, 8.0, 2.0),
             Unknown("p", "", 0.1, 4.0, 1.0, logarithmic=True),
         )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return (0.1, 1.0, 1.0), (0.1, 3.0, 1.0), (0.1, 3.0, 0.4)
+        return (0.2, 1.0, 1.0), (1.0, 3.0, 1.0), (0.3, 3.0, 0.4)
 
     def fixed(self, sizes: Sizes) -> dict[str, float]:
         return {"S": sizes.path, "U": sizes.displacement}

@@ -64,6 +64,8 @@ class Campaign(_Drift):
 class _Own(_Drift):
     """Each test's own drift: no parameters, but shares of columns."""
 
+    has_columns: bool = True
+
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         return ()
 

@@ -78,6 +78,26 @@ class Threshold(_Hardening):
         return np.asarray(p["k"] * np.maximum(np.abs(u) - p["u0"], 0.0) * np.sign(u))
 
 
+class Soft(Threshold):
+    """As `threshold`, the spring begun over a width: k w ln((1 + exp((|u| - u0)/w)) / (1 + exp(-u0/w))) sgn u."""
+
+    form: ClassVar[str] = "soft_threshold"
+    title: ClassVar[str] = "a second stiffness that sets in softly about a deformation"
+    amendment: ClassVar[bool] = False
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u = sizes.displacement
+        return (*super().unknowns(sizes), Unknown("w", "m", 1e-3 * u, 0.5 * u, 0.05 * u, logarithmic=True))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*row, 0.05 * sizes.displacement) for row in super().starts(sizes))
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        size, w = np.abs(motion.displacement), p["w"]
+        begun = np.logaddexp(0.0, (size - p["u0"]) / w) - np.logaddexp(0.0, -p["u0"] / w)
+        return np.asarray(p["k"] * w * begun * np.sign(motion.displacement))
+
+
 class Exponential(_Hardening):
     """A spring beside the law that stiffens exponentially: k u (exp((u/u0)^2) - 1)."""
 
@@ -144,4 +164,4 @@ class Inside(_FromLargest):
         return Motion(motion.time, u * (1.0 + more), slope * v, slope * motion.acceleration + bend * v * v)
 
 
-FORMS = (Power, Threshold, Exponential, Gent, Inside)
+FORMS = (Power, Threshold, Soft, Exponential, Gent, Inside)

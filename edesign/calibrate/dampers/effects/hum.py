@@ -28,6 +28,7 @@ class Frequency(Unknown):
 
 
 class _Hum(Form):
+    has_columns: bool = True
     name: ClassVar[str] = "hum"
     kind: ClassVar[Kind] = "instrument"
     source: ClassVar[str] = "Lomb (1976), Astrophys. Space Sci. 39, 447-462 (least squares of sines); EN 50160 (mains)"

@@ -67,7 +67,7 @@ class Sprung(Mass):
 
 
 class OneSided(Mass):
-    """Parts lift off a stop and rest on it on the other side: F = F_true + m (1 + s sgn u) a."""
+    """Parts lift off a stop and rest on it on the other side: F = F_true + m (1 + s tanh(u/w)) a."""
 
     form: ClassVar[str] = "one_sided"
     title: ClassVar[str] = "inertia of moving mass, more of it on one side, in the force channel"
@@ -77,14 +77,17 @@ class OneSided(Mass):
     )
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        return (*super().unknowns(sizes), Unknown("s", "", -1.0, 1.0, 0.3))
+        u = sizes.displacement
+        width = Unknown("w", "m", 1e-3 * u, u, 0.05 * u, logarithmic=True)
+        return (*super().unknowns(sizes), Unknown("s", "", -1.0, 1.0, 0.3), width)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         ((mass,),) = super().starts(sizes)
-        return (mass, -0.2), (mass, 0.2)
+        width = 0.03 * sizes.displacement
+        return (mass, -0.2, width), (mass, 0.2, width)
 
     def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
-        return np.asarray(p["mass"] * (1.0 + p["s"] * np.sign(motion.displacement)) * motion.acceleration)
+        return np.asarray(p["mass"] * (1.0 + p["s"] * np.tanh(motion.displacement / p["w"])) * motion.acceleration)
 
 
 FORMS = (Mass, Sprung, OneSided)

@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 from scipy.special import erf
 
-from edesign.calibrate.dampers.drivers import cycles, largest, weighted_path
+from edesign.calibrate.dampers.drivers import cycles, equivalent_cycles, largest, weighted_path
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
@@ -177,6 +177,20 @@ class Forgotten(Cycles):
         return tuple((*row, share) for share in (0.4, 0.8) for row in rows) if sizes.tests > 1 else ()
 
 
+class Equivalent(Forgotten):
+    """As `forgotten_cycles`, with a cycle for each path of four times the largest deformation of the test so far."""
+
+    form: ClassVar[str] = "equivalent_cycles"
+    title: ClassVar[str] = "softening of the virgin specimen with the number of equivalent cycles"
+    source: ClassVar[str] = (
+        "Mullins (1969), Rubber Chem. Technol. 42, 339-362; path over four amplitudes as a count of cycles: "
+        "phenomenological"
+    )
+
+    def _worn(self, p: Values, motion: Motion) -> np.ndarray:
+        return equivalent_cycles(motion, p["least"])
+
+
 class _ByMaximum(_Mullins):
     def _largest(self, p: Values, motion: Motion, memory: Memory) -> np.ndarray:
         found = largest(motion, (1.0 - p["recovery"]) * memory.get("largest", 0.0))
@@ -271,4 +285,4 @@ class Damage(_ByMaximum):
         return np.asarray(1.0 + p["m"] * np.expm1(-(ratio ** p["p"])))
 
 
-FORMS = (Path, Work, Maximum, Elastic, Damage, PseudoElastic, Cycles, Forgotten)
+FORMS = (Path, Work, Maximum, Elastic, Damage, PseudoElastic, Cycles, Forgotten, Equivalent)

@@ -42,6 +42,7 @@ class Constant(_Offset):
 class PerTest(_Offset):
     """Each test has a zero of its own."""
 
+    has_columns: bool = True
     form: ClassVar[str] = "per_test"
     title: ClassVar[str] = "zero of the force channel, set anew for each test"
     signature: ClassVar[str] = "a constant force in each test, another one from test to test"

@@ -12,6 +12,8 @@ from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
+_BRANCHES = 4
+
 
 class _Branch(Form):
     name: ClassVar[str] = "relaxation_branch"
@@ -48,6 +50,28 @@ class Maxwell(_Branch):
         return np.asarray(p["k"] * relaxed(motion, p["tau"]))
 
 
+class Prony(_Branch):
+    """Four Maxwell branches beside the law, each time r times the one before: sum of k r^(-p i) of tau r^i, i from 0."""
+
+    form: ClassVar[str] = "prony"
+    title: ClassVar[str] = "a row of relaxation times that the law lacks"
+    source: ClassVar[str] = (
+        "Prony series with a power law of its weights: Baumgaertel & Winter (1992), J. Non-Newtonian Fluid Mech. 44, "
+        "15-36; Schapery & Park (1999), Int. J. Solids Struct. 36, 1653-1675"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        own = Maxwell().unknowns(sizes)
+        return (*own, Unknown("r", "", 2.0, 30.0, 8.0, logarithmic=True), Unknown("p", "", -1.0, 1.5, 0.5))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.05 * sizes.stiffness, s * sizes.period, 8.0, 0.3) for s in (0.01, 0.05))
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        rows = ((p["k"] * p["r"] ** (-p["p"] * i), p["tau"] * p["r"] ** i) for i in range(_BRANCHES))
+        return np.asarray(sum(k * relaxed(motion, tau) for k, tau in rows))
+
+
 class Springpot(_Branch):
     """A continuous spectrum of relaxation beside the law: Q = k T^alpha D^alpha u."""
 
@@ -69,4 +93,4 @@ class Springpot(_Branch):
         return np.asarray(p["k"] * p["T"] ** p["alpha"] * fractional_rate(motion, p["alpha"]))
 
 
-FORMS = (Maxwell, Springpot)
+FORMS = (Maxwell, Springpot, Prony)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from copy import copy
 from typing import ClassVar
 
 import numpy as np
 
-from edesign.calibrate.dampers.drivers import worked
-from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.drivers import fading, worked
+from edesign.calibrate.dampers.effect import BEGUN, Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+
+_LONGEST = 100.0  # tests: heat that stays longer does not change within one
 
 
 def _softened(q: np.ndarray) -> np.ndarray:
@@ -22,6 +26,7 @@ class Rate(Form):
 
     name: ClassVar[str] = "self_heating"
     may_spare_loss: ClassVar[bool] = True
+    loss_start: ClassVar[float] = 2.0  # what is warm loses damping before stiffness
     form: ClassVar[str] = "rate"
     kind: ClassVar[Kind] = "damper"
     title: ClassVar[str] = "softening by self-heating within a test"
@@ -34,21 +39,68 @@ class Rate(Form):
         "and Mass Transfer, section 5.1"
     )
     amendment: ClassVar[bool] = True
+    evened = False
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         each = sizes.tests / sizes.work  # q = 1 by the work of one test
         return (
             Unknown("beta", "1/J", 0.0, 20.0 * each, each),
-            Unknown("tau_h", "s", 0.3 * sizes.period, 1e4 * sizes.duration, sizes.duration, logarithmic=True),
+            Unknown("tau_h", "s", 0.3 * sizes.period, _LONGEST * sizes.duration, sizes.duration, logarithmic=True),
         )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         each = sizes.tests / sizes.work
         quick = max(0.2 * sizes.duration, sizes.period)
-        return (0.2 * each, quick), *((0.1 * each, t * sizes.duration) for t in (1.0, 3.0, 1e3))
+        return (0.2 * each, quick), *((0.1 * each, t * sizes.duration) for t in (1.0, 3.0, _LONGEST))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        return worked(motion, force, _softened, 0.0, p["beta"], p["tau_h"])[0]
+        return worked(motion, force, self._softening(p, motion), memory.get(BEGUN, 0.0), p["beta"], p["tau_h"])[0]
+
+    def finer(self) -> tuple[Form, ...]:
+        """Heat left from before a test, another one in each, as pauses between tests are not recorded: q(0) = q_i. And
+        without the work that springs give back within a cycle, which is no heat: q behind by a time tau_w.
+        """
+        return (*(() if self.begins else (self._begun_warm(),)), *(() if self.evened else (self._evened(),)))
+
+    def _begun_warm(self) -> Form:
+        other = copy(self)
+        vars(other).update(
+            form=f"{self.form}_begun_warm",
+            title=f"{self.title}, each test begun as warm as it shows",
+            amendment=False,
+            begins=True,
+        )
+        return other
+
+    def _evened(self) -> Form:
+        other = copy(self)
+        unknowns, starts = self.unknowns, self.starts
+
+        def more_unknowns(sizes: Sizes) -> tuple[Unknown, ...]:
+            own, t = unknowns(sizes), sizes.period
+            return (*own, Unknown("tau_w", "s", 0.02 * t, 5.0 * t, 0.3 * t, logarithmic=True)) if own else ()
+
+        vars(other).update(
+            form=f"{self.form}_evened",
+            title=f"{self.title}, less the work that springs give back",
+            amendment=False,
+            evened=True,
+            unknowns=more_unknowns,
+            starts=lambda sizes: tuple((*row, 0.2 * sizes.period) for row in starts(sizes)),
+        )
+        return other
+
+    def _softening(self, p: Values, motion: Motion) -> Callable[[np.ndarray], np.ndarray]:
+        """The factor of q (m,) from the beginning of a test on."""
+        if not self.evened:
+            return _softened
+        decay = np.exp(-motion.steps / p["tau_w"])
+
+        def softened(q: np.ndarray) -> np.ndarray:
+            fade = decay[: q.size - 1]
+            return _softened(fading(fade, (1.0 - fade) * q[:-1], float(q[0])) if q.size > 1 else q)
+
+        return softened
 
 
 class Core(Rate):
@@ -70,11 +122,20 @@ class Core(Rate):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         each, t = sizes.tests / sizes.work, sizes.duration
         return tuple(
-            (0.1 * each, slow * t, 0.1 * each, quick * t) for slow, quick in ((3.0, 0.3), (1e3, 0.5), (1e3, 0.1))
+            (0.1 * each, slow * t, 0.1 * each, quick * t)
+            for slow, quick in ((3.0, 0.3), (_LONGEST, 0.5), (_LONGEST, 0.1))
         )
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        return worked(motion, force, _softened, 0.0, p["beta"], p["tau_h"], (p["beta_c"], p["tau_c"]))[0]
+        return worked(
+            motion,
+            force,
+            self._softening(p, motion),
+            memory.get(BEGUN, 0.0),
+            p["beta"],
+            p["tau_h"],
+            (p["beta_c"], p["tau_c"]),
+        )[0]
 
 
 class Carried(Rate):
@@ -95,8 +156,8 @@ class Carried(Rate):
         return tuple((*row, 0.5) for row in super().starts(sizes))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        before = p["kept"] * memory.get("heat", 0.0)
-        phi, memory["heat"] = worked(motion, force, _softened, before, p["beta"], p["tau_h"])
+        before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
+        phi, memory["heat"] = worked(motion, force, self._softening(p, motion), before, p["beta"], p["tau_h"])
         return phi
 
 
@@ -125,7 +186,8 @@ class Levelling(Carried):
         def left(q: np.ndarray) -> np.ndarray:
             return np.asarray((1.0 + np.maximum(q, 0.0) / m) ** -m)
 
-        phi, memory["heat"] = worked(motion, force, left, p["kept"] * memory.get("heat", 0.0), p["beta"], p["tau_h"])
+        before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
+        phi, memory["heat"] = worked(motion, force, left, before, p["beta"], p["tau_h"])
         return phi
 
 

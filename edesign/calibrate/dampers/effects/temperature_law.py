@@ -6,6 +6,7 @@ import math
 from typing import ClassVar
 
 import numpy as np
+from scipy.special import expit
 
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
@@ -133,6 +134,38 @@ class GammaCurved(Gamma):
         return _at_rate(values, p["b"] * warmer + p["c"] * warmer**2)
 
 
+class Transition(_Temperature):
+    """The fall over a transition: F = (1 - d (S(T) - S(T0))) F_law, S(T) = 1/(1 + exp(-(T - Tc)/w))."""
+
+    may_spare_loss: ClassVar[bool] = True
+    form: ClassVar[str] = "transition"
+    title: ClassVar[str] = "softening with temperature across a transition"
+    signature: ClassVar[str] = Exponential.signature
+    source: ClassVar[str] = (
+        "Mahieux & Reifsnider (2001), Polymer 42, 3281-3291 (modulus over transitions), with a logistic step"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        low, high = sizes.temperatures
+        if not _shown(sizes):
+            return ()
+        span = high - low
+        return (
+            Unknown("d", "", -5.0, 5.0, 0.3),
+            Unknown("Tc", "degC", low - 2.0 * span, high + 2.0 * span, span),
+            Unknown("w", "K", 0.02 * span, 3.0 * span, 0.2 * span, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        low, high = sizes.temperatures
+        span = high - low
+        return tuple((0.1, low + at * span, 0.15 * span) for at in (0.3, 0.7)) if _shown(sizes) else ()
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        passed = expit((trial.temperature - p["Tc"]) / p["w"]) - expit((p["T0"] - p["Tc"]) / p["w"])
+        return np.asarray(1.0 - p["d"] * passed)
+
+
 def _at_rate(values: dict[str, float], fall: float) -> dict[str, float]:
     return at_one_rate(values, math.exp(-fall)) if values.keys() >= {*CHANGING} else values
 
@@ -148,4 +181,4 @@ def _parameters(values: Values) -> tuple[Parameter, ...]:
     return next(own for own in every if {parameter.name for parameter in own} == set(values))
 
 
-FORMS = (Exponential, Shift, Curved, Gamma, GammaCurved)
+FORMS = (Exponential, Shift, Curved, Transition, Gamma, GammaCurved)
