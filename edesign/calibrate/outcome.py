@@ -131,7 +131,7 @@ def errors_of(problem: Problem, predicted: Sequence[np.ndarray]) -> Errors:
 
 
 def floor_of(problem: Problem, noise: Sequence[float], use: Use) -> float:
-    """NRMS in the tests used so of noise (tests,), and of what a condition known only so well (a temperature) changes."""
+    """NRMS of noise (tests,) in the tests used so, and of what an error of a condition, as a temperature, changes."""
     chosen = [i for i, u in enumerate(problem.uses) if u == use]
     power = sum(float(problem.measured[i] @ problem.measured[i]) for i in chosen)
     doubts = [doubt for i in chosen if (doubt := problem.doubt(i)) is not None]

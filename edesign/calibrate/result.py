@@ -145,8 +145,8 @@ class Calibration:
         title: of the campaign.
         law: name of the declared law.
         errors: by stage.
-        noise_floor: NRMS in the validation tests of the noise and of what an error of the thermometer changes; `noise_floor_fit` in the
-            others.
+        noise_floor: NRMS in the validation tests of the noise and of what an error of the thermometer changes;
+            `noise_floor_fit` in the others.
         effects: in the order of adoption.
         verdict: none: nothing is missing; explained: what was missing is found, noise is left; partly_explained: more
             than noise

@@ -51,7 +51,7 @@ class Maxwell(_Branch):
 
 
 class Prony(_Branch):
-    """Four Maxwell branches beside the law, each time r times the one before: sum of k r^(-p i) of tau r^i, i from 0."""
+    """Four Maxwell branches beside the law, i from 0: stiffness k r^(-p i), relaxation time tau r^i."""
 
     form: ClassVar[str] = "prony"
     title: ClassVar[str] = "a row of relaxation times that the law lacks"
