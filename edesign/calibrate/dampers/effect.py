@@ -29,6 +29,7 @@ from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Described, Kind
 from edesign.calibrate.unknown import Unknown
 
+_LEAST = 1e-6  # factor of which a negative power is taken
 Memory = dict[str, Any]
 BEGUN = "begun"
 """In a memory: by how much more the state at the beginning of a test is than what is left from before."""
@@ -153,7 +154,7 @@ class Form:
 
     def dashpot_factor(self, p: Values, motion: Motion, factor: np.ndarray | float) -> np.ndarray | float:
         """Factor of the law's dashpots where the form spares loss or springs, of its factor: factor^loss, or itself."""
-        return factor if self.spares_springs else np.asarray(np.maximum(factor, 0.0) ** p["loss"])
+        return factor if self.spares_springs else np.asarray(np.maximum(factor, _LEAST) ** p["loss"])
 
     def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray | float | None:
         """Force (n,) N beside that of the law; None: the form is none."""

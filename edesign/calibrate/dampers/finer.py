@@ -54,18 +54,11 @@ def shaped(form: Form, splits: bool) -> Form | None:
 
     Phenomenological: the first two terms of any course of the softening with its state.
     """
+    if form.kind != "damper" or type(form).factor is Form.factor or type(form).spares_loss or form.spares_springs:
+        return None
+    if _SHAPED in form.form or form.begins or getattr(form, "evened", False):
+        return None
     plain = type(form)()
-    if (
-        form.kind != "damper"
-        or type(form).factor is Form.factor
-        or plain.spares_loss
-        or _SHAPED in form.form
-        or form.begins
-        or getattr(form, "evened", False)
-    ):
-        return None
-    if form.spares_springs:
-        return None
     other = copy(plain)
     own_unknowns, own_starts = plain.unknowns, plain.starts
 

@@ -110,7 +110,8 @@ class DamperProblem:
         own = [part for part in parts if part[0].effect[0].has_columns]
         columns = [self._kept_nuisance(tuple((_Same(c), tuple(v.tolist())) for c, v in own), index)] if own else []
         if any(part[0].effect[0].begins for part in parts):
-            columns.append(self._begun(base, parts)[index][:, np.newaxis])
+            warm = self._begun(base, parts)[index]
+            columns.append(warm[:, np.newaxis] / max(float(np.max(np.abs(warm))), 1e-300))
         return columns[0] if own and len(columns) == 1 else _orthonormal(columns) if columns else None
 
     def _begun(self, base: np.ndarray, parts: Sequence[Part]) -> tuple[np.ndarray, ...]:
@@ -361,9 +362,7 @@ class _Same(Generic[T]):
 
 def _orthonormal(columns: Sequence[np.ndarray]) -> np.ndarray:
     """A basis (n, k) of columns, those that depend on others left out."""
-    basis, sizes, _ = np.linalg.svd(
-        np.hstack([c / np.maximum(np.linalg.norm(c, axis=0), 1e-300) for c in columns]), full_matrices=False
-    )
+    basis, sizes, _ = np.linalg.svd(np.hstack(columns), full_matrices=False)
     basis = basis[:, sizes > _DEPENDENT * sizes[0]]
     basis.setflags(write=False)
     return np.asarray(basis)

@@ -55,6 +55,12 @@ FORMS: list[Form] = [kind() for module in MODULES for kind in module.FORMS]
 FITTED = [t for t in problem().trials if t.use == "fit"]
 HUMMING = [np.sin(2.0 * np.pi * TONE * t.motion.time) for t in FITTED]  # hum is looked for where a residual shows some
 CANDIDATES = list(problem().candidates(HUMMING))
+FINER = [
+    (candidate, start, part)
+    for candidate in CANDIDATES
+    for start in candidate.starts[:1]
+    for part in problem().finer((candidate, np.array(start)))
+]
 BY_LABEL = {candidate.label: candidate for candidate in CANDIDATES}
 
 
@@ -64,7 +70,7 @@ def change(candidate: Candidate, values: tuple[float, ...]) -> float:
     total = 0.0
     for i, (predicted, force) in enumerate(zip(found, problem().measured, strict=True)):
         assert predicted is not None and predicted.shape == force.shape and np.all(np.isfinite(predicted))
-        columns = problem().nuisance([(candidate, np.array(values))], i)
+        columns = problem().nuisance(problem().declared, [(candidate, np.array(values))], i)
         assert columns is None or (columns.shape[0] == force.size and np.all(np.isfinite(columns)))
         total += float(np.sum((predicted - force) ** 2))
     return float(np.sqrt(total / sum(float(f @ f) for f in problem().measured)))
@@ -94,7 +100,7 @@ def test_starts_lie_inside_the_bounds_and_are_few(candidate: Candidate) -> None:
 
 @pytest.mark.parametrize("candidate", CANDIDATES, ids=lambda c: c.label)
 def test_starts_are_seen_but_not_wild(candidate: Candidate) -> None:
-    if problem().nuisance([(candidate, np.array(candidate.starts[0]))], 0) is not None:
+    if problem().nuisance(problem().declared, [(candidate, np.array(candidate.starts[0]))], 0) is not None:
         pytest.skip("its share is each test's own")
     if candidate.label == "static_offset.pre_shear_tared":
         pytest.skip("it bends the loops of laws that are not linear; this one is")
@@ -117,11 +123,20 @@ def test_a_prediction_leaves_nothing_behind(candidate: Candidate) -> None:
     assert change(candidate, candidate.starts[0]) == change(candidate, candidate.starts[0])
 
 
-@pytest.mark.parametrize("form", FORMS, ids=lambda form: f"{form.name}.{form.form}")
-def test_form_tells_people_what_it_is(form: Form) -> None:
-    assert all(len(text) > 10 for text in (form.title, form.signature, form.source))
-    assert form.kind in ("damper", "rig", "instrument")
-    assert form.__doc__
+@pytest.mark.parametrize(("coarse", "start", "part"), FINER, ids=[f"{c.label}-{p[0].form}" for c, _, p in FINER])
+def test_a_finer_form_begins_as_the_one_it_is_finer_than(
+    coarse: Candidate, start: tuple[float, ...], part: tuple[Candidate, np.ndarray]
+) -> None:
+    # but for the second order of a power of the factor, and for what is behind by a fraction of a period
+    was, is_ = change(coarse, start), change(part[0], tuple(part[1].tolist()))
+    assert is_ == pytest.approx(was, rel=0.25 if part[0].form.endswith("evened") else 0.1)
+    assert part[0].finer and part[0].name == coarse.name
+
+
+def test_softening_and_heat_have_finer_forms_and_faults_of_instruments_have_none() -> None:
+    names = {part[0].name for _, _, part in FINER}
+    assert {"payne", "mullins", "self_heating", "degradation", "ageing", "temperature_law"} <= names
+    assert not names & {"gain", "lag", "hum", "offset", "drift", "inertia", "friction"}
 
 
 @pytest.mark.parametrize("form", FORMS, ids=lambda form: f"{form.name}.{form.form}")
