@@ -15,7 +15,10 @@ from edesign.calibrate.result import Calibration, Effect, Errors, Estimate, Next
 from edesign.calibrate.selection import Adopted, Selection
 
 BOTH: tuple[Use, ...] = ("fit", "validate")
-_EXPLAINED = 2.0  # times the noise floor: error of the validation tests up to which nothing is left to explain
+_EXPLAINED, _NONE = 1.5, 2.0
+"""Times the noise floor: error of the validation tests up to which effects explain all, and up to which none is asked
+for.
+"""
 
 
 @dataclass(frozen=True, eq=False)
@@ -141,8 +144,9 @@ def floor_of(problem: Problem, noise: Sequence[float], use: Use) -> float:
 
 def verdict_of(found: Selection, corrected: Errors, floors: Mapping[Use, float]) -> Verdict:
     """See Calibration.verdict."""
-    quiet = found.final.left <= AT_FLOOR or found.final.fitted.reduced <= _EXPLAINED
-    at_floor = quiet and corrected.validate <= _EXPLAINED * floors["validate"]
+    most = _EXPLAINED if found.adopted else _NONE
+    quiet = found.final.left <= AT_FLOOR or found.final.fitted.reduced <= most
+    at_floor = quiet and corrected.validate <= most * floors["validate"]
     if not found.adopted:
         return "none" if at_floor or corrected.validate <= floors["validate"] else "unexplained"
     return "explained" if at_floor else "partly_explained"

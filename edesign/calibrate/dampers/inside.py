@@ -40,6 +40,17 @@ def relaxed_force(motion: Motion, force: np.ndarray, tau: complex) -> np.ndarray
     return fading(decay, made, float(force[0]))[::_PARTS]
 
 
+def swung_force(motion: Motion, force: np.ndarray, frequency: float, damping: float) -> np.ndarray:
+    """Q (n,) N with Q + 2 zeta Q'/w + Q''/w^2 = force (n,) N, w = 2 pi frequency (Hz), zeta = damping below 1.
+
+    1 / (1 + 2 zeta s/w + s^2/w^2) is twice the real part of r / (1 - s/pole) for a real force.
+    """
+    w = 2.0 * np.pi * frequency
+    swings = w * np.sqrt(1.0 - damping**2)
+    pole = complex(-damping * w, swings)
+    return np.asarray((1j * w**2 / (swings * pole) * relaxed_force(motion, force, -1.0 / pole)).real)
+
+
 def relaxed_factor(motion: Motion, factor: np.ndarray, force: np.ndarray, tau: float) -> np.ndarray:
     """Q (n,) N with Q + tau Q' = (factor - 1)(F + tau F'): what a factor (n,) in the law adds to its force F (n,) N.
 

@@ -28,8 +28,10 @@ def _found(adopted: int, left: float) -> Any:
         (0, 8.0, 1.01, "unexplained"),
         (0, 1.0, 30.0, "unexplained"),  # fitted away, and back in the tests that were not fitted to
         (1, 1.0, 1.0, "explained"),
-        (1, 1.0, 1.99, "explained"),  # twice the floor is the bar
-        (1, 1.0, 2.01, "partly_explained"),
+        (1, 1.0, 1.49, "explained"),
+        (1, 1.0, 1.51, "partly_explained"),
+        (0, 1.0, 1.99, "none"),  # effects claim more than their absence does
+        (0, 1.0, 2.01, "unexplained"),
         (1, 8.0, 1.0, "partly_explained"),
         (1, 1.0, 30.0, "partly_explained"),
     ],

@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
-from edesign.calibrate.dampers.inside import relaxed_force
+from edesign.calibrate.dampers.inside import swung_force
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -58,12 +58,7 @@ class Sprung(Mass):
         return ((mass, 10.0 * sizes.frequency, 0.2),)
 
     def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
-        # 1 / (1 + 2 zeta s / w + s^2 / w^2) = 2 Re r / (1 - s / pole) of a real input
-        w, zeta = 2.0 * np.pi * p["f"], p["zeta"]
-        swings = w * np.sqrt(1.0 - zeta**2)
-        pole = complex(-zeta * w, swings)
-        relaxed = relaxed_force(motion, motion.acceleration, -1.0 / pole)
-        return np.asarray(p["mass"] * (1j * w**2 / (swings * pole) * relaxed).real)
+        return np.asarray(p["mass"] * swung_force(motion, motion.acceleration, p["f"], p["zeta"]))
 
 
 class OneSided(Mass):

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.interpolate import CubicSpline
 
 from edesign.calibrate.dampers.effect import Form
-from edesign.calibrate.dampers.inside import relaxed_force
+from edesign.calibrate.dampers.inside import relaxed_force, swung_force
 from edesign.calibrate.dampers.trial import Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -63,4 +63,25 @@ class Filter(_Lag):
         return relaxed_force(trial.motion, force, p["time_constant"])
 
 
-FORMS = (Delay, Filter)
+class SecondOrder(_Lag):
+    """A second-order filter in the force channel: F + 2 zeta F'/w + F''/w^2 = F_true, w = 2 pi f; late by 2 zeta/w."""
+
+    form: ClassVar[str] = "second_order"
+    title: ClassVar[str] = "analogue filter of second order in the force channel alone"
+    source: ClassVar[str] = "second-order low-pass; Doebelin, Measurement Systems, section 3.3"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        least = 1.0 / (np.pi * _LONGEST * sizes.period)  # of damping 1 and the longest lag
+        return (
+            Unknown("f", "Hz", 0.5 * least, 1e4 * least, 10.0 * least, logarithmic=True),
+            Unknown("zeta", "", 0.2, 0.99, 0.7, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.8 / (np.pi * share * sizes.period), 0.8) for share in _STARTS)
+
+    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
+        return swung_force(trial.motion, force - force[0], p["f"], p["zeta"]) + force[0]
+
+
+FORMS = (Delay, Filter, SecondOrder)
