@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 
 from edesign.calibrate.problem import Kind, Use
+from edesign.damper.amendments import Amendment
 
 Verdict = Literal["none", "explained", "partly_explained", "unexplained"]
 Subject = Literal["damper", "structure"]
@@ -137,6 +138,24 @@ class Series:
         return self.test or self.name
 
 
+@dataclass(frozen=True)
+class CarriedLaw:
+    """The corrected law as a law file can carry it.
+
+    Attributes:
+        parameters: of the law, by name, SI.
+        effects: of the damper, in forms of law files.
+        replaced: effects, by name and form, that no law file carries: the law has them in another form, fitted again,
+            or not at all.
+        validate: NRMS of the validation tests with it, and with the faults of rig and instruments.
+    """
+
+    parameters: Mapping[str, float]
+    effects: tuple[Amendment, ...]
+    replaced: tuple[str, ...]
+    validate: float
+
+
 @dataclass(frozen=True, eq=False)
 class Calibration:
     """What the loop found in a campaign.
@@ -159,6 +178,7 @@ class Calibration:
         law_held: whether the corrected law keeps the declared parameters.
         series: of each test.
         seconds: that the calibration took.
+        carried: the corrected law as a law file can carry it; None: the subject has no law file.
         subject: what was calibrated.
     """
 
@@ -177,6 +197,7 @@ class Calibration:
     law_held: bool
     series: tuple[Series, ...]
     seconds: float
+    carried: CarriedLaw | None = None
     subject: Subject = "damper"
 
     @property

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from edesign.calibrate.dampers.carried import carried_law, described
 from edesign.calibrate.dampers.full_rate import at_full_rate
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
@@ -14,7 +15,6 @@ from edesign.calibrate.dampers.trial import Trial
 from edesign.calibrate.loop import Loop, Progress
 from edesign.calibrate.noise import white_noise
 from edesign.calibrate.outcome import Outcome, residual_of
-from edesign.calibrate.problem import Candidate, Described
 from edesign.calibrate.residual.analysis import analyse
 from edesign.calibrate.result import Calibration, Series
 from edesign.damper.campaign import Campaign
@@ -37,7 +37,8 @@ def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda 
     problem = damper_problem(campaign)  # that there is a law
     assert campaign.law is not None
     noise = tuple(noise_of(trial) for trial in problem.trials)
-    found = Loop(thinned(problem), noise, campaign.law.refit, workers, progress).run()
+    fast = thinned(problem)
+    found = Loop(fast, noise, campaign.law.refit, workers, progress).run()
     progress("fitting all samples")
     found = at_full_rate(found, problem, workers)
     progress("predicting all tests")
@@ -58,8 +59,10 @@ def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda 
         )
         for i, (trial, test) in enumerate(zip(problem.trials, campaign.tests, strict=True))
     )
+    progress("writing the law")
+    carried = carried_law(found.final.fitted, fast, problem, workers)
     progress("asking which further test would tell more")
-    return outcome.calibration(
+    calibration = outcome.calibration(
         campaign.title or campaign.specimen.name,
         problem.law.name,
         described,
@@ -68,15 +71,10 @@ def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda 
         series,
         clock.perf_counter() - begin,
     )
+    return replace(calibration, carried=carried)
 
 
 def noise_of(trial: Trial) -> float:
     """Standard deviation of what cannot be predicted in a test, N: noise of the force, and of the motion by the law."""
     channel = white_noise(trial.force, trial.motion.time)
     return max(float(np.hypot(channel, trial.motion_noise)), _LEAST_NOISE * float(np.sqrt(np.mean(trial.force**2))))
-
-
-def described(candidate: Candidate) -> Described:
-    """What people and files are told of a form of an effect in damper tests."""
-    form, fixed = candidate.effect
-    return replace(form.described, fixed=fixed)

@@ -10,8 +10,7 @@ import numpy as np
 import yaml
 
 from edesign.archive.dataset import Group
-from edesign.calibrate.result import Calibration, Effect, Estimate, Series, Stage
-from edesign.damper.amendments import AMENDMENTS, Amendment
+from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Estimate, Series, Stage
 from edesign.damper.campaign import Campaign
 from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
@@ -50,10 +49,19 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         },
         "refused": [{"effect": label, "evidence": evidence} for label, evidence in found.refused],
         "law_held": found.law_held,
+        "law_file": None if found.carried is None else _carried(found.carried),
         "parameters": {
             stage: {name: _estimate(value) for name, value in found.parameters[stage].items()} for stage in _STAGES
         },
         "seconds": round(found.seconds, 2),
+    }
+
+
+def _carried(law: CarriedLaw) -> dict[str, Any]:
+    return {
+        "validate": _finite(law.validate),
+        "effects": [{"name": one.name, "form": one.form} for one in law.effects],
+        "replaced": list(law.replaced),
     }
 
 
@@ -88,22 +96,23 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
 
     Faults of rig and instrument are no part of it. What ages or wears is as after the last test.
     """
-    assert campaign.law is not None
-    law = law_of(found.law)
+    assert campaign.law is not None and found.carried is not None
+    law, carried = law_of(found.law), found.carried
     values = read_parameters(law, campaign.law.parameters or {})
-    values |= {name: estimate.value for name, estimate in found.parameters["corrected"].items()}
-    data: dict[str, Any] = {"type": found.law, "parameters": write_parameters(law, values)}
-    carried, left_out = [], []
-    for effect in found.effects:
-        if effect.kind != "damper":
-            left_out.append(f"{effect.name} ({effect.kind}): {effect.title}; no part of the damper")
-        elif (effect.name, effect.amendment) not in AMENDMENTS:
-            left_out.append(f"{effect.name}.{effect.form}: law files cannot carry this form")
-        else:
-            own = {name: estimate.value for name, estimate in effect.parameters.items()} | dict(effect.fixed)
-            carried.append(Amendment(effect.name, effect.amendment, own))
-    if carried:
-        data["effects"] = write_effects(carried)
+    data: dict[str, Any] = {"type": found.law, "parameters": write_parameters(law, {**values, **carried.parameters})}
+    left_out = [
+        f"{effect.name} ({effect.kind}): {effect.title}; no part of the damper"
+        for effect in found.effects
+        if effect.kind != "damper"
+    ]
+    for label in carried.replaced:
+        name = label.split(".")[0]
+        other = next(
+            (f"fitted as {name}.{one.form} instead" for one in carried.effects if one.name == name), "left out"
+        )
+        left_out.append(f"{label}: law files cannot carry this form; {[*forms, 'left out'][0]}")
+    if carried.effects:
+        data["effects"] = write_effects(carried.effects)
     if found.law in GammaT().laws and any(_mean_C(series) != REFERENCE_C for series in found.series):
         # as the loop takes it
         data["temperature_law"] = {"gamma_T": {f"{t:g} degC": gamma for t, gamma in GammaT().table}}
@@ -114,12 +123,12 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
         "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
     }
     data["tested"] = _tested(found, specimen.layer_thickness)
-    error = found.errors["corrected"]
+    best = "" if not carried.replaced else f"; {100 * found.errors['corrected'].validate:.3g} % with forms it lacks"
     head = [
         f"# {law.title}, calibrated by {len(found.series)} tests of {found.title}: {found.verdict.replace('_', ' ')}",
-        f"# NRMS (thesis Eq. 4.28) of the validation tests {100 * error.validate:.3g} %, as declared "
+        f"# NRMS (thesis Eq. 4.28) of the validation tests {100 * carried.validate:.3g} %{best}, as declared "
         f"{100 * found.errors['declared'].validate:.3g} %, noise {100 * found.noise_floor:.3g} %",
-        *(f"# left out: {text}" for text in left_out),
+        *(f"# not carried: {text}" for text in left_out),
     ]
     return "\n".join(head) + "\n" + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
 

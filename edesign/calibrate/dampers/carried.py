@@ -1,0 +1,66 @@
+"""What a law file can carry of a correction: its effects in forms that law files know, fitted again."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from edesign.calibrate.contest import fit_best
+from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.calibrate.evidence import Judged
+from edesign.calibrate.fit import Fitted, Model, fit
+from edesign.calibrate.outcome import errors_of, parameters_of, predict
+from edesign.calibrate.problem import Candidate, Described, Part
+from edesign.calibrate.result import CarriedLaw
+from edesign.calibrate.screening import screen
+from edesign.damper.amendments import AMENDMENTS, Amendment
+
+_FITTED = 3  # forms of an effect
+
+
+def described(candidate: Candidate) -> Described:
+    """What people and files are told of a form of an effect in damper tests."""
+    form, fixed = candidate.effect
+    return replace(form.described, fixed=fixed)
+
+
+def carried_law(final: Fitted, fast: DamperProblem, full: DamperProblem, workers: int) -> CarriedLaw:
+    """The corrected law with its effects in forms that a law file carries.
+
+    Args:
+        final: the corrected model.
+        fast: the problem at the rate of a fit.
+        full: at the rate at which errors are told.
+        workers: processes.
+    """
+    lost = [candidate for candidate, _ in final.parts if candidate.kind == "damper" and not _carries(candidate)]
+    fitted = _in_known_forms(final, lost, fast.certain, workers) if lost else final
+    effects = tuple(_amendment(part) for part in fitted.parts if part[0].kind == "damper")
+    error = errors_of(full, predict(full, Judged(fitted)))
+    parameters = {name: estimate.value for name, estimate in parameters_of(Judged(fitted)).items()}
+    return CarriedLaw(parameters, effects, tuple(candidate.label for candidate in lost), error.validate)
+
+
+def _in_known_forms(final: Fitted, lost: list[Candidate], problem: DamperProblem, workers: int) -> Fitted:
+    kept = [part for part in final.parts if part[0] not in lost]
+    model = Model(problem, final.model.noise, tuple(effect for effect, _ in kept), final.model.held)
+    found = fit(model, model.coordinates(final.base, kept))
+    noise = [s for s, use in zip(model.noise, problem.uses, strict=True) if use == "fit"]
+    for name in dict.fromkeys(candidate.name for candidate in lost):
+        if any(effect.name == name for effect in found.model.effects):
+            continue
+        left = [s * r for s, r in zip(noise, found.residuals, strict=True)]
+        pool = [c for c in problem.candidates(left) if c.name == name and _carries(c)]
+        tried = [judged.fitted for judged in fit_best(screen(found, pool, workers)[:_FITTED], workers)]
+        found = min([found, *tried], key=lambda fitted: fitted.chi2)
+    return found
+
+
+def _carries(candidate: Candidate) -> bool:
+    return (candidate.name, described(candidate).amendment) in AMENDMENTS
+
+
+def _amendment(part: Part) -> Amendment:
+    candidate, values = part
+    told = described(candidate)
+    own = {unknown.name: float(v) for unknown, v in zip(candidate.unknowns, values, strict=True)}
+    return Amendment(candidate.name, told.amendment, own | dict(told.fixed))
