@@ -107,10 +107,9 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
     ]
     for label in carried.replaced:
         name = label.split(".")[0]
-        other = next(
-            (f"fitted as {name}.{one.form} instead" for one in carried.effects if one.name == name), "left out"
-        )
-        left_out.append(f"{label}: law files cannot carry this form; {[*forms, 'left out'][0]}")
+        other = next((one.form for one in carried.effects if one.name == name), None)
+        instead = "left out" if other is None else f"fitted as {name}.{other} instead"
+        left_out.append(f"{label}: law files cannot carry this form; {instead}")
     if carried.effects:
         data["effects"] = write_effects(carried.effects)
     if found.law in GammaT().laws and any(_mean_C(series) != REFERENCE_C for series in found.series):

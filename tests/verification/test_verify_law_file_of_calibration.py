@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from edesign.calibrate.dampers.carried import carried_law
 from edesign.calibrate.dampers.effect import Form
-from edesign.calibrate.dampers.effects import MODULES
+from edesign.calibrate.dampers.effects import MODULES, degradation
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
+from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.problem import Candidate
-from edesign.calibrate.result import Calibration, Effect, Errors, Estimate, Series
+from edesign.calibrate.result import Calibration, Errors, Estimate, Series
 from edesign.calibrate.write import law_text
 from edesign.damper.campaign import Campaign
 from edesign.damper.damper import Damper
@@ -63,18 +66,10 @@ def predicted(of: DamperProblem, parts: list[tuple[Candidate, np.ndarray]], orde
     return force
 
 
-def calibration(of: DamperProblem, form: Form, candidate: Candidate, values: tuple[float, ...]) -> Calibration:
+def calibration(of: DamperProblem, candidate: Candidate, values: tuple[float, ...]) -> Calibration:
     """As the loop returns it with this effect."""
-    effect = Effect(
-        form.name,
-        form.form,
-        form.kind,
-        form.title,
-        getattr(form, "amendment_form", form.form),
-        {u.name: Estimate(value, 0.0, u.unit) for u, value in zip(candidate.unknowns, values, strict=True)},
-        candidate.effect[1],
-        *(0.01, "", 1.0, ()),
-    )
+    model = Model(of, (1.0,) * len(of.trials), (candidate,), held=True)
+    final = fit(model, model.coordinates(parts=[(candidate, np.array(values))]), most_steps=0)
     series = tuple(
         Series(t.name, t.name, t.use, t.order, *(t.motion.time, t.motion.displacement, t.motion.velocity), t.force, {},
                t.temperature, 1.0)
@@ -87,7 +82,7 @@ def calibration(of: DamperProblem, form: Form, candidate: Candidate, values: tup
         errors={stage: Errors(0.0, 0.0, {}) for stage in stages},
         noise_floor=0.0,
         noise_floor_fit=0.0,
-        effects=(effect,),
+        effects=(),
         verdict="explained",
         unexplained_share=0.0,
         unexplained_shape="",
@@ -100,6 +95,7 @@ def calibration(of: DamperProblem, form: Form, candidate: Candidate, values: tup
         law_held=True,
         series=series,
         seconds=0.0,
+        carried=carried_law(final, of, of, workers=1),
     )
 
 
@@ -112,7 +108,7 @@ def difference(form: Form, folder: Path, of: DamperProblem) -> tuple[float, floa
         len(of.trials) - 1 if form.name == "ageing" else 0
     )  # a law file has the specimen aged, else as it was at first
     path = folder / "law.yaml"
-    path.write_text(law_text(calibration(of, form, candidate, values), CAMPAIGN), encoding="utf-8")
+    path.write_text(law_text(calibration(of, candidate, values), CAMPAIGN), encoding="utf-8")
     trial = of.trials[order]
     found = resolve(*read_law_file(path), float(trial.temperature[0]))
     assert [one.kind.name for one in found.amendments] == [f"{form.name}.{getattr(form, 'amendment_form', form.form)}"]
@@ -136,3 +132,31 @@ def test_the_law_file_makes_the_force_that_the_loop_predicted(form: Form, tmp_pa
     finer, _ = difference(form, tmp_path, problem(0.005))
     print(form.name, form.form, error, finer)
     assert error < 2e-3 and finer < 0.5 * error
+
+
+def test_a_form_that_law_files_lack_is_fitted_again_in_one_that_they_have(tmp_path: Path) -> None:
+    # the force falls with the work done in its life without end; law files know a fall that ends
+    form = degradation.Work()
+    candidate = candidate_of(form, problem().sizes, Left())
+    assert candidate is not None
+    values = (0.2, 1.0)
+    forces = [predicted(problem(), [(candidate, np.array(values))], i) for i in range(5)]
+    trials = tuple(replace(trial, force=force) for trial, force in zip(problem().trials, forces, strict=True))
+    of = replace(problem(), trials=trials)
+    found = calibration(of, candidate, values).carried
+    assert found is not None and found.replaced == ("degradation.work",)
+    (effect,) = found.effects
+    assert (effect.name, effect.form) == ("degradation", "energy")
+    # a straight line as the beginning of 1 - exp(-x): d/E0 is its slope
+    slope = 0.2 / candidate.effect[1]["W"]
+    assert effect.values["d"] / effect.values["E0"] == pytest.approx(slope, rel=0.1)
+    plain = of.predict(of.declared, [], ("validate",))[1]
+    assert plain is not None
+    assert 0.0 < found.validate < 1e-2 * float(np.sum((plain - forces[1]) ** 2) / np.sum(forces[1] ** 2))
+    text = law_text(calibration(of, candidate, values), CAMPAIGN)
+    assert (
+        "# not carried: degradation.work: law files cannot carry this form; fitted as degradation.energy inst" in text
+    )
+    path = tmp_path / "law.yaml"
+    path.write_text(text, encoding="utf-8")
+    assert [one.kind.name for one in resolve(*read_law_file(path), 20.0).amendments] == ["degradation.energy"]

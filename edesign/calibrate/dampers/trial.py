@@ -129,6 +129,7 @@ class Sizes:
         path: of all tests.
         work: dissipated in all tests.
         tests: number in the campaign.
+        fitted: how many of them are fitted to.
         period: of the slowest motion (longest time between reversals, times two).
         temperatures: lowest and highest, degC.
     """
@@ -141,6 +142,7 @@ class Sizes:
     path: float
     work: float
     tests: int
+    fitted: int
     period: float
     temperatures: tuple[float, float]
 
@@ -172,6 +174,7 @@ class Sizes:
             path=sum(float(t.motion.path[-1]) for t in trials),
             work=abs(work),
             tests=len(trials),
+            fitted=len(fitted),
             period=max(_slowest(t.motion) for t in fitted),
             temperatures=(
                 min(float(t.temperature.min()) for t in trials),

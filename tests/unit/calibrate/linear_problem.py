@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
@@ -29,6 +29,7 @@ class LinearProblem:
     base: tuple[Unknown, ...] = ()
     declared: np.ndarray = field(default_factory=lambda: np.empty(0))
     doubts: tuple[np.ndarray, ...] = ()
+    fine: tuple[str, ...] = ()  # columns that are finer forms of effects found, no candidates
 
     def __post_init__(self) -> None:
         count = self.matrices[0].shape[1]
@@ -39,8 +40,17 @@ class LinearProblem:
     def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
         return tuple(
             Candidate(name, form or "only", "damper", (Unknown("a", "", -1e6, 1e6, 1.0),), ((0.1,),), name + dot + form)
-            for name, dot, form in (key.partition(".") for key in self.columns)
+            for name, dot, form in (key.partition(".") for key in self.columns if key not in self.fine)
         )
+
+    @property
+    def certain(self) -> LinearProblem:
+        return replace(self, doubts=()) if self.doubts else self
+
+    def finer(self, part: Part) -> tuple[Part, ...]:
+        candidate, values = part
+        keys = [key for key in self.fine if key.split(".")[0] == candidate.name and key != candidate.effect]
+        return tuple((replace(candidate, form=key.split(".")[1], effect=key, finer=True), values) for key in keys)
 
     def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
         found: list[np.ndarray | None] = []

@@ -11,6 +11,7 @@ from linear_problem import LinearProblem, linear
 
 from edesign.calibrate.contest import likely_forms, shortlist
 from edesign.calibrate.cross_validation import leave_one_out
+from edesign.calibrate.dampers.full_rate import _likeliest
 from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit, whitened
 from edesign.calibrate.loop import Loop, _begun_from
@@ -281,3 +282,38 @@ def test_a_form_begins_where_another_one_with_the_same_parameters_stands() -> No
 def test_ten_draws_without_effects_find_none() -> None:
     for seed in range(10):
         assert not Loop(linear(seed=100 + seed), (1.0,) * 6, workers=1).run().adopted
+
+
+@pytest.mark.parametrize(("curved", "found"), [(0.0, "x.only"), (0.4, "x.curved")])
+def test_a_finer_form_takes_the_place_of_one_that_leaves_more_than_noise(curved: float, found: str) -> None:
+    # x as it is in truth differs from the form known by `curved` times what nothing else is like
+    problem = linear(seed=9)
+    random = np.random.default_rng(10)
+    extra = [curved * random.standard_normal(200) for _ in problem.matrices]
+    truth = [x + more for x, more in zip(problem.columns["x"], extra, strict=True)]
+    problem.measured = tuple(y + 2.0 * x for y, x in zip(problem.measured, truth, strict=True))
+    other = truth if curved else [x + 0.4 * random.standard_normal(200) for x in problem.columns["x"]]
+    problem.columns["x.curved"] = other
+    problem.fine = ("x.curved",)
+    (adopted,) = Loop(problem, (1.0,) * 6, workers=1).run().adopted
+    assert adopted.candidate.label == found
+    assert adopted.values[0] == pytest.approx(2.0, abs=4.0 / np.sqrt(1000.0))
+
+
+@pytest.mark.parametrize("share", [0.0, 1.0])
+def test_conditions_are_in_doubt_as_far_as_the_tests_show(share: float) -> None:
+    problem = linear(seed=11, tests=12)
+    random = np.random.default_rng(12)
+    doubts = tuple(0.5 * random.standard_normal(200) for _ in problem.measured)
+    off = random.standard_normal(12)  # standard deviations by which each condition is off
+    problem.measured = tuple(
+        y + share * size * doubt for y, size, doubt in zip(problem.measured, off, doubts, strict=True)
+    )
+    fits = []
+    for scale in (0.0, 0.1, 0.3, 1.0):
+        doubting = replace(problem, doubts=tuple(scale * doubt for doubt in doubts) if scale else ())
+        model = Model(doubting, (1.0,) * 12)
+        fits.append(fit(model, model.coordinates()))
+    chosen = [f is _likeliest(fits) for f in fits].index(True)
+    # unit noise in 200 values, a doubt of 0.5 each: with 12 tests a tenth of it is no more likely than none
+    assert chosen == 3 if share else chosen in (0, 1)
