@@ -43,6 +43,7 @@ help:
 	@echo "make memcheck  C tests under valgrind"
 	@echo "make setup     only the set-up of run;  make test-setup: only that of the tests"
 	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
+	@echo "make pytest ARGS=\"-m study\"     tests that run the whole thesis study"
 	@echo "make format    lay out and sort the Python sources (ruff)"
 	@echo "make clean     remove builds and caches;  make distclean: the environment too"
 	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml FOLDERS=recordings WORKERS=n PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
