@@ -12,7 +12,7 @@ from linear_problem import LinearProblem, linear
 from edesign.calibrate.contest import likely_forms, shortlist
 from edesign.calibrate.cross_validation import leave_one_out
 from edesign.calibrate.dampers.full_rate import _likeliest
-from edesign.calibrate.evidence import Judged, compare, simplest
+from edesign.calibrate.evidence import Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit, whitened
 from edesign.calibrate.loop import Loop, _begun_from
 from edesign.calibrate.pairs import joint_gains, likely_pairs
@@ -317,3 +317,26 @@ def test_conditions_are_in_doubt_as_far_as_the_tests_show(share: float) -> None:
     chosen = [f is _likeliest(fits) for f in fits].index(True)
     # unit noise in 200 values, a doubt of 0.5 each: with 12 tests a tenth of it is no more likely than none
     assert chosen == 3 if share else chosen in (0, 1)
+
+
+@pytest.mark.parametrize(
+    ("share", "bic", "better"), [(0.3, 20.0, True), (0.2, 20.0, False), (0.3, 9.0, False), (-0.1, 99.0, False)]
+)
+def test_of_forms_of_one_effect_mean_and_criterion_decide(share: float, bic: float, better: bool) -> None:
+    # t of 0.5: one test tells, the others do not agree, which no new effect may rest on
+    evidence = Evidence(share, 0.5, bic, 1, 8)
+    assert evidence.better_form is better
+    assert not evidence.beyond_chance
+
+
+def test_what_equations_may_miss_is_a_share_of_what_they_do() -> None:
+    problem = linear(seed=13, hidden={"x": 40.0})
+    (x,) = [c for c in problem.candidates(()) if c.name == "x"]
+    model = Model(problem, (1.0,) * 6, (x,))
+    judged = Judged(fit(model, model.coordinates()))
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    fitted = [column for column, use in zip(problem.columns["x"], problem.uses, strict=True) if use == "fit"]
+    done = 40.0**2 * sum(float(column @ column) for column in fitted)
+    assert loop._may_miss(judged) == pytest.approx(5e-4 * done, rel=0.01)  # 40 is told to 4 / sqrt(1000)
+    loop.material = 1e-3 * done  # a share of what the refitted law leaves, if that is more
+    assert loop._may_miss(judged) == loop.material
