@@ -85,6 +85,7 @@ class Form:
         spares_loss: whether it does, see `dashpot_factor`.
         spares_springs: whether it changes dashpots alone.
         has_columns: whether a share of it is each test's own, see `columns`.
+        may_be_shaped: whether a finer form of it has a curve of its own (`edesign.calibrate.dampers.finer`).
         begins: whether its state at the beginning of a test is that test's own, by `BEGUN` more than what is left from
             before.
         refined: steps into which one between samples is cut, for motions that bend or turn between samples.
@@ -109,6 +110,7 @@ class Form:
     spares_springs: bool = False
     has_columns: bool = False
     begins: bool = False
+    may_be_shaped: bool = True
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         """Parameters with bounds that suit a campaign; () if the campaign cannot show the effect."""
@@ -149,7 +151,7 @@ class Form:
         return None
 
     def spring_factor(self, p: Values, factor: np.ndarray | float) -> np.ndarray | float:
-        """Factor of the law's springs, of the form's factor: 1 where it spares springs, or itself."""
+        """Factor of the law's springs, or of all of it, of the form's factor: 1 where it spares springs, or itself."""
         return 1.0 if self.spares_springs else factor
 
     def dashpot_factor(self, p: Values, motion: Motion, factor: np.ndarray | float) -> np.ndarray | float:

@@ -18,7 +18,6 @@ from edesign.calibrate.dampers.trial import Sizes, Values
 from edesign.calibrate.problem import Candidate, Part
 from edesign.calibrate.unknown import Unknown
 
-_SHAPED = "_shaped"
 _CURVE, _MOST = 3.0, 30.0  # of a softening s that is not much more than its square: usual, largest
 
 
@@ -54,9 +53,9 @@ def shaped(form: Form, splits: bool) -> Form | None:
 
     Phenomenological: the first two terms of any course of the softening with its state.
     """
-    if form.kind != "damper" or type(form).factor is Form.factor or type(form).spares_loss or form.spares_springs:
+    if form.kind != "damper" or type(form).factor is Form.factor or not form.may_be_shaped:
         return None
-    if _SHAPED in form.form or form.begins or getattr(form, "evened", False):
+    if type(form).spares_loss or form.spares_springs:  # dashpots of their own already
         return None
     plain = type(form)()
     other = copy(plain)
@@ -83,10 +82,11 @@ def shaped(form: Form, splits: bool) -> Form | None:
         return 1.0 + p["l"] * s + p["e"] * s**2
 
     vars(other).update(
-        form=f"{plain.form}{_SHAPED}",
+        form=f"{plain.form}_shaped",
         title=f"{plain.title}, along a curve of its own",
         amendment=False,
         spares_loss=splits,
+        may_be_shaped=False,
         unknowns=unknowns,
         starts=starts,
         spring_factor=spring_factor,

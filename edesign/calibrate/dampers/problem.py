@@ -339,7 +339,7 @@ def _changed(
             found.dashpots = found.dashpots * form.dashpot_factor(part.p, motion, own)
             found.splits = True
         elif own is not None:
-            found.factor = found.factor * own
+            found.factor = found.factor * form.spring_factor(part.p, own)
         if beside is not None:
             found.parallel = found.parallel + beside
     if inside is not None and relaxes is not None:

@@ -39,7 +39,7 @@ from edesign.calibrate.dampers.effects import (
     velocity_exponent,
 )
 from edesign.calibrate.dampers.left import Left
-from edesign.calibrate.dampers.library import candidates
+from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes
 from edesign.calibrate.fit import Model
@@ -479,6 +479,55 @@ def test_of_loss_changes_dashpots_alone() -> None:
     ):
         (force,) = solid.predict(solid.declared, [(found[label], np.array(values))], ("fit",))
         np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
+
+
+def test_a_curve_of_its_own_bends_all_of_a_law_that_has_no_sides() -> None:
+    test = replace(trial(motion(12)), temperature=np.full(motion(12).time.size, 26.0))
+    size = replace(sizes(), temperatures=(20.0, 26.0))
+    zener = LAWS["zener"]
+    values = {parameter.name: 1e6 for parameter in zener.parameters}
+    solid = DamperProblem(zener, values, None, (test,), size)
+    plain = candidate_of(temperature_law.Exponential(), size, Left())
+    assert plain is not None
+    (fine,) = solid.finer((plain, np.array([0.03])))
+    assert [unknown.name for unknown in fine[0].unknowns] == ["b", "c"]  # springs and dashpots are not told apart
+    (law_force,) = solid.predict(solid.declared, (), ("fit",))
+    s = math.exp(-0.03 * 6.0) - 1.0
+    for c in (0.0, 2.0):
+        (force,) = solid.predict(solid.declared, [(fine[0], np.array([0.03, c]))], ("fit",))
+        np.testing.assert_allclose(force, (1.0 + s + c * s**2) * law_force, rtol=1e-12)
+
+
+def test_heat_from_before_a_test_is_each_tests_own() -> None:
+    # no heat by work (beta = 0): what was there fades, F = exp(-q0 exp(-t/tau)) F_law; the shares are linear in q0
+    tests = two_tests()
+    q0, tau, size = (1e-3, -0.4e-3), 3.0, sizes()
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, tests, size)
+    forces = [f for f in solid.predict(solid.declared, (), ("fit", "validate")) if f is not None]
+    warm = [
+        np.exp(-q * np.exp(-(t.motion.time - t.motion.time[0]) / tau)) * f
+        for t, q, f in zip(tests, q0, forces, strict=True)
+    ]
+    plain = candidate_of(self_heating.Rate(), size, Left())
+    assert plain is not None
+    begun = next(part for part in solid.finer((plain, np.array([0.0, tau]))) if part[0].form == "rate_begun_warm")
+    for i, (force, law_force) in enumerate(zip(warm, forces, strict=True)):
+        (column,) = solid.nuisance(solid.declared, [begun], i).T  # type: ignore[union-attr]
+        left = force - law_force
+        assert np.linalg.norm(left) > 1e-4 * np.linalg.norm(law_force)
+        # second order of q0, 5e-7, and of the difference that the column is
+        assert np.linalg.norm(left - column * (column @ left)) < 1e-6 * np.linalg.norm(law_force)
+
+
+def test_work_that_springs_give_back_is_evened_out() -> None:
+    # q = a t acts as a (t - tau_w (1 - exp(-t/tau_w))), and a swing of q is smaller by 1/sqrt(1 + (w tau_w)^2)
+    form = next(other for other in self_heating.Rate().finer() if other.form == "rate_evened")
+    of = motion(13)
+    t, tau = of.time - of.time[0], 0.3
+    soft = form._of_heat({"tau_w": tau}, of)  # type: ignore[attr-defined]
+    step = float(np.max(of.steps))
+    np.testing.assert_allclose(soft(0.1 * t), np.exp(-0.1 * (t + tau * np.expm1(-t / tau))), atol=0.1 * step)
+    assert soft(np.full(t.size, 0.2)) == pytest.approx(math.exp(-0.2), rel=1e-12)
 
 
 def test_an_error_of_the_thermometer_is_no_residual() -> None:

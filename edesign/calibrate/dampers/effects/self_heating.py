@@ -17,6 +17,9 @@ from edesign.calibrate.unknown import Unknown
 _LONGEST = 100.0  # tests: heat that stays longer does not change within one
 
 
+Factor = Callable[[np.ndarray], np.ndarray]
+
+
 def _softened(q: np.ndarray) -> np.ndarray:
     return np.asarray(np.exp(np.clip(-q, -50.0, 50.0)))  # a search may ask for more heat than a float can follow
 
@@ -54,7 +57,7 @@ class Rate(Form):
         return (0.2 * each, quick), *((0.1 * each, t * sizes.duration) for t in (1.0, 3.0, _LONGEST))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        return worked(motion, force, self._softening(p, motion), memory.get(BEGUN, 0.0), p["beta"], p["tau_h"])[0]
+        return worked(motion, force, self._of_heat(p, motion), memory.get(BEGUN, 0.0), p["beta"], p["tau_h"])[0]
 
     def finer(self) -> tuple[Form, ...]:
         """Heat left from before a test, another one in each, as pauses between tests are not recorded: q(0) = q_i. And
@@ -69,6 +72,7 @@ class Rate(Form):
             title=f"{self.title}, each test begun as warm as it shows",
             amendment=False,
             begins=True,
+            may_be_shaped=False,
         )
         return other
 
@@ -85,20 +89,21 @@ class Rate(Form):
             title=f"{self.title}, less the work that springs give back",
             amendment=False,
             evened=True,
+            may_be_shaped=False,
             unknowns=more_unknowns,
             starts=lambda sizes: tuple((*row, 0.2 * sizes.period) for row in starts(sizes)),
         )
         return other
 
-    def _softening(self, p: Values, motion: Motion) -> Callable[[np.ndarray], np.ndarray]:
-        """The factor of q (m,) from the beginning of a test on."""
+    def _of_heat(self, p: Values, motion: Motion, soft: Factor = _softened) -> Factor:
+        """The factor of q (m,) from the beginning of a test on, of the one of the q that acts."""
         if not self.evened:
-            return _softened
+            return soft
         decay = np.exp(-motion.steps / p["tau_w"])
 
         def softened(q: np.ndarray) -> np.ndarray:
             fade = decay[: q.size - 1]
-            return _softened(fading(fade, (1.0 - fade) * q[:-1], float(q[0])) if q.size > 1 else q)
+            return soft(fading(fade, (1.0 - fade) * q[:-1], float(q[0])) if q.size > 1 else q)
 
         return softened
 
@@ -130,7 +135,7 @@ class Core(Rate):
         return worked(
             motion,
             force,
-            self._softening(p, motion),
+            self._of_heat(p, motion),
             memory.get(BEGUN, 0.0),
             p["beta"],
             p["tau_h"],
@@ -157,7 +162,7 @@ class Carried(Rate):
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
-        phi, memory["heat"] = worked(motion, force, self._softening(p, motion), before, p["beta"], p["tau_h"])
+        phi, memory["heat"] = worked(motion, force, self._of_heat(p, motion), before, p["beta"], p["tau_h"])
         return phi
 
 
@@ -187,7 +192,8 @@ class Levelling(Carried):
             return np.asarray((1.0 + np.maximum(q, 0.0) / m) ** -m)
 
         before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
-        phi, memory["heat"] = worked(motion, force, left, before, p["beta"], p["tau_h"])
+        soft = self._of_heat(p, motion, left)
+        phi, memory["heat"] = worked(motion, force, soft, before, p["beta"], p["tau_h"])
         return phi
 
 
