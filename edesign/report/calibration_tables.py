@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from edesign.calibrate.result import Calibration, Effect, Series, Stage, Subject
+from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Series, Stage, Subject
 from edesign.damper.laws import LAWS
 from edesign.report.calibration_effect_tables import effect_name, effect_tables
 from edesign.report.calibration_units import error_text, percent, plus_minus, practical, value_text
@@ -94,7 +94,16 @@ def law_parameters_table(calibration: Calibration) -> Table:
         table.notes.append("storey_stiffness, storey_damping: factors of what is declared")
     if calibration.law_held:
         table.notes.append("corrected: the declared parameters were kept; fitting them too explains nothing more")
+    if calibration.carried is not None and calibration.carried.replaced:
+        table.notes.append(_carried(calibration.carried))
     return table
+
+
+def _carried(law: CarriedLaw) -> str:
+    lost = ", ".join(law.replaced)
+    forms = ", ".join(f"{effect.name}.{effect.form}" for effect in law.effects)
+    instead = f"with {forms}" if forms else "without effects"
+    return f"law file: it cannot carry {lost}; {instead}, fitted again, it leaves {percent(law.validate)} %"
 
 
 def verdict_text(calibration: Calibration) -> str:

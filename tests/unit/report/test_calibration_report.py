@@ -15,7 +15,8 @@ import numpy as np
 import pytest
 from unit.report import calibration_example as example
 
-from edesign.calibrate.result import Calibration, Estimate
+from edesign.calibrate.result import Calibration, CarriedLaw, Estimate
+from edesign.damper.amendments import Amendment
 from edesign.errors import ArchiveError, InputError
 from edesign.report.calibration_effect_figures import effect_figures
 from edesign.report.calibration_effect_tables import effect_parameters_table, effects_table
@@ -129,6 +130,17 @@ def test_law_parameters_stand_with_their_errors_or_as_held() -> None:
     assert row(table, "k") == ["k", "kN/mm", "2", "2.0800", "0.0030", "2", "held"]
     assert any("declared parameters were kept" in note for note in table.notes)
     assert row(law_parameters_table(example.unexplained()), "k")[5:] == ["2.0800", "0.0030"]
+
+
+def test_what_a_law_file_cannot_carry_is_told_with_the_error_of_the_one_it_can() -> None:
+    energy = Amendment("degradation", "energy", {"d": 0.2, "E0": 1e4})
+    carried = CarriedLaw({}, (energy,), ("degradation.work",), 1.25e-3)
+    (note,) = law_parameters_table(replace(example.unexplained(), carried=carried)).notes
+    assert (
+        note == "law file: it cannot carry degradation.work; with degradation.energy, fitted again, it leaves 0.125 %"
+    )
+    whole = replace(carried, replaced=())
+    assert not law_parameters_table(replace(example.unexplained(), carried=whole)).notes
 
 
 def test_the_verdict_tells_effect_errors_and_doubts() -> None:

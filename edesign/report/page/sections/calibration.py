@@ -49,7 +49,11 @@ def verdict(view: View) -> Section:
     tiles = (
         Headline(word, "Verdict", detail, state),
         Headline(error, "Validation error (NRMS)", " → ".join(view.stages.values())),
-        Headline(f"{percent(found.noise_floor)} %", "Noise floor", "the error that noise alone leaves, as estimated"),
+        Headline(
+            f"{percent(found.noise_floor)} %",
+            "Noise floor",
+            "the error that noise and thermometers leave, as estimated",
+        ),
         Headline(effects or "-", "Effects found", f"kind: {kinds}" if kinds else "none was adopted"),
     )
     return Section("verdict", "Verdict", (verdict_text(found),), (Headlines(tiles),))
