@@ -18,6 +18,7 @@ AT_FLOOR = 1.2
 SHARE = 0.25
 """Least share of the excess over noise that an effect must remove: less is a symptom of something else."""
 
+_MOST_OF_IT = 0.5  # share of the excess
 _LEAST_BIC = 10.0  # Kass and Raftery (1995): "very strong"
 _LEAST_EXCESS = 0.02  # of the noise: less is not told from nothing
 _TWINS = 0.01  # difference of the mean logarithm of the error below which two effects are one equation
@@ -60,6 +61,8 @@ class Evidence:
         t: sum of the tests' improvements (logarithms of their errors) over the root of their squares: sqrt(tests) if
             all improve alike, 1 if one alone does.
         bic: information criterion of the rival minus that of the model; above 10 is very strong.
+        beside_motion: whether the model has more than the rival something that is slower or faster than all motion; a
+            misfit of the law is not, however few of the samples it leaves independent.
         better, tests: how many tests improve when they are left out, of how many.
     """
 
@@ -68,11 +71,15 @@ class Evidence:
     bic: float
     better: int
     tests: int
+    beside_motion: bool = False
 
     @property
     def beyond_chance(self) -> bool:
-        """Whether cross-validation and information criterion agree that the model is better."""
-        return self.share > 0.0 and self.t >= _LEAST_T and self.bic > _LEAST_BIC
+        """Whether cross-validation and information criterion agree that the model is better; or most of the excess goes
+        by what no motion does.
+        """
+        known = self.bic > _LEAST_BIC or (self.beside_motion and self.share >= _MOST_OF_IT)
+        return self.share > 0.0 and self.t >= _LEAST_T and known
 
     @property
     def adopts(self) -> bool:
@@ -117,6 +124,10 @@ def _beaten(judged: Judged, best: Judged) -> bool:
     return evidence.clearly_better or (_names(judged) == _names(best) and evidence.better_form)
 
 
+def _beside_motion(judged: Judged) -> int:
+    return sum(effect.beside_motion for effect in judged.fitted.model.effects)
+
+
 def _names(judged: Judged) -> set[str]:
     return {effect.name for effect in judged.fitted.model.effects}
 
@@ -146,6 +157,7 @@ def compare(model: Judged, rival: Judged) -> Evidence:
         bic=_bic(rival.fitted, model.fitted) - _bic(model.fitted, model.fitted),
         better=int(np.sum(gains > 0.0)),
         tests=gains.size,
+        beside_motion=_beside_motion(model) > _beside_motion(rival),
     )
 
 

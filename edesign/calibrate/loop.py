@@ -267,6 +267,8 @@ class Loop:
         if problem is not self.problem:
             best = Judged(fit(replace(current.fitted.model, problem=problem), current.fitted.x))
         first = best
+        if problem is not self.problem and not best.at_floor:
+            best = self._in_other_forms(best)
         for i in range(len(current.fitted.model.effects)):
             while not best.at_floor and (found := self._in_finer_form(best, i)) is not best:
                 best = found
@@ -275,6 +277,15 @@ class Loop:
         if problem is self.problem:
             return best
         return Judged(fit(replace(best.fitted.model, problem=self.problem), best.fitted.x))
+
+    def _in_other_forms(self, current: Judged) -> Judged:
+        """Each effect in the form that suits best with nothing in doubt; what was compared in doubt is no answer."""
+        known, compared = self.known, self.compared
+        self.known, self.compared = {}, set()
+        for effect in current.fitted.model.effects:
+            current = simplest([current, *self._other_forms(current, effect)])
+        self.known, self.compared = known, compared
+        return current
 
     def _in_finer_form(self, current: Judged, i: int) -> Judged:
         model, parts = current.fitted.model, current.fitted.parts

@@ -29,6 +29,8 @@ class Candidate:
         effect: what the problem needs to predict with it.
         slow: whether predictions with it take many times longer, and others hardly change what it does: others are
             screened without it.
+        beside_motion: whether it does what no motion does: much of a residual that it takes is its own, however few of
+            the samples are independent.
         finer: whether it is a finer form of one that was found (`Problem.finer`).
     """
 
@@ -40,6 +42,7 @@ class Candidate:
     effect: Any
     slow: bool = False
     finer: bool = False
+    beside_motion: bool = False
 
     @property
     def label(self) -> str:

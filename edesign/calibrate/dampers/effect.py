@@ -84,6 +84,9 @@ class Form:
         loss_start: exponent of the dashpots from which a search goes.
         spares_loss: whether it does, see `dashpot_factor`.
         spares_springs: whether it changes dashpots alone.
+        may_be_of_power: whether its factor may act on the law's dashpot of a power of the velocity alone.
+        of_power: whether it does.
+        beside_motion: whether it is slower or faster than all motion, so that nothing else does what it does.
         has_columns: whether a share of it is each test's own, see `columns`.
         may_be_shaped: whether a finer form of it has a curve of its own (`edesign.calibrate.dampers.finer`).
         begins: whether its state at the beginning of a test is that test's own, by `BEGUN` more than what is left from
@@ -108,7 +111,10 @@ class Form:
     loss_start: ClassVar[float] = 0.0
     spares_loss: bool = False
     spares_springs: bool = False
+    may_be_of_power: ClassVar[bool] = False
+    of_power: bool = False
     has_columns: bool = False
+    beside_motion: ClassVar[bool] = False
     begins: bool = False
     may_be_shaped: bool = True
 
@@ -213,6 +219,20 @@ class Form:
             title=f"{self.title}, dashpots alone",
             spares_loss=True,
             spares_springs=True,
+            amendment=False,
+        )
+        return other
+
+    def of_power_law(self) -> Form:
+        """The same for the law's dashpot of a power of the velocity alone."""
+        other = copy(self)
+        vars(other).update(
+            form=f"{self.form}_of_power",
+            title=f"{self.title}, that of the power of the velocity alone",
+            of_power=True,
+            spares_loss=False,
+            spares_springs=False,
+            may_be_shaped=False,
             amendment=False,
         )
         return other

@@ -25,6 +25,11 @@ def without_dashpots(law: Law, values: Mapping[str, float]) -> dict[str, float] 
     return None if none is None else {**values, **dict.fromkeys(none, 0.0)}
 
 
+def without_power(law: Law, values: Mapping[str, float]) -> dict[str, float] | None:
+    """Parameters of the same law without its dashpot of a power of the velocity; None: it has none beside others."""
+    return {**values, "c_NL": 0.0} if law.name == "mgmm" else None
+
+
 def relaxed_force(motion: Motion, force: np.ndarray, tau: complex) -> np.ndarray:
     """Q (n,) N with Q + tau Q' = force (n,) N, a cubic spline between samples; at rest before the first.
 

@@ -9,13 +9,14 @@ from edesign.calibrate.dampers.trial import Sizes
 from edesign.calibrate.problem import Candidate
 
 
-def candidates(sizes: Sizes, left: Left, relaxes: bool, splits: bool) -> tuple[Candidate, ...]:
+def candidates(sizes: Sizes, left: Left, relaxes: bool, splits: bool, powers: bool = False) -> tuple[Candidate, ...]:
     """All forms of all effects that a campaign can show.
 
     Args:
         sizes: of the campaign.
         left: of the tests: some forms take their starts from it.
         relaxes: whether the law relaxes all its forces, so that effects may stand inside it.
+        powers: whether one of its dashpots has a power of the velocity, beside others.
         splits: whether its springs and dashpots can be told apart, so that effects may change them differently.
     """
     found = []
@@ -26,6 +27,8 @@ def candidates(sizes: Sizes, left: Left, relaxes: bool, splits: bool) -> tuple[C
                 variants.append(form.within())
             if splits and form.may_spare_loss:
                 variants += [form.sparing_loss(), form.of_loss()]
+            if powers and form.may_be_of_power:
+                variants.append(form.of_power_law())
             for variant in variants:
                 candidate = candidate_of(variant, sizes, left)
                 if candidate is not None:
@@ -39,6 +42,6 @@ def candidate_of(form: Form, sizes: Sizes, left: Left) -> Candidate | None:
     if not starts:
         return None
     slow = type(form).series is not Form.series
-    return Candidate(
-        form.name, form.form, form.kind, form.unknowns(sizes), starts, (form, dict(form.fixed(sizes))), slow
-    )
+    effect = (form, dict(form.fixed(sizes)))
+    unknowns = form.unknowns(sizes)
+    return Candidate(form.name, form.form, form.kind, unknowns, starts, effect, slow, beside_motion=form.beside_motion)

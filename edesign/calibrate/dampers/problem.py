@@ -12,7 +12,13 @@ import numpy as np
 from edesign.calibrate.dampers.band import band_power
 from edesign.calibrate.dampers.effect import BEGUN, Form, Memory, Series
 from edesign.calibrate.dampers.finer import finer
-from edesign.calibrate.dampers.inside import relaxation_time, relaxed_factor, relaxed_force, without_dashpots
+from edesign.calibrate.dampers.inside import (
+    relaxation_time,
+    relaxed_factor,
+    relaxed_force,
+    without_dashpots,
+    without_power,
+)
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidates
@@ -80,7 +86,8 @@ class DamperProblem:
         fitted = [trial for trial in self.trials if trial.use == "fit"]
         relaxes = relaxation_time(self.law, self.start) is not None
         splits = without_dashpots(self.law, self.start) is not None
-        return candidates(self.sizes, Left(fitted, residuals), relaxes, splits)
+        powers = without_power(self.law, self.start) is not None
+        return candidates(self.sizes, Left(fitted, residuals), relaxes, splits, powers)
 
     def finer(self, part: Part) -> tuple[Part, ...]:
         """Finer forms of an effect that was found, with the values at which they do what it does."""
@@ -221,11 +228,17 @@ class DamperProblem:
         """What factors of springs and dashpots apart add to the law's force (n,) N, inside its relaxation if it has
         one.
         """
-        if not changed.splits:
+        sides: list[tuple[np.ndarray | float, np.ndarray]] = []
+        if changed.splits:
+            springs = self._law_force(trial, motion, without_dashpots(self.law, values) or values)
+            sides += [(changed.springs, springs), (changed.dashpots, force - springs)]
+        if not isinstance(changed.power, float):
+            sides.append(
+                (changed.power, force - self._law_force(trial, motion, without_power(self.law, values) or values))
+            )
+        if not sides:
             return 0.0
-        springs = self._law_force(trial, motion, without_dashpots(self.law, values) or values)
         tau = relaxation_time(self.law, values)
-        sides = ((changed.springs, springs), (changed.dashpots, force - springs))
         if tau is None:
             return sum(((own - 1.0) * side for own, side in sides), start=np.zeros_like(force))
         return sum(
@@ -308,11 +321,14 @@ class _Acting:
 
 @dataclass
 class _Changed:
-    """What parts make of the law's force: factors of all of it, of its springs and dashpots, and forces beside it."""
+    """What parts make of the law's force: factors of all of it, of its springs, its dashpots and that of a power of the
+    velocity, and forces beside it.
+    """
 
     factor: np.ndarray | float = 1.0
     springs: np.ndarray | float = 1.0
     dashpots: np.ndarray | float = 1.0
+    power: np.ndarray | float = 1.0
     parallel: np.ndarray | float = 0.0
     splits: bool = False
 
@@ -334,7 +350,9 @@ def _changed(
             if beside is not None:
                 inside = beside if inside is None else inside + beside
             continue
-        if own is not None and form.spares_loss:
+        if own is not None and form.of_power:
+            found.power = found.power * own
+        elif own is not None and form.spares_loss:
             found.springs = found.springs * form.spring_factor(part.p, own)
             found.dashpots = found.dashpots * form.dashpot_factor(part.p, motion, own)
             found.splits = True

@@ -108,6 +108,7 @@ class Wandering(_Own):
     """The zero wanders: in each test a sum of cosines, all slower than half the slowest motion of the test."""
 
     form: ClassVar[str] = "wandering"
+    beside_motion: ClassVar[bool] = True
     title: ClassVar[str] = "zero of the force channel that wanders slowly"
     signature: ClassVar[str] = "slower than anything that moves, another in each test"
 

@@ -138,4 +138,45 @@ class FactorNegative(_Factor):
     side: ClassVar[float] = -1.0
 
 
-FORMS = (ContactPositive, ContactNegative, SpringPositive, SpringNegative, FactorPositive, FactorNegative)
+class _Soft(_Factor):
+    may_be_inside: ClassVar[bool] = False  # with springs and dashpots apart it is inside
+    may_spare_loss: ClassVar[bool] = True
+    amendment: ClassVar[bool] = False
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u = sizes.displacement
+        return (*super().unknowns(sizes), Unknown("w", "m", 1e-3 * u, u, 0.1 * u, logarithmic=True))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.1, 0.05 * sizes.displacement),)
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return np.asarray(1.0 + 0.5 * p["b"] * (1.0 + np.tanh(p["side"] * motion.displacement / p["w"])))
+
+
+class SoftPositive(_Soft):
+    """As `factor_positive`, one side going over into the other: F = (1 + b (1 + tanh(u/w))/2) F_law."""
+
+    form: ClassVar[str] = "soft_factor_positive"
+    title: ClassVar[str] = "larger or smaller force towards the positive side"
+    side: ClassVar[float] = 1.0
+
+
+class SoftNegative(_Soft):
+    """As `factor_negative`, one side going over into the other: F = (1 + b (1 - tanh(u/w))/2) F_law."""
+
+    form: ClassVar[str] = "soft_factor_negative"
+    title: ClassVar[str] = "larger or smaller force towards the negative side"
+    side: ClassVar[float] = -1.0
+
+
+FORMS = (
+    ContactPositive,
+    ContactNegative,
+    SpringPositive,
+    SpringNegative,
+    FactorPositive,
+    FactorNegative,
+    SoftPositive,
+    SoftNegative,
+)

@@ -159,7 +159,8 @@ class Transition(_Temperature):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         low, high = sizes.temperatures
         span = high - low
-        return tuple((0.1, low + at * span, 0.15 * span) for at in (0.3, 0.7)) if _shown(sizes) else ()
+        rows = ((0.1, low + at * span, w * span) for at in (0.1, 0.35, 0.6, 0.85) for w in (0.1, 0.25))
+        return tuple(rows) if _shown(sizes) else ()
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         passed = expit((trial.temperature - p["Tc"]) / p["w"]) - expit((p["T0"] - p["Tc"]) / p["w"])

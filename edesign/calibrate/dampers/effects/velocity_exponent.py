@@ -98,6 +98,7 @@ class Exponent(_Velocity):
     """The law's own dashpots take another exponent above a velocity: dashpots (1 + (v/v0)^2)^(n/2)."""
 
     may_be_inside: ClassVar[bool] = False
+    may_be_of_power: ClassVar[bool] = True
     spares_loss: bool = True
     spares_springs: bool = True
     form: ClassVar[str] = "exponent"
