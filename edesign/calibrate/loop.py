@@ -37,6 +37,7 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 much together with another one.
 """
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
+_LONG = 40  # steps of a search along the valleys between a shape and the rest
 _UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
 
 Progress = Callable[[str], None]
@@ -69,6 +70,7 @@ class Loop:
         self.tell = progress
         self.material = 0.0
         self.rivals: dict[frozenset[str], list[Judged]] = {}  # models with one effect more, by the effects they share
+        self.shaped: set[str] = set()  # effects of which finer forms were tried: a second form has nothing to add
         self.known: dict[_Key, Judged] = {}  # since the model was last fitted again
         self.compared: set[tuple[str, _Key]] = set()  # effects whose forms were, beside which model
 
@@ -159,7 +161,11 @@ class Loop:
         number = len(known) + 1
         more = not known or self._more_than_misses(current)
         names = {effect.name for effect in known}
-        pool = [c for c in self._candidates(current) if _may_join(c, known) and (more or c.name in names)]
+        pool = [
+            c
+            for c in self._candidates(current)
+            if _may_join(c, known) and (more or c.name in names) and c.name not in names & self.shaped
+        ]
         self.tell(f"effect {number}: screening {len(pool)} forms of effects")
         signatures = screen(current.fitted, pool, self.workers)
         short = shortlist(signatures)
@@ -265,9 +271,9 @@ class Loop:
         problem = self.problem.certain
         best = current
         if problem is not self.problem:
-            best = Judged(fit(replace(current.fitted.model, problem=problem), current.fitted.x))
+            best = Judged(fit(replace(current.fitted.model, problem=problem), current.fitted.x, _LONG))
         first = best
-        if problem is not self.problem and not best.at_floor:
+        if problem is not self.problem and not best.at_floor and _last_is_new(best):
             best = self._in_other_forms(best)
         for i in range(len(current.fitted.model.effects)):
             while not best.at_floor and (found := self._in_finer_form(best, i)) is not best:
@@ -279,19 +285,23 @@ class Loop:
         return Judged(fit(replace(best.fitted.model, problem=self.problem), best.fitted.x))
 
     def _in_other_forms(self, current: Judged) -> Judged:
-        """Each effect in the form that suits best with nothing in doubt; what was compared in doubt is no answer."""
+        """The last effect in the form that suits best with nothing in doubt; what was compared in doubt is no
+        answer.
+        """
         known, compared = self.known, self.compared
         self.known, self.compared = {}, set()
-        for effect in current.fitted.model.effects:
-            current = simplest([current, *self._other_forms(current, effect)])
+        found = simplest([current, *self._other_forms(current, current.fitted.model.effects[-1])])
         self.known, self.compared = known, compared
-        return current
+        return found
 
     def _in_finer_form(self, current: Judged, i: int) -> Judged:
         model, parts = current.fitted.model, current.fitted.parts
         self.tell(f"finer forms of {model.effects[i].name}")
         begun = []
-        for part in self.problem.finer(parts[i]):
+        finer = self.problem.finer(parts[i])
+        if finer:
+            self.shaped.add(parts[i][0].name)
+        for part in finer:
             own = [*parts[:i], part, *parts[i + 1 :]]
             other = replace(model, effects=tuple(effect for effect, _ in own))
             begun.append((other, other.coordinates(current.fitted.base, own)))
@@ -469,7 +479,7 @@ class Loop:
 
 def _judged(model: Model, start: np.ndarray) -> Judged | None:
     try:
-        judged = Judged(fit(model, start))
+        judged = Judged(fit(model, start, _LONG))
         _ = judged.held_out
     except PredictionError:
         return None
