@@ -24,7 +24,7 @@ from irregular_motion import (
     two_tests,
 )
 
-from edesign.calibrate.dampers.drivers import fractional_rate, relaxed
+from edesign.calibrate.dampers.drivers import equivalent_cycles, fractional_rate, relaxed
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.effects import (
     ageing,
@@ -47,6 +47,7 @@ from edesign.core.damper import CoreDamper
 from edesign.damper.amendments import Amendment
 from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
+from edesign.damper.parameters import read_parameters
 
 # --- springs ---
 
@@ -84,7 +85,72 @@ def test_a_factor_acts_on_its_side_alone() -> None:
     (negative,) = factor(one_sided.FactorNegative(), {"b": 0.2, "side": -1.0}, (t,))
     assert set(positive[t.motion.displacement > 0.0]) == {1.2} and set(positive[t.motion.displacement <= 0.0]) == {1.0}
     assert set(negative[t.motion.displacement < 0.0]) == {1.2} and set(negative[t.motion.displacement >= 0.0]) == {1.0}
-    assert [form().fixed(sizes())["side"] for form in one_sided.FORMS] == [1.0, -1.0] * 3
+    assert [form().fixed(sizes())["side"] for form in one_sided.FORMS] == [1.0, -1.0] * 4
+
+
+def test_a_soft_factor_goes_over_from_side_to_side() -> None:
+    t = trial(motion(5))
+    u = t.motion.displacement
+    for form, side in ((one_sided.SoftPositive(), 1.0), (one_sided.SoftNegative(), -1.0)):
+        (phi,) = factor(form, {"b": 0.2, "side": side, "w": 2e-3}, (t,))
+        np.testing.assert_allclose(phi, 1.0 + 0.2 / (1.0 + np.exp(-2.0 * side * u / 2e-3)), rtol=1e-12)
+    (narrow,) = factor(one_sided.SoftPositive(), {"b": 0.2, "side": 1.0, "w": 1e-9}, (t,))
+    (sharp,) = factor(one_sided.FactorPositive(), {"b": 0.2, "side": 1.0}, (t,))
+    off = np.abs(u) > 1e-6
+    np.testing.assert_allclose(narrow[off], sharp[off], rtol=1e-12)
+
+
+def test_a_soft_threshold_is_none_at_rest_and_a_sharp_one_when_narrow() -> None:
+    t = trial(motion(6))
+    (soft,) = parallel(hardening.Soft(), {"k": 3.0, "u0": 4e-3, "w": 1e-7}, (t,))
+    (sharp,) = parallel(hardening.Threshold(), {"k": 3.0, "u0": 4e-3}, (t,))
+    np.testing.assert_allclose(soft, sharp, atol=3.0 * 1e-7)  # k w ln 2 at the threshold itself
+    rest = replace(t, motion=Motion(*(np.zeros(8) for _ in range(4))), force=np.zeros(8))
+    (none,) = parallel(hardening.Soft(), {"k": 3.0, "u0": 4e-3, "w": 3e-3}, (rest,))
+    assert np.all(none == 0.0)
+
+
+def test_a_row_of_branches_is_the_sum_of_its_branches() -> None:
+    t = trial(motion(7))
+    (row,) = parallel(relaxation_branch.Prony(), {"k": 2e6, "tau": 0.02, "r": 5.0, "p": 0.3}, (t,))
+    each = [
+        parallel(relaxation_branch.Maxwell(), {"k": 2e6 * 5.0 ** (-0.3 * i), "tau": 0.02 * 5.0**i}, (t,))[0]
+        for i in range(4)
+    ]
+    np.testing.assert_allclose(row, sum(each), rtol=1e-12, atol=1e-6)
+
+
+def test_an_equivalent_cycle_is_a_path_of_four_amplitudes() -> None:
+    # a triangle of one amplitude from its tip on: each turn adds a cycle; the largest so far is the amplitude at once
+    time = np.arange(401) / 100.0
+    u = U * (2.0 * np.abs(2.0 * (time - np.floor(time + 0.5))) - 1.0) * -1.0
+    found = equivalent_cycles(Motion(time, u, np.zeros(401), np.zeros(401)), 0.05 * U)
+    np.testing.assert_allclose(found[::100], np.arange(5), atol=1e-12)
+
+
+def test_a_transition_is_half_way_at_its_middle() -> None:
+    t = trial(motion(8), temperature=np.linspace(20.0, 40.0, motion(8).time.size))
+    (phi,) = factor(temperature_law.Transition(), {"d": 0.4, "Tc": 30.0, "w": 0.5, "T0": 20.0}, (t,))
+    assert np.interp(30.0, t.temperature, phi) == pytest.approx(0.8, abs=1e-6)
+    assert phi[0] == pytest.approx(1.0, abs=1e-12) and phi[-1] == pytest.approx(0.6, abs=1e-8)
+
+
+def test_another_exponent_of_the_power_alone_is_a_law_with_that_exponent() -> None:
+    # far above v0 the factor is |v/v0|^n: c_NL |v|^alpha becomes c_NL v0^-n |v|^(alpha + n)
+    mgmm, values = LAWS["mgmm"], read_parameters(LAWS["mgmm"], "thesis_table_4_2")
+    test = replace(trial(motion(9)), temperature=np.full(motion(9).time.size, 20.0))
+    damper = DamperProblem(mgmm, values, None, (test,), sizes())
+    form = velocity_exponent.Exponent().of_power_law()
+    candidate = candidate_of(form, sizes(), Left())
+    assert candidate is not None and candidate.label == "velocity_exponent.exponent_of_power"
+    n, v0 = 0.2, 1e-7
+    (found,) = damper.predict(damper.declared, [(candidate, np.array([n, v0]))], ("fit",))
+    other = {**values, "c_NL": values["c_NL"] * v0**-n, "alpha": values["alpha"] + n}
+    again = DamperProblem(mgmm, other, None, (test,), sizes())
+    (expected,) = again.predict(again.declared, (), ("fit",))
+    assert found is not None and expected is not None
+    # the factor is linear between samples inside the relaxation, which bends where the velocity passes zero
+    assert np.sqrt(np.mean((found - expected) ** 2)) < 3e-3 * np.sqrt(np.mean(expected**2))
 
 
 def test_hardening_inside_moves_the_law_by_the_stiffened_motion() -> None:

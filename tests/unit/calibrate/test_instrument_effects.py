@@ -183,6 +183,19 @@ def test_more_mass_on_one_side_is_another_mass_there() -> None:
     np.testing.assert_allclose(force[off], (on * trial.motion.acceleration)[off], atol=1e-12)
 
 
+@pytest.mark.parametrize(("f", "zeta"), [(8.0, 0.87), (20.0, 0.71)])
+def test_a_filter_of_second_order_turns_a_sine_by_its_transfer_function(f: float, zeta: float) -> None:
+    trial = _trial(200.0, 20.0, frequency=2.0)
+    t = trial.motion.time - trial.motion.time[0]
+    found = lag.SecondOrder().channel({"f": f, "zeta": zeta}, trial, np.sin(W * 2.0 * t))
+    h = 1.0 / (1.0 - (2.0 / f) ** 2 + 2.0j * zeta * 2.0 / f)  # Chopra, Eq. 3.2.10
+    late = t > 3.0
+    # linear over quarters of the 100 samples of a cycle between a cubic: (w h / 4)^2 / 12 = 2e-5
+    np.testing.assert_allclose(found[late][:-5], (h * np.exp(1j * W * 2.0 * t)).imag[late][:-5], atol=1e-4)
+    steady = lag.SecondOrder().channel({"f": f, "zeta": zeta}, trial, np.full(t.size, 7.0))
+    np.testing.assert_allclose(steady, 7.0, rtol=1e-12)
+
+
 @pytest.mark.parametrize("rate", [40.0, 100.0, 1000.0])
 def test_a_mass_on_a_fixture_swings_as_an_oscillator(rate: float) -> None:
     trial = _trial(rate, 20.0, frequency=2.0)
