@@ -161,15 +161,18 @@ class DamperProblem:
     @cached_property
     def certain(self) -> DamperProblem:
         """The same with temperatures as they were read."""
-        return self if all(trial.warmth is None for trial in self.trials) else self.doubting(0.0)
+        if all(trial.warmth is None for trial in self.trials):
+            return self
+        return replace(self, trials=tuple(replace(trial, warmth=None) for trial in self.trials))
 
     def doubting(self, share: float) -> DamperProblem:
         """The same with a share of the thermometer's error; itself where temperatures do not matter."""
 
         def of(trial: Trial) -> Trial:
-            warmth = None if share == 0.0 or trial.warmth is None else share * trial.warmth
-            return replace(trial, warmth=warmth)
+            return trial if trial.warmth is None else replace(trial, warmth=share * trial.warmth)
 
+        if share == 0.0:
+            return self.certain
         if share == 1.0 or all(trial.warmth is None for trial in self.trials):
             return self
         return replace(self, trials=tuple(of(trial) for trial in self.trials))
