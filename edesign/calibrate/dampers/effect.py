@@ -178,20 +178,22 @@ class Form:
         """The force that is recorded, of the true one (n,) N."""
         return force
 
+    def variant(self, ending: str, title: str, **changes: Any) -> Form:
+        """The same with another ending of its name and title, and other attributes; no law file carries it unless they
+        say so.
+        """
+        other = copy(self)
+        vars(other).update({"form": f"{self.form}_{ending}", "title": f"{self.title}, {title}", "amendment": False})
+        vars(other).update(changes)
+        return other
+
     def within(self) -> Form:
         """The same inside the law."""
-        other = copy(self)
-        vars(other).update(
-            form=f"{self.form}_inside",
-            title=f"{self.title}, inside the law",
-            inside=True,
-            amendment_form=f"{getattr(self, 'amendment_form', self.form)}_inside",
-        )
-        return other
+        carried = f"{getattr(self, 'amendment_form', self.form)}_inside"
+        return self.variant("inside", "inside the law", inside=True, amendment=self.amendment, amendment_form=carried)
 
     def sparing_loss(self) -> Form:
         """The same with an exponent of its own for the dashpots."""
-        other = copy(self)
         unknowns, starts = self.unknowns, self.starts
 
         def more_unknowns(sizes: Sizes) -> tuple[Unknown, ...]:
@@ -201,41 +203,18 @@ class Form:
         def more_starts(sizes: Sizes) -> tuple[tuple[float, ...], ...]:
             return tuple((*row, self.loss_start) for row in starts(sizes))
 
-        vars(other).update(
-            form=f"{self.form}_loss",
-            title=f"{self.title}, springs and dashpots apart",
-            spares_loss=True,
-            amendment=False,
-            unknowns=more_unknowns,
-            starts=more_starts,
+        return self.variant(
+            "loss", "springs and dashpots apart", spares_loss=True, unknowns=more_unknowns, starts=more_starts
         )
-        return other
 
     def of_loss(self) -> Form:
         """The same for the dashpots alone."""
-        other = copy(self)
-        vars(other).update(
-            form=f"{self.form}_of_loss",
-            title=f"{self.title}, dashpots alone",
-            spares_loss=True,
-            spares_springs=True,
-            amendment=False,
-        )
-        return other
+        return self.variant("of_loss", "dashpots alone", spares_loss=True, spares_springs=True)
 
     def of_power_law(self) -> Form:
         """The same for the law's dashpot of a power of the velocity alone."""
-        other = copy(self)
-        vars(other).update(
-            form=f"{self.form}_of_power",
-            title=f"{self.title}, that of the power of the velocity alone",
-            of_power=True,
-            spares_loss=False,
-            spares_springs=False,
-            may_be_shaped=False,
-            amendment=False,
-        )
-        return other
+        sides = {"of_power": True, "spares_loss": False, "spares_springs": False, "may_be_shaped": False}
+        return self.variant("of_power", "that of the power of the velocity alone", **sides)
 
     @property
     def described(self) -> Described:

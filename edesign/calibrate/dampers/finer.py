@@ -6,7 +6,6 @@ the form it is finer than as a special case.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from copy import copy
 from dataclasses import replace
 
 import numpy as np
@@ -58,7 +57,6 @@ def shaped(form: Form, splits: bool) -> Form | None:
     if type(form).spares_loss or form.spares_springs:  # dashpots of their own already
         return None
     plain = type(form)()
-    other = copy(plain)
     own_unknowns, own_starts = plain.unknowns, plain.starts
 
     def curve(name: str) -> Unknown:
@@ -81,10 +79,9 @@ def shaped(form: Form, splits: bool) -> Form | None:
         s = factor - 1.0
         return 1.0 + p["l"] * s + p["e"] * s**2
 
-    vars(other).update(
-        form=f"{plain.form}_shaped",
-        title=f"{plain.title}, along a curve of its own",
-        amendment=False,
+    return plain.variant(
+        "shaped",
+        "along a curve of its own",
         spares_loss=splits,
         may_be_shaped=False,
         unknowns=unknowns,
@@ -92,7 +89,6 @@ def shaped(form: Form, splits: bool) -> Form | None:
         spring_factor=spring_factor,
         dashpot_factor=dashpot_factor,
     )
-    return other
 
 
 def _as_shaped(known: Mapping[str, float]) -> dict[str, float]:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from copy import copy
 from typing import ClassVar
 
 import numpy as np
@@ -66,34 +65,23 @@ class Rate(Form):
         return (*(() if self.begins else (self._begun_warm(),)), *(() if self.evened else (self._evened(),)))
 
     def _begun_warm(self) -> Form:
-        other = copy(self)
-        vars(other).update(
-            form=f"{self.form}_begun_warm",
-            title=f"{self.title}, each test begun as warm as it shows",
-            amendment=False,
-            begins=True,
-            may_be_shaped=False,
-        )
-        return other
+        return self.variant("begun_warm", "each test begun as warm as it shows", begins=True, may_be_shaped=False)
 
     def _evened(self) -> Form:
-        other = copy(self)
         unknowns, starts = self.unknowns, self.starts
 
         def more_unknowns(sizes: Sizes) -> tuple[Unknown, ...]:
             own, t = unknowns(sizes), sizes.period
             return (*own, Unknown("tau_w", "s", 0.02 * t, 5.0 * t, 0.3 * t, logarithmic=True)) if own else ()
 
-        vars(other).update(
-            form=f"{self.form}_evened",
-            title=f"{self.title}, less the work that springs give back",
-            amendment=False,
+        return self.variant(
+            "evened",
+            "less the work that springs give back",
             evened=True,
             may_be_shaped=False,
             unknowns=more_unknowns,
             starts=lambda sizes: tuple((*row, 0.2 * sizes.period) for row in starts(sizes)),
         )
-        return other
 
     def _of_heat(self, p: Values, motion: Motion, soft: Factor = _softened) -> Factor:
         """The factor of q (m,) from the beginning of a test on, of the one of the q that acts."""
