@@ -67,14 +67,15 @@ def _nearer(found: Fitted) -> Fitted | None:
 
 
 def _on(found: Fitted) -> Judged | None:
-    return _judged(lambda: refine(found, _WELL))
+    return judged_of(lambda: refine(found, _WELL))
 
 
 def _well(found: Fitted) -> Judged | None:
-    return _judged(lambda: fit(found.model, found.x, enough=_WELL))
+    return judged_of(lambda: fit(found.model, found.x, enough=_WELL))
 
 
-def _judged(search: Callable[[], Fitted]) -> Judged | None:
+def judged_of(search: Callable[[], Fitted]) -> Judged | None:
+    """What a search finds, with its errors on tests left out; None: it cannot be predicted."""
     try:
         judged = Judged(search())
         _ = judged.held_out

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibrate.contest import BEHIND, FITTED, both, fit_best, likely_forms, shortlist
+from edesign.calibrate.contest import BEHIND, FITTED, both, fit_best, judged_of, likely_forms, shortlist
 from edesign.calibrate.evidence import SHARE, Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.pairs import likely_pairs
@@ -37,7 +37,7 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 much together with another one.
 """
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
-_LONG = 40  # steps of a search along the valleys between a shape and the rest
+_LONG = 40  # steps of a search along the valleys between a shape and the rest, or of a law far from its tests
 _UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
 
 Progress = Callable[[str], None]
@@ -89,7 +89,7 @@ class Loop:
         if self.may_refit:
             self.tell("refitting the declared law")
             free = Model(self.problem, self.noise)
-            refit = _refitted(Judged(fit(free, free.coordinates(), most_steps=40)))
+            refit = _refitted(Judged(fit(free, free.coordinates(), _LONG)))
         if declared.at_floor:
             return Selection(declared, refit, declared, ())
         final, near = self._search(declared, refit)
@@ -364,7 +364,7 @@ class Loop:
     def _fitted(self, begun: Sequence[tuple[Model, np.ndarray]]) -> list[Judged]:
         """Models fitted from coordinates, those that can be predicted."""
         given = [thing for model, _ in begun for thing in model.given]
-        found = side_by_side(lambda one: _judged(*one), begun, self.workers, given)
+        found = side_by_side(lambda one: judged_of(lambda: fit(*one, _LONG)), begun, self.workers, given)
         return [judged for judged in found if judged is not None]
 
     def _without(self, current: Judged, effect: Candidate) -> Judged:
@@ -475,15 +475,6 @@ class Loop:
         """Effects that may be missing in a model."""
         noise = [s for s, use in zip(self.noise, self.problem.uses, strict=True) if use == "fit"]
         return self.problem.candidates([s * r for s, r in zip(noise, judged.fitted.residuals, strict=True)])
-
-
-def _judged(model: Model, start: np.ndarray) -> Judged | None:
-    try:
-        judged = Judged(fit(model, start, _LONG))
-        _ = judged.held_out
-    except PredictionError:
-        return None
-    return judged
 
 
 def _clearly(model: Judged, rival: Judged) -> bool:

@@ -29,19 +29,24 @@ def at_full_rate(found: Selection, problem: DamperProblem, workers: int) -> Sele
     shares = (0.0,) if problem.certain is problem else _DOUBTS
     problems = [problem.doubting(share) for share in shares]
     known = (*problems, *found.final.fitted.model.given)
-    final = _likeliest(side_by_side(lambda each: _fitted(found.final.fitted, each), problems, workers, known))
+    fits = side_by_side(lambda each: _fitted(found.final.fitted, each), problems, workers, known)
+    predicted = [fitted for fitted in fits if fitted is not None]
+    if not predicted:
+        return found
+    final = _likeliest(predicted)
     same = next(each for each in problems if each is final.model.problem)
-    refit = _fitted(found.refit.fitted, same)
+    refit = _fitted(found.refit.fitted, same) or found.refit.fitted
     adopted = tuple(replace(one, values=values) for one, (_, values) in zip(found.adopted, final.parts, strict=True))
     return replace(found, refit=Judged(refit), final=Judged(final), adopted=adopted)
 
 
-def _fitted(begun: Fitted, problem: DamperProblem) -> Fitted:
+def _fitted(begun: Fitted, problem: DamperProblem) -> Fitted | None:
+    """The model fitted to another problem; None: it cannot predict that."""
     model = replace(begun.model, problem=problem)
     try:
         return fit(model, begun.x, enough=_ENOUGH)
     except PredictionError:
-        return begun
+        return None
 
 
 def _likeliest(fits: list[Fitted]) -> Fitted:

@@ -135,7 +135,10 @@ class DamperProblem:
             values = self.law_values(np.array(base))
             found = []
             for trial in self.trials:
-                more = [replace(part, memory={**part.memory, BEGUN: _BEGUN}) for part in acting]
+                more = [
+                    replace(part, memory={**part.memory, **({BEGUN: _BEGUN} if part.form.begins else {})})
+                    for part in acting
+                ]
                 warm, cold = (self._force(trial, values, own) for own in (more, acting))  # `acting` remembers
                 found.append((warm - cold) / _BEGUN)
             return tuple(found)
