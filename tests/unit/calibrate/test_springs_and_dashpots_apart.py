@@ -1,0 +1,106 @@
+"""Effects that change springs and dashpots of a law apart, against their formulas."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from irregular_motion import (
+    ROUNDING,
+    STIFFNESS,
+    U,
+    factor,
+    motion,
+    shaken,
+    sizes,
+    trial,
+)
+
+from edesign.calibrate.dampers.effects import (
+    payne,
+    temperature_law,
+)
+from edesign.calibrate.dampers.left import Left
+from edesign.calibrate.dampers.library import candidate_of, candidates
+from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.damper.laws import LAWS
+
+
+def test_kraus_softens_springs_and_gives_dashpots_a_hump() -> None:
+    test = trial(motion(11))
+    p = {"d": 0.3, "a0": 4e-3, "m": 1.4, "tau_a": 2.0, "h": 0.5}
+    a, broken = 0.0, []
+    for i, u in enumerate(test.motion.displacement):
+        h = test.motion.time[i] - test.motion.time[i - 1] if i else 0.0
+        a = max(abs(u), a * math.exp(-h / p["tau_a"]))
+        broken.append((a / p["a0"]) ** p["m"] / (1.0 + (a / p["a0"]) ** p["m"]))
+    g = np.array(broken)
+    phi, phi2 = 1.0 - 0.3 * g, (1.0 - 0.3 * g) * (1.0 + 2.0 * 0.5 * np.sqrt(g * (1.0 - g)))
+    size, rest = sizes(), [np.zeros_like(test.force)]
+    (kraus,) = (c for c in candidates(size, Left((test,), rest), False, True) if c.label == "payne.kraus")
+    assert not [c for c in candidates(size, Left((test,), rest), False, False) if c.label == "payne.kraus"]
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), size)
+    values = np.array([p[unknown.name] for unknown in kraus.unknowns])
+    (found,) = solid.predict(solid.declared, [(kraus, values)], ("fit",))
+    expected = STIFFNESS * test.motion.displacement * phi + 2e4 * test.motion.velocity * phi2
+    assert found is not None and g.max() - g.min() > 0.2
+    # the core's first sample is that of a law at rest before: 1e-6 N
+    np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
+
+
+def test_of_loss_changes_dashpots_alone() -> None:
+    warm = replace(trial(motion(11)), temperature=np.full(motion(11).time.size, 26.0))
+    size, rest = replace(sizes(), temperatures=(20.0, 26.0)), [np.zeros_like(warm.force)]
+    found = {c.label: c for c in candidates(size, Left((warm,), rest), False, True)}
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (warm,), size)
+    springs, dashpots = STIFFNESS * warm.motion.displacement, 2e4 * warm.motion.velocity
+    phi = math.exp(-0.03 * 6.0)
+    for label, values, expected in (
+        ("temperature_law.exponential", (0.03,), phi * (springs + dashpots)),
+        ("temperature_law.exponential_of_loss", (0.03,), springs + phi * dashpots),
+        ("temperature_law.exponential_loss", (0.03, 2.0), phi * springs + phi**2 * dashpots),
+    ):
+        (force,) = solid.predict(solid.declared, [(found[label], np.array(values))], ("fit",))
+        np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
+
+
+def test_a_curve_of_its_own_bends_all_of_a_law_that_has_no_sides() -> None:
+    test = replace(trial(motion(12)), temperature=np.full(motion(12).time.size, 26.0))
+    size = replace(sizes(), temperatures=(20.0, 26.0))
+    zener = LAWS["zener"]
+    values = {parameter.name: 1e6 for parameter in zener.parameters}
+    solid = DamperProblem(zener, values, None, (test,), size)
+    plain = candidate_of(temperature_law.Exponential(), size, Left())
+    assert plain is not None
+    (fine,) = solid.finer((plain, np.array([0.03])))
+    assert [unknown.name for unknown in fine[0].unknowns] == ["b", "c"]  # springs and dashpots are not told apart
+    (law_force,) = solid.predict(solid.declared, (), ("fit",))
+    s = math.exp(-0.03 * 6.0) - 1.0
+    for c in (0.0, 2.0):
+        (force,) = solid.predict(solid.declared, [(fine[0], np.array([0.03, c]))], ("fit",))
+        np.testing.assert_allclose(force, (1.0 + s + c * s**2) * law_force, rtol=1e-12)
+
+
+def test_hump_of_kraus_is_h_where_half_is_broken() -> None:
+    held = shaken(np.full(3, 4e-3))
+    p = {"d": 0.3, "a0": 4e-3, "m": 1.4, "tau_a": 2.0, "h": 0.5}
+    form = payne.Kraus()
+    (phi,) = factor(form, p, (trial(held),))
+    dashpots = form.dashpot_factor(p, held, phi)
+    assert phi[0] == pytest.approx(1.0 - 0.5 * 0.3, rel=ROUNDING)
+    assert np.asarray(dashpots)[0] == pytest.approx((1.0 - 0.5 * 0.3) * (1.0 + 0.5), rel=ROUNDING)
+
+
+def test_mean_square_forgets_a_held_deformation_exponentially() -> None:
+    """a^2 = 2 u^2 (1 - exp(-t/tau)) of u held since the test began; in steady cycles far faster than tau, a = u0."""
+    p = {"d": 1.0, "a0": 4e-3, "m": 2.0, "tau_a": 3.0}
+    held = shaken(np.full(300, 4e-3))
+    (phi,) = factor(payne.MeanSquare(), p, (trial(held),))
+    square = 2.0 * -np.expm1(-(held.time - held.time[0]) / 3.0)
+    np.testing.assert_allclose(phi, 1.0 / (1.0 + square), rtol=ROUNDING)
+    cycles = shaken(4e-3 * np.sin(2.0 * math.pi * np.arange(4001) / 20.0))
+    (phi,) = factor(payne.MeanSquare(), p | {"tau_a": 1.0}, (trial(cycles),))  # 200 cycles in 10 s
+    # of the beginning exp(-10) is left, and a^2 swings by 1/(2 w tau) = 0.4 %
+    assert np.mean(phi[-100:]) == pytest.approx(0.5, rel=5e-3)

@@ -1,0 +1,135 @@
+"""Laws of the temperature against their formulas, and what an error of the thermometer does."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from irregular_motion import (
+    STIFFNESS,
+    U,
+    close,
+    factor,
+    motion,
+    sizes,
+    trial,
+)
+
+from edesign.calibrate.dampers.effects import (
+    temperature_law,
+)
+from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.calibrate.dampers.trial import Sizes
+from edesign.calibrate.fit import Model
+from edesign.core.damper import CoreDamper
+from edesign.damper.laws import LAWS
+
+
+def test_a_transition_is_half_way_at_its_middle() -> None:
+    t = trial(motion(8), temperature=np.linspace(20.0, 40.0, motion(8).time.size))
+    (phi,) = factor(temperature_law.Transition(), {"d": 0.4, "Tc": 30.0, "w": 0.5, "T0": 20.0}, (t,))
+    assert np.interp(30.0, t.temperature, phi) == pytest.approx(0.8, abs=1e-6)
+    assert phi[0] == pytest.approx(1.0, abs=1e-12) and phi[-1] == pytest.approx(0.6, abs=1e-8)
+
+
+def test_exponential_follows_the_temperature_within_a_test() -> None:
+    of = motion(8)
+    warm = np.linspace(18.0, 32.0, of.time.size)
+    (phi,) = factor(temperature_law.Exponential(), {"b": 0.03, "T0": 20.0}, (trial(of, 0, warm),))
+    close([phi], [np.array([math.exp(-0.03 * (x - 20.0)) for x in warm])])
+
+
+def test_curved_fall_by_its_formula() -> None:
+    of = motion(8)
+    warm = np.linspace(12.0, 32.0, of.time.size)
+    tests = (trial(of, 0, warm),)
+    expected = [np.array([math.exp(-0.03 * (x - 20.0) - 0.001 * (x - 20.0) ** 2) for x in warm])]
+    close(factor(temperature_law.Curved(), {"b": 0.03, "c": 0.001, "T0": 20.0}, tests), expected)
+    straight = factor(temperature_law.Exponential(), {"b": 0.03, "T0": 20.0}, tests)
+    close(factor(temperature_law.Curved(), {"b": 0.03, "c": 0.0, "T0": 20.0}, tests), straight)
+
+
+@pytest.mark.parametrize(
+    ("law", "values"),
+    [
+        ("zener", {"k0": 1e6, "k1": 2e6, "c1": 2e5}),
+        ("fractional_kelvin", {"k0": 1e6, "c": 0.3, "alpha": 0.4}),
+        ("maxwell_power", {"c": 4e4, "alpha": 0.5, "k": 5e6}),
+        ("bouc_wen", {"Fy": 1e4, "Y": 2e-3, "alpha": 0.1}),
+        (
+            "mgmm",
+            {
+                **{"k1": 5.15e5, "c1": 1.51e4, "k0": 1.07e5, "c_NL": 2.1e4, "alpha": 0.374, "k_a": 3.7e6},
+                **{"k_b": 3.6e6, "u_ref": 8e-3, "c_a": 9e5, "c_b": 1.9e5, "v_ref": 0.0135, "consistent": 1.0},
+            },
+        ),
+    ],
+)
+def test_shifted_law_is_the_law_on_another_clock(law: str, values: dict[str, float]) -> None:
+    # time-temperature superposition (Ferry 1980, chapter 11): force at T over time t = force at T0 over time t / a_T
+    of = motion(9)
+    complete = LAWS[law].complete(values)
+    a_t = math.exp(-0.06 * 9.0)
+    shifted = temperature_law.Shift().law({"b": 0.06, "T0": 20.0}, trial(of, 0, 29.0), complete)
+    assert list(shifted) == list(complete)
+    warm = CoreDamper(law, tuple(shifted.values())).force(of.time, of.displacement, of.velocity)
+    cold = CoreDamper(law, tuple(complete.values())).force(of.time / a_t, of.displacement, of.velocity * a_t)
+    # the core sums exponentials over absolute times for fractional derivatives: between clocks 3e-5 here
+    np.testing.assert_allclose(warm, cold, rtol=0.0, atol=1e-4 * np.max(np.abs(cold)))
+    if law != "bouc_wen":
+        plain = CoreDamper(law, tuple(complete.values())).force(of.time, of.displacement, of.velocity)
+        assert np.max(np.abs(warm - plain)) > 0.01 * np.max(np.abs(plain))
+
+
+def test_another_gamma_multiplies_every_parameter_in_the_units_of_the_thesis() -> None:
+    # Table 4.2 by hand: c_NL is in kN (s/mm)^alpha there, and alpha changes too
+    printed = {
+        "k1": 0.515,
+        "c1": 0.0151,
+        "k0": 0.107,
+        "k_a": 3.741,
+        "k_b": 3.613,
+        "c_a": 0.902,
+        "c_b": 0.190,
+    }  # kN, mm, s
+    rest = {"u_ref": 7.966e-3, "v_ref": 13.468e-3, "alpha": 0.374, "consistent": 0.0}
+    values = {**{name: 1e6 * value for name, value in printed.items()}, **rest}
+    values["c_NL"] = 1.585e3 * 1e3**0.374
+    b, c, of = 0.02, -5e-4, motion(3)
+    for form, gamma in (
+        (temperature_law.Gamma(), math.exp(-b * 9.0)),
+        (temperature_law.GammaCurved(), math.exp(-b * 9.0 - c * 81.0)),
+    ):
+        found = form.law({"b": b, "c": c, "T0": 20.0}, trial(of, 0, 29.0), values)
+        assert found.keys() == values.keys()
+        for name in (*printed, "u_ref", "v_ref", "alpha"):
+            assert found[name] == pytest.approx(gamma * values[name], rel=1e-12)
+        assert found["c_NL"] == pytest.approx(1.585e3 * gamma * 1e3 ** (0.374 * gamma), rel=1e-12)
+        assert found["consistent"] == 0.0
+        other = {"k": 1e6, "c": 2e4}
+        assert form.law({"b": b, "c": c, "T0": 20.0}, trial(of, 0, 29.0), other) == other
+
+
+def test_one_temperature_shows_no_temperature_law() -> None:
+    alike = Sizes.of((trial(motion(1), 0, 20.0), trial(motion(2), 1, 20.5)))
+    for form in (kind() for kind in temperature_law.FORMS):
+        assert form.unknowns(alike) == () and form.starts(alike) == ()
+        assert form.unknowns(sizes())
+
+
+def test_an_error_of_the_thermometer_is_no_residual() -> None:
+    # forces 0.2 K off by the law's own gamma_T: all of the residual, and what such an error is taken to leave
+    test = replace(trial(motion(11)), temperature=np.full(motion(11).time.size, 25.0))
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), sizes())
+    change = 0.002 * STIFFNESS * test.motion.displacement
+    size = 1e-4 * STIFFNESS * U
+    noisy = change + size * np.random.default_rng(1).standard_normal(change.size)
+    (solid_force,) = solid.predict(solid.declared, (), ("fit",))
+    assert solid_force is not None
+    known = replace(test, force=solid_force + noisy, warmth=change)
+    for one, low, high in ((replace(known, warmth=None), 10.0, math.inf), (known, 0.8, 1.2)):
+        problem = replace(solid, trials=(one,))
+        (residual,) = Model(problem, (size,)).residuals(Model(problem, (size,)).coordinates())
+        assert low < problem.left([residual], [size]) < high  # noise in the few bins of the band of the motion

@@ -1,0 +1,208 @@
+"""Self-heating, degradation and ageing against loops over samples, written from their definitions, and closed forms."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from irregular_motion import (
+    ROUNDING,
+    STIFFNESS,
+    SWEPT,
+    U,
+    close,
+    factor,
+    motion,
+    shaken,
+    sizes,
+    steps,
+    trial,
+    two_tests,
+)
+
+from edesign.calibrate.dampers.effect import Form
+from edesign.calibrate.dampers.effects import (
+    ageing,
+    degradation,
+    self_heating,
+)
+from edesign.calibrate.dampers.left import Left
+from edesign.calibrate.dampers.library import candidate_of
+from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.calibrate.dampers.trial import Motion, Sizes
+from edesign.damper.laws import LAWS
+
+
+def test_heat_step_by_step() -> None:
+    beta, tau_h, kept, m = 2e-3, 1.5, 0.6, 0.5
+    tests = two_tests()
+    for form, carried, left in (
+        (self_heating.Rate(), 0.0, lambda q: math.exp(-q)),
+        (self_heating.Carried(), kept, lambda q: math.exp(-q)),
+        (self_heating.Levelling(), kept, lambda q: (1.0 + max(q, 0.0) / m) ** -m),
+    ):
+        q, expected = 0.0, []
+        for t in tests:
+            q *= carried
+            rows, force = [left(q)], left(q) * t.force[0]
+            for i, h, du in steps(t.motion):
+                phi = left(q)
+                q = q * math.exp(-h / tau_h) + beta * 0.5 * (force + phi * t.force[i]) * du
+                force = phi * t.force[i]
+                rows.append(phi)
+            expected.append(np.array(rows))
+        assert expected[0].min() < 0.9
+        p = {"beta": beta, "tau_h": tau_h, "kept": kept, "m": m}
+        close(factor(form, p, tests), expected, SWEPT / ROUNDING)
+
+
+def test_core_and_damper_are_two_nodes_step_by_step() -> None:
+    # each node: what it keeps over a step, and its share of the step's work; both soften the same force
+    nodes, expected = ((2e-3, 1.5), (1e-3, 0.2)), []
+    tests = two_tests()
+    for t in tests:
+        heats, force, rows = [0.0, 0.0], float(t.force[0]), [1.0]
+        for i, h, du in steps(t.motion):
+            phi = math.exp(-sum(heats))
+            done = 0.5 * (force + phi * t.force[i]) * du
+            heats = [q * math.exp(-h / tau) + beta * done for q, (beta, tau) in zip(heats, nodes, strict=True)]
+            force = phi * t.force[i]
+            rows.append(phi)
+        expected.append(np.array(rows))
+    p = {"beta": 2e-3, "tau_h": 1.5, "beta_c": 1e-3, "tau_c": 0.2}
+    found = factor(self_heating.Core(), p, tests)
+    close(found, expected, SWEPT / ROUNDING)
+    alone = factor(self_heating.Rate(), p, tests)
+    assert np.max(np.abs(found[0] - alone[0])) > 0.01
+    for a, b in zip(factor(self_heating.Core(), {**p, "beta_c": 0.0}, tests), alone, strict=True):
+        np.testing.assert_array_equal(a, b)
+
+
+def test_heat_without_loss_comes_to_the_closed_form() -> None:
+    # exp(q) = 1 + beta X, X the work of the law; the explicit step is late by one sample: errors go with the step
+    beta, errors = 1e-2, []
+    for n in (2000, 4000):
+        t = np.linspace(0.0, 5.0, n)
+        of = Motion(t, U * np.sin(5.0 * t), 5.0 * U * np.cos(5.0 * t), -25.0 * U * np.sin(5.0 * t))
+        test = trial(of)
+        w = 5.0
+        damping = 2e4 * U * U * w * (w * t / 2.0 + np.sin(2.0 * w * t) / 4.0)
+        exact = 1.0 / (1.0 + beta * (damping + 0.5 * STIFFNESS * of.displacement**2))
+        (phi,) = factor(self_heating.Rate(), {"beta": beta, "tau_h": 1e12}, (test,))
+        errors.append(float(np.max(np.abs(phi - exact))))
+    assert errors[0] < 0.02
+    assert errors[1] == pytest.approx(0.5 * errors[0], rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("form", "p", "left"),
+    [
+        (degradation.Energy(), {"d": 0.4, "E0": 100.0}, lambda e: 1.0 - 0.4 * (1.0 - math.exp(-max(e, 0.0) / 100.0))),
+        (degradation.Work(), {"d": 0.4, "p": 1.3, "W": 200.0}, lambda e: 1.0 - 0.4 * (max(e, 0.0) / 200.0) ** 1.3),
+    ],
+)
+def test_degradation_by_energy_step_by_step_over_two_tests(
+    form: Form, p: dict[str, float], left: Callable[[float], float]
+) -> None:
+    energy, expected = 0.0, []
+    tests = two_tests()
+    for t in tests:
+        rows, force = [left(energy)], left(energy) * t.force[0]
+        for i, _, du in steps(t.motion):
+            phi = left(energy)
+            energy += 0.5 * (force + phi * t.force[i]) * du
+            force = phi * t.force[i]
+            rows.append(phi)
+        expected.append(np.array(rows))
+    assert expected[1][0] == pytest.approx(expected[0][-1], abs=0.02) and expected[1][-1] < 0.95
+    close(factor(form, p, tests), expected, SWEPT / ROUNDING)
+
+
+def test_degradation_by_path_goes_on_in_the_next_test() -> None:
+    tests = two_tests()
+    s, expected = 0.0, []
+    for t in tests:
+        rows = [1.0 - 0.3 * (s / 0.9) ** 0.7]
+        for _, _, du in steps(t.motion):
+            s += abs(du)
+            rows.append(1.0 - 0.3 * (s / 0.9) ** 0.7)
+        expected.append(np.array(rows))
+    close(factor(degradation.Path(), {"d": 0.3, "p": 0.7, "S": 0.9}, tests), expected)
+
+
+def test_fatigue_counts_large_cycles_more_step_by_step() -> None:
+    tests, damage, expected = two_tests(), 0.0, []
+    for t in tests:
+        u, rows = np.abs(t.motion.displacement) / U, [1.0 - 0.3 * damage**0.7]
+        for i, _, du in steps(t.motion):
+            damage += abs(du) * 0.5 * (u[i - 1] ** 2.5 + u[i] ** 2.5) / 0.9
+            rows.append(1.0 - 0.3 * damage**0.7)
+        expected.append(np.array(rows))
+    p = {"d": 0.3, "q": 2.5, "p": 0.7, "S": 0.9, "U": U}
+    close(factor(degradation.Fatigue(), p, tests), expected)
+    by_path = factor(degradation.Path(), p, tests)
+    close(factor(degradation.Fatigue(), {**p, "q": 0.0}, tests), by_path)
+
+
+def test_fatigue_of_small_cycles_by_the_power_of_the_amplitude() -> None:
+    # damage of a cycle: 4 A (A/U)^q / (q + 1)
+    for amplitude in (U, 0.5 * U):
+        of = shaken(amplitude * np.sin(np.linspace(0.0, 6.0 * np.pi, 3001)))
+        (phi,) = factor(degradation.Fatigue(), {"d": 0.3, "q": 3.0, "p": 1.0, "S": 1.0, "U": U}, (trial(of),))
+        expected = 0.3 * 3.0 * 4.0 * amplitude * (amplitude / U) ** 3 / 4.0
+        assert 1.0 - phi[-1] == pytest.approx(expected, rel=1e-4)  # trapezoids over 1000 samples in a cycle
+
+
+def test_ageing_along_a_course_passes_its_knots() -> None:
+    course = {"a1": 0.3, "a2": -0.1, "a3": 0.2, "N": 6.0}
+    found = [factor(ageing.Course(), course, (trial(motion(1), n),))[0] for n in range(7)]
+    assert all(len(set(phi)) == 1 for phi in found)
+    expected = [1.0, 1.15, 1.3, 1.1, 0.9, 1.05, 1.2]  # knots at tests 0, 2, 4, 6 and half way between them
+    np.testing.assert_allclose([phi[0] for phi in found], expected, rtol=ROUNDING)
+    assert ageing.Course().fixed(sizes(7)) == {"N": 6.0} and ageing.Course().unknowns(sizes(6))
+    assert ageing.Course().unknowns(sizes(5)) == () and ageing.Course().starts(sizes(5)) == ()
+
+
+def test_ageing_goes_with_the_order_of_the_tests() -> None:
+    of = motion(1)
+    for n in (0, 1, 7):
+        (linear,) = factor(ageing.Linear(), {"rate": -0.02}, (trial(of, n),))
+        (slowing,) = factor(ageing.Logarithmic(), {"rate": 0.05}, (trial(of, n),))
+        assert set(linear) == {1.0 - 0.02 * n}
+        assert set(slowing) == {1.0 + 0.05 * math.log1p(n)}
+    pair = Sizes.of(two_tests())
+    assert ageing.Linear().starts(pair) and not ageing.Logarithmic().starts(pair)
+
+
+def test_heat_from_before_a_test_is_each_tests_own() -> None:
+    # no heat by work (beta = 0): what was there fades, F = exp(-q0 exp(-t/tau)) F_law; the shares are linear in q0
+    tests = two_tests()
+    q0, tau, size = (1e-3, -0.4e-3), 3.0, sizes()
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, tests, size)
+    forces = [f for f in solid.predict(solid.declared, (), ("fit", "validate")) if f is not None]
+    warm = [
+        np.exp(-q * np.exp(-(t.motion.time - t.motion.time[0]) / tau)) * f
+        for t, q, f in zip(tests, q0, forces, strict=True)
+    ]
+    plain = candidate_of(self_heating.Rate(), size, Left())
+    assert plain is not None
+    begun = next(part for part in solid.finer((plain, np.array([0.0, tau]))) if part[0].form == "rate_begun_warm")
+    for i, (force, law_force) in enumerate(zip(warm, forces, strict=True)):
+        (column,) = solid.nuisance(solid.declared, [begun], i).T  # type: ignore[union-attr]
+        left = force - law_force
+        assert np.linalg.norm(left) > 1e-4 * np.linalg.norm(law_force)
+        # second order of q0, 5e-7, and of the difference that the column is
+        assert np.linalg.norm(left - column * (column @ left)) < 1e-6 * np.linalg.norm(law_force)
+
+
+def test_work_that_springs_give_back_is_evened_out() -> None:
+    # q = a t acts as a (t - tau_w (1 - exp(-t/tau_w))), and a swing of q is smaller by 1/sqrt(1 + (w tau_w)^2)
+    form = next(other for other in self_heating.Rate().finer() if other.form == "rate_evened")
+    of = motion(13)
+    t, tau = of.time - of.time[0], 0.3
+    soft = form._of_heat({"tau_w": tau}, of)  # type: ignore[attr-defined]
+    step = float(np.max(of.steps))
+    np.testing.assert_allclose(soft(0.1 * t), np.exp(-0.1 * (t + tau * np.expm1(-t / tau))), atol=0.1 * step)
+    assert soft(np.full(t.size, 0.2)) == pytest.approx(math.exp(-0.2), rel=1e-12)
