@@ -107,11 +107,15 @@ class Loop:
         self.material = _SMALL * (rival.fitted.chi2 - rival.fitted.samples)
         refused: Refused = ()
         current = None
-        best = min(held, key=lambda judged: judged.held_out.score, default=None)
+        best = min(held, key=_of_left_out, default=None)
         beside = best is not None and best.fitted.chi2 <= _PERHAPS * refit.fitted.chi2  # the declared law, two effects
         if best is not None and best.fitted.chi2 <= _ABOUT * refit.fitted.chi2:
             held = [*held, *self._other_forms(best, best.fitted.model.effects[0])]
-            current, beside = self._two_beside_declared(held, refit), False
+            freed, beside = self._freed(min(held, key=_of_left_out)), False
+            if freed.at_floor or not self._more_than_misses(freed):
+                held = [*held, freed]
+            else:
+                current = self._two_beside_declared(held, refit, freed)
         if current is None:
             current, refused = self._round(refit, rival, held)
         if current is None:
@@ -123,7 +127,10 @@ class Loop:
             self.known.clear()  # of another belief in the declared parameters: not asked for again
             if current.at_floor or len(current.fitted.model.effects) >= _MOST:
                 break
-            found, beside = self._two_beside_declared(held, current) if beside else None, False
+            found = None
+            if beside:
+                freed, beside = self._freed(min(held, key=_of_left_out)), False
+                found = None if freed.at_floor else self._two_beside_declared(held, current, freed)
             if found is None:
                 found, refused = self._round(current, current)
             if found is None:
@@ -180,7 +187,7 @@ class Loop:
         self.rivals[_labels(known)] = tried
         if not tried:
             return None, ()
-        near = sorted(tried, key=lambda judged: judged.held_out.score)[:3]
+        near = sorted(tried, key=_of_left_out)[:3]
         refused = tuple((judged.fitted.model.effects[-1], compare(judged, rival)) for judged in near)
         best = simplest([judged for judged in tried if compare(judged, rival).adopts] or tried)
         evidence = compare(best, rival)
@@ -216,7 +223,7 @@ class Loop:
         fitted to, as a wrong form of the right effect may extrapolate badly.
         """
         likely: dict[str, Judged] = {}
-        for order in (lambda j: j.held_out.score, lambda j: j.fitted.chi2):
+        for order in (_of_left_out, lambda j: j.fitted.chi2):
             best: dict[str, Judged] = {}
             for judged in sorted(tried, key=order):
                 best.setdefault(judged.fitted.model.effects[-1].name, judged)
@@ -243,7 +250,7 @@ class Loop:
         pairs = likely_pairs(current.fitted, pool, _PAIRS)
         self.tell("fitting pairs: " + ", ".join(f"{a.candidate.name} + {b.candidate.name}" for a, b in pairs))
         found = self._fit_best([both(*pair) for pair in pairs])
-        return min(found, key=lambda j: j.held_out.score, default=None)
+        return min(found, key=_of_left_out, default=None)
 
     def _reconsider(self, current: Judged) -> Judged:
         """Each effect against what could stand in its place, now that the others are there."""
@@ -295,17 +302,29 @@ class Loop:
         return found
 
     def _in_finer_form(self, current: Judged, i: int) -> Judged:
-        model, parts = current.fitted.model, current.fitted.parts
-        self.tell(f"finer forms of {model.effects[i].name}")
-        begun = []
+        parts = current.fitted.parts
+        self.tell(f"finer forms of {parts[i][0].name}")
         finer = self.problem.finer(parts[i])
-        if finer:
-            self.shaped.add(parts[i][0].name)
-        for part in finer:
+        if not finer:
+            return current
+        self.shaped.add(parts[i][0].name)
+        best = simplest([current, *self._with_parts(current, i, finer)])
+        if best is current:
+            return current
+        # where the finer form has led, a coarser one may do as well
+        known = best.fitted.parts[i]
+        coarser = [part for effect, _ in (parts[i], *finer) if (part := _begun_at(effect, known)) is not None]
+        return simplest([best, *self._with_parts(best, i, coarser)])
+
+    def _with_parts(self, current: Judged, i: int, others: Sequence[Part]) -> list[Judged]:
+        """Models with each of some effects in the place of the effect i, fitted from its values."""
+        model, parts = current.fitted.model, current.fitted.parts
+        begun = []
+        for part in others:
             own = [*parts[:i], part, *parts[i + 1 :]]
             other = replace(model, effects=tuple(effect for effect, _ in own))
             begun.append((other, other.coordinates(current.fitted.base, own)))
-        return simplest([current, *self._fitted(begun)])
+        return self._fitted(begun)
 
     def _other_forms(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models with another form of an effect; which are likely is seen beside the law as the model has it."""
@@ -348,7 +367,7 @@ class Loop:
             if sorted(effect.name for effect in judged.fitted.model.effects[:-1]) == names
         ]
         best: dict[str, Part] = {}
-        for judged in sorted(tried, key=lambda judged: judged.held_out.score):
+        for judged in sorted(tried, key=_of_left_out):
             part = judged.fitted.parts[-1]
             if _may_join(part[0], others):
                 best.setdefault(part[0].name, part)
@@ -398,13 +417,16 @@ class Loop:
         self.rivals[_labels(())] = found
         return found
 
-    def _two_beside_declared(self, held: Sequence[Judged], free: Judged) -> Judged | None:
+    def _two_beside_declared(self, held: Sequence[Judged], free: Judged, freed: Judged) -> Judged | None:
         """Two effects beside the law as declared, where one does nearly as much as all of the law's parameters fitted
         again: what is beside that refit may be its symptoms. They must beat a model whose law is fitted.
+
+        Args:
+            held: models with one effect beside the law as declared.
+            free: the best model with the law fitted.
+            freed: the best of `held`, with the law fitted.
         """
-        best = min(held, key=lambda judged: judged.held_out.score)
-        if (freed := self._freed(best)).at_floor:
-            return None
+        best = min(held, key=_of_left_out)
         known = best.fitted.model.effects
         self.tell(f"screening effects beside {known[0].name} and the law as declared")
         pool = [c for c in self._candidates(best) if _may_join(c, known)]
@@ -415,9 +437,7 @@ class Loop:
             found += self._other_forms_of_likely(found)
         clear = [judged for judged in found if all(_clearly(judged, rival) for rival in rivals)]
         if not clear:  # the declared law may be off
-            likely = [
-                self._freed(judged) for judged in sorted(found, key=lambda judged: judged.held_out.score)[:_LIKELY]
-            ]
+            likely = [self._freed(judged) for judged in sorted(found, key=_of_left_out)[:_LIKELY]]
             clear = [judged for judged in likely if all(_clearly(judged, rival) for rival in rivals)]
         return simplest(clear) if clear else None
 
@@ -448,7 +468,7 @@ class Loop:
             without = self._without(final, effect)
             evidence = compare(final, without)
             alike: dict[str, Judged] = {}
-            for other in sorted(self._alternatives(final, effect), key=lambda j: j.held_out.score):
+            for other in sorted(self._alternatives(final, effect), key=_of_left_out):
                 if _labels(other.fitted.model.effects) == _labels(final.fitted.model.effects):
                     continue
                 near = compare(other, without).share > _ALIKE * evidence.share
@@ -475,6 +495,10 @@ class Loop:
         """Effects that may be missing in a model."""
         noise = [s for s, use in zip(self.noise, self.problem.uses, strict=True) if use == "fit"]
         return self.problem.candidates([s * r for s, r in zip(noise, judged.fitted.residuals, strict=True)])
+
+
+def _of_left_out(judged: Judged) -> float:
+    return judged.held_out.score
 
 
 def _clearly(model: Judged, rival: Judged) -> bool:
@@ -510,13 +534,25 @@ def _last_is_new(judged: Judged) -> bool:
 def _begun_from(fitted: Fitted, effect: Candidate, signature: Signature) -> Signature | None:
     """Another form of an effect begun where this one is; None: it has not all of its parameters."""
     parts = [part for part in fitted.parts if part[0] is not effect]
-    values = next(values for candidate, values in fitted.parts if candidate is effect)
-    known = {unknown.name: float(value) for unknown, value in zip(effect.unknowns, values, strict=True)}
+    known = next(part for part in fitted.parts if part[0] is effect)
     other = signature.candidate
-    if not known.keys() <= {unknown.name for unknown in other.unknowns}:
+    if not {u.name for u in effect.unknowns} <= {u.name for u in other.unknowns}:
         return None
-    own = np.array([known.get(unknown.name, unknown.size) for unknown in other.unknowns])
+    own = _values_of(other, known)
     return replace(signature, start=signature.model.coordinates(fitted.base, [*parts, (other, own)]))
+
+
+def _begun_at(effect: Candidate, known: Part) -> Part | None:
+    """A form that has some of the parameters of another, at their values; None: it has others, or all of them."""
+    if not {u.name for u in effect.unknowns} < {u.name for u in known[0].unknowns}:
+        return None
+    return effect, _values_of(effect, known)
+
+
+def _values_of(effect: Candidate, known: Part) -> np.ndarray:
+    """Values of a form's parameters: those of another form where it has them, else usual ones."""
+    values = {unknown.name: float(value) for unknown, value in zip(known[0].unknowns, known[1], strict=True)}
+    return np.array([values.get(unknown.name, unknown.size) for unknown in effect.unknowns])
 
 
 def _may_join(candidate: Candidate, others: Sequence[Candidate]) -> bool:

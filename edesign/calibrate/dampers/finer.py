@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 
@@ -18,6 +19,7 @@ from edesign.calibrate.problem import Candidate, Part
 from edesign.calibrate.unknown import Unknown
 
 _CURVE, _MOST = 3.0, 30.0  # of a softening s that is not much more than its square: usual, largest
+_SHARE = Unknown("l", "", -3.0, 10.0, 1.0)  # of dashpots in a softening
 
 
 def finer(part: Part, sizes: Sizes, splits: bool) -> tuple[Part, ...]:
@@ -32,6 +34,8 @@ def finer(part: Part, sizes: Sizes, splits: bool) -> tuple[Part, ...]:
     form: Form = candidate.effect[0]
     known = {unknown.name: float(v) for unknown, v in zip(candidate.unknowns, values, strict=True)}
     found = []
+    if splits and (other := shared(form)) is not None:
+        found.append((other, {**known, "l": known.get("loss", 1.0)}))
     if (other := shaped(form, splits)) is not None:
         found.append((other, _as_shaped(known)))
     found += [(other, known) for other in form.finer()]
@@ -46,30 +50,29 @@ def _part(form: Form, known: Mapping[str, float], sizes: Sizes) -> Part | None:
     return replace(candidate, finer=True), np.array([{**begun, **known}[u.name] for u in candidate.unknowns])
 
 
+def shared(form: Form) -> Form | None:
+    """A factor 1 + s of which dashpots have a share of their own: 1 + l s; None: the form is no such factor."""
+    if not _may_be_shaped(form):
+        return None
+
+    def dashpot_factor(p: Values, motion: object, factor: np.ndarray | float) -> np.ndarray | float:
+        return 1.0 + p["l"] * (factor - 1.0)
+
+    sides = {"spares_loss": True, "dashpot_factor": dashpot_factor}
+    return _more(form, "shared", "dashpots by a share of it", (_SHARE,), (1.0,), **sides)
+
+
 def shaped(form: Form, splits: bool) -> Form | None:
     """A factor 1 + s of another curve: springs 1 + s + c s^2, dashpots 1 + l s + e s^2; None: the form is no such
     factor, or has a curve.
 
     Phenomenological: the first two terms of any course of the softening with its state.
     """
-    if form.kind != "damper" or type(form).factor is Form.factor or not form.may_be_shaped:
+    if not _may_be_shaped(form):
         return None
-    if type(form).spares_loss or form.spares_springs:  # dashpots of their own already
-        return None
-    plain = type(form)()
-    own_unknowns, own_starts = plain.unknowns, plain.starts
 
     def curve(name: str) -> Unknown:
         return Unknown(name, "", -_MOST, _MOST, _CURVE)
-
-    more = (curve("c"), *((Unknown("l", "", -3.0, 10.0, 1.0), curve("e")) if splits else ()))
-
-    def unknowns(sizes: Sizes) -> tuple[Unknown, ...]:
-        own = own_unknowns(sizes)
-        return (*own, *more) if own else ()
-
-    def starts(sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((*row, 0.0, 1.0, 0.0)[: len(row) + len(more)] for row in own_starts(sizes))
 
     def spring_factor(p: Values, factor: np.ndarray | float) -> np.ndarray | float:
         s = factor - 1.0
@@ -79,16 +82,32 @@ def shaped(form: Form, splits: bool) -> Form | None:
         s = factor - 1.0
         return 1.0 + p["l"] * s + p["e"] * s**2
 
-    return plain.variant(
-        "shaped",
-        "along a curve of its own",
-        spares_loss=splits,
-        may_be_shaped=False,
-        unknowns=unknowns,
-        starts=starts,
-        spring_factor=spring_factor,
-        dashpot_factor=dashpot_factor,
-    )
+    more = (curve("c"), *((_SHARE, curve("e")) if splits else ()))
+    sides = {"spares_loss": splits, "spring_factor": spring_factor, "dashpot_factor": dashpot_factor}
+    return _more(form, "shaped", "along a curve of its own", more, (0.0, 1.0, 0.0)[: len(more)], **sides)
+
+
+def _may_be_shaped(form: Form) -> bool:
+    if form.kind != "damper" or type(form).factor is Form.factor or not form.may_be_shaped:
+        return False
+    return not (type(form).spares_loss or form.spares_springs)  # dashpots of their own already
+
+
+def _more(
+    form: Form, ending: str, title: str, more: tuple[Unknown, ...], begun: tuple[float, ...], **sides: Any
+) -> Form:
+    """A variant with more parameters, begun where they do nothing."""
+    plain = type(form)()
+    own_unknowns, own_starts = plain.unknowns, plain.starts
+
+    def unknowns(sizes: Sizes) -> tuple[Unknown, ...]:
+        own = own_unknowns(sizes)
+        return (*own, *more) if own else ()
+
+    def starts(sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*row, *begun) for row in own_starts(sizes))
+
+    return plain.variant(ending, title, may_be_shaped=False, unknowns=unknowns, starts=starts, **sides)
 
 
 def _as_shaped(known: Mapping[str, float]) -> dict[str, float]:

@@ -11,6 +11,7 @@ from edesign.calibrate.dampers.drivers import fading
 from edesign.calibrate.dampers.trial import Motion
 from edesign.damper.law import Law
 
+_NOTHING = 1e-9
 _PARTS = 4  # of a step: powers of the motion bend more than the motion
 
 
@@ -20,9 +21,18 @@ def relaxation_time(law: Law, values: Mapping[str, float]) -> float | None:
 
 
 def without_dashpots(law: Law, values: Mapping[str, float]) -> dict[str, float] | None:
-    """Parameters of the same law whose dashpots beside the springs make no force; None: they cannot be told apart."""
-    none = {"mgmm": ("c_NL", "c_a", "c_b"), "kelvin_voigt": ("c",)}.get(law.name)
-    return None if none is None else {**values, **dict.fromkeys(none, 0.0)}
+    """Parameters of the same law without what goes with the velocity; None: it cannot be told apart.
+
+    Of the MGMM its relaxation stays: tau = c1/k1 of a branch that is all but nothing, and k0 beside k_b, where it
+    brings no tau k0 v.
+    """
+    if law.name == "kelvin_voigt":
+        return {**values, "c": 0.0}
+    if law.name != "mgmm":
+        return None
+    branch = {name: _NOTHING * values[name] for name in ("k1", "c1")}
+    springs = {"k0": 0.0, "k_b": values["k0"] + values["k_b"]}
+    return {**values, **branch, **springs, "c_NL": 0.0, "c_a": 0.0, "c_b": 0.0}
 
 
 def without_power(law: Law, values: Mapping[str, float]) -> dict[str, float] | None:

@@ -8,9 +8,10 @@ import numpy as np
 from scipy.fft import next_fast_len
 from scipy.interpolate import CubicSpline
 from scipy.ndimage import median_filter
+from scipy.signal.windows import blackmanharris
 from scipy.special import gammainccinv
 
-from edesign.calibrate.dampers.trial import Trial
+from edesign.calibrate.dampers.trial import Motion, Trial
 
 _ABOVE_MOTION = 7.5  # the first seven harmonics of the motion are the specimen's
 _MOST = 3
@@ -26,48 +27,47 @@ _MAINS, _NEAR_MAINS = (50.0, 60.0, 100.0, 120.0, 150.0, 180.0, 200.0), 0.5  # Hz
 def common_tones(trials: Sequence[Trial], residuals: Sequence[np.ndarray]) -> tuple[float, ...]:
     """Frequencies Hz of narrow peaks above the noise, the highest first.
 
-    In each test only what is above the seventh harmonic of its motion counts. Samples cannot tell a tone from its
-    aliases: the one that stands out at full rate is taken.
+    They are looked for at full rate: samples of a fit may fold a tone into the band of the motion. In each test only
+    what is above the seventh harmonic of its motion counts. Samples cannot tell a tone from its aliases: the one that
+    stands out is taken.
 
     Args:
         trials: tests.
         residuals: (n_i,) N of each.
     """
-    longest = max(float(t.motion.time[-1] - t.motion.time[0]) for t in trials)
+    whole = [_whole(trial, residual) for trial, residual in zip(trials, residuals, strict=True)]
+    lengths = [float(motion.time[-1] - motion.time[0]) for motion, _ in whole]
+    longest, shortest = max(lengths), min(lengths)
     # records show no tone above their rate for what it is
-    highest = min(_HIGHEST, max(1.0 / float(np.median((t.whole or t).motion.steps)) for t in trials))
+    highest = min(_HIGHEST, max(1.0 / float(np.median(motion.steps)) for motion, _ in whole))
     grid = np.arange(1.0, highest * longest * _FINENESS) / (longest * _FINENESS)
     height, capped, tests = np.zeros_like(grid), np.zeros_like(grid), np.zeros(grid.size, dtype=int)
-    for trial, residual in zip(trials, residuals, strict=True):
-        own, counts = _heights(trial, residual, grid)
+    for motion, residual in whole:
+        own, counts = _heights(motion, residual, grid)
         height += own
         capped += np.minimum(own, _ONE_TEST)
         tests += counts
     # of noise alone the sum has a gamma distribution of as many tests as count
     limits = gammainccinv(np.arange(1, len(trials) + 1), _FALSE_ALARM / grid.size)
     limit = np.concatenate(([np.inf], limits))[tests]
-    shortest = min(float(t.motion.time[-1] - t.motion.time[0]) for t in trials)
-    whole = [_whole(trial, r) for trial, r in zip(trials, residuals, strict=True) if trial.whole is not None]
     found: list[float] = []
     for _ in range(_MOST):
         excess = np.where(capped > limit, capped / limit, 0.0)
-        at = int(np.argmax(excess))
-        if excess[at] == 0.0:
+        if not np.any(excess):
             break
-        near = np.abs(grid - grid[at]) < 2.0 / shortest
-        top = grid[near][np.argmax(height[near])]
-        aliases = _aliases(top, trials, highest)
+        top = grid[np.argmax(np.where(excess == excess.max(), height, 0.0))]  # strong ones stand out in all tests alike
+        aliases = _aliases(top, whole[0][0], highest)
         found.append(_true_one(aliases or [float(top)], whole))
         for alias in (top, *aliases):
             capped[np.abs(grid - alias) < 4.0 / shortest] = 0.0
     return tuple(found)
 
 
-def _heights(trial: Trial, residual: np.ndarray, grid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _heights(motion: Motion, residual: np.ndarray, grid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Power over that of the background, 1 on average, at frequencies (m,) Hz; and whether the test counts there."""
-    motion, step = trial.motion, float(np.median(trial.motion.steps))
+    step = float(np.median(motion.steps))
     size = next_fast_len(_FINENESS * residual.size, real=True)
-    power = np.abs(np.fft.rfft((residual - residual.mean()) * np.hanning(residual.size), size)) ** 2
+    power = np.abs(np.fft.rfft((residual - residual.mean()) * blackmanharris(residual.size), size)) ** 2
     around = int(2.0 * _NEIGHBOURS * size / residual.size)
     thin = max(1, size // residual.size // 2)  # neighbours of finer spacing than that are one
     background = median_filter(power[::thin], max(3, around // thin), mode="nearest") / np.log(2.0)
@@ -81,34 +81,36 @@ def _heights(trial: Trial, residual: np.ndarray, grid: np.ndarray) -> tuple[np.n
     return np.where(counts, np.interp(folded, frequencies, power) / level, 0.0), counts
 
 
-def _aliases(frequency: float, trials: Sequence[Trial], highest: float) -> list[float]:
-    """The frequency and others that the samples of the first test cannot tell from it, up to the highest."""
-    rate = 1.0 / float(np.median(trials[0].motion.steps))
+def _aliases(frequency: float, motion: Motion, highest: float) -> list[float]:
+    """The frequency and others that the samples of a motion cannot tell from it, up to the highest."""
+    rate = 1.0 / float(np.median(motion.steps))
     orders = np.arange(np.ceil(highest / rate) + 1.0) * rate
     folded = abs(frequency - round(frequency / rate) * rate)
     return [float(f) for f in np.unique(np.concatenate((orders - folded, orders + folded))) if 0.0 < f <= highest]
 
 
-def _true_one(frequencies: Sequence[float], whole: Sequence[tuple[np.ndarray, np.ndarray]]) -> float:
-    """Of frequencies Hz that samples cannot tell apart the one that stands out most in the residuals at full rate; of
-    those that are one there too, one near a multiple of the mains, else the lowest.
+def _true_one(frequencies: Sequence[float], whole: Sequence[tuple[Motion, np.ndarray]]) -> float:
+    """Of frequencies Hz that samples cannot tell apart the one that stands out most in the residuals; of those that are
+    one there too, one near a multiple of the mains, else the lowest.
     """
-    contrast = np.array([sum(_contrast(time, residual, f) for time, residual in whole) for f in frequencies])
+    contrast = np.array([sum(_contrast(motion.time, residual, f) for motion, residual in whole) for f in frequencies])
     same = [f for f, own in zip(frequencies, contrast, strict=True) if own >= contrast.max() - _SAME]
     return min(same, key=lambda f: (min(abs(f - own) for own in _MAINS) > _NEAR_MAINS, f))
 
 
-def _whole(trial: Trial, residual: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Time (m,) s from the beginning and residual (m,) N at full rate, what was predicted a cubic between samples."""
-    assert trial.whole is not None
-    time = trial.whole.motion.time
-    predicted = CubicSpline(trial.motion.time, trial.force - residual)(np.minimum(time, trial.motion.time[-1]))
-    return time - time[0], trial.whole.force - predicted
+def _whole(trial: Trial, residual: np.ndarray) -> tuple[Motion, np.ndarray]:
+    """Motion and residual (m,) N at full rate, what was predicted a cubic between samples."""
+    if trial.whole is None:
+        return trial.motion, residual
+    motion = trial.whole.motion
+    predicted = CubicSpline(trial.motion.time, trial.force - residual)(np.minimum(motion.time, trial.motion.time[-1]))
+    return motion, trial.whole.force - predicted
 
 
 def _contrast(time: np.ndarray, residual: np.ndarray, frequency: float) -> float:
     """Logarithm of a residual's power at a frequency Hz over that beside it."""
-    windowed = (residual - residual.mean()) * np.hanning(time.size)
-    near = frequency + np.array([0.0, -7.0, -5.0, -4.0, 4.0, 5.0, 7.0]) / time[-1]
-    power = np.abs(np.exp(-2j * np.pi * np.outer(near, time)) @ windowed) ** 2
+    at = time - time[0]
+    windowed = (residual - residual.mean()) * blackmanharris(time.size)
+    near = frequency + np.array([0.0, -7.0, -5.0, -4.0, 4.0, 5.0, 7.0]) / at[-1]
+    power = np.abs(np.exp(-2j * np.pi * np.outer(near, at)) @ windowed) ** 2
     return float(np.log(power[0] / np.median(power[1:])))

@@ -284,8 +284,6 @@ MODULES = (
 AMPLITUDES = {"d", "k", "m", "b", "c", "f", "n", "beta", "rate", "a1"}
 FURTHER = {
     "self_heating.core": ("beta_c",),
-    "temperature_law.curved": ("c",),
-    "temperature_law.gamma_curved": ("c",),
     "ageing.course": ("a2", "a3"),
 }
 

@@ -41,14 +41,28 @@ def test_exponential_follows_the_temperature_within_a_test() -> None:
     close([phi], [np.array([math.exp(-0.03 * (x - 20.0)) for x in warm])])
 
 
-def test_curved_fall_by_its_formula() -> None:
+def test_wlf_and_arrhenius_by_their_formulas() -> None:
     of = motion(8)
-    warm = np.linspace(12.0, 32.0, of.time.size)
+    warm = np.linspace(12.0, 45.0, of.time.size)
     tests = (trial(of, 0, warm),)
-    expected = [np.array([math.exp(-0.03 * (x - 20.0) - 0.001 * (x - 20.0) ** 2) for x in warm])]
-    close(factor(temperature_law.Curved(), {"b": 0.03, "c": 0.001, "T0": 20.0}, tests), expected)
+    # log10 a_T = -C1 (T - T0)/(C2 + T - T0); E/R (1/T - 1/T0) in kelvin
+    wlf = [np.array([10.0 ** (-8.86 * (x - 20.0) / (101.6 + x - 20.0)) for x in warm])]
+    arrhenius = [np.array([math.exp(4000.0 * (1.0 / (273.15 + x) - 1.0 / 293.15)) for x in warm])]
+    for expected, b, c in (
+        (wlf, 8.86 * math.log(10.0) / 101.6, 1.0 / 101.6),
+        (arrhenius, 4000.0 / 293.15**2, 1.0 / 293.15),
+    ):
+        close(factor(temperature_law.Wlf(), {"b": b, "c": c, "T0": 20.0}, tests), expected)
     straight = factor(temperature_law.Exponential(), {"b": 0.03, "T0": 20.0}, tests)
-    close(factor(temperature_law.Curved(), {"b": 0.03, "c": 0.0, "T0": 20.0}, tests), straight)
+    close(factor(temperature_law.Wlf(), {"b": 0.03, "c": 0.0, "T0": 20.0}, tests), straight)
+
+
+def test_a_fall_by_wlf_has_no_end_within_a_test() -> None:
+    of = motion(8)
+    (phi,) = factor(
+        temperature_law.Wlf(), {"b": 0.03, "c": 0.02, "T0": 20.0}, (trial(of, 0, np.full(of.time.size, -80.0)),)
+    )
+    np.testing.assert_allclose(phi, math.exp(0.03 * 100.0 / 0.05), rtol=1e-12)  # T0 - 1/c = -30 degC is passed
 
 
 @pytest.mark.parametrize(
@@ -74,6 +88,8 @@ def test_shifted_law_is_the_law_on_another_clock(law: str, values: dict[str, flo
     a_t = math.exp(-0.06 * 9.0)
     shifted = temperature_law.Shift().law({"b": 0.06, "T0": 20.0}, trial(of, 0, 29.0), complete)
     assert list(shifted) == list(complete)
+    slowing = {"b": 0.06 * (1.0 + 0.01 * 9.0), "c": 0.01, "T0": 20.0}
+    assert temperature_law.ShiftWlf().law(slowing, trial(of, 0, 29.0), complete) == pytest.approx(shifted, rel=1e-12)
     warm = CoreDamper(law, tuple(shifted.values())).force(of.time, of.displacement, of.velocity)
     cold = CoreDamper(law, tuple(complete.values())).force(of.time / a_t, of.displacement, of.velocity * a_t)
     # the core sums exponentials over absolute times for fractional derivatives: between clocks 3e-5 here
@@ -97,19 +113,19 @@ def test_another_gamma_multiplies_every_parameter_in_the_units_of_the_thesis() -
     rest = {"u_ref": 7.966e-3, "v_ref": 13.468e-3, "alpha": 0.374, "consistent": 0.0}
     values = {**{name: 1e6 * value for name, value in printed.items()}, **rest}
     values["c_NL"] = 1.585e3 * 1e3**0.374
-    b, c, of = 0.02, -5e-4, motion(3)
-    for form, gamma in (
-        (temperature_law.Gamma(), math.exp(-b * 9.0)),
-        (temperature_law.GammaCurved(), math.exp(-b * 9.0 - c * 81.0)),
+    b, c, of = 0.02, 5e-3, motion(3)
+    for form, p, gamma in (
+        (temperature_law.Gamma(), {"b": b, "T0": 20.0}, math.exp(-b * 9.0)),
+        (temperature_law.GammaWlf(), {"b": b, "c": c, "T0": 20.0}, math.exp(-b * 9.0 / (1.0 + c * 9.0))),
     ):
-        found = form.law({"b": b, "c": c, "T0": 20.0}, trial(of, 0, 29.0), values)
+        found = form.law(p, trial(of, 0, 29.0), values)
         assert found.keys() == values.keys()
         for name in (*printed, "u_ref", "v_ref", "alpha"):
             assert found[name] == pytest.approx(gamma * values[name], rel=1e-12)
         assert found["c_NL"] == pytest.approx(1.585e3 * gamma * 1e3 ** (0.374 * gamma), rel=1e-12)
         assert found["consistent"] == 0.0
         other = {"k": 1e6, "c": 2e4}
-        assert form.law({"b": b, "c": c, "T0": 20.0}, trial(of, 0, 29.0), other) == other
+        assert form.law(p, trial(of, 0, 29.0), other) == other
 
 
 def test_one_temperature_shows_no_temperature_law() -> None:

@@ -198,7 +198,20 @@ class _ByMaximum(_Mullins):
         return found
 
 
-class Maximum(_ByMaximum):
+class _Below(_ByMaximum):
+    """Soft below the largest so far, by a curve from 0 there to 1 far below."""
+
+    curve = staticmethod(erf)
+
+    def finer(self) -> tuple[Form, ...]:
+        """With a curve that goes on longer.
+
+        Source: Dorfmann & Ogden (2004), Int. J. Solids Struct. 41, 1855-1878 (tanh in the place of erf).
+        """
+        return () if self.curve is np.tanh else (self.variant("tanh", "by a hyperbolic tangent", curve=np.tanh),)
+
+
+class Maximum(_Below):
     """Soft below the largest deformation ever, whole again at it: F = (1 - m erf((M - |u|)/r)) F_law."""
 
     may_spare_loss: ClassVar[bool] = True
@@ -219,10 +232,10 @@ class Maximum(_ByMaximum):
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         below = self._largest(p, motion, memory) - np.abs(motion.displacement)
-        return np.asarray(1.0 - p["m"] * erf(below / p["r"]))
+        return np.asarray(1.0 - p["m"] * self.curve(below / p["r"]))
 
 
-class PseudoElastic(_ByMaximum):
+class PseudoElastic(_Below):
     """Soft below the largest elastic energy ever: F = (1 - m erf((M^2 - u^2)/(e^2 + b M^2))) F_law."""
 
     may_spare_loss: ClassVar[bool] = True
@@ -250,7 +263,7 @@ class PseudoElastic(_ByMaximum):
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         most = self._largest(p, motion, memory) ** 2
-        return np.asarray(1.0 - p["m"] * erf((most - motion.displacement**2) / (p["e"] ** 2 + p["b"] * most)))
+        return np.asarray(1.0 - p["m"] * self.curve((most - motion.displacement**2) / (p["e"] ** 2 + p["b"] * most)))
 
 
 class Damage(_ByMaximum):

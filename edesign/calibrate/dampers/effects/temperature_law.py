@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from scipy.special import expit
@@ -18,6 +18,8 @@ from edesign.damper.laws import LAWS
 from edesign.damper.temperature import CHANGING, REFERENCE_C, at_one_rate
 
 _LEAST_SPAN = 1.0  # K: tests at one temperature tell nothing of it
+_SLOWING = -0.015, 0.024  # 1/K: from -20 to 80 degC no fall is endless
+_NEAREST = 0.05  # of 1 + c w: T0 - C2, where the fall ends, comes no nearer
 
 
 class _Temperature(Form):
@@ -53,28 +55,26 @@ class Exponential(_Temperature):
         return np.asarray(np.exp(-p["b"] * (trial.temperature - p["T0"])))
 
 
-class Curved(_Temperature):
-    """The fall changes with temperature, as towards the transition: F = exp(-b (T - T0) - c (T - T0)^2) F_law."""
+class Wlf(_Temperature):
+    """The fall slows down with warmth: F = exp(-b w/(1 + c w)) F_law, w = T - T0. WLF with c = 1/C2, Arrhenius with c =
+    1/T0, both exactly.
+    """
 
     may_spare_loss: ClassVar[bool] = True
-    form: ClassVar[str] = "curved"
-    title: ClassVar[str] = "softening with temperature at a changing rate"
+    form: ClassVar[str] = "wlf"
+    title: ClassVar[str] = "softening with temperature by WLF or Arrhenius"
     signature: ClassVar[str] = Exponential.signature
-    source: ClassVar[str] = (
-        "second order of the logarithm: Ferry (1980), Viscoelastic Properties of Polymers, chapter 11 (towards the "
-        "transition)"
-    )
+    source: ClassVar[str] = "Williams, Landel & Ferry (1955), J. Am. Chem. Soc. 77, 3701-3707"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         own = super().unknowns(sizes)
-        return (*own, Unknown("c", "1/K2", -0.02, 0.02, 0.002)) if own else ()
+        return (*own, Unknown("c", "1/K", *_SLOWING, 5e-3)) if own else ()
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return ((0.01, 0.0), (0.01, 0.001)) if _shown(sizes) else ()
+        return tuple((b, c) for (b,) in super().starts(sizes) for c in (0.0, 0.01))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        warmer = trial.temperature - p["T0"]
-        return np.asarray(np.exp(-p["b"] * warmer - p["c"] * warmer**2))
+        return np.asarray(np.exp(-_fall(p, trial.temperature)))
 
 
 class Shift(_Temperature):
@@ -93,11 +93,23 @@ class Shift(_Temperature):
         return ((0.05,),) if _shown(sizes) else ()
 
     def law(self, p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
-        a_t = math.exp(-p["b"] * (float(np.mean(trial.temperature)) - p["T0"]))
-        slower = Scales(
-            1.0, 1.0, 1.0 / a_t
-        )  # a second becomes a_T seconds: units tell which power of a_T a parameter takes
+        # a second becomes a_T seconds: units tell which power of a_T a parameter takes
+        slower = Scales(1.0, 1.0, math.exp(float(_fall(p, np.mean(trial.temperature)))))
         return {q.name: values[q.name] * slower.of(q.unit, values) for q in _parameters(values)}
+
+
+class ShiftWlf(Shift):
+    """The same over a wide range: a_T = exp(-b w/(1 + c w)), w = T - T0."""
+
+    form: ClassVar[str] = "shift_wlf"
+    title: ClassVar[str] = "relaxation that speeds up with temperature by WLF or Arrhenius"
+    source: ClassVar[str] = Wlf.source
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return Wlf().unknowns(sizes)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((b, c) for (b,) in super().starts(sizes) for c in (0.0, 0.01))
 
 
 class Gamma(_Temperature):
@@ -114,24 +126,20 @@ class Gamma(_Temperature):
     source: ClassVar[str] = "thesis section 4.5: all parameters change with temperature at the same rate"
 
     def law(self, p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
-        return _at_rate(values, p["b"] * (float(np.mean(trial.temperature)) - p["T0"]))
+        return _at_rate(values, float(_fall(p, np.mean(trial.temperature))))
 
 
-class GammaCurved(Gamma):
-    """The same at a rate that changes: exp(-b (T - T0) - c (T - T0)^2) beside gamma_T."""
+class GammaWlf(Gamma):
+    """The same at a rate that changes: exp(-b w/(1 + c w)) beside gamma_T, w = T - T0."""
 
-    form: ClassVar[str] = "gamma_curved"
+    form: ClassVar[str] = "gamma_wlf"
     title: ClassVar[str] = "another gamma_T of all of the law's parameters, at a changing rate"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        return Curved().unknowns(sizes)
+        return Wlf().unknowns(sizes)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return Curved().starts(sizes)
-
-    def law(self, p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
-        warmer = float(np.mean(trial.temperature)) - p["T0"]
-        return _at_rate(values, p["b"] * warmer + p["c"] * warmer**2)
+        return Wlf().starts(sizes)
 
 
 class Transition(_Temperature):
@@ -167,6 +175,12 @@ class Transition(_Temperature):
         return np.asarray(1.0 - p["d"] * passed)
 
 
+def _fall(p: Values, temperature: np.ndarray | np.floating[Any]) -> np.ndarray:
+    """b w/(1 + c w) of temperatures, degC; c = 0 where a form has none."""
+    warmer = temperature - p["T0"]
+    return np.asarray(p["b"] * warmer / np.maximum(1.0 + p.get("c", 0.0) * warmer, _NEAREST))
+
+
 def _at_rate(values: dict[str, float], fall: float) -> dict[str, float]:
     return at_one_rate(values, math.exp(-fall)) if values.keys() >= {*CHANGING} else values
 
@@ -182,4 +196,4 @@ def _parameters(values: Values) -> tuple[Parameter, ...]:
     return next(own for own in every if {parameter.name for parameter in own} == set(values))
 
 
-FORMS = (Exponential, Shift, Curved, Transition, Gamma, GammaCurved)
+FORMS = (Exponential, Wlf, Transition, Shift, ShiftWlf, Gamma, GammaWlf)
