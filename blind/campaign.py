@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.random import Generator
@@ -129,13 +129,16 @@ def _recorded(
     column = len({test.temperature for test in tests}) > 1 and rng.random() < 0.6 or rng.random() < 0.1
     read = [thermometer(rng, test.temperature, m.size) for test, m in zip(tests, measured, strict=True)]
     known = [float(np.mean(values)) if column else test.temperature for test, values in zip(tests, read, strict=True)]
+    effects = [h.effect for h in hidden]
+    warmer = [replace(test, temperature=warmth) for test, warmth in zip(tests, known, strict=True)]
+    as_read = observe(true, warmer, effects)[1] if column else force  # what the truth would do at those temperatures
     through = [
-        law.force(law.at_temperature(true, warmth), a, test.h * test.every)
+        law.force(law.at_temperature(true, test.temperature), a, test.h * test.every)
         - law.force(law.at_temperature(true, test.temperature), b, test.h * test.every)
-        for test, warmth, a, b in zip(tests, known, displacement, exact, strict=True)
+        + (warm - f)[:: test.every]
+        for test, a, b, warm, f in zip(tests, displacement, exact, as_read, force, strict=True)
     ]
     at = [i for i, test in enumerate(tests) if test.use == "validate"]
-    effects = [h.effect for h in hidden]
     return Campaign(
         planned,
         seed,

@@ -14,7 +14,7 @@ from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.screening import Signature
 from edesign.calibrate.side_by_side import side_by_side
 
-FITTED = 10
+FITTED = 20
 """Forms fitted in the first round."""
 _LATER, _SLOW = 7, 5  # in the second, which takes longer and has less to tell apart; in later ones, beside slow effects
 _PER_EFFECT = 2  # forms of one effect among them

@@ -107,7 +107,7 @@ class Model:
             if values is None:
                 continue
             residual = (self.problem.measured[i] - values) / self.noise[i]
-            doubt = self.problem.doubt(i)
+            doubt = self.problem.doubt(parts, i)
             columns = self.problem.nuisance(base, parts, i) if parts else None
             if columns is not None:
                 residual = residual - columns @ (columns.T @ residual)

@@ -120,13 +120,16 @@ class Loop:
             current, refused = self._round(refit, rival, held)
         if current is None:
             return rival, refused
+        been: set[frozenset[str]] = set()  # what was added may have been needless in the end: not again
         while True:
             if _last_is_new(current):
                 current = self._reformed(self._reconsider(current))
             current = self._finer(_refitted(self._freed(self._prune(current))))
             self.known.clear()  # of another belief in the declared parameters: not asked for again
-            if current.at_floor or len(current.fitted.model.effects) >= _MOST:
+            labels = _labels(current.fitted.model.effects)
+            if current.at_floor or len(labels) >= _MOST or labels in been:
                 break
+            been.add(labels)
             found = None
             if beside:
                 freed, beside = self._freed(min(held, key=_of_left_out)), False
@@ -246,7 +249,7 @@ class Loop:
 
     def _pair(self, current: Judged, tried: Sequence[Signature], all_: Sequence[Signature]) -> Judged | None:
         """The best pair of effects that a linear estimate makes look good together."""
-        pool = list({id(s): s for s in (*tried, *all_[: 2 * FITTED])}.values())
+        pool = list({id(s): s for s in (*tried, *all_[:FITTED])}.values())
         pairs = likely_pairs(current.fitted, pool, _PAIRS)
         self.tell("fitting pairs: " + ", ".join(f"{a.candidate.name} + {b.candidate.name}" for a, b in pairs))
         found = self._fit_best([both(*pair) for pair in pairs])

@@ -46,8 +46,7 @@ class Outcome:
         """Of what the loop found, with the noise (tests,) of the problem."""
         predicted = {stage: predict(problem, judged) for stage, judged in stages(found).items()}
         errors = {stage: errors_of(problem, values) for stage, values in predicted.items()}
-        doubting = found.final.fitted.model.problem  # or not, where the tests show no error of their temperatures
-        floors = {use: floor_of(doubting, noise, use) for use in BOTH}
+        floors = {use: floor_of(found.final, noise, use) for use in BOTH}
         return Outcome(problem, found, errors, predicted, floors, verdict_of(found, errors["corrected"], floors))
 
     @property
@@ -133,11 +132,12 @@ def errors_of(problem: Problem, predicted: Sequence[np.ndarray]) -> Errors:
     return Errors(over("fit"), over("validate"), tests)
 
 
-def floor_of(problem: Problem, noise: Sequence[float], use: Use) -> float:
+def floor_of(final: Judged, noise: Sequence[float], use: Use) -> float:
     """NRMS of noise (tests,) in the tests used so, and of what an error of a condition, as a temperature, changes."""
+    problem = final.fitted.model.problem  # its conditions are as far in doubt as the tests show
     chosen = [i for i, u in enumerate(problem.uses) if u == use]
     power = sum(float(problem.measured[i] @ problem.measured[i]) for i in chosen)
-    doubts = [doubt for i in chosen if (doubt := problem.doubt(i)) is not None]
+    doubts = [doubt for i in chosen if (doubt := problem.doubt(final.fitted.parts, i)) is not None]
     random = sum(noise[i] ** 2 * problem.measured[i].size for i in chosen)
     return (random + sum(float(doubt @ doubt) for doubt in doubts)) / power
 

@@ -119,9 +119,9 @@ class Problem(Protocol):
     def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """Orthonormal columns (n_i, k) whose share is each test's own, as the phase of hum is; None: there are none."""
 
-    def doubt(self, index: int) -> np.ndarray | None:
-        """What a condition of a test that is known only so well may change (n_i,), by one standard deviation; None:
-        nothing.
+    def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
+        """What a condition of a test that is known only so well may change (n_i,), in the base model as declared and
+        with the parts, by one standard deviation; None: nothing.
         """
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:

@@ -86,6 +86,7 @@ class Form:
         spares_springs: whether it changes dashpots alone.
         may_be_of_power: whether its factor may act on the law's dashpot of a power of the velocity alone.
         of_power: whether it does.
+        of_temperature: whether an error of the thermometer changes what it does.
         beside_motion: whether it is slower or faster than all motion, so that nothing else does what it does.
         has_columns: whether a share of it is each test's own, see `columns`.
         may_be_shaped: whether a finer form of it has a curve of its own (`edesign.calibrate.dampers.finer`).
@@ -114,6 +115,7 @@ class Form:
     may_be_of_power: ClassVar[bool] = False
     of_power: bool = False
     has_columns: bool = False
+    of_temperature: ClassVar[bool] = False
     beside_motion: ClassVar[bool] = False
     begins: bool = False
     may_be_shaped: bool = True

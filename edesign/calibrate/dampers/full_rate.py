@@ -60,7 +60,7 @@ def _likeliest(fits: list[Fitted]) -> Fitted:
     def unlikely(fitted: Fitted) -> float:
         problem, noise = fitted.model.problem, fitted.model.noise
         fitting = [i for i, use in enumerate(problem.uses) if use == "fit"]
-        doubts = [(doubt, noise[i]) for i in fitting if (doubt := problem.doubt(i)) is not None]
+        doubts = [(doubt, noise[i]) for i in fitting if (doubt := problem.doubt(fitted.parts, i)) is not None]
         return fitted.chi2 / misfit**2 + sum(float(np.log1p(d @ d / s**2)) for d, s in doubts)
 
     return min(fits, key=unlikely)

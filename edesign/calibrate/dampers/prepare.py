@@ -41,7 +41,9 @@ def damper_problem(campaign: Campaign) -> DamperProblem:
     problem = DamperProblem(chosen, start, None, trials, Sizes.of(trials))
     _check_law(problem, campaign)
     _check_forces(problem, campaign)
-    return _with_warmth(_with_motion_noise(problem, [noise for _, noise in prepared]))
+    noisy = _with_motion_noise(problem, [noise for _, noise in prepared])
+    means = [trial.mean_temperature for trial in trials]
+    return replace(noisy, thermometer=_THERMOMETER) if max(means) - min(means) > _THERMOMETER else noisy
 
 
 def thinned(problem: DamperProblem) -> DamperProblem:
@@ -88,19 +90,6 @@ def _with_motion_noise(problem: DamperProblem, noise: Sequence[float]) -> Damper
     return replace(
         problem,
         trials=tuple(replace(trial, motion_noise=own) for trial, own in zip(problem.trials, changes, strict=True)),
-    )
-
-
-def _with_warmth(problem: DamperProblem) -> DamperProblem:
-    """What an error of the thermometer makes of force, where tests differ in temperature."""
-    means = [trial.mean_temperature for trial in problem.trials]
-    if max(means) - min(means) <= _THERMOMETER:
-        return problem
-    warmer = [replace(trial, temperature=trial.temperature + _THERMOMETER) for trial in problem.trials]
-    changes = _changes(problem, warmer)
-    return replace(
-        problem,
-        trials=tuple(replace(trial, warmth=own) for trial, own in zip(problem.trials, changes, strict=True)),
     )
 
 

@@ -33,6 +33,7 @@ from edesign.errors import InputError
 
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
 _BEGUN = 1e-3  # change of a state, a number, by which differences are taken
+_WARMER = 0.2  # K, likewise
 _KEPT = 64  # force histories of the law alone: those of one set of parameters
 
 T = TypeVar("T")
@@ -48,6 +49,7 @@ class DamperProblem:
         temperature_law: how they change with temperature; None: the law's own.
         trials: at the rate of a fit, or at full rate.
         sizes: of the campaign.
+        thermometer: standard deviation of its error, K; 0 where temperatures do not matter.
     """
 
     law: Law
@@ -55,6 +57,7 @@ class DamperProblem:
     temperature_law: TemperatureModel | None
     trials: tuple[Trial, ...]
     sizes: Sizes
+    thermometer: float = 0.0
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -157,28 +160,39 @@ class DamperProblem:
 
         return kept
 
-    def doubt(self, index: int) -> np.ndarray | None:
+    def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """What an error of the thermometer changes (n_i,) N; None: nothing."""
-        return self.trials[index].warmth
+        if not self.thermometer:
+            return None
+        warm = tuple((_Same(c), tuple(v.tolist())) for c, v in parts if c.effect[0].of_temperature)
+        change = self._kept_warmer(warm)[index]
+        return self.thermometer * change if np.any(change) else None
 
     @cached_property
+    def _kept_warmer(self) -> Callable[[tuple[_KeptPart, ...]], tuple[np.ndarray, ...]]:
+        """Change of the force (n_i,) N/K with temperature, kept: of the declared law, and of parts that know it."""
+
+        @lru_cache(maxsize=_KEPT)
+        def kept(parts: tuple[_KeptPart, ...]) -> tuple[np.ndarray, ...]:
+            found = []
+            for trial in self.trials:
+                warmer = replace(trial, temperature=trial.temperature + _WARMER)
+                acting = [_Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
+                forces = [self._force(one, {**self.start}, acting) for one in (warmer, trial)]
+                found.append((forces[0] - forces[1]) / _WARMER)
+            return tuple(found)
+
+        return kept
+
+    @property
     def certain(self) -> DamperProblem:
         """The same with temperatures as they were read."""
-        if all(trial.warmth is None for trial in self.trials):
-            return self
-        return replace(self, trials=tuple(replace(trial, warmth=None) for trial in self.trials))
+        return self.doubting(0.0)
 
     def doubting(self, share: float) -> DamperProblem:
-        """The same with a share of the thermometer's error; itself where temperatures do not matter."""
-
-        def of(trial: Trial) -> Trial:
-            return trial if trial.warmth is None else replace(trial, warmth=share * trial.warmth)
-
-        if share == 0.0:
-            return self.certain
-        if share == 1.0 or all(trial.warmth is None for trial in self.trials):
-            return self
-        return replace(self, trials=tuple(of(trial) for trial in self.trials))
+        """The same with a share of the thermometer's error; itself where that is no other."""
+        error = share * self.thermometer
+        return self if error == self.thermometer else replace(self, thermometer=error)
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:
         """Power of the residuals in the band of the motion over that of noise there, or of all over all, whichever is

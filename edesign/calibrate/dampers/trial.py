@@ -64,7 +64,6 @@ class Trial:
         force: measured (n,) N.
         temperature: (n,) degC: measured, or ambient.
         motion_noise: standard deviation of the force that noise of the displacement makes through the law, N.
-        warmth: change (n,) N of the force by an error of the thermometer; None: the law does not tell.
         whole: the test at full rate, if this is not.
     """
 
@@ -75,7 +74,6 @@ class Trial:
     force: np.ndarray
     temperature: np.ndarray
     motion_noise: float = 0.0
-    warmth: np.ndarray | None = None
     whole: Trial | None = None
 
     def thinned(self) -> Trial:
@@ -91,7 +89,6 @@ class Trial:
             motion=self.motion.thinned(stride),
             force=np.ascontiguousarray(self.force[::stride]),
             temperature=np.ascontiguousarray(self.temperature[::stride]),
-            warmth=None if self.warmth is None else np.ascontiguousarray(self.warmth[::stride]),
             whole=self,
         )
 

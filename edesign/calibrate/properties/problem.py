@@ -99,7 +99,7 @@ class PropertyProblem:
         """There are none."""
         return ()
 
-    def doubt(self, index: int) -> np.ndarray | None:
+    def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """Nothing is in doubt."""
         return None
 

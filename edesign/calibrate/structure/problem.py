@@ -235,7 +235,7 @@ class StructureProblem:
         """There are none."""
         return ()
 
-    def doubt(self, index: int) -> np.ndarray | None:
+    def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """Nothing is in doubt."""
         return None
 

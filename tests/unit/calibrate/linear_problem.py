@@ -64,7 +64,7 @@ class LinearProblem:
     def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
         return None
 
-    def doubt(self, index: int) -> np.ndarray | None:
+    def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         return self.doubts[index] if self.doubts else None
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:

@@ -20,6 +20,8 @@ from irregular_motion import (
 from edesign.calibrate.dampers.effects import (
     temperature_law,
 )
+from edesign.calibrate.dampers.left import Left
+from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Sizes
 from edesign.calibrate.fit import Model
@@ -136,16 +138,23 @@ def test_one_temperature_shows_no_temperature_law() -> None:
 
 
 def test_an_error_of_the_thermometer_is_no_residual() -> None:
-    # forces 0.2 K off by the law's own gamma_T: all of the residual, and what such an error is taken to leave
+    # forces of a test 0.2 K warmer than was read: all of the residual, and what such an error is taken to leave
+    size = replace(sizes(), temperatures=(20.0, 26.0))
     test = replace(trial(motion(11)), temperature=np.full(motion(11).time.size, 25.0))
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), sizes())
-    change = 0.002 * STIFFNESS * test.motion.displacement
-    size = 1e-4 * STIFFNESS * U
-    noisy = change + size * np.random.default_rng(1).standard_normal(change.size)
-    (solid_force,) = solid.predict(solid.declared, (), ("fit",))
-    assert solid_force is not None
-    known = replace(test, force=solid_force + noisy, warmth=change)
-    for one, low, high in ((replace(known, warmth=None), 10.0, math.inf), (known, 0.8, 1.2)):
-        problem = replace(solid, trials=(one,))
-        (residual,) = Model(problem, (size,)).residuals(Model(problem, (size,)).coordinates())
-        assert low < problem.left([residual], [size]) < high  # noise in the few bins of the band of the motion
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), size)
+    softens = candidate_of(temperature_law.Exponential(), size, Left())
+    assert softens is not None
+    part = (softens, np.array([0.01]))
+    (force,) = solid.predict(solid.declared, [part], ("fit",))
+    assert force is not None
+    warmer = math.exp(-0.01 * 0.2) * force
+    noise = 1e-4 * STIFFNESS * U
+    noisy = replace(test, force=warmer + noise * np.random.default_rng(1).standard_normal(force.size))
+    for thermometer, low, high in ((0.0, 10.0, math.inf), (0.2, 0.8, 1.2)):
+        problem = replace(solid, trials=(noisy,), thermometer=thermometer)
+        model = Model(problem, (noise,), effects=(softens,), held=True)
+        (residual,) = model.residuals(model.coordinates(parts=[part]))
+        assert low < problem.left([residual], [noise]) < high  # noise in the few bins of the band of the motion
+    doubt = replace(solid, thermometer=0.2).doubt([part], 0)
+    np.testing.assert_allclose(doubt, -0.002 * force, atol=2e-5 * STIFFNESS * U)  # second order of 0.002
+    assert replace(solid, thermometer=0.2).doubt([], 0) is None  # this law has no temperature

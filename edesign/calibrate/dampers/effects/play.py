@@ -39,7 +39,8 @@ class Gap(_Play):
         return (self._play(sizes), Unknown("stiffness", "N/m", 2.0 * k, 1e4 * k, 100.0 * k, logarithmic=True))
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((0.02 * sizes.displacement, k * sizes.stiffness) for k in (1000.0, 30.0))
+        clearances = ((0.02, 1000.0), (0.02, 30.0), (0.1, 100.0))
+        return tuple((play * sizes.displacement, k * sizes.stiffness) for play, k in clearances)
 
     def series(self, p: Values) -> Series:
         return Series(p["stiffness"], play=p["play"])
@@ -98,7 +99,7 @@ class Backlash(_Play):
         return (self._play(sizes),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return ((0.02 * sizes.displacement,),)
+        return tuple((play * sizes.displacement,) for play in (0.02, 0.1))
 
     def specimen(self, p: Values, trial: Trial, motion: Motion) -> Motion:
         points, index = with_turning_points(motion)

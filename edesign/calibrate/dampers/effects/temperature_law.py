@@ -25,6 +25,7 @@ _NEAREST = 0.05  # of 1 + c w: T0 - C2, where the fall ends, comes no nearer
 class _Temperature(Form):
     name: ClassVar[str] = "temperature_law"
     kind: ClassVar[Kind] = "damper"
+    of_temperature: ClassVar[bool] = True
 
     def fixed(self, sizes: Sizes) -> dict[str, float]:
         return {"T0": REFERENCE_C}
