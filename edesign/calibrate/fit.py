@@ -71,11 +71,11 @@ class Model:
 
     def pull(self, x: np.ndarray) -> np.ndarray:
         """Half the slope (p,) of the belief in the declared parameters."""
-        return np.asarray(_belief(self) ** 2 * (x - self.coordinates()))
+        return np.asarray(belief(self) ** 2 * (x - self.coordinates()))
 
     def cost(self, residuals: Sequence[np.ndarray], x: np.ndarray) -> float:
         """Sum of squares that a fit makes small: of the residuals, and of the belief in the declared parameters."""
-        cost = float(sum(r @ r for r in residuals)) + float(np.sum((_belief(self) * (x - self.coordinates())) ** 2))
+        cost = float(sum(r @ r for r in residuals)) + float(np.sum((belief(self) * (x - self.coordinates())) ** 2))
         return cost if np.isfinite(cost) else np.inf
 
     def base_values(self, x: np.ndarray) -> np.ndarray:
@@ -107,13 +107,24 @@ class Model:
             if values is None:
                 continue
             residual = (self.problem.measured[i] - values) / self.noise[i]
-            doubt = self.problem.doubt(parts, i)
             columns = self.problem.nuisance(base, parts, i) if parts else None
             if columns is not None:
                 residual = residual - columns @ (columns.T @ residual)
-                doubt = None if doubt is None else doubt - columns @ (columns.T @ doubt)
-            found.append(residual if doubt is None else whitened(residual, doubt / self.noise[i]))
+            doubt = self._doubt(parts, i, columns)
+            found.append(residual if doubt is None else whitened(residual, doubt))
         return found
+
+    def doubts(self, x: np.ndarray) -> list[np.ndarray | None]:
+        """What conditions in doubt may change (n_i,) in the tests fitted to, in units of noise, freed likewise."""
+        parts, base = self.parts(x), self.base_values(x)
+        fitted = [i for i, use in enumerate(self.problem.uses) if use == "fit"]
+        return [self._doubt(parts, i, self.problem.nuisance(base, parts, i) if parts else None) for i in fitted]
+
+    def _doubt(self, parts: Sequence[Part], i: int, columns: np.ndarray | None) -> np.ndarray | None:
+        doubt = self.problem.doubt(parts, i)
+        if doubt is not None and columns is not None:
+            doubt = doubt - columns @ (columns.T @ doubt)
+        return None if doubt is None else doubt / self.noise[i]
 
 
 @dataclass(frozen=True)
@@ -167,7 +178,7 @@ class Fitted:
     @cached_property
     def hessian(self) -> np.ndarray:
         """J^T J (p, p) of the tests and of the belief in the declared parameters."""
-        total = np.diag(_belief(self.model) ** 2)
+        total = np.diag(belief(self.model) ** 2)
         for slopes in self.slopes:
             total = total + slopes.T @ slopes
         return np.asarray(total)
@@ -262,7 +273,7 @@ def _search(begun: Fitted, most_steps: int, enough: float, frozen: Sequence[np.n
     """
     model, x = begun.model, begun.x
     low, high = _bounds(model)
-    weights, centre = _belief(model), model.coordinates()
+    weights, centre = belief(model), model.coordinates()
     residuals, slopes, slopes_x = list(begun.residuals), list(begun.slopes), x
     cost = model.cost(residuals, x)
     damping = 1e-3
@@ -280,7 +291,7 @@ def _search(begun: Fitted, most_steps: int, enough: float, frozen: Sequence[np.n
                 break
             damping *= 10.0
         if not tried_cost < cost:
-            if fresh:
+            if fresh or hoped < enough * cost:
                 break
             slopes, slopes_x = slopes_at(model, x, residuals, frozen), x
             continue
@@ -344,7 +355,7 @@ def _bounds(model: Model) -> tuple[np.ndarray, np.ndarray]:
     return np.array([low for low, _ in spans]), np.array([high for _, high in spans])
 
 
-def _belief(model: Model) -> np.ndarray:
+def belief(model: Model) -> np.ndarray:
     """Weight (p,) of the declared value of each unknown; effects have none but what keeps the equations regular."""
     known, added = len(model.base), len(model.unknowns) - len(model.base)
     return model.misfit * np.array([1.0 / BELIEF] * known + [1e-3] * added)

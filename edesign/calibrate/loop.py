@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 
@@ -36,6 +37,7 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 """Times what the refit leaves: an effect beside the declared law that leaves no more does about as much, and perhaps as
 much together with another one.
 """
+_FAR_BEHIND = 10.0  # times what a form leaves, beyond which others of the effect are hopeless after a rough fit
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 _LONG = 40  # steps of a search along the valleys between a shape and the rest, or of a law far from its tests
 _UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
@@ -110,10 +112,14 @@ class Loop:
         best = min(held, key=_of_left_out, default=None)
         beside = best is not None and best.fitted.chi2 <= _PERHAPS * refit.fitted.chi2  # the declared law, two effects
         if best is not None and best.fitted.chi2 <= _ABOUT * refit.fitted.chi2:
-            held = [*held, *self._other_forms(best, best.fitted.model.effects[0])]
-            freed, beside = self._freed(min(held, key=_of_left_out)), False
-            if freed.at_floor or not self._more_than_misses(freed):
-                held = [*held, freed]
+            held, beside = [*held, *self._other_forms(best, best.fitted.model.effects[0])], False
+            best = min(held, key=_of_left_out)
+            freed = self._freed(best)
+            alone = self._finer(freed)
+            if alone.fitted.model.held and alone.at_floor and compare(alone, rival).adopts:
+                current = alone  # nothing is simpler, and nothing is left for others
+            elif alone.at_floor or not self._more_than_misses(alone):
+                held = [*held, alone]
             else:
                 current = self._two_beside_declared(held, refit, freed)
         if current is None:
@@ -344,7 +350,8 @@ class Loop:
         slow = len(smaller.effects) > 1 or any(other.slow for other in smaller.effects)
         most = _FORMS_SLOW if slow else _FORMS_HELD if fitted.model.held else _FORMS
         likely = likely_forms(screen(without, pool, self.workers), most)
-        return self._fit_best([*likely, *(found for s in likely if (found := _begun_from(fitted, effect, s)))])
+        begun = [*likely, *(found for s in likely if (found := _begun_from(fitted, effect, s)))]
+        return self._fit_best(begun, _FAR_BEHIND * fitted.chi2)
 
     def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models in which another effect, or another form, stands in the place of one."""
@@ -482,10 +489,10 @@ class Loop:
             found.append(Adopted(effect, values, evidence, without, alike))
         return tuple(found)
 
-    def _fit_best(self, signatures: Sequence[Signature]) -> list[Judged]:
+    def _fit_best(self, signatures: Sequence[Signature], rival: float = math.inf) -> list[Judged]:
         """Models fitted from their starts; those that have been fitted before are not fitted again."""
         known = {_key(s.model): self.known[_key(s.model)] for s in signatures if _key(s.model) in self.known}
-        found = fit_best([s for s in signatures if _key(s.model) not in known], self.workers)
+        found = fit_best([s for s in signatures if _key(s.model) not in known], self.workers, rival)
         self.known |= {_key(judged.fitted.model): judged for judged in found}
         return [*known.values(), *found]
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
 from typing import ClassVar
 
@@ -116,15 +117,16 @@ def follow(displacement: np.ndarray, play: float) -> np.ndarray:
     """What follows a displacement (n,) m through a play end to end, as near to zero at first as the play lets it.
 
     Exact for a displacement that is monotone from sample to sample."""
-    half, at = 0.5 * play, 0.0
-    found = []
-    for u in displacement.tolist():
-        if at < u - half:
-            at = u - half
-        elif at > u + half:
-            at = u + half
-        found.append(at)
-    return np.array(found)
+    above, below = displacement - 0.5 * play, displacement + 0.5 * play
+    rises = np.diff(displacement) > 0.0
+    ends = np.concatenate(([0], np.flatnonzero(rises[1:] != rises[:-1]) + 1, [displacement.size - 1]))
+    found = np.empty_like(displacement)
+    at = found[0] = min(max(0.0, float(above[0])), float(below[0]))
+    for first, last in itertools.pairwise(ends.tolist()):
+        way = slice(first + 1, last + 1)
+        found[way] = np.maximum(at, above[way]) if rises[first] else np.minimum(at, below[way])
+        at = found[last]
+    return found
 
 
 FORMS = (Gap, GapAside, GapSeated, Backlash)
