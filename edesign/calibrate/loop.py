@@ -29,6 +29,7 @@ _FORMS, _FORMS_HELD, _FORMS_SLOW = 5, 10, 3
 effects.
 """
 _LIKELY = 2  # effects of which forms are compared, or models with which the law is fitted again
+_ELSEWHERE = 8  # forms fitted from the law as declared
 _RIVALS = 5  # forms that are tried in the place of one
 _MOST = 4  # effects
 _FEW = 2  # effects up to which pairs are sought
@@ -190,7 +191,7 @@ class Loop:
         unfitted = current.fitted.model.coordinates()
         if not known and unfitted.size and float(np.max(np.abs(current.fitted.x - unfitted))) > _FAR:
             # the refit has gone far to make up for what is missing, and searches from there may not find back
-            elsewhere = shortlist(screen(self._unfitted(current), pool, self.workers))
+            elsewhere = shortlist(screen(self._unfitted(current), pool, self.workers))[:_ELSEWHERE]
         tried = [*self._fit_best([*short, *elsewhere]), *further]
         tried = [*dict.fromkeys((*tried, *self._other_forms_of_likely(tried)))]  # some forms are likely twice
         self.rivals[_labels(known)] = tried
@@ -284,21 +285,45 @@ class Loop:
         """Each effect in a finer form, where more than noise is left and that form is better: with nothing in doubt, as
         what is in doubt may have made up for the coarser one.
         """
-        problem = self.problem.certain
-        best = current
-        if problem is not self.problem:
-            best = Judged(fit(replace(current.fitted.model, problem=problem), current.fitted.x, _LONG))
-        first = best
-        if problem is not self.problem and not best.at_floor and _last_is_new(best):
+        best = first = self._certain(current)
+        if first is not current and not best.at_floor and _last_is_new(best):
             best = self._in_other_forms(best)
         for i in range(len(current.fitted.model.effects)):
-            while not best.at_floor and (found := self._in_finer_form(best, i)) is not best:
-                best = found
+            best = self._as_fine_as_needed(best, i)
+        for other in self._near_forms(current) if _last_is_new(current) else ():
+            if not best.at_floor:  # a coarser form behind this one may have finer ones before it
+                best = simplest([best, self._as_fine_as_needed(self._certain(other), -1)])
         if best is first:
             return current
-        if problem is self.problem:
+        if first is current:
             return best
         return Judged(fit(replace(best.fitted.model, problem=self.problem), best.fitted.x))
+
+    def _certain(self, current: Judged) -> Judged:
+        """With nothing in doubt."""
+        problem = self.problem.certain
+        if problem is self.problem:
+            return current
+        return Judged(fit(replace(current.fitted.model, problem=problem), current.fitted.x, _LONG))
+
+    def _as_fine_as_needed(self, best: Judged, i: int) -> Judged:
+        """With the effect i in finer forms as long as they are better and more than noise is left."""
+        while not best.at_floor and (found := self._in_finer_form(best, i)) is not best:
+            best = found
+        return best
+
+    def _near_forms(self, current: Judged) -> list[Judged]:
+        """The other form of the last effect that was nearly as good."""
+        *known, last = current.fitted.model.effects
+        forms = [
+            judged
+            for judged in self.rivals.get(_labels(known), [])
+            if judged.fitted.model.held == current.fitted.model.held
+            and judged.fitted.model.effects[-1].name == last.name
+            and judged.fitted.model.effects[-1].label != last.label
+            and judged.fitted.chi2 <= BEHIND * current.fitted.chi2
+        ]
+        return sorted(forms, key=lambda judged: judged.fitted.chi2)[:1]
 
     def _in_other_forms(self, current: Judged) -> Judged:
         """The last effect in the form that suits best with nothing in doubt; what was compared in doubt is no
@@ -312,6 +337,7 @@ class Loop:
 
     def _in_finer_form(self, current: Judged, i: int) -> Judged:
         parts = current.fitted.parts
+        i %= len(parts)
         self.tell(f"finer forms of {parts[i][0].name}")
         finer = self.problem.finer(parts[i])
         if not finer:
