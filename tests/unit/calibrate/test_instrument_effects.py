@@ -278,9 +278,9 @@ def test_hum_above_half_the_rate_is_told_from_its_alias() -> None:
     assert common_tones(trials, residuals)[0] == pytest.approx(100.05, abs=0.25 / 20.0)
 
 
-@pytest.mark.parametrize("tone", [150.02, 100.04, 37.54])
+@pytest.mark.parametrize("tone", [150.02, 100.04, 60.04, 37.54])
 def test_a_tone_above_the_rate_of_the_fit_is_told_by_the_record(tone: float) -> None:
-    # 500 Hz thinned to 62.5 Hz: 150 Hz looks as 25, 37.5 looks as 100 and 25 as 87.5
+    # 500 Hz thinned to 62.5 Hz: 150 Hz looks as 25, 37.5 looks as 100 and 25 as 87.5; 60 Hz as 2.5, amid the motion
     whole = [_trial(500.0, 20.0, f, i) for i, f in enumerate((0.5, 1.0))]
     added = _noise(whole, 5)
     measured = []

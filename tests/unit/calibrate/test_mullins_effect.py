@@ -48,6 +48,20 @@ def test_full_recovery_begins_as_virgin_and_none_goes_on() -> None:
     assert second[0] == first[-1] < 1.05
 
 
+def test_finer_forms_below_the_largest_have_a_hyperbolic_tangent() -> None:
+    # Dorfmann & Ogden (2004): tanh in the place of erf
+    t = trial(motion(9))
+    u = np.abs(t.motion.displacement)
+    most = np.maximum.accumulate(u)
+    for form, p, expected in (
+        (mullins.Maximum(), {"r": 3e-3}, np.tanh((most - u) / 3e-3)),
+        (mullins.PseudoElastic(), {"e": 2e-3, "b": 0.4}, np.tanh((most**2 - u**2) / (4e-6 + 0.4 * most**2))),
+    ):
+        (finer,) = form.finer()
+        assert finer.form == f"{form.form}_tanh" and finer.finer() == () and not finer.amendment
+        close(factor(finer, {"m": 0.3, "recovery": 0.0, **p}, (t,)), [1.0 - 0.3 * expected])
+
+
 @pytest.mark.parametrize("recovery", [0.0, 0.4, 1.0])
 def test_forgotten_cycles_are_counted_from_there(recovery: float) -> None:
     tests, least = two_tests(), 0.05 * U

@@ -25,6 +25,7 @@ from edesign.calibrate.dampers.effects import (
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
 
 
@@ -64,6 +65,53 @@ def test_of_loss_changes_dashpots_alone() -> None:
     ):
         (force,) = solid.predict(solid.declared, [(found[label], np.array(values))], ("fit",))
         np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
+
+
+def test_dashpots_take_a_share_of_what_springs_do() -> None:
+    warm = replace(trial(motion(12)), temperature=np.full(motion(12).time.size, 26.0))
+    size = replace(sizes(), temperatures=(20.0, 26.0))
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (warm,), size)
+    plain = candidate_of(temperature_law.Exponential(), size, Left())
+    assert plain is not None
+    (shared, begun), _ = solid.finer((plain, np.array([0.03])))
+    assert shared.form == "exponential_shared" and begun.tolist() == [0.03, 1.0]
+    (force,) = solid.predict(solid.declared, [(shared, np.array([0.03, 0.4]))], ("fit",))
+    s = math.exp(-0.03 * 6.0) - 1.0
+    expected = (1.0 + s) * STIFFNESS * warm.motion.displacement + (1.0 + 0.4 * s) * 2e4 * warm.motion.velocity
+    np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
+
+
+def test_springs_of_the_mgmm_are_what_goes_with_the_deformation() -> None:
+    # F + tau F' = k u + phi (c v + c_NL |v|^alpha sgn v) is the MGMM itself with these parameters (thesis Eq. 4.29)
+    mgmm = LAWS["mgmm"]
+    values = mgmm.complete(
+        {
+            **{"k1": 5.15e5, "c1": 1.51e4, "k0": 1.07e5, "c_NL": 2.1e4, "alpha": 0.374, "k_a": 3.7e6},
+            **{"k_b": 3.6e6, "u_ref": 8e-3, "c_a": 9e5, "c_b": 1.9e5, "v_ref": 0.0135},
+        }
+    )
+    test = trial(motion(12), 3)
+    solid = DamperProblem(mgmm, values, None, (test,), sizes())
+    found = {c.label: c for c in candidates(sizes(7), Left((test,), [np.zeros_like(test.force)]), True, True)}
+    phi = 1.0 - 0.1 * 3
+    (force,) = solid.predict(solid.declared, [(found["ageing.linear_of_loss"], np.array([-0.1]))], ("fit",))
+    tau, branch = values["c1"] / values["k1"], 1e-9
+    viscous = tau * values["k0"] + values["c1"] + values["c_b"]
+    expected = Damper(
+        mgmm,
+        {
+            **values,
+            **{
+                "k1": branch * values["k1"],
+                "c1": branch * values["c1"],
+                "k0": 0.0,
+                "k_b": values["k0"] + values["k_b"],
+            },
+            **{"c_NL": phi * values["c_NL"], "c_a": phi * values["c_a"], "c_b": phi * viscous},
+        },
+    ).force(test.motion.time, test.motion.displacement, test.motion.velocity)
+    # shares of one relaxation are summed, its steps are those of the core: 1e-9 of the branch that is left is nothing
+    np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-5 * np.max(np.abs(expected)))
 
 
 def test_a_curve_of_its_own_bends_all_of_a_law_that_has_no_sides() -> None:
