@@ -73,7 +73,6 @@ class Loop:
         self.tell = progress
         self.material = 0.0
         self.rivals: dict[frozenset[str], list[Judged]] = {}  # models with one effect more, by the effects they share
-        self.shaped: set[str] = set()  # effects of which finer forms were tried: a second form has nothing to add
         self.known: dict[_Key, Judged] = {}  # since the model was last fitted again
         self.compared: set[tuple[str, _Key]] = set()  # effects whose forms were, beside which model
 
@@ -178,10 +177,12 @@ class Loop:
         number = len(known) + 1
         more = not known or self._more_than_misses(current)
         names = {effect.name for effect in known}
+        # finer forms of these were tried: a second form has nothing to add
+        shaped = {part[0].name for part in current.fitted.parts if part[0].finer or self.problem.finer(part)}
         pool = [
             c
             for c in self._candidates(current)
-            if _may_join(c, known) and (more or c.name in names) and c.name not in names & self.shaped
+            if _may_join(c, known) and (more or c.name in names) and c.name not in shaped
         ]
         self.tell(f"effect {number}: screening {len(pool)} forms of effects")
         signatures = screen(current.fitted, pool, self.workers)
@@ -342,7 +343,6 @@ class Loop:
         finer = self.problem.finer(parts[i])
         if not finer:
             return current
-        self.shaped.add(parts[i][0].name)
         best = simplest([current, *self._with_parts(current, i, finer)])
         if best is current:
             return current
