@@ -117,7 +117,7 @@ class Loop:
             freed = self._freed(best)
             alone = self._finer(freed)
             if alone.fitted.model.held and alone.at_floor and compare(alone, rival).adopts:
-                current = alone  # nothing is simpler, and nothing is left for others
+                current = simplest([alone, *held])  # nothing is left for others
             elif alone.at_floor or not self._more_than_misses(alone):
                 held = [*held, alone]
             else:

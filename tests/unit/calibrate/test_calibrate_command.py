@@ -33,7 +33,7 @@ def test_files_and_their_contents(tmp_path: Path, capsys: pytest.CaptureFixture[
     campaign(tmp_path / "c", hidden)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 0
     said = capsys.readouterr()
-    assert "effect 1: screening" in said.err
+    assert "screening effects beside the law as declared" in said.err
     assert "hardening" in said.out and "Explained" in said.out
     names = {path.name for path in (tmp_path / "out").iterdir()}
     assert names == {"calibration.json", "calibration.h5", "calibration.html", "law.yaml"}
