@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
 
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.evidence import Judged
-from edesign.calibrate.fit import Fitted, belief, fit
+from edesign.calibrate.fit import Fitted, belief, fit, whitened
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.selection import Selection
 from edesign.calibrate.side_by_side import side_by_side
@@ -40,7 +41,7 @@ def likeliest_doubt(final: Fitted) -> float:
 
     The likelihood of residuals r in doubt by d is that of a normal distribution of covariance I + d d^T, whose
     determinant is 1 + |d|^2 (empirical Bayes: Efron & Morris 1973, JASA 68, 117-130); what is left counts as noise. The
-    parameters follow from the slopes.
+    parameters follow from the slopes; what is beyond the farthest that a condition may be off counts in full.
     """
     model, x = final.model, final.x
     if model.problem.certain is model.problem:
@@ -49,17 +50,22 @@ def likeliest_doubt(final: Fitted) -> float:
     doubts = model.doubts(x)
 
     def unlikely(share: float) -> float:
-        hessian, gradient, cost, spread = np.diag(belief(model) ** 2), model.pull(x), 0.0, 0.0
-        for r, j, doubt in zip(known.residuals, known.slopes, doubts, strict=True):
-            size = 0.0 if doubt is None else share * float(np.sqrt(doubt @ doubt))
-            if doubt is not None and size > 0.0:
-                along = share * doubt / size
-                less = 1.0 - 1.0 / np.hypot(1.0, size)
-                r, j = r - along * (less * (along @ r)), j - np.outer(along, less * (along @ j))
-                spread += float(np.log1p(size**2))
-            hessian, gradient, cost = hessian + j.T @ j, gradient + j.T @ r, cost + float(r @ r)
-        best = cost - float(gradient @ np.linalg.lstsq(hessian, gradient, rcond=1e-12)[0]) if x.size else cost
-        return best / final.misfit**2 + spread
+        hessian, gradient, spread = np.diag(belief(model) ** 2), model.pull(x), 0.0
+        own = [None if doubt is None else share * doubt for doubt in doubts]
+        for r, j, doubt in zip(known.residuals, known.slopes, own, strict=True):
+            hessian, gradient = hessian + j.T @ j, gradient + j.T @ r
+            if doubt is not None:
+                power = float(doubt @ doubt)
+                along = doubt @ j
+                hessian = hessian - np.outer(along, along) / (1.0 + power)
+                gradient = gradient - along * (doubt @ r) / (1.0 + power)
+                spread += math.log1p(power)
+        move = np.linalg.lstsq(hessian, -gradient, rcond=1e-12)[0]
+        cost = 0.0
+        for r, j, doubt in zip(known.residuals, known.slopes, own, strict=True):
+            left = r + j @ move
+            cost += float(np.sum((left if doubt is None else whitened(left, doubt)) ** 2))
+        return cost / final.misfit**2 + spread
 
     return min(_DOUBTS, key=unlikely)
 
