@@ -31,13 +31,13 @@ T = TypeVar("T")
 S = TypeVar("S")
 
 
-def fit_best(signatures: Sequence[Signature], workers: int = 1, rival: float = math.inf) -> list[Judged]:
+def fit_best(signatures: Sequence[Signature], workers: int = 1, most: float = math.inf) -> list[Judged]:
     """Models fitted from their starts: all of them roughly, then the best of them well.
 
     Args:
         signatures: forms of effects with their starts.
         workers: processes.
-        rival: chi2 of a model that they would have to beat.
+        most: chi2 beyond which a model is not fitted to the end.
     """
     known = [thing for s in signatures for thing in (*s.model.given, *s.frozen)]
 
@@ -48,7 +48,7 @@ def fit_best(signatures: Sequence[Signature], workers: int = 1, rival: float = m
     for found in side(_roughly, signatures):
         key = tuple(effect.label for effect in found.model.effects)
         best[key] = min(best.get(key, found), found, key=lambda f: f.chi2)
-    promising = _promising(best.values(), _HOPELESS, rival)
+    promising = [fitted for fitted in _promising(best.values(), _HOPELESS) if fitted.chi2 <= most]
     if len(promising) <= _WELL_FITTED:
         return side(_well, promising)
     return side(_on, _promising(side(_nearer, promising), BEHIND)[:_WELL_FITTED])
@@ -86,10 +86,10 @@ def judged_of(search: Callable[[], Fitted]) -> Judged | None:
     return judged
 
 
-def _promising(found: Iterable[Fitted], behind: float, rival: float = math.inf) -> list[Fitted]:
-    """Those that leave no more than so many times what the best, or a rival, leaves, the best first."""
+def _promising(found: Iterable[Fitted], behind: float) -> list[Fitted]:
+    """Those that leave no more than so many times what the best leaves, the best first."""
     ordered = sorted(found, key=lambda fitted: fitted.chi2)
-    return [fitted for fitted in ordered if fitted.chi2 <= behind * min(ordered[0].chi2, rival)]
+    return [fitted for fitted in ordered if fitted.chi2 <= behind * ordered[0].chi2]
 
 
 def shortlist(signatures: Sequence[Signature]) -> list[Signature]:

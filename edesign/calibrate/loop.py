@@ -11,6 +11,7 @@ import numpy as np
 from edesign.calibrate.contest import BEHIND, FITTED, both, fit_best, judged_of, likely_forms, shortlist
 from edesign.calibrate.evidence import SHARE, Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
+from edesign.calibrate.forms import begun_at, begun_from, may_join
 from edesign.calibrate.pairs import likely_pairs
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem
 from edesign.calibrate.screening import Signature, screen
@@ -38,7 +39,7 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 """Times what the refit leaves: an effect beside the declared law that leaves no more does about as much, and perhaps as
 much together with another one.
 """
-_FAR_BEHIND = 10.0  # times what a form leaves, beyond which others of the effect are hopeless after a rough fit
+_FAR_BEHIND = 60.0  # times what a form leaves, beyond which others of the effect are hopeless after a rough fit
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 _LONG = 40  # steps of a search along the valleys between a shape and the rest, or of a law far from its tests
 _UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
@@ -182,7 +183,7 @@ class Loop:
         pool = [
             c
             for c in self._candidates(current)
-            if _may_join(c, known) and (more or c.name in names) and c.name not in shaped
+            if may_join(c, known) and (more or c.name in names) and c.name not in shaped
         ]
         self.tell(f"effect {number}: screening {len(pool)} forms of effects")
         signatures = screen(current.fitted, pool, self.workers)
@@ -348,7 +349,7 @@ class Loop:
             return current
         # where the finer form has led, a coarser one may do as well
         known = best.fitted.parts[i]
-        coarser = [part for effect, _ in (parts[i], *finer) if (part := _begun_at(effect, known)) is not None]
+        coarser = [part for effect, _ in (parts[i], *finer) if (part := begun_at(effect, known)) is not None]
         return simplest([best, *self._with_parts(best, i, coarser)])
 
     def _with_parts(self, current: Judged, i: int, others: Sequence[Part]) -> list[Judged]:
@@ -376,7 +377,7 @@ class Loop:
         slow = len(smaller.effects) > 1 or any(other.slow for other in smaller.effects)
         most = _FORMS_SLOW if slow else _FORMS_HELD if fitted.model.held else _FORMS
         likely = likely_forms(screen(without, pool, self.workers), most)
-        begun = [*likely, *(found for s in likely if (found := _begun_from(fitted, effect, s)))]
+        begun = [*likely, *(found for s in likely if (found := begun_from(fitted, effect, s)))]
         return self._fit_best(begun, _FAR_BEHIND * fitted.chi2)
 
     def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
@@ -389,7 +390,7 @@ class Loop:
         if known:
             found = self._fit_all(without, known)
         else:
-            pool = [c for c in self._candidates(without) if _may_join(c, others) and c.label != effect.label]
+            pool = [c for c in self._candidates(without) if may_join(c, others) and c.label != effect.label]
             found = self._fit_best(shortlist(screen(without.fitted, pool, self.workers))[:_RIVALS])
         self.rivals[_labels(others)] = found
         return found
@@ -405,7 +406,7 @@ class Loop:
         best: dict[str, Part] = {}
         for judged in sorted(tried, key=_of_left_out):
             part = judged.fitted.parts[-1]
-            if _may_join(part[0], others):
+            if may_join(part[0], others):
                 best.setdefault(part[0].name, part)
         return [*best.values()][:_RIVALS]
 
@@ -465,7 +466,7 @@ class Loop:
         best = min(held, key=_of_left_out)
         known = best.fitted.model.effects
         self.tell(f"screening effects beside {known[0].name} and the law as declared")
-        pool = [c for c in self._candidates(best) if _may_join(c, known)]
+        pool = [c for c in self._candidates(best) if may_join(c, known)]
         found = self._fit_best(shortlist(screen(best.fitted, pool, self.workers)))
         rivals = (free, best, freed)
         least = min(rival.fitted.chi2 for rival in rivals)
@@ -515,10 +516,10 @@ class Loop:
             found.append(Adopted(effect, values, evidence, without, alike))
         return tuple(found)
 
-    def _fit_best(self, signatures: Sequence[Signature], rival: float = math.inf) -> list[Judged]:
+    def _fit_best(self, signatures: Sequence[Signature], most: float = math.inf) -> list[Judged]:
         """Models fitted from their starts; those that have been fitted before are not fitted again."""
         known = {_key(s.model): self.known[_key(s.model)] for s in signatures if _key(s.model) in self.known}
-        found = fit_best([s for s in signatures if _key(s.model) not in known], self.workers, rival)
+        found = fit_best([s for s in signatures if _key(s.model) not in known], self.workers, most)
         self.known |= {_key(judged.fitted.model): judged for judged in found}
         return [*known.values(), *found]
 
@@ -565,38 +566,6 @@ def _last_is_new(judged: Judged) -> bool:
     """Whether the last effect is another one, not a further form of one that was there."""
     *before, last = judged.fitted.model.effects
     return all(effect.name != last.name for effect in before)
-
-
-def _begun_from(fitted: Fitted, effect: Candidate, signature: Signature) -> Signature | None:
-    """Another form of an effect begun where this one is; None: it has not all of its parameters."""
-    parts = [part for part in fitted.parts if part[0] is not effect]
-    known = next(part for part in fitted.parts if part[0] is effect)
-    other = signature.candidate
-    if not {u.name for u in effect.unknowns} <= {u.name for u in other.unknowns}:
-        return None
-    own = _values_of(other, known)
-    return replace(signature, start=signature.model.coordinates(fitted.base, [*parts, (other, own)]))
-
-
-def _begun_at(effect: Candidate, known: Part) -> Part | None:
-    """A form that has some of the parameters of another, at their values; None: it has others, or all of them."""
-    if not {u.name for u in effect.unknowns} < {u.name for u in known[0].unknowns}:
-        return None
-    return effect, _values_of(effect, known)
-
-
-def _values_of(effect: Candidate, known: Part) -> np.ndarray:
-    """Values of a form's parameters: those of another form where it has them, else usual ones."""
-    values = {unknown.name: float(value) for unknown, value in zip(known[0].unknowns, known[1], strict=True)}
-    return np.array([values.get(unknown.name, unknown.size) for unknown in effect.unknowns])
-
-
-def _may_join(candidate: Candidate, others: Sequence[Candidate]) -> bool:
-    """Whether a form may stand beside others: a second one of the same effect may, to follow its shape more closely,
-    unless a finer form does.
-    """
-    alike = [other for other in others if other.name == candidate.name]
-    return len(alike) < 2 and all(other.label != candidate.label and not other.finer for other in alike)
 
 
 def _worse(model: Judged, rival: Judged) -> bool:

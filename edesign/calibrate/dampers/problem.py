@@ -174,17 +174,17 @@ class DamperProblem:
 
         @lru_cache(maxsize=_KEPT)
         def kept(parts: tuple[_KeptPart, ...]) -> tuple[np.ndarray, ...]:
+            acting = [_Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
             found = []
             for trial in self.trials:
                 warmer = replace(trial, temperature=trial.temperature + _WARMER)
-                acting = [_Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
                 forces = [self._force(one, {**self.start}, acting) for one in (warmer, trial)]
                 found.append((forces[0] - forces[1]) / _WARMER)
             return tuple(found)
 
         return kept
 
-    @property
+    @cached_property
     def certain(self) -> DamperProblem:
         """The same with temperatures as they were read."""
         return self.doubting(0.0)

@@ -14,7 +14,8 @@ from edesign.calibrate.cross_validation import leave_one_out
 from edesign.calibrate.dampers.full_rate import likeliest_doubt
 from edesign.calibrate.evidence import Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit, whitened
-from edesign.calibrate.loop import Loop, _begun_at, _begun_from
+from edesign.calibrate.forms import begun_at, begun_from
+from edesign.calibrate.loop import Loop
 from edesign.calibrate.pairs import joint_gains, likely_pairs
 from edesign.calibrate.problem import Candidate, Part, Use
 from edesign.calibrate.screening import Screen, Signature, screen
@@ -273,7 +274,7 @@ def test_a_form_begins_where_another_one_with_the_same_parameters_stands() -> No
         signature = Signature(
             other, replace(model, effects=(other,)), np.zeros(3 + len(unknowns)), (), 0.0, np.empty(0)
         )
-        begun = _begun_from(fitted, x, signature)
+        begun = begun_from(fitted, x, signature)
         assert (begun is None) == (not start)
         if begun is not None:
             assert begun.start == pytest.approx([*fitted.x[:3], *start], abs=1e-12)
@@ -283,10 +284,10 @@ def test_a_coarser_form_begins_where_a_finer_one_has_led() -> None:
     a, b = Unknown("a", "", -1.0, 9.0, 1.0), Unknown("b", "", -1.0, 9.0, 1.0)
     coarse = Candidate("x", "coarse", "damper", (a,), ((0.1,),), "x")
     fine = (replace(coarse, form="fine", unknowns=(b, a)), np.array([3.0, 2.0]))
-    begun = _begun_at(coarse, fine)
+    begun = begun_at(coarse, fine)
     assert begun is not None and begun[0] is coarse and begun[1].tolist() == [2.0]
-    assert _begun_at(fine[0], fine) is None  # the same, from where it is
-    assert _begun_at(replace(coarse, unknowns=(replace(b, name="c"),)), fine) is None
+    assert begun_at(fine[0], fine) is None  # the same, from where it is
+    assert begun_at(replace(coarse, unknowns=(replace(b, name="c"),)), fine) is None
 
 
 def test_ten_draws_without_effects_find_none() -> None:

@@ -1,0 +1,44 @@
+"""Forms of effects beside each other: one begun where another stands, and which may stand together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.calibrate.fit import Fitted
+from edesign.calibrate.problem import Candidate, Part
+from edesign.calibrate.screening import Signature
+
+
+def begun_from(fitted: Fitted, effect: Candidate, signature: Signature) -> Signature | None:
+    """Another form of an effect begun where this one is; None: it has not all of its parameters."""
+    parts = [part for part in fitted.parts if part[0] is not effect]
+    known = next(part for part in fitted.parts if part[0] is effect)
+    other = signature.candidate
+    if not {u.name for u in effect.unknowns} <= {u.name for u in other.unknowns}:
+        return None
+    own = _values_of(other, known)
+    return replace(signature, start=signature.model.coordinates(fitted.base, [*parts, (other, own)]))
+
+
+def begun_at(effect: Candidate, known: Part) -> Part | None:
+    """A form that has some of the parameters of another, at their values; None: it has others, or all of them."""
+    if not {u.name for u in effect.unknowns} < {u.name for u in known[0].unknowns}:
+        return None
+    return effect, _values_of(effect, known)
+
+
+def _values_of(effect: Candidate, known: Part) -> np.ndarray:
+    """Values of a form's parameters: those of another form where it has them, else usual ones."""
+    values = {unknown.name: float(value) for unknown, value in zip(known[0].unknowns, known[1], strict=True)}
+    return np.array([values.get(unknown.name, unknown.size) for unknown in effect.unknowns])
+
+
+def may_join(candidate: Candidate, others: Sequence[Candidate]) -> bool:
+    """Whether a form may stand beside others: a second one of the same effect may, to follow its shape more closely,
+    unless a finer form does.
+    """
+    alike = [other for other in others if other.name == candidate.name]
+    return len(alike) < 2 and all(other.label != candidate.label and not other.finer for other in alike)
