@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from edesign.calibrate.dampers.carried import carried_law
+from edesign.calibrate.dampers import carried
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.effects import MODULES, degradation
 from edesign.calibrate.dampers.left import Left
@@ -17,7 +17,7 @@ from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.fit import Model, fit
-from edesign.calibrate.problem import Candidate
+from edesign.calibrate.problem import Candidate, PredictionError
 from edesign.calibrate.result import Calibration, Errors, Estimate, Series
 from edesign.calibrate.write import law_text
 from edesign.damper.campaign import Campaign
@@ -95,7 +95,7 @@ def calibration(of: DamperProblem, candidate: Candidate, values: tuple[float, ..
         law_held=True,
         series=series,
         seconds=0.0,
-        carried=carried_law(final, of, of, workers=1),
+        carried=carried.carried_law(final, of, of, workers=1),
     )
 
 
@@ -160,3 +160,19 @@ def test_a_form_that_law_files_lack_is_fitted_again_in_one_that_they_have(tmp_pa
     path = tmp_path / "law.yaml"
     path.write_text(text, encoding="utf-8")
     assert [one.kind.name for one in resolve(*read_law_file(path), 20.0).amendments] == ["degradation.energy"]
+
+
+def test_where_the_rest_has_no_prediction_the_law_is_as_declared(monkeypatch: pytest.MonkeyPatch) -> None:
+    candidate = candidate_of(degradation.Work(), problem().sizes, Left())
+    assert candidate is not None
+
+    def none(*_: object) -> None:
+        raise PredictionError("the state is not finite")
+
+    monkeypatch.setattr(carried, "_in_known_forms", none)
+    found = calibration(problem(), candidate, (0.2, 1.0)).carried
+    assert found is not None and found.effects == () and found.replaced == ("degradation.work",)
+    declared = problem().predict(problem().declared, [], ("validate",))[1]
+    measured = problem().measured[1]
+    assert declared is not None
+    assert found.validate == pytest.approx(float(np.sum((declared - measured) ** 2) / np.sum(measured**2)))

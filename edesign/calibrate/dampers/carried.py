@@ -9,7 +9,7 @@ from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.outcome import errors_of, parameters_of, predict
-from edesign.calibrate.problem import Candidate, Described, Part
+from edesign.calibrate.problem import Candidate, Described, Part, PredictionError
 from edesign.calibrate.result import CarriedLaw
 from edesign.calibrate.screening import screen
 from edesign.damper.amendments import AMENDMENTS, Amendment
@@ -32,8 +32,16 @@ def carried_law(final: Fitted, fast: DamperProblem, full: DamperProblem, workers
         full: at the rate at which errors are told.
         workers: processes.
     """
-    lost = [candidate for candidate, _ in final.parts if candidate.kind == "damper" and not _carries(candidate)]
-    fitted = _in_known_forms(final, lost, fast.certain, workers) if lost else final
+    damper = [candidate for candidate, _ in final.parts if candidate.kind == "damper"]
+    lost = [candidate for candidate in damper if not _carries(candidate)]
+    try:
+        return _carried(_in_known_forms(final, lost, fast.certain, workers) if lost else final, lost, full)
+    except PredictionError:  # without what is lost the rest has no prediction; the law as declared has one
+        bare = Model(fast, final.model.noise, held=True)
+        return _carried(fit(bare, bare.coordinates()), damper, full)
+
+
+def _carried(fitted: Fitted, lost: list[Candidate], full: DamperProblem) -> CarriedLaw:
     effects = tuple(_amendment(part) for part in fitted.parts if part[0].kind == "damper")
     error = errors_of(full, predict(full, Judged(fitted)))
     parameters = {name: estimate.value for name, estimate in parameters_of(Judged(fitted)).items()}
