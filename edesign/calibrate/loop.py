@@ -294,7 +294,8 @@ class Loop:
             best = self._as_fine_as_needed(best, i)
         for other in self._near_forms(current) if _last_is_new(current) else ():
             if not best.at_floor:  # a coarser form behind this one may have finer ones before it
-                best = simplest([best, self._as_fine_as_needed(self._certain(other), -1)])
+                near = other if current.fitted.model.held else self._freed(other)
+                best = simplest([best, self._as_fine_as_needed(self._certain(near), -1)])
         if best is first:
             return current
         if first is current:
@@ -320,8 +321,7 @@ class Loop:
         forms = [
             judged
             for judged in self.rivals.get(_labels(known), [])
-            if judged.fitted.model.held == current.fitted.model.held
-            and judged.fitted.model.effects[-1].name == last.name
+            if judged.fitted.model.effects[-1].name == last.name
             and judged.fitted.model.effects[-1].label != last.label
             and judged.fitted.chi2 <= BEHIND * current.fitted.chi2
         ]

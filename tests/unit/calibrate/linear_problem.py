@@ -29,7 +29,9 @@ class LinearProblem:
     base: tuple[Unknown, ...] = ()
     declared: np.ndarray = field(default_factory=lambda: np.empty(0))
     doubts: tuple[np.ndarray, ...] = ()
-    fine: tuple[str, ...] = ()  # columns that are finer forms of effects found, no candidates
+    fine: tuple[
+        str, ...
+    ] = ()  # columns that are finer forms of effects found, no candidates; name.form_more: of a form
 
     def __post_init__(self) -> None:
         count = self.matrices[0].shape[1]
@@ -50,6 +52,7 @@ class LinearProblem:
     def finer(self, part: Part) -> tuple[Part, ...]:
         candidate, values = part
         keys = [key for key in self.fine if key.split(".")[0] == candidate.name and key != candidate.effect]
+        keys = [key for key in keys if "_" not in key or key.startswith(candidate.effect + "_")]
         return tuple((replace(candidate, form=key.split(".")[1], effect=key, finer=True), values) for key in keys)
 
     def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:

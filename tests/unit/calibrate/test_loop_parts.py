@@ -311,6 +311,38 @@ def test_a_finer_form_takes_the_place_of_one_that_leaves_more_than_noise(curved:
     assert adopted.values[0] == pytest.approx(2.0, abs=4.0 / np.sqrt(1000.0))
 
 
+def test_a_finer_form_of_the_form_that_came_second_takes_its_place() -> None:
+    # of two forms that are nearly alike the worse has a finer one, which is the truth
+    problem = linear(seed=9, hidden={"x": 2.0})
+    random = np.random.default_rng(10)
+    truth = problem.columns.pop("x")
+    for form, off in (("best", 0.3), ("second", 0.33)):
+        problem.columns[f"x.{form}"] = [x + off * random.standard_normal(200) for x in truth]
+    problem.columns["x.second_more"] = truth
+    problem.fine = ("x.second_more",)
+    (adopted,) = Loop(problem, (1.0,) * 6, workers=1).run().adopted
+    assert adopted.candidate.label == "x.second_more"
+    assert adopted.values[0] == pytest.approx(2.0, abs=4.0 / np.sqrt(1000.0))
+
+
+def test_a_finer_form_beside_the_law_as_declared_leaves_nothing_for_others() -> None:
+    # x is nearly what the law can do; the declared law is right, and the form of x found first is not quite
+    problem = linear(seed=7)
+    random = np.random.default_rng(8)
+    truth = [m @ [1.0, -1.0, 0.5] + 0.7 * random.standard_normal(200) for m in problem.matrices]
+    problem.columns["x"] = [x + 0.2 * random.standard_normal(200) for x in truth]
+    problem.columns["x.curved"] = truth
+    problem.fine = ("x.curved",)
+    problem.measured = tuple(
+        m.sum(axis=1) + 3.0 * x + random.standard_normal(200) for m, x in zip(problem.matrices, truth, strict=True)
+    )
+    told: list[str] = []
+    selection = Loop(problem, (1.0,) * 6, workers=1, progress=told.append).run()
+    assert [a.candidate.label for a in selection.adopted] == ["x.curved"]
+    assert selection.final.fitted.model.held and selection.final.at_floor
+    assert not any(line.startswith("effect 1") or "and the law as declared" in line for line in told)
+
+
 @pytest.mark.parametrize("share", [0.0, 1.0])
 def test_conditions_are_in_doubt_as_far_as_the_tests_show(share: float) -> None:
     problem = linear(seed=11, tests=12)
