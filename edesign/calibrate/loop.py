@@ -14,7 +14,7 @@ from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.forms import begun_at, begun_from, may_join
 from edesign.calibrate.pairs import likely_pairs
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem
-from edesign.calibrate.screening import Signature, screen
+from edesign.calibrate.screening import Signature, screen, screen_again
 from edesign.calibrate.selection import Adopted, Refused, Selection
 from edesign.calibrate.side_by_side import side_by_side
 from edesign.errors import InputError
@@ -73,6 +73,7 @@ class Loop:
         self.workers = workers
         self.tell = progress
         self.material = 0.0
+        self.beside_declared: list[Signature] = []  # effects beside the law as declared
         self.rivals: dict[frozenset[str], list[Judged]] = {}  # models with one effect more, by the effects they share
         self.known: dict[_Key, Judged] = {}  # since the model was last fitted again
         self.compared: set[tuple[str, _Key]] = set()  # effects whose forms were, beside which model
@@ -193,7 +194,7 @@ class Loop:
         unfitted = current.fitted.model.coordinates()
         if not known and unfitted.size and float(np.max(np.abs(current.fitted.x - unfitted))) > _FAR:
             # the refit has gone far to make up for what is missing, and searches from there may not find back
-            elsewhere = shortlist(screen(self._unfitted(current), pool, self.workers))[:_ELSEWHERE]
+            elsewhere = shortlist(screen_again(self._unfitted(current), self.beside_declared))[:_ELSEWHERE]
         tried = [*self._fit_best([*short, *elsewhere]), *further]
         tried = [*dict.fromkeys((*tried, *self._other_forms_of_likely(tried)))]  # some forms are likely twice
         self.rivals[_labels(known)] = tried
@@ -450,7 +451,8 @@ class Loop:
         against nine.
         """
         self.tell("screening effects beside the law as declared")
-        found = self._fit_best(shortlist(screen(declared.fitted, self._candidates(declared), self.workers)))
+        self.beside_declared = screen(declared.fitted, self._candidates(declared), self.workers)
+        found = self._fit_best(shortlist(self.beside_declared))
         self.rivals[_labels(())] = found
         return found
 

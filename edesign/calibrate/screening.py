@@ -4,7 +4,7 @@ can already do.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -27,7 +27,8 @@ class Signature:
         start: (p,) coordinates from which a fit of that model would go.
         frozen: (n_i, q) of each test: slopes to the parameters of the model without it.
         gain: reduction of chi2.
-        columns: (N, q) slopes to its unknowns, and the change at its start, free from what the model can do; for pairs.
+        about: (q,) coordinates of its unknowns at that start.
+        columns: (N, q + 1) slopes to its unknowns, and the change at its start, free from what the model can do.
     """
 
     candidate: Candidate
@@ -35,6 +36,7 @@ class Signature:
     start: np.ndarray
     frozen: tuple[np.ndarray, ...]
     gain: float
+    about: np.ndarray
     columns: np.ndarray
 
     @property
@@ -109,23 +111,38 @@ class Screen:
             moved = x.copy()
             moved[first + j] += step
             columns[:, j] = (self._residual(model, candidate, moved) - here) / step
+        return self._linear(model, candidate, x[first:], here - self.residual, columns)
+
+    def beside(self, signature: Signature) -> Signature:
+        """A signature beside the law as declared, that law held, beside this model: the same law with its parameters
+        free.
+        """
+        candidate = signature.candidate
+        model = replace(self.fitted.model, effects=(candidate,))
+        return self._linear(model, candidate, signature.about, signature.columns[:, -1], signature.columns[:, :-1])
+
+    def _linear(
+        self, model: Model, candidate: Candidate, about: np.ndarray, change: np.ndarray, columns: np.ndarray
+    ) -> Signature:
+        """Of a candidate whose values `about` change the residual by `change` (N,), linear with slopes (N, q)."""
+        here = self.residual + change
         free_here, free_columns = self.free(here), self.free(columns)
         move = np.linalg.lstsq(free_columns, -free_here, rcond=1e-8)[0] if columns.shape[1] else np.empty(0)
-        move = _within(candidate, x[first:], move)
+        move = _within(candidate, about, move)
         left = free_here + free_columns @ move
         cost, at_start = float(left @ left), float(free_here @ free_here)
         if at_start < cost:
             move, cost = np.zeros_like(move), at_start
         base = -self.inverse @ (self.slopes.T @ (here + columns @ move) + self.fitted.model.pull(self.fitted.x))
-        start = x + np.concatenate((np.clip(base, -_FAR, _FAR), move))
-        change = free_here - self.free(self.residual)
+        start = np.concatenate((self.fitted.x + np.clip(base, -_FAR, _FAR), about + move))
         return Signature(
             candidate,
             model,
             start,
             self.fitted.slopes,
             self.fitted.chi2 - cost,
-            np.column_stack((free_columns, change)),
+            about,
+            np.column_stack((free_columns, free_here - self.free(self.residual))),
         )
 
 
@@ -148,5 +165,16 @@ def screen(fitted: Fitted, candidates: Sequence[Candidate], workers: int = 1) ->
     """
     whole = Screen(fitted)
     signatures = side_by_side(whole.signature, candidates, workers, (*fitted.model.given, *fitted.slopes, *candidates))
-    found = [signature for signature in signatures if signature is not None]
-    return sorted(found, key=lambda signature: -signature.gain)
+    return _ordered(signature for signature in signatures if signature is not None)
+
+
+def screen_again(fitted: Fitted, signatures: Sequence[Signature]) -> list[Signature]:
+    """Signatures beside the law as declared and held, beside that law with its parameters free, those that explain most
+    first: nothing is predicted again.
+    """
+    whole = Screen(fitted)
+    return _ordered(whole.beside(signature) for signature in signatures)
+
+
+def _ordered(signatures: Iterable[Signature]) -> list[Signature]:
+    return sorted(signatures, key=lambda signature: -signature.gain)

@@ -18,7 +18,7 @@ from edesign.calibrate.forms import begun_at, begun_from
 from edesign.calibrate.loop import Loop
 from edesign.calibrate.pairs import joint_gains, likely_pairs
 from edesign.calibrate.problem import Candidate, Part, Use
-from edesign.calibrate.screening import Screen, Signature, screen
+from edesign.calibrate.screening import Screen, Signature, screen, screen_again
 from edesign.calibrate.unknown import Unknown
 
 
@@ -142,6 +142,20 @@ def test_screening_tells_what_a_fit_would_gain() -> None:
         fitted = fit(signature.model, signature.start)
         # the belief of two parts in a thousand of the data's weight is in one cost and not in the other
         assert signature.gain == pytest.approx(rival.chi2 - fitted.chi2, rel=0.02, abs=0.2)
+
+
+def test_signatures_beside_the_law_as_declared_tell_what_a_fit_of_that_law_too_would_gain() -> None:
+    problem = linear(hidden={"x": 0.5, "y": 0.05})
+    held = replace(_model(problem), held=True)
+    beside_declared = screen(fit(held, held.coordinates()), problem.candidates([]))
+    unfitted = fit(_model(problem), np.ones(3), most_steps=0)
+    found = {s.candidate.name: s for s in screen_again(unfitted, beside_declared)}
+    for expected in screen(unfitted, problem.candidates([])):
+        signature = found[expected.candidate.name]
+        # slopes by differences of numbers of 1e1 over steps of 1e-4 or more
+        assert signature.gain == pytest.approx(expected.gain, rel=1e-6)
+        np.testing.assert_allclose(signature.start, expected.start, rtol=1e-6)
+        assert signature.model == expected.model
 
 
 def test_two_effects_gain_what_both_columns_gain() -> None:
@@ -272,7 +286,7 @@ def test_a_form_begins_where_another_one_with_the_same_parameters_stands() -> No
     ):
         other = replace(x, form="other", unknowns=unknowns, starts=((0.3,) * len(unknowns),))
         signature = Signature(
-            other, replace(model, effects=(other,)), np.zeros(3 + len(unknowns)), (), 0.0, np.empty(0)
+            other, replace(model, effects=(other,)), np.zeros(3 + len(unknowns)), (), 0.0, np.empty(0), np.empty(0)
         )
         begun = begun_from(fitted, x, signature)
         assert (begun is None) == (not start)
