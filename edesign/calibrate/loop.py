@@ -74,7 +74,8 @@ class Loop:
         self.tell = progress
         self.material = 0.0
         self.beside_declared: list[Signature] = []  # effects beside the law as declared
-        self.rivals: dict[frozenset[str], list[Judged]] = {}  # models with one effect more, by the effects they share
+        self.rivals: dict[tuple[frozenset[str], bool], list[Judged]] = {}
+        """Models with one effect more, by the effects they share, and whether these stand beside the declared law."""
         self.known: dict[_Key, Judged] = {}  # since the model was last fitted again
         self.compared: set[tuple[str, _Key]] = set()  # effects whose forms were, beside which model
 
@@ -149,7 +150,16 @@ class Loop:
             if found is None:
                 break
             current = found
-        return self._prune(self._held_again(current)), refused
+        return self._against_others(self._prune(self._held_again(current))), refused
+
+    def _against_others(self, current: Judged) -> Judged:
+        """A single effect against others beside the law fitted again, where none were: it was found beside others."""
+        effects, held = current.fitted.model.effects, current.fitted.model.held
+        if held or len(effects) > 1 or (_labels(()), False) in self.rivals:
+            return current
+        others = self._alternatives(current, effects[0])
+        self.rivals[_labels(()), False] = [*others, current]
+        return simplest([current, *others])
 
     def _in_pairs(self, current: Judged) -> Judged | None:
         """A model in which two effects stand in the place of one that was a compromise between them; None: there is
@@ -197,7 +207,8 @@ class Loop:
             elsewhere = shortlist(screen_again(self._unfitted(current), self.beside_declared))[:_ELSEWHERE]
         tried = [*self._fit_best([*short, *elsewhere]), *further]
         tried = [*dict.fromkeys((*tried, *self._other_forms_of_likely(tried)))]  # some forms are likely twice
-        self.rivals[_labels(known)] = tried
+        tried += self._simpler_to_the_end(tried)
+        self.rivals[_labels(known), current.fitted.model.held] = tried
         if not tried:
             return None, ()
         near = sorted(tried, key=_of_left_out)[:3]
@@ -248,6 +259,24 @@ class Loop:
             if judged.fitted.chi2 <= BEHIND * least and not judged.at_floor:
                 found += self._other_forms(judged, judged.fitted.model.effects[-1])
         return found
+
+    def _simpler_to_the_end(self, tried: Sequence[Judged]) -> list[Judged]:
+        """Where the best model leaves noise alone, simpler ones fitted on with as little belief in the declared
+        parameters: what is left by the model to which they were added made that more.
+        """
+        best = min(tried, key=lambda judged: judged.fitted.chi2, default=None)
+        if best is None or not best.at_floor:
+            return []
+        near = [
+            judged
+            for judged in tried
+            if judged.fitted.freedom < best.fitted.freedom
+            and judged.fitted.chi2 <= BEHIND * best.fitted.chi2
+            and not judged.at_floor
+        ]
+        near.sort(key=lambda judged: judged.fitted.chi2)
+        misfit = best.fitted.misfit
+        return self._fitted([(replace(j.fitted.model, misfit=misfit), j.fitted.x) for j in near[:_RIVALS]])
 
     def _matters(self, judged: Judged, current: Judged) -> bool:
         """Whether what new effects remove is more than the equations of the known ones may miss; further forms of
@@ -321,7 +350,8 @@ class Loop:
         *known, last = current.fitted.model.effects
         forms = [
             judged
-            for judged in self.rivals.get(_labels(known), [])
+            for held in (False, True)
+            for judged in self.rivals.get((_labels(known), held), [])
             if judged.fitted.model.effects[-1].name == last.name
             and judged.fitted.model.effects[-1].label != last.label
             and judged.fitted.chi2 <= BEHIND * current.fitted.chi2
@@ -384,16 +414,18 @@ class Loop:
     def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models in which another effect, or another form, stands in the place of one."""
         others = [e for e in current.fitted.model.effects if e is not effect]
-        if _labels(others) in self.rivals:
-            return self.rivals[_labels(others)]
+        held = current.fitted.model.held
+        fitted = self.rivals.get((_labels(others), held), self.rivals.get((_labels(others), False)))
+        if fitted is not None:
+            return fitted
         without = self._without(current, effect)
-        known = [part for part in self._stood_beside(others) if part[0].label != effect.label]
+        known = [part for part in self._stood_beside(others) if part[0].label != effect.label] if others else []
         if known:
             found = self._fit_all(without, known)
         else:
             pool = [c for c in self._candidates(without) if may_join(c, others) and c.label != effect.label]
             found = self._fit_best(shortlist(screen(without.fitted, pool, self.workers))[:_RIVALS])
-        self.rivals[_labels(others)] = found
+        self.rivals[_labels(others), held] = found
         return found
 
     def _stood_beside(self, others: Sequence[Candidate]) -> list[Part]:
@@ -453,7 +485,7 @@ class Loop:
         self.tell("screening effects beside the law as declared")
         self.beside_declared = screen(declared.fitted, self._candidates(declared), self.workers)
         found = self._fit_best(shortlist(self.beside_declared))
-        self.rivals[_labels(())] = found
+        self.rivals[_labels(()), True] = found
         return found
 
     def _two_beside_declared(self, held: Sequence[Judged], free: Judged, freed: Judged) -> Judged | None:

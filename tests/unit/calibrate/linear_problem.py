@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from edesign.calibrate.problem import Candidate, Part, Use
+from edesign.calibrate.problem import Candidate, Kind, Part, Use
 from edesign.calibrate.unknown import Unknown
 
 
@@ -32,6 +32,7 @@ class LinearProblem:
     fine: tuple[
         str, ...
     ] = ()  # columns that are finer forms of effects found, no candidates; name.form_more: of a form
+    instruments: tuple[str, ...] = ()  # effects of the measurement; the others are the damper's
 
     def __post_init__(self) -> None:
         count = self.matrices[0].shape[1]
@@ -41,9 +42,14 @@ class LinearProblem:
 
     def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
         return tuple(
-            Candidate(name, form or "only", "damper", (Unknown("a", "", -1e6, 1e6, 1.0),), ((0.1,),), name + dot + form)
+            Candidate(
+                name, form or "only", self.kind(name), (Unknown("a", "", -1e6, 1e6, 1.0),), ((0.1,),), name + dot + form
+            )
             for name, dot, form in (key.partition(".") for key in self.columns if key not in self.fine)
         )
+
+    def kind(self, name: str) -> Kind:
+        return "instrument" if name in self.instruments else "damper"
 
     @property
     def certain(self) -> LinearProblem:

@@ -339,6 +339,36 @@ def test_a_finer_form_of_the_form_that_came_second_takes_its_place() -> None:
     assert adopted.values[0] == pytest.approx(2.0, abs=4.0 / np.sqrt(1000.0))
 
 
+def test_a_simpler_model_is_fitted_with_as_little_belief_as_the_best() -> None:
+    # what was left beside the law alone has made the belief in the declared parameters strong
+    problem = linear(seed=14, hidden={"x": 5.0})
+    problem.declared = np.full(3, 0.5)  # 1.1, 0.8 and 1.3 in truth
+    by_name = {c.name: c for c in problem.candidates([])}
+    strong = replace(_model(problem), effects=(by_name["x"],), misfit=30.0)
+    both = replace(_model(problem), effects=(by_name["x"], by_name["y"]))
+    best, near = (Judged(fit(model, model.coordinates())) for model in (both, strong))
+    assert best.at_floor and not near.at_floor
+    (found,) = Loop(problem, (1.0,) * 6, workers=1)._simpler_to_the_end([near, best])
+    assert found.at_floor and found.fitted.model.effects == (by_name["x"],)
+    free = replace(both, effects=strong.effects)
+    assert found.fitted.x == pytest.approx(fit(free, free.coordinates()).x, abs=1e-2)  # a third of a standard error
+
+
+def test_an_effect_found_beside_others_stands_against_its_twins_in_the_end() -> None:
+    # x and w do the same; only x was tried, as w was not among the best beside the law as declared
+    problem = linear(seed=15, hidden={"x": 2.0})
+    problem.columns["w"] = problem.columns["x"]
+    problem.instruments = ("w",)
+    model = replace(_model(problem), effects=tuple(c for c in problem.candidates([]) if c.name == "x"))
+    current = Judged(fit(model, model.coordinates()))
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    final = loop._against_others(current)
+    assert [effect.name for effect in final.fitted.model.effects] == ["w"]
+    (adopted,) = loop._explain(final, final)
+    assert "x" in adopted.alike
+    assert loop._against_others(current) is current  # what was done in a round is not done again
+
+
 def test_a_finer_form_beside_the_law_as_declared_leaves_nothing_for_others() -> None:
     # x is nearly what the law can do; the declared law is right, and the form of x found first is not quite
     problem = linear(seed=7)
