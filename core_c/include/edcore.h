@@ -312,6 +312,11 @@ int ed_damper_history_in_series(const ed_damper *damper, int n, const double *ti
                                 const double *factor, const double *added, double stiffness, double bend, double within,
                                 double play, double *force, double *own, int *done);
 
+/* q_0 = before, q_i = decay_(i-1) q_(i-1) + made_(i-1). q: n >= 1; decay, made: n - 1. What is not finite is passed on. */
+int ed_fading(int n, const double *decay, const double *made, double before, double *q);
+/* The same of complex numbers, real and imaginary part side by side. */
+int ed_swinging(int n, const double *decay, const double *made, const double *before, double *q);
+
 /* ---- oscillators under ground acceleration ---------------------------------------------------------------------- */
 
 /* Largest magnitudes of relative displacement, relative velocity and absolute acceleration of oscillators that start at rest,

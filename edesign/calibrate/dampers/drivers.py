@@ -7,16 +7,14 @@ from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
-from scipy.linalg import solve_banded
-from scipy.signal import lfilter
 from scipy.special import gamma
 
 from edesign.calibrate.dampers.trial import Motion
+from edesign.core.fading import fading
 
 _SWEEPS = 40
 _STILL = 1e-6  # relative
 _KEPT = 32  # motions whose cycles have been counted
-_ROUNDED = 1e-3  # of what fades in a step: time columns are rounded, and such errors do not add up
 
 
 def envelope(motion: Motion, forgets: float) -> np.ndarray:
@@ -94,29 +92,6 @@ def relaxed(motion: Motion, tau: float) -> np.ndarray:
     return fading(decay, made, 0.0)
 
 
-def fading(decay: np.ndarray, made: np.ndarray, before: float) -> np.ndarray:
-    """q (n,) with q_i = decay_i q_(i-1) + made_i, each (n - 1,), real or complex."""
-    return fading_by(decay)(made, before)
-
-
-def fading_by(decay: np.ndarray) -> Callable[[np.ndarray, float], np.ndarray]:
-    """`fading` of one decay, as a function of what is made and what was there before."""
-    mean = decay.sum() / decay.size
-    if mean == 1.0:
-        return lambda made, before: np.concatenate(([before], before + np.cumsum(made)))
-    if np.abs(decay - mean).max() <= 0.5 * _ROUNDED * abs(1.0 - mean):  # even steps
-        up, down = np.ones(1), np.array([1.0, -mean])
-        return lambda made, before: np.concatenate(([before], lfilter(up, down, made, zi=[mean * before])[0]))
-    bands = np.ones((2, decay.size + 1), dtype=decay.dtype)
-    bands[1, :-1] = -decay
-
-    def solved(made: np.ndarray, before: float) -> np.ndarray:
-        right = np.concatenate(([before], made))
-        return np.asarray(solve_banded((1, 0), bands, right, overwrite_b=True, check_finite=False))
-
-    return solved
-
-
 def fractional_rate(motion: Motion, order: float) -> np.ndarray:
     """Derivative (n,) m/s^order of the displacement since the beginning of the test, held before (Caputo).
 
@@ -163,15 +138,15 @@ def worked(
         The factor (n,); e at the end.
     """
     way = 0.5 * np.diff(motion.displacement)
-    kinds = [(gain, fading_by(np.exp(-motion.steps / forgets)), before)]
+    kinds = [(gain, np.exp(-motion.steps / forgets), before)]
     if quick[0]:
-        kinds.append((quick[0], fading_by(np.exp(-motion.steps / quick[1])), 0.0))
+        kinds.append((quick[0], np.exp(-motion.steps / quick[1]), 0.0))
     e = np.full(force.size, before)
     for _ in range(_SWEEPS):
         phi = np.concatenate((factor(e[:1]), factor(e[:-1])))
         softened = phi * force
         done = way * (softened[1:] + softened[:-1])
-        after = sum((fade(each * done, first) for each, fade, first in kinds), start=np.zeros_like(e))
+        after = sum((fading(decay, each * done, first) for each, decay, first in kinds), start=np.zeros_like(e))
         moved = float(np.max(np.abs(after - e)))
         e = after
         if moved <= _STILL * float(np.max(np.abs(e))):

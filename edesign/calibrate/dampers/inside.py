@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import lru_cache
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from edesign.calibrate.dampers.drivers import fading
 from edesign.calibrate.dampers.trial import Motion
+from edesign.core.fading import fading
 from edesign.damper.law import Law
 
 _NOTHING = 1e-9
+_KEPT = 64  # motions and relaxation times
 _PARTS = 4  # of a step: powers of the motion bend more than the motion
 
 
@@ -72,7 +74,16 @@ def relaxed_factor(motion: Motion, factor: np.ndarray, force: np.ndarray, tau: f
     By parts Q = (factor - 1) F + R with R + tau R' = -tau factor' F, so that no force is differentiated; exact for
     factor and force linear between samples.
     """
+    decay, begin, end = _relaxing(motion, tau)
+    made = np.diff(factor) * (begin * force[:-1] + end * force[1:])
+    return np.asarray((factor - 1.0) * force - fading(decay, made, 0.0))
+
+
+@lru_cache(maxsize=_KEPT)
+def _relaxing(motion: Motion, tau: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Of each step (n - 1,): what is left of R, and what the force at its beginning and end have made of a change of
+    the factor by one; kept, as most searches move other parameters.
+    """
     x = motion.steps / tau
     decay, mean = np.exp(-x), -np.expm1(-x) / x
-    made = -np.diff(factor) * ((mean - decay) / x * force[:-1] + (1.0 - mean) / x * force[1:])
-    return np.asarray((factor - 1.0) * force + fading(decay, made, 0.0))
+    return decay, (mean - decay) / x, (1.0 - mean) / x

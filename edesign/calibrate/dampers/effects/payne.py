@@ -6,11 +6,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from edesign.calibrate.dampers.drivers import envelope, fading
+from edesign.calibrate.dampers.drivers import envelope
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+from edesign.core.fading import fading
 
 
 class _Payne(Form):

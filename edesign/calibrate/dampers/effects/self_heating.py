@@ -7,11 +7,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from edesign.calibrate.dampers.drivers import fading, worked
+from edesign.calibrate.dampers.drivers import worked
 from edesign.calibrate.dampers.effect import BEGUN, Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+from edesign.core.fading import fading
 
 _LONGEST = 100.0  # tests: heat that stays longer does not change within one
 
