@@ -31,7 +31,7 @@ def largest(motion: Motion, before: float) -> np.ndarray:
 
 def weighted_path(motion: Motion, weight: np.ndarray) -> np.ndarray:
     """Path (n,) m since the beginning of the test, each way by its weight (n,)."""
-    ways = 0.5 * (weight[1:] + weight[:-1]) * np.abs(np.diff(motion.displacement))
+    ways = 0.5 * (weight[1:] + weight[:-1]) * np.abs(motion.ways)
     return np.concatenate(([0.0], np.cumsum(ways)))
 
 
@@ -68,14 +68,14 @@ def equivalent_cycles(motion: Motion, least: float) -> np.ndarray:
     least `least` m.
     """
     amplitude = np.maximum(largest(motion, least)[1:], least)
-    found = np.concatenate(([0.0], np.cumsum(np.abs(np.diff(motion.displacement)) / (4.0 * amplitude))))
+    found = np.concatenate(([0.0], np.cumsum(np.abs(motion.ways) / (4.0 * amplitude))))
     found.setflags(write=False)
     return found
 
 
 def work(motion: Motion, force: np.ndarray) -> np.ndarray:
     """Work (n,) J done by a force (n,) N since the beginning of the test."""
-    return np.concatenate(([0.0], np.cumsum(0.5 * (force[1:] + force[:-1]) * np.diff(motion.displacement))))
+    return np.concatenate(([0.0], np.cumsum(0.5 * (force[1:] + force[:-1]) * motion.ways)))
 
 
 def relaxed(motion: Motion, tau: float) -> np.ndarray:
@@ -137,7 +137,7 @@ def worked(
     Returns:
         The factor (n,); e at the end.
     """
-    way = 0.5 * np.diff(motion.displacement)
+    way = 0.5 * motion.ways
     kinds = [(gain, np.exp(-motion.steps / forgets), before)]
     if quick[0]:
         kinds.append((quick[0], np.exp(-motion.steps / quick[1]), 0.0))

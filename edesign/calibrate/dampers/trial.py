@@ -39,9 +39,14 @@ class Motion:
         return np.diff(self.time)
 
     @cached_property
+    def ways(self) -> np.ndarray:
+        """Ways (n - 1,) between samples, m, signed."""
+        return np.diff(self.displacement)
+
+    @cached_property
     def path(self) -> np.ndarray:
         """Path length (n,) since the beginning of the test, m."""
-        return np.concatenate(([0.0], np.cumsum(np.abs(np.diff(self.displacement)))))
+        return np.concatenate(([0.0], np.cumsum(np.abs(self.ways))))
 
     def moved(self, displacement: np.ndarray) -> Motion:
         """Another displacement (n,) at the same times, with its velocity and acceleration by differences of the
@@ -161,7 +166,7 @@ class Sizes:
         def largest(values: Sequence[np.ndarray]) -> float:
             return max(float(np.max(np.abs(v))) for v in values)
 
-        work = sum(float(np.sum(0.5 * (t.force[1:] + t.force[:-1]) * np.diff(t.motion.displacement))) for t in trials)
+        work = sum(float(np.sum(0.5 * (t.force[1:] + t.force[:-1]) * t.motion.ways)) for t in trials)
         return Sizes(
             force=largest([t.force for t in fitted]),
             displacement=largest([t.motion.displacement for t in fitted]),

@@ -148,7 +148,7 @@ class Network(Form):
         return tuple((0.2, s * u, t * period) for s in (1.0, 5.0, 25.0) for t in (0.5, 5.0))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        breaking = np.abs(np.diff(motion.displacement)) / p["s0"]
+        breaking = np.abs(motion.ways) / p["s0"]
         both = breaking + motion.steps / p["tau"]
         decay = np.exp(-both)
         return np.asarray(1.0 - p["d"] * fading(decay, breaking / both * (1.0 - decay), 0.0))
