@@ -271,8 +271,8 @@ class Loop:
             judged
             for judged in tried
             if judged.fitted.freedom < best.fitted.freedom
-            and judged.fitted.chi2 <= BEHIND * best.fitted.chi2
-            and not judged.at_floor
+            and judged.fitted.model.misfit > best.fitted.misfit
+            and judged.fitted.chi2 <= _FAR_BEHIND * best.fitted.chi2
         ]
         near.sort(key=lambda judged: judged.fitted.chi2)
         misfit = best.fitted.misfit
