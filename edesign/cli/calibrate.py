@@ -93,7 +93,7 @@ def _run(campaign: Path, workers: int, tell: Callable[[str], None]) -> _Found:
         found = run(loaded, workers, tell)
     return _Found(
         lambda folder: write_files(found, loaded, folder),
-        lambda path: write_calibration_page(found, path),
+        lambda path: write_calibration_page(found, path, workers=workers),
         lambda: calibration_json(found),
         lambda: tables_of(found),
         lambda: verdict_text(found),

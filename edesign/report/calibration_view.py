@@ -34,9 +34,11 @@ class View:
 
     Attributes:
         calibration: what was found.
+        workers: processes that draw.
     """
 
     calibration: Calibration
+    workers: int = 1
 
     @cached_property
     def stages(self) -> dict[Stage, str]:

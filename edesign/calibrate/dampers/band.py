@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.signal.windows import hann
 
 from edesign.calibrate.dampers.trial import Motion
 
@@ -20,7 +19,7 @@ def band_power(residual: np.ndarray, motion: Motion) -> tuple[float, float]:
     """
     if residual.size < _LEAST:
         return float(residual @ residual), float(residual.size)
-    window = hann(residual.size)
+    window = np.hanning(residual.size)
     power = np.abs(np.fft.rfft(window * (residual - residual.mean()))) ** 2 / float(window @ window)
     frequency = np.fft.rfftfreq(residual.size, float(np.median(motion.steps)))
     fastest = float(np.sqrt(np.mean(motion.acceleration**2) / max(np.mean(motion.velocity**2), 1e-300)) / (2.0 * np.pi))

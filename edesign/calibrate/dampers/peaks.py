@@ -8,10 +8,10 @@ import numpy as np
 from scipy.fft import next_fast_len
 from scipy.interpolate import CubicSpline
 from scipy.ndimage import median_filter
-from scipy.signal.windows import blackmanharris
 from scipy.special import gammainccinv
 
 from edesign.calibrate.dampers.trial import Motion, Trial
+from edesign.calibrate.windows import blackman_harris
 
 _ABOVE_MOTION = 7.5  # the first seven harmonics of the motion are the specimen's
 _MOST = 3
@@ -67,7 +67,7 @@ def _heights(motion: Motion, residual: np.ndarray, grid: np.ndarray) -> tuple[np
     """Power over that of the background, 1 on average, at frequencies (m,) Hz; and whether the test counts there."""
     step = float(np.median(motion.steps))
     size = next_fast_len(_FINENESS * residual.size, real=True)
-    power = np.abs(np.fft.rfft((residual - residual.mean()) * blackmanharris(residual.size), size)) ** 2
+    power = np.abs(np.fft.rfft((residual - residual.mean()) * blackman_harris(residual.size), size)) ** 2
     around = int(2.0 * _NEIGHBOURS * size / residual.size)
     thin = max(1, size // residual.size // 2)  # neighbours of finer spacing than that are one
     background = median_filter(power[::thin], max(3, around // thin), mode="nearest") / np.log(2.0)
@@ -110,7 +110,7 @@ def _whole(trial: Trial, residual: np.ndarray) -> tuple[Motion, np.ndarray]:
 def _contrast(time: np.ndarray, residual: np.ndarray, frequency: float) -> float:
     """Logarithm of a residual's power at a frequency Hz over that beside it."""
     at = time - time[0]
-    windowed = (residual - residual.mean()) * blackmanharris(time.size)
+    windowed = (residual - residual.mean()) * blackman_harris(time.size)
     near = frequency + np.array([0.0, -7.0, -5.0, -4.0, 4.0, 5.0, 7.0]) / at[-1]
     power = np.abs(np.exp(-2j * np.pi * np.outer(near, at)) @ windowed) ** 2
     return float(np.log(power[0] / np.median(power[1:])))

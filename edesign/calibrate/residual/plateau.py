@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 from scipy.ndimage import median_filter
-from scipy.signal.windows import kaiser
 
 from edesign.calibrate.residual.sampling import rounding
 
@@ -100,7 +99,7 @@ def _spectra(segments: np.ndarray) -> np.ndarray:
     Second differences take trends away and lower the motion, so that less of it leaks; their gain is known.
     """
     length = segments.shape[1]
-    window = kaiser(length, _BETA)
+    window = np.kaiser(length, _BETA)
     power = np.abs(np.fft.rfft(segments * window, axis=1)) ** 2 / np.sum(window**2)
     gain = (2.0 * np.sin(np.pi * np.arange(power.shape[1]) / length)) ** 4
     gain[0] = gain[1]

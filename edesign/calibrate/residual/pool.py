@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import f as f_distribution
+from scipy.special import fdtrc
 
 from edesign.calibrate.residual.drivers import DRIVERS
 from edesign.calibrate.residual.motion import Motion
@@ -72,7 +72,7 @@ class Pool:
         free = self.independent - bins
         if free < 1.0:
             return 1.0
-        return float(f_distribution.sf(share / max(1.0 - share, 1e-15) * free / (bins - 1), bins - 1, free))
+        return float(fdtrc(bins - 1, free, share / max(1.0 - share, 1e-15) * free / (bins - 1)))
 
     def explained(self, error: np.ndarray, regressor: np.ndarray, number: np.ndarray) -> Part:
         """Least squares with a coefficient in each bin."""

@@ -6,7 +6,6 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.stats import spearmanr
 
 from edesign.calibrate.residual.drivers import DRIVERS
 from edesign.calibrate.residual.pool import Pool
@@ -132,6 +131,8 @@ def _state(driver: str, centre: np.ndarray, mean: np.ndarray) -> str:
 
 def _slow(driver: str, way: str, centre: np.ndarray, mean: np.ndarray) -> str:
     """Words for a force or factor that changes slowly: up, down, or where it is largest."""
+    from scipy.stats import spearmanr  # takes a second; most calibrations have no need of it
+
     low, high = float(mean[0]), float(mean[-1])
     rank = float(spearmanr(centre, mean).statistic) if centre.size > 2 else float(np.sign(high - low))
     if abs(rank) >= _MONOTONE:

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.ndimage import maximum_filter1d, median_filter
 from scipy.optimize import minimize_scalar
-from scipy.signal.windows import blackmanharris
 
 from edesign.calibrate.residual.motion import Motion
 from edesign.calibrate.residual.sampling import even, step
+from edesign.calibrate.windows import blackman_harris
 
 CHANCE = 1e-4
 """Probability with which noise alone makes such a peak anywhere in the spectrum."""
@@ -64,7 +64,7 @@ def _search(motion: Motion, values: np.ndarray) -> tuple[tuple[Tone, ...], np.nd
     if rest.size < _FEWEST:
         return (), np.asarray(values, dtype=float)
     dt, n = step(grid), rest.size
-    window = blackmanharris(n, sym=False)
+    window = blackman_harris(n, periodic=True)
     frequency = np.fft.rfftfreq(n, dt)
     tones: list[Tone] = []
     found = np.zeros(values.size)

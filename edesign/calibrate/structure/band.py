@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.signal.windows import hann
 
 _MOST = 0.999  # of the measured power lies in the band
 _HIGH = 0.5  # of the Nyquist frequency: what is above is noise
@@ -19,7 +18,7 @@ def band_power(residual: np.ndarray, measured: np.ndarray) -> tuple[float, float
     """
     if residual.size < _LEAST:
         return float(residual @ residual), float(residual.size)
-    window = hann(residual.size)
+    window = np.hanning(residual.size)
     power = np.abs(np.fft.rfft(window * (residual - residual.mean()))) ** 2 / float(window @ window)
     signal = np.cumsum(np.abs(np.fft.rfft(window * (measured - measured.mean()))) ** 2)
     high = int(_HIGH * power.size)

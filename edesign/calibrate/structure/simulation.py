@@ -8,10 +8,10 @@ from dataclasses import dataclass
 
 import numpy as np
 from scipy.linalg import expm
-from scipy.signal import lfilter
 
 from edesign.calibrate.structure.building import System
 from edesign.calibrate.structure.links import Link
+from edesign.core.fading import fading
 
 _CONTRACTION = 0.2  # of the iteration for the forces of the links: nine digits in a dozen turns
 _TURNS, _CLOSE = 40, 1e-8
@@ -112,7 +112,8 @@ def _filtered(system: System, ground: np.ndarray, step: float) -> np.ndarray:
     kept = np.flatnonzero(values.imag >= 0.0)  # the conjugates follow
     modal = np.zeros((kept.size, ground.size), dtype=complex)
     for row, j in zip(modal, kept, strict=True):
-        row[1:] = lfilter([1.0], [1.0, -values[j]], left[j, 0] * ground[:-1] + left[j, 1] * ground[1:])
+        made = left[j, 0] * ground[:-1] + left[j, 1] * ground[1:]
+        row[:] = fading(np.full(made.size, values[j]), made, 0.0)
     shapes = vectors[:, kept] * np.where(values[kept].imag > 0.0, 2.0, 1.0)
     return np.asarray((modal.real.T @ shapes.real.T) - (modal.imag.T @ shapes.imag.T))
 

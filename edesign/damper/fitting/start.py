@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 
 import numpy as np
-from scipy.stats import qmc
 
 from edesign.damper.fitting.coordinates import Axis, Coordinates
 from edesign.damper.fitting.minimise import Problem, descend
@@ -116,6 +115,8 @@ def spread(coordinates: Coordinates, count: int, seed: int) -> list[np.ndarray]:
     """Coordinates (n,) in a Latin hypercube about the start: log-uniform, within the bounds; the same for a seed."""
     if count < 1 or not coordinates.axes:
         return []
+    from scipy.stats import qmc  # takes a second of every start of a calibration
+
     centre = coordinates.at(coordinates.start)
     sample = qmc.LatinHypercube(len(coordinates.axes), rng=np.random.default_rng(seed)).random(count)
     points = []

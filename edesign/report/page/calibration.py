@@ -16,7 +16,7 @@ from edesign.report.page.sections.calibration import SECTIONS
 
 
 def write_calibration_page(
-    calibration: Calibration, path: Path, tell: Callable[[str], None] = lambda line: None
+    calibration: Calibration, path: Path, tell: Callable[[str], None] = lambda line: None, workers: int = 1
 ) -> Path:
     """Write the report of a calibration.
 
@@ -24,6 +24,7 @@ def write_calibration_page(
         calibration: what was found.
         path: the page, whole or not at all.
         tell: called with a line for each section.
+        workers: processes that draw.
 
     Returns:
         The page.
@@ -37,13 +38,15 @@ def write_calibration_page(
     if not path.parent.is_dir():
         raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
     check_folder(path.parent)
-    write_text(calibration_page_text(calibration, tell), path)
+    write_text(calibration_page_text(calibration, tell, workers), path)
     return path
 
 
-def calibration_page_text(calibration: Calibration, tell: Callable[[str], None] = lambda line: None) -> str:
+def calibration_page_text(
+    calibration: Calibration, tell: Callable[[str], None] = lambda line: None, workers: int = 1
+) -> str:
     """Return the report as HTML; arguments as `write_calibration_page`."""
-    view = View(calibration)
+    view = View(calibration, workers)
     made = []
     for section in SECTIONS:
         found = section(view)

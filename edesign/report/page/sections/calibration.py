@@ -8,6 +8,7 @@ import numpy as np
 
 from edesign._version import __version__
 from edesign.calibrate.result import Calibration
+from edesign.calibrate.side_by_side import side_by_side
 from edesign.report.calibration_effect_figures import effect_figures
 from edesign.report.calibration_effect_tables import effect_name, effect_parameters_table, effects_table, refused_table
 from edesign.report.calibration_figures import Figures
@@ -201,7 +202,10 @@ def provenance(view: View) -> Section:
 
 
 def _pictures(view: View, *makers: Figures) -> tuple[Picture, ...]:
-    return tuple(picture_of(*item) for maker in makers for item in maker(view))
+    def drawn(maker: Figures) -> list[Picture]:
+        return [picture_of(*item) for item in maker(view)]
+
+    return tuple(picture for own in side_by_side(drawn, makers, view.workers) for picture in own)
 
 
 SECTIONS: tuple[Callable[[View], Section], ...] = (
