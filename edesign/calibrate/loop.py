@@ -14,7 +14,7 @@ from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.forms import begun_at, begun_from, may_join
 from edesign.calibrate.pairs import likely_pairs
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem
-from edesign.calibrate.screening import Signature, screen, screen_again
+from edesign.calibrate.screening import Signature, ordered, screen, screen_again
 from edesign.calibrate.selection import Adopted, Refused, Selection
 from edesign.calibrate.side_by_side import side_by_side
 from edesign.errors import InputError
@@ -407,7 +407,9 @@ class Loop:
         pool = [c for c in self._candidates(current) if c.name == effect.name and c.label not in here]
         slow = len(smaller.effects) > 1 or any(other.slow for other in smaller.effects)
         most = _FORMS_SLOW if slow else _FORMS_HELD if fitted.model.held else _FORMS
-        likely = likely_forms(screen(without, pool, self.workers), most)
+        likely = likely_forms(
+            self._screened(without, pool) if not smaller.effects else screen(without, pool, self.workers), most
+        )
         begun = [*likely, *(found for s in likely if (found := begun_from(fitted, effect, s)))]
         return self._fit_best(begun, _FAR_BEHIND * fitted.chi2)
 
@@ -418,13 +420,15 @@ class Loop:
         fitted = self.rivals.get((_labels(others), held), self.rivals.get((_labels(others), False)))
         if fitted is not None:
             return fitted
+        if any(other.name == effect.name for other in others):
+            return []  # what stands beside another form of the same effect is no rival of it
         without = self._without(current, effect)
         known = [part for part in self._stood_beside(others) if part[0].label != effect.label] if others else []
         if known:
             found = self._fit_all(without, known)
         else:
             pool = [c for c in self._candidates(without) if may_join(c, others) and c.label != effect.label]
-            found = self._fit_best(shortlist(screen(without.fitted, pool, self.workers))[:_RIVALS])
+            found = self._fit_best(shortlist(self._screened(without.fitted, pool))[:_RIVALS])
         self.rivals[_labels(others), held] = found
         return found
 
@@ -557,6 +561,17 @@ class Loop:
         self.known |= {_key(judged.fitted.model): judged for judged in found}
         return [*known.values(), *found]
 
+    def _screened(self, fitted: Fitted, pool: Sequence[Candidate]) -> list[Signature]:
+        """Signatures of effects beside a model, those that explain most first. Beside the declared law with effects all
+        do about what they did beside that law alone: near enough for rivals of what was found.
+        """
+        model = fitted.model
+        known = {s.candidate.label: s for s in self.beside_declared if model.held and model.problem is self.problem}
+        again = [known[c.label] for c in pool if c.label in known and _alike(known[c.label].candidate, c)]
+        labels = {signature.candidate.label for signature in again}
+        new = [candidate for candidate in pool if candidate.label not in labels]
+        return ordered([*screen_again(fitted, again), *screen(fitted, new, self.workers)])
+
     def _unfitted(self, refit: Judged) -> Fitted:
         """The model of a refit with the parameters as declared."""
         model = refit.fitted.model
@@ -594,6 +609,11 @@ def _key(model: Model) -> _Key:
 
 def _labels(effects: Sequence[Candidate]) -> frozenset[str]:
     return frozenset(effect.label for effect in effects)
+
+
+def _alike(candidate: Candidate, other: Candidate) -> bool:
+    """Whether two candidates of one form begin alike."""
+    return candidate.starts == other.starts and candidate.unknowns == other.unknowns
 
 
 def _last_is_new(judged: Judged) -> bool:

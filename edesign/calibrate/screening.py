@@ -114,11 +114,9 @@ class Screen:
         return self._linear(model, candidate, x[first:], here - self.residual, columns)
 
     def beside(self, signature: Signature) -> Signature:
-        """A signature beside the law as declared, that law held, beside this model: the same law with its parameters
-        free.
-        """
+        """A signature beside the law as declared, that law held, beside this model, as if it did the same here."""
         candidate = signature.candidate
-        model = replace(self.fitted.model, effects=(candidate,))
+        model = replace(self.fitted.model, effects=(*self.fitted.model.effects, candidate))
         return self._linear(model, candidate, signature.about, signature.columns[:, -1], signature.columns[:, :-1])
 
     def _linear(
@@ -165,16 +163,17 @@ def screen(fitted: Fitted, candidates: Sequence[Candidate], workers: int = 1) ->
     """
     whole = Screen(fitted)
     signatures = side_by_side(whole.signature, candidates, workers, (*fitted.model.given, *fitted.slopes, *candidates))
-    return _ordered(signature for signature in signatures if signature is not None)
+    return ordered(signature for signature in signatures if signature is not None)
 
 
 def screen_again(fitted: Fitted, signatures: Sequence[Signature]) -> list[Signature]:
-    """Signatures beside the law as declared and held, beside that law with its parameters free, those that explain most
-    first: nothing is predicted again.
+    """Signatures beside the law as declared and held, beside that law with effects or with its parameters free, those
+    that explain most first, as if they did the same here: nothing is predicted again.
     """
     whole = Screen(fitted)
-    return _ordered(whole.beside(signature) for signature in signatures)
+    return ordered(whole.beside(signature) for signature in signatures)
 
 
-def _ordered(signatures: Iterable[Signature]) -> list[Signature]:
+def ordered(signatures: Iterable[Signature]) -> list[Signature]:
+    """Those that explain most first."""
     return sorted(signatures, key=lambda signature: -signature.gain)
