@@ -33,7 +33,7 @@ _LIKELY = 2  # effects of which forms are compared, or models with which the law
 _ELSEWHERE = 8  # forms fitted from the law as declared
 _RIVALS = 5  # forms that are tried in the place of one
 _MOST = 4  # effects
-_FEW = 2  # effects up to which pairs are sought
+_FEW = 2  # effects up to which pairs are sought, and each is held against others and in other forms
 _FAR = 0.5  # coordinates: factors of e
 _ABOUT, _PERHAPS = 1.5, 6.0
 """Times what the refit leaves: an effect beside the declared law that leaves no more does about as much, and perhaps as
@@ -297,7 +297,7 @@ class Loop:
     def _reconsider(self, current: Judged) -> Judged:
         """Each effect against what could stand in its place, now that the others are there."""
         effects = current.fitted.model.effects
-        if len(effects) < 2:
+        if len(effects) > _FEW:
             return current
         for effect in effects[:-1]:
             self.tell(f"reconsidering {effect.name}")
@@ -307,7 +307,7 @@ class Loop:
     def _reformed(self, current: Judged) -> Judged:
         """Each effect in the form that suits best, now that the others are there."""
         effects = current.fitted.model.effects
-        for effect in effects if len(effects) > 1 else ():  # forms of a single one have just been compared
+        for effect in effects if 1 < len(effects) <= _FEW else ():  # forms of a single one have just been compared
             if current.at_floor:
                 break
             current = simplest([current, *self._other_forms(current, effect)])
@@ -475,7 +475,8 @@ class Loop:
             if effect is None or len(current.fitted.model.effects) < 2:
                 continue
             without = self._without(current, effect)
-            forms = self._other_forms(without, without.fitted.model.effects[-1])
+            few = len(current.fitted.model.effects) <= _FEW
+            forms = self._other_forms(without, without.fitted.model.effects[-1]) if few else []
             smaller = [without, self._freed(without), *forms]
             enough = [judged for judged in smaller if not _needed(compare(current, judged))]
             if enough:
