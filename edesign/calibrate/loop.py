@@ -407,9 +407,7 @@ class Loop:
         pool = [c for c in self._candidates(current) if c.name == effect.name and c.label not in here]
         slow = len(smaller.effects) > 1 or any(other.slow for other in smaller.effects)
         most = _FORMS_SLOW if slow else _FORMS_HELD if fitted.model.held else _FORMS
-        likely = likely_forms(
-            self._screened(without, pool) if not smaller.effects else screen(without, pool, self.workers), most
-        )
+        likely = likely_forms(self._screened(without, pool), most)
         begun = [*likely, *(found for s in likely if (found := begun_from(fitted, effect, s)))]
         return self._fit_best(begun, _FAR_BEHIND * fitted.chi2)
 
@@ -428,7 +426,7 @@ class Loop:
             found = self._fit_all(without, known)
         else:
             pool = [c for c in self._candidates(without) if may_join(c, others) and c.label != effect.label]
-            found = self._fit_best(shortlist(self._screened(without.fitted, pool))[:_RIVALS])
+            found = self._fit_best(shortlist(self._screened(without.fitted, pool, roughly=True))[:_RIVALS])
         self.rivals[_labels(others), held] = found
         return found
 
@@ -562,12 +560,13 @@ class Loop:
         self.known |= {_key(judged.fitted.model): judged for judged in found}
         return [*known.values(), *found]
 
-    def _screened(self, fitted: Fitted, pool: Sequence[Candidate]) -> list[Signature]:
-        """Signatures of effects beside a model, those that explain most first. Beside the declared law with effects all
-        do about what they did beside that law alone: near enough for rivals of what was found.
+    def _screened(self, fitted: Fitted, pool: Sequence[Candidate], roughly: bool = False) -> list[Signature]:
+        """Signatures of effects beside a model, those that explain most first. What was screened beside the declared
+        law is not screened again, nor, roughly, beside that law with effects: all do about the same there.
         """
-        model = fitted.model
-        known = {s.candidate.label: s for s in self.beside_declared if model.held and model.problem is self.problem}
+        model, known = fitted.model, {}
+        if model.held and model.problem is self.problem and (roughly or not model.effects):
+            known = {signature.candidate.label: signature for signature in self.beside_declared}
         again = [known[c.label] for c in pool if c.label in known and _alike(known[c.label].candidate, c)]
         labels = {signature.candidate.label for signature in again}
         new = [candidate for candidate in pool if candidate.label not in labels]
