@@ -18,6 +18,10 @@ AT_FLOOR = 1.2
 SHARE = 0.25
 """Least share of the excess over noise that an effect must remove: less is a symptom of something else."""
 
+CLEAR = 0.5
+"""Share of the excess with which one effect needs no search for pairs, and two beside the declared law are taken."""
+
+_UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
 _MOST_OF_IT = 0.5  # share of the excess
 _LEAST_BIC = 10.0  # Kass and Raftery (1995): "very strong"
 _LEAST_EXCESS = 0.02  # of the noise: less is not told from nothing
@@ -85,6 +89,16 @@ class Evidence:
     def adopts(self) -> bool:
         """Whether the model is better by more than chance, and by a good share."""
         return self.beyond_chance and self.share >= SHARE
+
+    @property
+    def clear(self) -> bool:
+        """Whether the model is better by more than chance, and removes most."""
+        return self.adopts and self.share >= CLEAR
+
+    @property
+    def needed(self) -> bool:
+        """Whether what the model has more than its rival still does something."""
+        return self.beyond_chance and self.share >= _UNCHANGED
 
     @property
     def clearly_better(self) -> bool:

@@ -1,4 +1,4 @@
-"""Forms of effects beside each other: one begun where another stands, and which may stand together."""
+"""Forms of effects beside each other: begun alike, one begun where another stands, and which may stand together."""
 
 from __future__ import annotations
 
@@ -28,6 +28,11 @@ def begun_at(effect: Candidate, known: Part) -> Part | None:
     if not {u.name for u in effect.unknowns} < {u.name for u in known[0].unknowns}:
         return None
     return effect, _values_of(effect, known)
+
+
+def begin_alike(candidate: Candidate, other: Candidate) -> bool:
+    """Whether two candidates of one form have the same unknowns and starts."""
+    return candidate.starts == other.starts and candidate.unknowns == other.unknowns
 
 
 def _values_of(effect: Candidate, known: Part) -> np.ndarray:

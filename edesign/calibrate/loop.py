@@ -9,9 +9,9 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.calibrate.contest import BEHIND, FITTED, both, fit_best, judged_of, likely_forms, shortlist
-from edesign.calibrate.evidence import SHARE, Evidence, Judged, compare, simplest
+from edesign.calibrate.evidence import CLEAR, SHARE, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
-from edesign.calibrate.forms import begun_at, begun_from, may_join
+from edesign.calibrate.forms import begin_alike, begun_at, begun_from, may_join
 from edesign.calibrate.pairs import likely_pairs
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem
 from edesign.calibrate.screening import Signature, ordered, screen, screen_again
@@ -23,7 +23,6 @@ _SMALL, _MISSED = 0.01, 5e-4
 """Shares of all that the refitted law leaves over noise, and of what the effects found before do to the force: below
 the larger stands what the equations of these effects miss.
 """
-_CLEAR = 0.5  # a single effect that removes so much needs no search for pairs
 _PAIRS = 4  # pairs fitted in a round
 _FORMS, _FORMS_HELD, _FORMS_SLOW = 5, 10, 3
 """Forms of an effect that are compared once it is a likely one: usually, with the law held, and beside slow or several
@@ -39,10 +38,9 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 """Times what the refit leaves: an effect beside the declared law that leaves no more does about as much, and perhaps as
 much together with another one.
 """
-_FAR_BEHIND = 60.0  # times what a form leaves, beyond which others of the effect are hopeless after a rough fit
+_FAR_BEHIND = 60.0  # times what a form leaves, beyond which others are hopeless after a rough fit, or one held back
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 _LONG = 40  # steps of a search along the valleys between a shape and the rest, or of a law far from its tests
-_UNCHANGED = 0.05  # share of what an effect once removed below which it is needless
 
 Progress = Callable[[str], None]
 _Key = tuple[frozenset[str], bool, float]
@@ -175,7 +173,7 @@ class Loop:
         if pair is None or not self._matters(pair, current):
             return None
         evidence = compare(pair, current)
-        return pair if evidence.beyond_chance and evidence.share >= _CLEAR else None
+        return pair if evidence.beyond_chance and evidence.share >= CLEAR else None
 
     def _round(self, current: Judged, rival: Judged, further: Sequence[Judged] = ()) -> tuple[Judged | None, Refused]:
         """The best model with one effect more, or two, and what came near; None: chance may have made it.
@@ -215,7 +213,7 @@ class Loop:
         refused = tuple((judged.fitted.model.effects[-1], compare(judged, rival)) for judged in near)
         best = simplest([judged for judged in tried if compare(judged, rival).adopts] or tried)
         evidence = compare(best, rival)
-        if more and evidence.share < _CLEAR and len(known) < _FEW:
+        if more and evidence.share < CLEAR and len(known) < _FEW:
             pair = self._pair(current, short, signatures)
             if pair is not None:
                 together = compare(pair, rival)
@@ -476,7 +474,7 @@ class Loop:
             few = len(current.fitted.model.effects) <= _FEW
             forms = self._other_forms(without, without.fitted.model.effects[-1]) if few else []
             smaller = [without, self._freed(without), *forms]
-            enough = [judged for judged in smaller if not _needed(compare(current, judged))]
+            enough = [judged for judged in smaller if not compare(current, judged).needed]
             if enough:
                 current = simplest(enough)
         return current
@@ -507,12 +505,12 @@ class Loop:
         found = self._fit_best(shortlist(screen(best.fitted, pool, self.workers)))
         rivals = (free, best, freed)
         least = min(rival.fitted.chi2 for rival in rivals)
-        if any(judged.fitted.chi2 <= _CLEAR * least for judged in found):
+        if any(judged.fitted.chi2 <= CLEAR * least for judged in found):
             found += self._other_forms_of_likely(found)
-        clear = [judged for judged in found if all(_clearly(judged, rival) for rival in rivals)]
+        clear = [judged for judged in found if all(compare(judged, rival).clear for rival in rivals)]
         if not clear:  # the declared law may be off
             likely = [self._freed(judged) for judged in sorted(found, key=_of_left_out)[:_LIKELY]]
-            clear = [judged for judged in likely if all(_clearly(judged, rival) for rival in rivals)]
+            clear = [judged for judged in likely if all(compare(judged, rival).clear for rival in rivals)]
         return simplest(clear) if clear else None
 
     def _freed(self, current: Judged) -> Judged:
@@ -567,7 +565,7 @@ class Loop:
         model, known = fitted.model, {}
         if model.held and model.problem is self.problem and (roughly or not model.effects):
             known = {signature.candidate.label: signature for signature in self.beside_declared}
-        again = [known[c.label] for c in pool if c.label in known and _alike(known[c.label].candidate, c)]
+        again = [known[c.label] for c in pool if c.label in known and begin_alike(known[c.label].candidate, c)]
         labels = {signature.candidate.label for signature in again}
         new = [candidate for candidate in pool if candidate.label not in labels]
         return ordered([*screen_again(fitted, again), *screen(fitted, new, self.workers)])
@@ -587,16 +585,6 @@ def _of_left_out(judged: Judged) -> float:
     return judged.held_out.score
 
 
-def _clearly(model: Judged, rival: Judged) -> bool:
-    evidence = compare(model, rival)
-    return evidence.adopts and evidence.share >= _CLEAR
-
-
-def _needed(evidence: Evidence) -> bool:
-    """Whether what a model has more than its rival does something."""
-    return evidence.beyond_chance and evidence.share >= _UNCHANGED
-
-
 def _refitted(judged: Judged) -> Judged:
     """With the belief in the declared parameters that suits what is left."""
     fitted = judged.fitted
@@ -609,11 +597,6 @@ def _key(model: Model) -> _Key:
 
 def _labels(effects: Sequence[Candidate]) -> frozenset[str]:
     return frozenset(effect.label for effect in effects)
-
-
-def _alike(candidate: Candidate, other: Candidate) -> bool:
-    """Whether two candidates of one form begin alike."""
-    return candidate.starts == other.starts and candidate.unknowns == other.unknowns
 
 
 def _last_is_new(judged: Judged) -> bool:
