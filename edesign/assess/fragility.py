@@ -10,9 +10,9 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
+import scipy  # its stats are loaded when they are asked for: that takes half a second
 from numpy.typing import ArrayLike
 from scipy.special import log_ndtr, ndtr
-from scipy.stats import CensoredData, chi2, ecdf, norm
 
 from edesign.assess.probit import NOT_RISING, check_overlap, log_likelihood, probit
 from edesign.errors import AnalysisError
@@ -83,7 +83,7 @@ def fit_counts(intensity: ArrayLike, analyses: ArrayLike, passed: ArrayLike) -> 
     mu = centre - intercept * beta
     z = (x - mu) / beta
     p = ndtr(z)
-    weight = n * np.exp(2.0 * norm.logpdf(z) - log_ndtr(z) - log_ndtr(-z)) / beta**2
+    weight = n * np.exp(2.0 * scipy.stats.norm.logpdf(z) - log_ndtr(z) - log_ndtr(-z)) / beta**2
     information = np.array([[weight.sum(), (weight * z).sum()], [(weight * z).sum(), (weight * z**2).sum()]])
     variance = np.linalg.inv(information)
     deviance = 2.0 * (_saturated(n, k) - log_likelihood(z, n, k))
@@ -98,7 +98,7 @@ def fit_counts(intensity: ArrayLike, analyses: ArrayLike, passed: ArrayLike) -> 
         censored=0,
         largest_difference=float(np.max(np.abs(k / n - p))),
         deviance=max(deviance, 0.0),
-        p_value=float(chi2.sf(deviance, freedom)) if freedom > 0 else None,
+        p_value=float(scipy.stats.chi2.sf(deviance, freedom)) if freedom > 0 else None,
     )
 
 
@@ -130,15 +130,15 @@ def fit_capacities(capacity: ArrayLike, last: ArrayLike = math.inf) -> Fragility
     beyond = np.log(np.broadcast_to(np.asarray(last, dtype=float), capacities.shape)[~there])
     if not np.all(np.isfinite(beyond)):
         raise ValueError("a record that does not pass needs the intensity up to which it has results")
-    data = CensoredData(uncensored=x, right=beyond)
+    data = scipy.stats.CensoredData(uncensored=x, right=beyond)
     if missing == 0:
         mu, beta = float(np.mean(x)), float(np.std(x, ddof=1))
         mu_se, beta_se = beta / math.sqrt(x.size), beta / math.sqrt(2.0 * (x.size - 1))
     else:
-        mu, beta = (float(value) for value in norm.fit(data))
+        mu, beta = (float(value) for value in scipy.stats.norm.fit(data))
         mu_se, beta_se = _censored_errors(x, beyond, mu, beta)
     passing = np.unique(x)
-    steps, p = ecdf(data).cdf.evaluate(passing), ndtr((passing - mu) / beta)
+    steps, p = scipy.stats.ecdf(data).cdf.evaluate(passing), ndtr((passing - mu) / beta)
     difference = max(np.max(np.abs(steps - p)), np.max(np.abs(np.append(0.0, steps[:-1]) - p)))
     theta = math.exp(mu)
     return Fragility(theta, beta, theta * mu_se, beta_se, capacities.size, missing, float(difference))
@@ -161,7 +161,7 @@ def _saturated(n: np.ndarray, k: np.ndarray) -> float:
 def _censored_errors(x: np.ndarray, beyond: np.ndarray, mu: float, beta: float) -> tuple[float, float]:
     """Standard errors of mean and standard deviation from the observed information of censored normal data."""
     z, c = (x - mu) / beta, (beyond - mu) / beta
-    hazard = np.exp(norm.logpdf(c) - log_ndtr(-c))
+    hazard = np.exp(scipy.stats.norm.logpdf(c) - log_ndtr(-c))
     slope = hazard * (hazard - c)
     information = (
         np.array(

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+import scipy  # its stats are loaded when they are asked for: that takes half a second
 from scipy.special import log_ndtr
-from scipy.stats import norm
 
 from edesign.errors import AnalysisError
 
@@ -27,11 +27,11 @@ def probit(x: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float]:
         AnalysisError: the maximum was not reached; `check_overlap` says before whether there is one.
     """
     design = np.column_stack((np.ones_like(x), x))
-    found = np.array([norm.ppf((k.sum() + 0.5) / (n.sum() + 1.0)), 1.0])
+    found = np.array([scipy.stats.norm.ppf((k.sum() + 0.5) / (n.sum() + 1.0)), 1.0])
     likelihood = log_likelihood(design @ found, n, k)
     for _ in range(MOST_ITERATIONS):
         eta = design @ found
-        density = norm.logpdf(eta)
+        density = scipy.stats.norm.logpdf(eta)
         yes, no = np.exp(density - log_ndtr(eta)), np.exp(density - log_ndtr(-eta))
         curvature = k * yes * (yes + eta) + (n - k) * no * (no - eta)
         information = (design.T * curvature) @ design

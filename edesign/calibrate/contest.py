@@ -31,14 +31,14 @@ T = TypeVar("T")
 S = TypeVar("S")
 
 
-def fit_best(signatures: Sequence[Signature], workers: int = 1, most: float = math.inf) -> list[Judged]:
+def fit_best(signatures: Sequence[Signature], most: float = math.inf) -> list[Judged]:
     """Models fitted from their starts: all of them roughly, then the best of them well.
 
     Args:
         signatures: forms of effects with their starts.
-        workers: processes.
         most: chi2 beyond which a model is not fitted to the end.
     """
+    workers = max((s.model.workers for s in signatures), default=1)
     known = [thing for s in signatures for thing in (*s.model.given, *s.frozen)]
 
     def side(function: Callable[[T], S | None], items: Iterable[T]) -> list[S]:

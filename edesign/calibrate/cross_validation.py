@@ -11,6 +11,7 @@ import numpy as np
 
 from edesign.calibrate.fit import Fitted
 from edesign.calibrate.problem import PredictionError
+from edesign.calibrate.side_by_side import brief_side_by_side
 
 _FEWEST = 4  # tests of which each may be left out
 _PARTS = 4  # of each, if there are fewer
@@ -57,7 +58,7 @@ def leave_one_out(fitted: Fitted) -> HeldOut:
     """
     model, x = fitted.model, fitted.x
     low, high = (np.array(side) for side in zip(*(u.span for u in model.unknowns), strict=True)) if x.size else (x, x)
-    found, samples = [], []
+    found, samples, far = [], [], []
     for i, block in _blocks(fitted):
         r, j = fitted.residuals[i][block], fitted.slopes[i][block]
         samples.append(r.size)
@@ -66,8 +67,13 @@ def leave_one_out(fitted: Fitted) -> HeldOut:
             continue
         move = np.linalg.lstsq(fitted.hessian - j.T @ j, j.T @ r, rcond=1e-12)[0]
         move = np.clip(x + np.clip(move, -3.0, 3.0), low, high) - x
+        if np.max(np.abs(move)) > _NEAR:
+            far.append((len(found), move, i, block))
         left = r + j @ move
-        found.append(float(left @ left) if np.max(np.abs(move)) <= _NEAR else _after(fitted, move, i, block))
+        found.append(float(left @ left))
+    again = brief_side_by_side(lambda one: _after(fitted, *one[1:]), far, model.workers)
+    for (place, *_), chi2 in zip(far, again, strict=True):
+        found[place] = chi2
     return HeldOut(np.array(found), np.array(samples))
 
 

@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem, Use
+from edesign.calibrate.side_by_side import brief_side_by_side
 from edesign.calibrate.unknown import Unknown
 
 BELIEF = 0.3
@@ -36,6 +37,7 @@ class Model:
         misfit: standard deviation of what is left by the models compared, in units of noise and as if it were white:
             what no model explains does not make the parameters sure, so the belief in the declared ones counts by as
             much more.
+        workers: processes that predict it.
     """
 
     problem: Problem
@@ -43,6 +45,7 @@ class Model:
     effects: tuple[Candidate, ...] = ()
     held: bool = False
     misfit: float = 1.0
+    workers: int = 1
 
     @cached_property
     def base(self) -> tuple[Unknown, ...]:
@@ -327,11 +330,18 @@ def slopes_at(
         known = frozen[0].shape[1]
         for own, given in zip(slopes, frozen, strict=True):
             own[:, :known] = given
-    for j, unknown in list(enumerate(model.unknowns))[known:]:
-        step, after = _moved(model, x, j, unknown.step(float(x[j])))
-        for i, r in enumerate(residuals):
-            slopes[i][:, j] = (after[i] - r) / step
+    wanted = range(known, x.size)
+    found = brief_side_by_side(lambda j: _slope(model, x, j, residuals), wanted, model.workers)
+    for j, column in zip(wanted, found, strict=True):
+        for own, values in zip(slopes, column, strict=True):
+            own[:, j] = values
     return slopes
+
+
+def _slope(model: Model, x: np.ndarray, j: int, residuals: Sequence[np.ndarray]) -> list[np.ndarray]:
+    """Slopes (n_i,) of the residuals to one coordinate."""
+    step, after = _moved(model, x, j, model.unknowns[j].step(float(x[j])))
+    return [(moved - here) / step for moved, here in zip(after, residuals, strict=True)]
 
 
 def _moved(model: Model, x: np.ndarray, j: int, step: float) -> tuple[float, list[np.ndarray]]:

@@ -38,7 +38,8 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 """Times what the refit leaves: an effect beside the declared law that leaves no more does about as much, and perhaps as
 much together with another one.
 """
-_FAR_BEHIND = 60.0  # times what a form leaves, beyond which others are hopeless after a rough fit, or one held back
+_FAR_BEHIND, _HOPELESS = 60.0, 20.0
+"""Times what a model leaves, beyond which others after a rough fit are no rivals, and smaller ones never suffice."""
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 _LONG = 40  # steps of a search along the valleys between a shape and the rest, or of a law far from its tests
 
@@ -83,7 +84,7 @@ class Loop:
         Raises:
             InputError: the model as declared has no prediction of the tests.
         """
-        held = Model(self.problem, self.noise, held=True)
+        held = Model(self.problem, self.noise, held=True, workers=self.workers)
         try:
             declared = Judged(fit(held, held.coordinates()))
         except PredictionError as error:
@@ -91,7 +92,7 @@ class Loop:
         refit = declared
         if self.may_refit:
             self.tell("refitting the declared law")
-            free = Model(self.problem, self.noise)
+            free = replace(held, held=False)
             refit = _refitted(Judged(fit(free, free.coordinates(), _LONG)))
         if declared.at_floor:
             return Selection(declared, refit, declared, ())
@@ -130,7 +131,7 @@ class Loop:
         been: set[frozenset[str]] = set()  # what was added may have been needless in the end: not again
         while True:
             if _last_is_new(current):
-                current = self._reformed(self._reconsider(current))
+                current = self._reformed(self._reconsider(self._last_alone(current)))
             current = self._finer(_refitted(self._freed(self._prune(current))))
             self.known.clear()  # of another belief in the declared parameters: not asked for again
             labels = _labels(current.fitted.model.effects)
@@ -168,7 +169,7 @@ class Loop:
             return None
         without = self._without(current, effects[0])
         self.tell(f"two effects in the place of {effects[0].name}")
-        signatures = screen(without.fitted, self._candidates(without), self.workers)
+        signatures = screen(without.fitted, self._candidates(without))
         pair = self._pair(without, shortlist(signatures), signatures)
         if pair is None or not self._matters(pair, current):
             return None
@@ -195,7 +196,7 @@ class Loop:
             if may_join(c, known) and (more or c.name in names) and c.name not in shaped
         ]
         self.tell(f"effect {number}: screening {len(pool)} forms of effects")
-        signatures = screen(current.fitted, pool, self.workers)
+        signatures = screen(current.fitted, pool)
         short = shortlist(signatures)
         self.tell(f"effect {number}: fitting {', '.join(dict.fromkeys(s.candidate.name for s in short))}")
         elsewhere = []
@@ -270,7 +271,7 @@ class Loop:
             for judged in tried
             if judged.fitted.freedom < best.fitted.freedom
             and judged.fitted.model.misfit > best.fitted.misfit
-            and judged.fitted.chi2 <= _FAR_BEHIND * best.fitted.chi2
+            and judged.fitted.chi2 <= _HOPELESS * best.fitted.chi2
         ]
         near.sort(key=lambda judged: judged.fitted.chi2)
         misfit = best.fitted.misfit
@@ -291,6 +292,16 @@ class Loop:
         self.tell("fitting pairs: " + ", ".join(f"{a.candidate.name} + {b.candidate.name}" for a, b in pairs))
         found = self._fit_best([both(*pair) for pair in pairs])
         return min(found, key=_of_left_out, default=None)
+
+    def _last_alone(self, current: Judged) -> Judged:
+        """The last effect beside the law fitted again, if that leaves noise alone: the first one has made up for a law
+        that is not as declared.
+        """
+        model = current.fitted.model
+        if not model.held or current.at_floor or len(model.effects) < 2:
+            return current
+        alone = self._freed(self._without(current, model.effects[0]))
+        return alone if alone.at_floor else current
 
     def _reconsider(self, current: Judged) -> Judged:
         """Each effect against what could stand in its place, now that the others are there."""
@@ -391,8 +402,11 @@ class Loop:
             begun.append((other, other.coordinates(current.fitted.base, own)))
         return self._fitted(begun)
 
-    def _other_forms(self, current: Judged, effect: Candidate) -> list[Judged]:
-        """Models with another form of an effect; which are likely is seen beside the law as the model has it."""
+    def _other_forms(self, current: Judged, effect: Candidate, most: float = math.inf) -> list[Judged]:
+        """Models with another form of an effect; which are likely is seen beside the law as the model has it.
+
+        Those that leave more than `most` or far more than the model (chi2) after a rough fit are not fitted on.
+        """
         fitted = current.fitted
         smaller = replace(fitted.model, effects=tuple(e for e in fitted.model.effects if e is not effect))
         if (effect.name, _key(smaller)) in self.compared:
@@ -404,10 +418,10 @@ class Loop:
         here = _labels(fitted.model.effects)
         pool = [c for c in self._candidates(current) if c.name == effect.name and c.label not in here]
         slow = len(smaller.effects) > 1 or any(other.slow for other in smaller.effects)
-        most = _FORMS_SLOW if slow else _FORMS_HELD if fitted.model.held else _FORMS
-        likely = likely_forms(self._screened(without, pool), most)
+        number = _FORMS_SLOW if slow else _FORMS_HELD if fitted.model.held else _FORMS
+        likely = likely_forms(self._screened(without, pool), number)
         begun = [*likely, *(found for s in likely if (found := begun_from(fitted, effect, s)))]
-        return self._fit_best(begun, _FAR_BEHIND * fitted.chi2)
+        return self._fit_best(begun, min(most, _FAR_BEHIND * fitted.chi2))
 
     def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models in which another effect, or another form, stands in the place of one."""
@@ -424,7 +438,8 @@ class Loop:
             found = self._fit_all(without, known)
         else:
             pool = [c for c in self._candidates(without) if may_join(c, others) and c.label != effect.label]
-            found = self._fit_best(shortlist(self._screened(without.fitted, pool, roughly=True))[:_RIVALS])
+            likely = shortlist(self._screened(without.fitted, pool, roughly=True))[:_RIVALS]
+            found = self._fit_best(likely, _FAR_BEHIND * current.fitted.chi2)
         self.rivals[_labels(others), held] = found
         return found
 
@@ -471,8 +486,8 @@ class Loop:
             if effect is None or len(current.fitted.model.effects) < 2:
                 continue
             without = self._without(current, effect)
-            few = len(current.fitted.model.effects) <= _FEW
-            forms = self._other_forms(without, without.fitted.model.effects[-1]) if few else []
+            few, most = len(current.fitted.model.effects) <= _FEW, _HOPELESS * current.fitted.chi2
+            forms = self._other_forms(without, without.fitted.model.effects[-1], most) if few else []
             smaller = [without, self._freed(without), *forms]
             enough = [judged for judged in smaller if not compare(current, judged).needed]
             if enough:
@@ -484,7 +499,7 @@ class Loop:
         against nine.
         """
         self.tell("screening effects beside the law as declared")
-        self.beside_declared = screen(declared.fitted, self._candidates(declared), self.workers)
+        self.beside_declared = screen(declared.fitted, self._candidates(declared))
         found = self._fit_best(shortlist(self.beside_declared))
         self.rivals[_labels(()), True] = found
         return found
@@ -502,7 +517,7 @@ class Loop:
         known = best.fitted.model.effects
         self.tell(f"screening effects beside {known[0].name} and the law as declared")
         pool = [c for c in self._candidates(best) if may_join(c, known)]
-        found = self._fit_best(shortlist(screen(best.fitted, pool, self.workers)))
+        found = self._fit_best(shortlist(screen(best.fitted, pool)))
         rivals = (free, best, freed)
         least = min(rival.fitted.chi2 for rival in rivals)
         if any(judged.fitted.chi2 <= CLEAR * least for judged in found):
@@ -554,7 +569,7 @@ class Loop:
     def _fit_best(self, signatures: Sequence[Signature], most: float = math.inf) -> list[Judged]:
         """Models fitted from their starts; those that have been fitted before are not fitted again."""
         known = {_key(s.model): self.known[_key(s.model)] for s in signatures if _key(s.model) in self.known}
-        found = fit_best([s for s in signatures if _key(s.model) not in known], self.workers, most)
+        found = fit_best([s for s in signatures if _key(s.model) not in known], most)
         self.known |= {_key(judged.fitted.model): judged for judged in found}
         return [*known.values(), *found]
 
@@ -568,7 +583,7 @@ class Loop:
         again = [known[c.label] for c in pool if c.label in known and begin_alike(known[c.label].candidate, c)]
         labels = {signature.candidate.label for signature in again}
         new = [candidate for candidate in pool if candidate.label not in labels]
-        return ordered([*screen_again(fitted, again), *screen(fitted, new, self.workers)])
+        return ordered([*screen_again(fitted, again), *screen(fitted, new)])
 
     def _unfitted(self, refit: Judged) -> Fitted:
         """The model of a refit with the parameters as declared."""

@@ -40,7 +40,7 @@ def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda 
     fast = thinned(problem)
     found = Loop(fast, noise, campaign.law.refit, workers, progress).run()
     progress("fitting all samples")
-    found = at_full_rate(found, problem, workers)
+    found = at_full_rate(found, problem)
     progress("predicting all tests")
     outcome = Outcome.of(problem, noise, found)
     series = tuple(
@@ -60,7 +60,7 @@ def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda 
         for i, (trial, test) in enumerate(zip(problem.trials, campaign.tests, strict=True))
     )
     progress("writing the law")
-    carried = carried_law(found.final.fitted, fast, problem, workers)
+    carried = carried_law(found.final.fitted, fast, problem)
     progress("asking which further test would tell more")
     calibration = outcome.calibration(
         campaign.title or campaign.specimen.name,

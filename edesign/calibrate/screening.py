@@ -153,16 +153,17 @@ def _within(candidate: Candidate, x: np.ndarray, move: np.ndarray) -> np.ndarray
     return found
 
 
-def screen(fitted: Fitted, candidates: Sequence[Candidate], workers: int = 1) -> list[Signature]:
+def screen(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:
     """Signatures of candidates, those that explain most first.
 
     Args:
         fitted: the model so far.
         candidates: forms of effects it may lack.
-        workers: processes.
     """
     whole = Screen(fitted)
-    signatures = side_by_side(whole.signature, candidates, workers, (*fitted.model.given, *fitted.slopes, *candidates))
+    model = fitted.model
+    known = (*model.given, *fitted.slopes, *candidates)
+    signatures = side_by_side(whole.signature, candidates, model.workers, known)
     return ordered(signature for signature in signatures if signature is not None)
 
 

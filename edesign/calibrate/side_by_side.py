@@ -1,26 +1,30 @@
-"""A function of many things in forked processes: predictions of short tests hold the interpreter's lock for most of
-their time, so that threads would wait for each other.
+"""A function of many things, here and in forked processes: predictions of short tests hold the interpreter's lock for
+most of their time, so that threads would wait for each other.
 """
 
 from __future__ import annotations
 
 import io
+import os
 import pickle
 import signal
+import time
 import warnings
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from concurrent.futures import ProcessPoolExecutor
-from concurrent.futures.process import BrokenProcessPool
+from functools import cache
 from multiprocessing import get_all_start_methods, get_context
+from multiprocessing.connection import Connection
 from typing import Any, TypeVar
 
-from threadpoolctl import threadpool_limits
+from threadpoolctl import ThreadpoolController
 
 T = TypeVar("T")
 S = TypeVar("S")
 
-_job: tuple[Callable[[Any], Any], Sequence[Any], Mapping[int, object]]
-"""Function, items, and what need not be sent back, in a forked process."""
+_NUMBER = 4  # bytes
+_WORTH = 0.2  # s of work for which processes are begun
+
+_busy = False  # items are at work: functions of an item that come here have this process alone
 
 
 def side_by_side(function: Callable[[T], S], items: Iterable[T], workers: int, known: Sequence[object] = ()) -> list[S]:
@@ -29,40 +33,108 @@ def side_by_side(function: Callable[[T], S], items: Iterable[T], workers: int, k
     Args:
         function: any; a process has what this one had at its call, and what it changes there is lost.
         items: its arguments.
-        workers: processes.
+        workers: processes, this one among them.
         known: what results refer to and is not copied into them.
     """
+    global _busy
     given = list(items)
-    if workers < 2 or len(given) < 2 or "fork" not in get_all_start_methods():
+    if _busy or workers < 2 or len(given) < 2 or "fork" not in get_all_start_methods():
         return [function(item) for item in given]
+    queue = _queue(len(given))
     by_id = {id(thing): thing for thing in known}
+    others: list[tuple[Any, Connection]] = []
+    _busy = True
+    try:
+        with _blas().limit(limits=1, user_api="blas"):
+            others = [_beside(function, given, queue, by_id) for _ in range(min(workers, len(given)) - 1)]
+            found = _work(function, given, queue)
+            for _, end in others:
+                found |= _received(end, by_id)
+    finally:
+        _busy = False
+        os.close(queue)
+        for process, end in others:
+            process.kill()
+            process.join()
+            end.close()
+    results = []
+    for index, item in enumerate(given):
+        if index not in found:  # a process was killed, for want of memory, say
+            found[index] = function(item), None
+        result, error = found[index]
+        if error is not None:
+            raise error
+        results.append(result)
+    return results
+
+
+def brief_side_by_side(function: Callable[[T], S], items: Iterable[T], workers: int) -> list[S]:
+    """The same of items that take about as long as each other: if that is short, it is all done here."""
+    given = list(items)
+    begun = time.perf_counter()
+    first = [function(item) for item in given[:1]]
+    left = (time.perf_counter() - begun) * (len(given) - 1)
+    return first + side_by_side(function, given[1:], workers if left > _WORTH else 1)
+
+
+_Found = dict[int, tuple[Any, Exception | None]]
+"""Result or error of each item."""
+
+
+@cache
+def _blas() -> ThreadpoolController:
+    return ThreadpoolController()
+
+
+def _queue(n: int) -> int:
+    """The end of a pipe from which processes read which item is next."""
+    end, begin = os.pipe()
+    os.write(begin, b"".join(index.to_bytes(_NUMBER, "little") for index in range(n)))
+    os.close(begin)
+    return end
+
+
+def _work(function: Callable[[Any], Any], items: Sequence[Any], queue: int) -> _Found:
+    found: _Found = {}
+    while number := os.read(queue, _NUMBER):
+        index = int.from_bytes(number, "little")
+        try:
+            found[index] = function(items[index]), None
+        except Exception as error:
+            found[index] = None, error
+            break
+    return found
+
+
+def _beside(
+    function: Callable[[Any], Any], items: Sequence[Any], queue: int, known: Mapping[int, object]
+) -> tuple[Any, Connection]:
+    """A process that works on the items, and where its results come from."""
+    fork = get_context("fork")
+    here, there = fork.Pipe(duplex=False)
+
+    def run() -> None:
+        signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent says what is to be said
+        data = io.BytesIO()
+        _Pickler(data, known).dump(_work(function, items, queue))
+        there.send_bytes(data.getvalue())
+
+    process = fork.Process(target=run, daemon=True)
     with warnings.catch_warnings():
         # Python 3.12 warns of threads beside a fork: those of the BLAS, which knows of forks
         warnings.simplefilter("ignore", DeprecationWarning)
-        try:
-            with ProcessPoolExecutor(
-                min(workers, len(given)),
-                mp_context=get_context("fork"),
-                initializer=_begin,
-                initargs=(function, given, by_id),
-            ) as pool:
-                return [_Unpickler(io.BytesIO(found), by_id).load() for found in pool.map(_result, range(len(given)))]
-        except BrokenProcessPool:  # a process was killed, for want of memory, say
-            return [function(item) for item in given]
+        process.start()
+    there.close()
+    return process, here
 
 
-def _begin(function: Callable[[Any], Any], items: Sequence[Any], known: Mapping[int, object]) -> None:
-    global _job
-    _job = (function, items, known)
-    signal.signal(signal.SIGINT, signal.SIG_DFL)  # the parent says what is to be said
-    threadpool_limits(limits=1, user_api="blas")
-
-
-def _result(index: int) -> bytes:
-    function, items, known = _job
-    data = io.BytesIO()
-    _Pickler(data, known).dump(function(items[index]))
-    return data.getvalue()
+def _received(end: Connection, known: Mapping[int, object]) -> _Found:
+    try:
+        data = end.recv_bytes()
+    except EOFError:
+        return {}
+    found: _Found = _Unpickler(io.BytesIO(data), known).load()
+    return found
 
 
 class _Pickler(pickle.Pickler):

@@ -95,7 +95,7 @@ def calibration(of: DamperProblem, candidate: Candidate, values: tuple[float, ..
         law_held=True,
         series=series,
         seconds=0.0,
-        carried=carried.carried_law(final, of, of, workers=1),
+        carried=carried.carried_law(final, of, of),
     )
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from edesign.calibrate.contest import fit_best
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.evidence import Judged
-from edesign.calibrate.fit import Fitted, Model, fit
+from edesign.calibrate.fit import Fitted, fit
 from edesign.calibrate.outcome import errors_of, parameters_of, predict
 from edesign.calibrate.problem import Candidate, Described, Part, PredictionError
 from edesign.calibrate.result import CarriedLaw
@@ -23,21 +23,20 @@ def described(candidate: Candidate) -> Described:
     return replace(form.described, fixed=fixed)
 
 
-def carried_law(final: Fitted, fast: DamperProblem, full: DamperProblem, workers: int) -> CarriedLaw:
+def carried_law(final: Fitted, fast: DamperProblem, full: DamperProblem) -> CarriedLaw:
     """The corrected law with its effects in forms that a law file carries.
 
     Args:
         final: the corrected model.
         fast: the problem at the rate of a fit.
         full: at the rate at which errors are told.
-        workers: processes.
     """
     damper = [candidate for candidate, _ in final.parts if candidate.kind == "damper"]
     lost = [candidate for candidate in damper if not _carries(candidate)]
     try:
-        return _carried(_in_known_forms(final, lost, fast.certain, workers) if lost else final, lost, full)
+        return _carried(_in_known_forms(final, lost, fast.certain) if lost else final, lost, full)
     except PredictionError:  # without what is lost the rest has no prediction; the law as declared has one
-        bare = Model(fast, final.model.noise, held=True)
+        bare = replace(final.model, problem=fast, effects=(), held=True, misfit=1.0)
         return _carried(fit(bare, bare.coordinates()), damper, full)
 
 
@@ -48,9 +47,9 @@ def _carried(fitted: Fitted, lost: list[Candidate], full: DamperProblem) -> Carr
     return CarriedLaw(parameters, effects, tuple(candidate.label for candidate in lost), error.validate)
 
 
-def _in_known_forms(final: Fitted, lost: list[Candidate], problem: DamperProblem, workers: int) -> Fitted:
+def _in_known_forms(final: Fitted, lost: list[Candidate], problem: DamperProblem) -> Fitted:
     kept = [part for part in final.parts if part[0] not in lost]
-    model = Model(problem, final.model.noise, tuple(effect for effect, _ in kept), final.model.held)
+    model = replace(final.model, problem=problem, effects=tuple(effect for effect, _ in kept), misfit=1.0)
     found = fit(model, model.coordinates(final.base, kept))
     noise = [s for s, use in zip(model.noise, problem.uses, strict=True) if use == "fit"]
     for name in dict.fromkeys(candidate.name for candidate in lost):
@@ -58,7 +57,7 @@ def _in_known_forms(final: Fitted, lost: list[Candidate], problem: DamperProblem
             continue
         left = [s * r for s, r in zip(noise, found.residuals, strict=True)]
         pool = [c for c in problem.candidates(left) if c.name == name and _carries(c)]
-        tried = [judged.fitted for judged in fit_best(screen(found, pool, workers)[:_FITTED], workers)]
+        tried = [judged.fitted for judged in fit_best(screen(found, pool)[:_FITTED])]
         found = min([found, *tried], key=lambda fitted: fitted.chi2)
     return found
 

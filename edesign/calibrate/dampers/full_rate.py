@@ -12,24 +12,21 @@ from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Fitted, belief, fit, whitened
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.selection import Selection
-from edesign.calibrate.side_by_side import side_by_side
 
 _ENOUGH = 1e-6  # of the sum of squares of some ten thousand samples: a tenth of what chance makes
 _DOUBTS = (0.0, 0.1, 0.3, 1.0)  # shares of the doubt about conditions of the tests
 
 
-def at_full_rate(found: Selection, problem: DamperProblem, workers: int) -> Selection:
+def at_full_rate(found: Selection, problem: DamperProblem) -> Selection:
     """The final model and its rival fitted to all samples: larger steps have errors of their own, with a rig in series
     above all, for which parameters have made up.
 
     Args:
         found: by the loop.
         problem: of the same tests at full rate.
-        workers: processes.
     """
     whole = problem.doubting(likeliest_doubt(found.final.fitted))
-    both, known = (found.final.fitted, found.refit.fitted), (whole, *found.final.fitted.model.given)
-    final, refit = side_by_side(lambda fitted: _fitted(fitted, whole), both, workers, known)
+    final, refit = _fitted(found.final.fitted, whole), _fitted(found.refit.fitted, whole)
     if final is None:
         return found
     adopted = tuple(replace(one, values=values) for one, (_, values) in zip(found.adopted, final.parts, strict=True))

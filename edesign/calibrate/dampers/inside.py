@@ -6,7 +6,6 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from edesign.calibrate.dampers.trial import Motion
 from edesign.core.fading import fading
@@ -14,7 +13,7 @@ from edesign.damper.law import Law
 
 _NOTHING = 1e-9
 _KEPT = 64  # motions and relaxation times
-_PARTS = 4  # of a step: powers of the motion bend more than the motion
+_MOMENTS = 18  # from which those of steps shorter than the relaxation are found in double precision
 
 
 def relaxation_time(law: Law, values: Mapping[str, float]) -> float | None:
@@ -47,14 +46,10 @@ def relaxed_force(motion: Motion, force: np.ndarray, tau: complex) -> np.ndarray
 
     A complex time constant, its real part positive, makes Q complex.
     """
-    time = motion.time
-    fine = np.interp(np.arange((time.size - 1) * _PARTS + 1) / _PARTS, np.arange(time.size), time)
-    values = CubicSpline(time, force)(fine) if time.size > 3 else np.interp(fine, time, force)
-    # exact for a force linear over the parts of a step
-    x = np.diff(fine) / tau
-    decay, mean = np.exp(-x), -np.expm1(-x) / x
-    made = (1.0 - mean) * values[1:] + (mean - decay) * values[:-1]
-    return fading(decay, made, float(force[0]))[::_PARTS]
+    decay, begin, end, slope_begin, slope_end = _relaxing_cubics(motion, tau)
+    slope = motion.spline.slopes(force)
+    made = begin * force[:-1] + end * force[1:] + slope_begin * slope[:-1] + slope_end * slope[1:]
+    return fading(decay, made, float(force[0]))
 
 
 def swung_force(motion: Motion, force: np.ndarray, frequency: float, damping: float) -> np.ndarray:
@@ -74,16 +69,42 @@ def relaxed_factor(motion: Motion, factor: np.ndarray, force: np.ndarray, tau: f
     By parts Q = (factor - 1) F + R with R + tau R' = -tau factor' F, so that no force is differentiated; exact for
     factor and force linear between samples.
     """
-    decay, begin, end = _relaxing(motion, tau)
+    decay, begin, end = _relaxing_lines(motion, tau)
     made = np.diff(factor) * (begin * force[:-1] + end * force[1:])
     return np.asarray((factor - 1.0) * force - fading(decay, made, 0.0))
 
 
 @lru_cache(maxsize=_KEPT)
-def _relaxing(motion: Motion, tau: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _relaxing_lines(motion: Motion, tau: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Of each step (n - 1,): what is left of R, and what the force at its beginning and end have made of a change of
     the factor by one; kept, as most searches move other parameters.
     """
     x = motion.steps / tau
     decay, mean = np.exp(-x), -np.expm1(-x) / x
     return decay, (mean - decay) / x, (1.0 - mean) / x
+
+
+@lru_cache(maxsize=_KEPT)
+def _relaxing_cubics(motion: Motion, tau: complex) -> tuple[np.ndarray, ...]:
+    """Of each step (n - 1,): what is left of Q, and what forces and their slopes at its beginning and end make of it;
+    kept, as most searches move other parameters.
+    """
+    x = motion.steps / tau
+    decay = np.exp(-x)
+    # moments m_k = x integral exp(-x (1 - s)) s^k ds over a step, k m_(k-1) = x (1 - m_k), taken in the way in which
+    # errors die out
+    short = np.abs(x) < 1.0
+    down, up = x[short], x[~short]
+    m = np.empty((4, x.size), dtype=x.dtype)
+    last: np.ndarray = down / (_MOMENTS + 1.0)
+    for k in range(_MOMENTS, 0, -1):
+        last = down * (1.0 - last) / k
+        if k <= 4:
+            m[k - 1, short] = last
+    last = 1.0 - decay[~short]
+    for k in range(4):
+        last = 1.0 - k / up * last if k else last
+        m[k, ~short] = last
+    rise = 3.0 * m[2] - 2.0 * m[3]
+    h = motion.steps
+    return decay, m[0] - rise, rise, h * (m[1] - 2.0 * m[2] + m[3]), h * (m[3] - m[2])

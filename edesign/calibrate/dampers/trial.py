@@ -10,6 +10,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 from edesign.calibrate.problem import Use
+from edesign.calibrate.spline import Spline
 
 _RATE = 60.0  # samples per second that a fit needs at least
 _PER_CYCLE = 40  # and in a cycle of the fastest motion: exact to 1e-5 through cubics
@@ -42,6 +43,11 @@ class Motion:
     def ways(self) -> np.ndarray:
         """Ways (n - 1,) between samples, m, signed."""
         return np.diff(self.displacement)
+
+    @cached_property
+    def spline(self) -> Spline:
+        """Through histories on its samples."""
+        return Spline(self.time)
 
     @cached_property
     def path(self) -> np.ndarray:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-from scipy import signal
+import scipy  # its signal is loaded with the first filter: that takes a second
 
 from edesign.errors import InputError
 from edesign.ground_motion.processing.length import pad
@@ -54,8 +54,8 @@ def band_pass(record: Record, low: float | None, high: float | None, order: int 
     sections = []
     for corner, kind in ((low, "highpass"), (high, "lowpass")):
         if corner is not None:
-            sections.append(signal.butter(order, corner / nyquist, kind, output="sos"))
-    samples = signal.sosfiltfilt(np.vstack(sections), padded.acceleration, padtype=None, padlen=0)
+            sections.append(scipy.signal.butter(order, corner / nyquist, kind, output="sos"))
+    samples = scipy.signal.sosfiltfilt(np.vstack(sections), padded.acceleration, padtype=None, padlen=0)
     band = " to ".join(f"{f:.6g} Hz" if f is not None else "open" for f in (low, high))
     done = f"acausal Butterworth filter of order {order} (two passes), {band}"
     if keep_pads:

@@ -6,7 +6,7 @@ from dataclasses import replace
 from fractions import Fraction
 
 import numpy as np
-from scipy import signal
+import scipy  # its signal is loaded with the first filter: that takes a second
 
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
@@ -52,7 +52,7 @@ def resample_band_limited(record: Record, time_step: float) -> Record:
             f"{record.name}: the steps {record.time_step:g} s and {time_step:g} s are not in a ratio of whole numbers "
             f"up to {_LARGEST}"
         )
-    samples = signal.resample_poly(record.acceleration, ratio.numerator, ratio.denominator, window=_filter(ratio))
+    samples = scipy.signal.resample_poly(record.acceleration, ratio.numerator, ratio.denominator, window=_filter(ratio))
     nyquist = 0.5 / max(record.time_step, time_step)
     done = f"resampled to {time_step:.9g} s as a band-limited signal (kept up to {PASSED * nyquist:.4g} Hz)"
     return replace(record, acceleration=samples[: last + 1], time_step=time_step, source=f"{record.source}; {done}")
@@ -62,5 +62,5 @@ def _filter(ratio: Fraction) -> np.ndarray:
     """Symmetric low-pass filter at the common rate of both steps, whose Nyquist frequency is 1 here."""
     lower = 1.0 / max(ratio.numerator, ratio.denominator)
     width = (1.0 - PASSED) * lower
-    taps, beta = signal.kaiserord(_ATTENUATION, width)
-    return signal.firwin(taps | 1, lower - width / 2.0, window=("kaiser", beta))
+    taps, beta = scipy.signal.kaiserord(_ATTENUATION, width)
+    return scipy.signal.firwin(taps | 1, lower - width / 2.0, window=("kaiser", beta))

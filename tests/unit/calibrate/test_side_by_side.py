@@ -21,8 +21,14 @@ def test_results_come_in_the_order_of_the_items() -> None:
     assert side_by_side(slow_first, [], 2) == []
 
 
-def test_they_run_in_other_processes() -> None:
-    assert os.getpid() not in side_by_side(lambda _: os.getpid(), range(4), 2)
+def test_they_run_here_and_in_other_processes() -> None:
+    def slow(_: int) -> int:
+        time.sleep(0.3)
+        return os.getpid()
+
+    found = side_by_side(slow, range(6), 3)
+    assert os.getpid() in found
+    assert len(set(found)) == 3
     assert side_by_side(lambda _: os.getpid(), range(4), 1) == [os.getpid()] * 4
 
 
@@ -45,12 +51,21 @@ def test_errors_are_raised_here() -> None:
         side_by_side(wrong, range(3), 2)
 
 
+def test_items_that_come_here_are_worked_on_by_their_process() -> None:
+    def several(_: int) -> bool:
+        time.sleep(0.1)
+        return set(side_by_side(lambda _: os.getpid(), range(3), 2)) == {os.getpid()}
+
+    assert side_by_side(several, range(3), 2) == [True] * 3
+
+
 def test_a_killed_process_loses_nothing() -> None:
     here = os.getpid()
 
     def dies_elsewhere(i: int) -> int:
-        if os.getpid() != here and i == 1:
+        if os.getpid() != here:
             os.kill(os.getpid(), signal.SIGKILL)
+        time.sleep(0.1)
         return i + 10
 
     assert side_by_side(dies_elsewhere, range(4), 2) == [10, 11, 12, 13]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import ClassVar
 
 import numpy as np
-from scipy.interpolate import CubicSpline
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.inside import relaxed_force, swung_force
@@ -42,7 +41,7 @@ class Delay(_Lag):
 
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
         time = trial.motion.time
-        return np.asarray(CubicSpline(time, force)(np.clip(time - p["lag"], time[0], time[-1])))
+        return trial.motion.spline.at(force, np.clip(time - p["lag"], time[0], time[-1]))
 
 
 class Filter(_Lag):

@@ -1,0 +1,50 @@
+"""Cubic splines of many histories on one grid of times: what depends on the times alone is done once."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.linalg.lapack import dgttrf, dgttrs
+
+LEAST = 4  # samples
+
+
+class Spline:
+    """Interpolates by cubics with two continuous derivatives, the third one too at the second and the last but one
+    sample (not-a-knot; de Boor, A Practical Guide to Splines, chapter IV).
+
+    Args:
+        time: (n,) s, rising, n at least 4.
+
+    Raises:
+        ValueError: there are fewer.
+    """
+
+    def __init__(self, time: np.ndarray) -> None:
+        if time.size < LEAST:
+            raise ValueError(f"{time.size} samples; a cubic spline takes at least {LEAST}")
+        self.time = time
+        self._h = h = np.diff(time)
+        self._left, self._right = h[:-1].copy(), h[1:].copy()
+        main = np.concatenate(([h[1]], 2.0 * (h[:-1] + h[1:]), [h[-2]]))
+        above = np.concatenate(([h[0] + h[1]], h[:-1]))
+        below = np.concatenate((h[1:], [h[-2] + h[-1]]))
+        self._factors = dgttrf(below, main, above)[:5]
+
+    def slopes(self, values: np.ndarray) -> np.ndarray:
+        """Derivatives (n,) of the spline through values (n,)."""
+        h, chord = self._h, np.diff(values) / self._h
+        right = np.empty(values.size)
+        right[1:-1] = 3.0 * (self._right * chord[:-1] + self._left * chord[1:])
+        for end, (a, b) in ((0, (0, 1)), (-1, (-1, -2))):
+            both = h[a] + h[b]
+            right[end] = ((h[a] + 2.0 * both) * h[b] * chord[a] + h[a] ** 2 * chord[b]) / both
+        return np.asarray(dgttrs(*self._factors, right, overwrite_b=1)[0])
+
+    def at(self, values: np.ndarray, times: np.ndarray) -> np.ndarray:
+        """The spline through values (n,) at other times (m,); beyond the ends the cubics go on."""
+        i = np.clip(np.searchsorted(self.time, times, side="right") - 1, 0, self.time.size - 2)
+        h, slope, change = self._h[i], self.slopes(values), np.diff(values)[i]
+        x, begin, end = (times - self.time[i]) / h, h * slope[i], h * slope[i + 1]
+        return np.asarray(
+            values[i] + x * (begin + x * (3.0 * change - 2.0 * begin - end + x * (begin + end - 2.0 * change)))
+        )
