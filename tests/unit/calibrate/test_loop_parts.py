@@ -273,6 +273,62 @@ def test_an_effect_that_is_a_part_of_another_form_goes() -> None:
     assert left[0].label == "x.whole" and left[1][0] == pytest.approx(2.0, abs=4.0 / np.sqrt(2.0 * 1000.0))
 
 
+@pytest.mark.parametrize(("also", "left"), [(0.0, ["x"]), (0.6, ["w", "x"])])
+def test_an_effect_that_stands_for_a_law_not_as_declared_goes(also: float, left: list[str]) -> None:
+    # w is roughly what the law is off by; the law fitted again takes its place where it leaves noise alone
+    problem = linear(seed=16, hidden={"x": 2.0, "y": also})
+    problem.declared = np.array([0.2, 1.1, 1.9])  # 1.1, 0.8 and 1.3 in truth
+    random = np.random.default_rng(17)
+    problem.columns["w"] = [m @ [0.9, -0.3, -0.6] + 0.8 * random.standard_normal(200) for m in problem.matrices]
+    by_name = {c.name: c for c in problem.candidates([])}
+    model = replace(_model(problem), effects=(by_name["w"], by_name["x"]), held=True)
+    pair = Judged(fit(model, model.coordinates()))
+    assert not pair.at_floor
+    found = Loop(problem, (1.0,) * 6, workers=1)._last_alone(pair)
+    assert [effect.name for effect in found.fitted.model.effects] == left
+    assert found.fitted.model.held == (len(left) > 1)
+
+
+def _of_labels(problem: LinearProblem, *labels: str) -> Judged:
+    by_label = {c.label: c for c in problem.candidates([])}
+    model = replace(_model(problem), effects=tuple(by_label[label] for label in labels))
+    return Judged(fit(model, model.coordinates()))
+
+
+def test_forms_that_leave_more_than_asked_are_not_fitted_on() -> None:
+    problem = linear(seed=18, hidden={"x": 5.0})
+    problem.columns = {"x.whole": problem.columns["x"], "x.half": problem.columns["y"]}
+    current = _of_labels(problem, "x.half")
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    assert loop._other_forms(current, current.fitted.model.effects[0], 0.5 * current.fitted.samples) == []
+    loop.compared.clear()
+    (found,) = loop._other_forms(current, current.fitted.model.effects[0], 2.0 * current.fitted.samples)
+    assert found.fitted.model.effects[0].label == "x.whole"
+
+
+def test_what_stands_beside_another_form_of_an_effect_is_no_rival_of_it() -> None:
+    problem = linear(seed=19, hidden={"x": 2.0})
+    problem.columns = {**problem.columns, "x.one": problem.columns["x"], "x.other": problem.columns["z"]}
+    del problem.columns["x"]
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    both = _of_labels(problem, "x.one", "x.other")
+    assert loop._alternatives(both, both.fitted.model.effects[0]) == []
+    beside = _of_labels(problem, "x.one", "y.only")
+    rivals = loop._alternatives(beside, beside.fitted.model.effects[1])
+    assert rivals and all(judged.fitted.model.effects[-1].name != "y" for judged in rivals)
+
+
+def test_of_more_than_two_effects_none_is_held_against_others() -> None:
+    told: list[str] = []
+    problem = linear(seed=20, hidden={"x": 2.0, "y": 2.0, "z": 2.0})
+    loop = Loop(problem, (1.0,) * 6, workers=1, progress=told.append)
+    three = _of_labels(problem, "x.only", "y.only", "z.only")
+    assert loop._reconsider(three) is three and loop._reformed(three) is three and not told
+    two = _of_labels(problem, "x.only", "y.only")
+    loop._reconsider(two)
+    assert told == ["reconsidering x"]
+
+
 def test_a_form_begins_where_another_one_with_the_same_parameters_stands() -> None:
     problem = linear(hidden={"x": 0.5})
     own, further = Unknown("a", "", -1e6, 1e6, 1.0), Unknown("p", "", 0.1, 10.0, 3.0, logarithmic=True)

@@ -9,7 +9,7 @@ import time
 import numpy as np
 import pytest
 
-from edesign.calibrate.side_by_side import side_by_side
+from edesign.calibrate.side_by_side import brief_side_by_side, side_by_side
 
 
 def test_results_come_in_the_order_of_the_items() -> None:
@@ -69,3 +69,15 @@ def test_a_killed_process_loses_nothing() -> None:
         return i + 10
 
     assert side_by_side(dies_elsewhere, range(4), 2) == [10, 11, 12, 13]
+
+
+@pytest.mark.parametrize(("duration", "processes"), [(0.0, 1), (0.15, 2)])
+def test_short_work_is_done_here(duration: float, processes: int) -> None:
+    def work(i: int) -> tuple[int, int]:
+        time.sleep(duration)
+        return i, os.getpid()
+
+    found = brief_side_by_side(work, range(6), 2)
+    assert [i for i, _ in found] == [*range(6)]
+    assert len({process for _, process in found}) == processes
+    assert brief_side_by_side(work, [], 2) == []
