@@ -120,6 +120,7 @@ bench: test-setup
 	@$(PY) -m benchmarks.damped_frame
 	@$(PY) -m benchmarks.damper_designs
 	@$(PY) -m benchmarks.incremental
+	@$(PY) -m benchmarks.calibration
 
 test: test-setup lint types layers ctest pytest
 
