@@ -23,6 +23,7 @@ _SMALL, _MISSED = 0.01, 5e-4
 """Shares of all that the refitted law leaves over noise, and of what the effects found before do to the force: below
 the larger stands what the equations of these effects miss.
 """
+_NEARLY_ALL = 0.85  # of what is left over noise
 _PAIRS = 4  # pairs fitted in a round
 _FORMS, _FORMS_HELD, _FORMS_SLOW = 5, 10, 3
 """Forms of an effect that are compared once it is a likely one: usually, with the law held, and beside slow or several
@@ -190,15 +191,13 @@ class Loop:
         names = {effect.name for effect in known}
         # finer forms of these were tried: a second form has nothing to add
         shaped = {part[0].name for part in current.fitted.parts if part[0].finer or self.problem.finer(part)}
-        pool = [
-            c
-            for c in self._candidates(current)
-            if may_join(c, known) and (more or c.name in names) and c.name not in shaped
-        ]
+        pool = [c for c in self._candidates(current) if may_join(c, known) and c.name not in shaped]
         self.tell(f"effect {number}: screening {len(pool)} forms of effects")
         signatures = screen(current.fitted, pool)
-        short = shortlist(signatures)
-        self.tell(f"effect {number}: fitting {', '.join(dict.fromkeys(s.candidate.name for s in short))}")
+        nearly_all = _NEARLY_ALL * (current.fitted.chi2 - current.fitted.samples)
+        short = shortlist([s for s in signatures if more or s.candidate.name in names or s.gain >= nearly_all])
+        if short:
+            self.tell(f"effect {number}: fitting {', '.join(dict.fromkeys(s.candidate.name for s in short))}")
         elsewhere = []
         unfitted = current.fitted.model.coordinates()
         if not known and unfitted.size and float(np.max(np.abs(current.fitted.x - unfitted))) > _FAR:
@@ -278,12 +277,13 @@ class Loop:
         return self._fitted([(replace(j.fitted.model, misfit=misfit), j.fitted.x) for j in near[:_RIVALS]])
 
     def _matters(self, judged: Judged, current: Judged) -> bool:
-        """Whether what new effects remove is more than the equations of the known ones may miss; further forms of
-        these may do less.
+        """Whether what new effects remove is more than the equations of the known ones may miss, or nearly all that is
+        left, as no other effect does with the errors of an equation; further forms of the known ones may do less.
         """
         known = {effect.name for effect in current.fitted.model.effects}
         new = any(effect.name not in known for effect in judged.fitted.model.effects)
-        return not new or current.fitted.chi2 - judged.fitted.chi2 >= self._may_miss(current)
+        removed, excess = current.fitted.chi2 - judged.fitted.chi2, current.fitted.chi2 - current.fitted.samples
+        return not new or removed >= min(self._may_miss(current), _NEARLY_ALL * excess)
 
     def _pair(self, current: Judged, tried: Sequence[Signature], all_: Sequence[Signature]) -> Judged | None:
         """The best pair of effects that a linear estimate makes look good together."""
