@@ -213,7 +213,7 @@ class Loop:
         refused = tuple((judged.fitted.model.effects[-1], compare(judged, rival)) for judged in near)
         best = simplest([judged for judged in tried if compare(judged, rival).adopts] or tried)
         evidence = compare(best, rival)
-        if more and evidence.share < CLEAR and len(known) < _FEW:
+        if more and not (evidence.adopts and evidence.share >= CLEAR) and len(known) < _FEW:
             pair = self._pair(current, short, signatures)
             if pair is not None:
                 together = compare(pair, rival)
