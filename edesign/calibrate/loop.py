@@ -191,10 +191,15 @@ class Loop:
         names = {effect.name for effect in known}
         # finer forms of these were tried: a second form has nothing to add
         shaped = {part[0].name for part in current.fitted.parts if part[0].finer or self.problem.finer(part)}
-        pool = [c for c in self._candidates(current) if may_join(c, known) and c.name not in shaped]
+        nearly_all = self._nearly_all(current)
+        others = more or nearly_all < math.inf
+        pool = [
+            c
+            for c in self._candidates(current)
+            if may_join(c, known) and (others or c.name in names) and c.name not in shaped
+        ]
         self.tell(f"effect {number}: screening {len(pool)} forms of effects")
         signatures = screen(current.fitted, pool)
-        nearly_all = _NEARLY_ALL * (current.fitted.chi2 - current.fitted.samples)
         short = shortlist([s for s in signatures if more or s.candidate.name in names or s.gain >= nearly_all])
         if short:
             self.tell(f"effect {number}: fitting {', '.join(dict.fromkeys(s.candidate.name for s in short))}")
@@ -282,8 +287,13 @@ class Loop:
         """
         known = {effect.name for effect in current.fitted.model.effects}
         new = any(effect.name not in known for effect in judged.fitted.model.effects)
-        removed, excess = current.fitted.chi2 - judged.fitted.chi2, current.fitted.chi2 - current.fitted.samples
-        return not new or removed >= min(self._may_miss(current), _NEARLY_ALL * excess)
+        removed = current.fitted.chi2 - judged.fitted.chi2
+        return not new or removed >= min(self._may_miss(current), self._nearly_all(current))
+
+    def _nearly_all(self, current: Judged) -> float:
+        """Sum of squares that is nearly all that is left; none is where that is less than noise."""
+        excess = current.fitted.chi2 - current.fitted.samples
+        return _NEARLY_ALL * excess if excess > current.fitted.samples else math.inf
 
     def _pair(self, current: Judged, tried: Sequence[Signature], all_: Sequence[Signature]) -> Judged | None:
         """The best pair of effects that a linear estimate makes look good together."""
