@@ -100,7 +100,7 @@ def _work(function: Callable[[Any], Any], items: Sequence[Any], queue: int) -> _
         index = int.from_bytes(number, "little")
         try:
             found[index] = function(items[index]), None
-        except Exception as error:
+        except Exception as error:  # is raised where the work was asked for
             found[index] = None, error
             break
     return found
