@@ -87,7 +87,7 @@ def _blas() -> ThreadpoolController:
 
 
 def _queue(n: int) -> int:
-    """The end of a pipe from which processes read which item is next."""
+    """The end of a pipe from which processes read which item is next; it holds some ten thousand."""
     end, begin = os.pipe()
     os.write(begin, b"".join(index.to_bytes(_NUMBER, "little") for index in range(n)))
     os.close(begin)

@@ -5,25 +5,22 @@ from __future__ import annotations
 import numpy as np
 from scipy.linalg.lapack import dgttrf, dgttrs
 
-LEAST = 4  # samples
+_LEAST = 4  # samples
 
 
 class Spline:
     """Interpolates by cubics with two continuous derivatives, the third one too at the second and the last but one
-    sample (not-a-knot; de Boor, A Practical Guide to Splines, chapter IV).
+    sample (not-a-knot; de Boor, A Practical Guide to Splines, chapter IV); three samples by a parabola, two by a line.
 
     Args:
-        time: (n,) s, rising, n at least 4.
-
-    Raises:
-        ValueError: there are fewer.
+        time: (n,) s, rising.
     """
 
     def __init__(self, time: np.ndarray) -> None:
-        if time.size < LEAST:
-            raise ValueError(f"{time.size} samples; a cubic spline takes at least {LEAST}")
         self.time = time
         self._h = h = np.diff(time)
+        if time.size < _LEAST:
+            return
         self._left, self._right = h[:-1].copy(), h[1:].copy()
         main = np.concatenate(([h[1]], 2.0 * (h[:-1] + h[1:]), [h[-2]]))
         above = np.concatenate(([h[0] + h[1]], h[:-1]))
@@ -32,8 +29,11 @@ class Spline:
 
     def slopes(self, values: np.ndarray) -> np.ndarray:
         """Derivatives (n,) of the spline through values (n,)."""
+        n = values.size
+        if n < _LEAST:
+            return np.asarray(np.gradient(values, self.time, edge_order=2 if n == 3 else 1) if n > 1 else np.zeros(n))
         h, chord = self._h, np.diff(values) / self._h
-        right = np.empty(values.size)
+        right = np.empty(n)
         right[1:-1] = 3.0 * (self._right * chord[:-1] + self._left * chord[1:])
         for end, (a, b) in ((0, (0, 1)), (-1, (-1, -2))):
             both = h[a] + h[b]
