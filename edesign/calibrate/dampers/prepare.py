@@ -19,7 +19,10 @@ from edesign.errors import InputError
 
 _THERMOMETER = 0.2  # K: tolerance of a platinum resistor of class A near room temperature, IEC 60751
 _ABSURD = 30.0  # ratio of measured to predicted force beyond which a unit is wrong, not a law
-_OPPOSITE = -0.3  # correlation of measured and predicted force below which the sign is wrong
+_OPPOSITE = -0.3
+"""Correlation of measured and predicted force below which the sign is wrong, if the damper did work too: a mass that
+moves with the load cell may turn the force around, but it dissipates nothing.
+"""
 
 
 def damper_problem(campaign: Campaign) -> DamperProblem:
@@ -120,7 +123,7 @@ def _check_forces(problem: DamperProblem, campaign: Campaign) -> None:
     for trial, test, force in zip(small.trials, campaign.tests, predicted, strict=True):
         assert force is not None
         size = float(np.sqrt((force @ force) * (trial.force @ trial.force)))
-        if size and float(force @ trial.force) / size < _OPPOSITE:
+        if size and float(force @ trial.force) / size < _OPPOSITE and trial.work < 0.0:
             flipped.append(test)
         scales.append(float(np.sqrt((trial.force @ trial.force) / max(force @ force, 1e-300))))
     if flipped:

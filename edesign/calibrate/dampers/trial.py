@@ -109,6 +109,11 @@ class Trial:
         return float(np.mean(self.temperature))
 
     @cached_property
+    def work(self) -> float:
+        """Done on the specimen, J."""
+        return float(np.sum(0.5 * (self.force[1:] + self.force[:-1]) * self.motion.ways))
+
+    @cached_property
     def _finer(self) -> dict[int, Trial]:
         return {}
 
@@ -139,7 +144,7 @@ class Sizes:
         tests: number in the campaign.
         fitted: how many of them are fitted to.
         period: of the slowest motion (longest time between reversals, times two).
-        temperatures: lowest and highest, degC.
+        temperatures: lowest and highest, degC, whatever single readings say.
     """
 
     force: float
@@ -172,7 +177,8 @@ class Sizes:
         def largest(values: Sequence[np.ndarray]) -> float:
             return max(float(np.max(np.abs(v))) for v in values)
 
-        work = sum(float(np.sum(0.5 * (t.force[1:] + t.force[:-1]) * t.motion.ways)) for t in trials)
+        temperatures = [value for t in trials for value in _parts_of(t.temperature)]
+        work = sum(t.work for t in trials)
         return Sizes(
             force=largest([t.force for t in fitted]),
             displacement=largest([t.motion.displacement for t in fitted]),
@@ -184,11 +190,13 @@ class Sizes:
             tests=len(trials),
             fitted=len(fitted),
             period=max(_slowest(t.motion) for t in fitted),
-            temperatures=(
-                min(float(t.temperature.min()) for t in trials),
-                max(float(t.temperature.max()) for t in trials),
-            ),
+            temperatures=(min(temperatures), max(temperatures)),
         )
+
+
+def _parts_of(temperature: np.ndarray) -> list[float]:
+    """Medians of tenths of a test: what it warms is no noise of the thermometer."""
+    return [float(np.median(part)) for part in np.array_split(temperature, 10) if part.size]
 
 
 def _slowest(motion: Motion) -> float:

@@ -6,11 +6,13 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 import yaml
 from kelvin_voigt_campaign import campaign, lawful
 
 from edesign.archive.reader import open_archive
+from edesign.calibrate.dampers.prepare import damper_problem
 from edesign.cli.main import main
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve
@@ -70,6 +72,14 @@ def test_the_folder_of_the_campaign_and_no_page(tmp_path: Path) -> None:
 
 def _flip(row: list[str]) -> list[str]:
     return [row[0], row[1], str(-float(row[2]))]
+
+
+def test_a_mass_that_turns_the_force_around_is_no_wrong_sign(tmp_path: Path) -> None:
+    def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
+        return lawful(t, u, v, a, order) + 50e3 * a  # beyond 1.4 Hz more than the spring
+
+    tests = damper_problem(campaign(tmp_path, hidden)).trials
+    assert min(float(np.corrcoef(test.force, test.motion.displacement)[0, 1]) for test in tests) < -0.5
 
 
 def _thousand(row: list[str]) -> list[str]:

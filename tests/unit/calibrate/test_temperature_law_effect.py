@@ -36,6 +36,26 @@ def test_a_transition_is_half_way_at_its_middle() -> None:
     assert phi[0] == pytest.approx(1.0, abs=1e-12) and phi[-1] == pytest.approx(0.6, abs=1e-8)
 
 
+def test_readings_of_one_temperature_show_no_law_of_it() -> None:
+    random = np.random.default_rng(5)
+    read = [np.round(20.0 + off + 0.3 * random.standard_normal(motion(8).time.size), 1) for off in (-0.4, 0.1, 0.3)]
+    one = Sizes.of([trial(motion(8), order, temperature) for order, temperature in enumerate(read)])
+    assert max(x.max() for x in read) - min(x.min() for x in read) > 1.5
+    assert one.temperatures == pytest.approx((19.6, 20.3), abs=0.2)
+    warmed = Sizes.of([trial(motion(8), 0, read[1] + np.linspace(0.0, 6.0, motion(8).time.size))])
+    assert warmed.temperatures == pytest.approx((20.4, 25.8), abs=0.3)
+    for form in temperature_law.FORMS:
+        assert not form().unknowns(one) and not form().starts(one)
+        assert form().unknowns(warmed)
+
+
+def test_no_transition_is_sharper_than_a_thermometer_sees() -> None:
+    size = replace(sizes(), temperatures=(20.0, 23.0))
+    sharpest = next(u for u in temperature_law.Transition().unknowns(size) if u.name == "w")
+    assert sharpest.lower == 1.0
+    assert all(w >= 1.0 for _, _, w in temperature_law.Transition().starts(size))
+
+
 def test_exponential_follows_the_temperature_within_a_test() -> None:
     of = motion(8)
     warm = np.linspace(18.0, 32.0, of.time.size)

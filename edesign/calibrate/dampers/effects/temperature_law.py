@@ -17,7 +17,8 @@ from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
 from edesign.damper.temperature import CHANGING, REFERENCE_C, at_one_rate
 
-_LEAST_SPAN = 1.0  # K: tests at one temperature tell nothing of it
+_LEAST_SPAN = 2.0  # K: tests at one temperature tell nothing of it, and readings of one, 0.2 K off, span up to 1 K
+_SHARPEST = 1.0  # K, of a transition: no rubber has a sharper one, and readings may be off by a fifth
 _SLOWING = -0.015, 0.024  # 1/K: from -20 to 80 degC no fall is endless
 _NEAREST = 0.05  # of 1 + c w: T0 - C2, where the fall ends, comes no nearer
 
@@ -162,13 +163,13 @@ class Transition(_Temperature):
         return (
             Unknown("d", "", -5.0, 5.0, 0.3),
             Unknown("Tc", "degC", low - 2.0 * span, high + 2.0 * span, span),
-            Unknown("w", "K", 0.02 * span, 3.0 * span, 0.2 * span, logarithmic=True),
+            Unknown("w", "K", _SHARPEST, 3.0 * span, 0.2 * span, logarithmic=True),
         )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         low, high = sizes.temperatures
         span = high - low
-        rows = ((0.1, low + at * span, w * span) for at in (0.1, 0.35, 0.6, 0.85) for w in (0.1, 0.25))
+        rows = ((0.1, low + at * span, max(w * span, _SHARPEST)) for at in (0.1, 0.35, 0.6, 0.85) for w in (0.1, 0.25))
         return tuple(rows) if _shown(sizes) else ()
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
