@@ -34,7 +34,7 @@ static void run(int law, int n_parameters, const double *parameters, int n, cons
 {
   int done;
   ed_damper *damper = make(law, n_parameters, parameters, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, n + 1, t, u, v, factor, added, stiffness, 0.0, within, play, force, own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, n + 1, t, u, v, factor, added, NULL, stiffness, 0.0, within, play, force, own, &done), ED_OK);
   CHECK_INT(done, n + 1);
   ed_damper_free(damper);
 }
@@ -230,42 +230,67 @@ static void check_rest(void)
   }
 }
 
+/* A spring beside a Zener model is a stiffer k0, whatever the rig: the same to the tolerance of the balance. */
+static void check_spring_beside(void)
+{
+  enum { N = 400 };
+  static const double zener[] = {2e6, 3e6, 2e5}, stiffer[] = {3.5e6, 3e6, 2e5};
+  static double spring[N + 1], expected[N + 1], expected_own[N + 1];
+  int done;
+  for (int i = 0; i <= N; i++)
+    spring[i] = 1.5e6;
+  sine(N, 0.01, 5e-3, 6.0, 0.2);
+  ed_damper *damper = make(ED_LAW_ZENER, 3, zener, 0.0), *other = make(ED_LAW_ZENER, 3, stiffer, 0.0);
+  for (int i = 0; i < 3; i++) {
+    const double play = i == 1 ? 1e-3 : 0.0, within = i == 2 ? 1e6 : 0.0, bend = i == 2 ? 1e6 : 0.0;
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, spring, 2e7, bend, within, play, force, own, &done), ED_OK);
+    CHECK_STATUS(ed_damper_history_in_series(other, N + 1, t, u, v, NULL, NULL, NULL, 2e7, bend, within, play, expected, expected_own, &done),
+                 ED_OK);
+    for (int j = 0; j <= N; j++) {
+      CHECK_NEAR(force[j], expected[j], 1e-7 * 3e4);
+      CHECK_NEAR(own[j], expected_own[j], 1e-7 * 5e-3);
+    }
+  }
+  ed_damper_free(damper);
+  ed_damper_free(other);
+}
+
 /* What is refused leaves the results as they were, and the damper too. */
 static void check_refusals(void)
 {
   enum { N = 50 };
-  double factor[N + 1], added[N + 1], before[N + 1], before_own[N + 1];
+  double factor[N + 1], added[N + 1], spring[N + 1], before[N + 1], before_own[N + 1];
   int done;
   sine(N, 0.01, 5e-3, 6.0, 0.2);
   for (int i = 0; i <= N; i++) {
     factor[i] = 1.0;
-    added[i] = 0.0;
+    added[i] = spring[i] = 0.0;
   }
   ed_damper *damper = make(ED_LAW_MGMM, 12, MGMM, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, 4e7, 0.0, 0.0, 1e-3, before, before_own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, NULL, 4e7, 0.0, 0.0, 1e-3, before, before_own, &done), ED_OK);
   static const double wrong[][3] = {{0.0, 0.0, 0.0},   {-1.0, 0.0, 0.0}, {NAN, 0.0, 0.0},      {INFINITY, 0.0, 0.0}, {1e7, -1e-9, 0.0},
                                     {1e7, NAN, 0.0},   {1e7, INFINITY, 0.0}, {1e7, 0.0, -1.0}, {1e7, 0.0, NAN}};
   force[0] = own[0] = 77.0;
   for (int i = 0; i < 9; i++)
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, wrong[i][0], 0.0, wrong[i][2], wrong[i][1], force, own, &done),
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, wrong[i][0], 0.0, wrong[i][2], wrong[i][1], force, own, &done),
                  ED_E_ARGUMENT);
-  CHECK_STATUS(ed_damper_history_in_series(damper, 0, t, u, v, NULL, NULL, 1e7, 0.0, 0.0, 0.0, force, own, &done), ED_E_ARGUMENT);
-  double *const place[] = {&t[7], &u[8], &v[9], &factor[10], &added[11], &factor[12], &t[13]};
-  const double bad[] = {NAN, INFINITY, NAN, NAN, NAN, -0.1, t[12]};
-  for (int i = 0; i < 7; i++) {
+  CHECK_STATUS(ed_damper_history_in_series(damper, 0, t, u, v, NULL, NULL, NULL, 1e7, 0.0, 0.0, 0.0, force, own, &done), ED_E_ARGUMENT);
+  double *const place[] = {&t[7], &u[8], &v[9], &factor[10], &added[11], &spring[12], &factor[13], &t[14], &spring[15]};
+  const double bad[] = {NAN, INFINITY, NAN, NAN, NAN, NAN, -0.1, t[13], -1.0};
+  for (int i = 0; i < 9; i++) {
     const double good = *place[i];
     *place[i] = bad[i];
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, 1e7, 0.0, 0.0, 0.0, force, own, &done),
-                 i < 5 ? ED_E_NOT_FINITE : ED_E_ARGUMENT);
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, spring, 1e7, 0.0, 0.0, 0.0, force, own, &done),
+                 i < 6 ? ED_E_NOT_FINITE : ED_E_ARGUMENT);
     CHECK_INT(done, 7 + i);
     *place[i] = good;
   }
   CHECK(force[0] == 77.0 && own[0] == 77.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, 4e7, 0.0, 0.0, 1e-3, force, own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, 4e7, 0.0, 0.0, 1e-3, force, own, &done), ED_OK);
   CHECK_SAME(force, before, N + 1);
   CHECK_SAME(own, before_own, N + 1);
   u[20] = 1e308; /* overflows on the way */
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, 4e7, 0.0, 0.0, 1e-3, force, own, &done), ED_E_NOT_FINITE);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, 4e7, 0.0, 0.0, 1e-3, force, own, &done), ED_E_NOT_FINITE);
   CHECK_INT(done, 20);
   ed_damper_free(damper);
 }
@@ -279,6 +304,7 @@ int main(void)
   check_energy();
   check_play();
   check_rest();
+  check_spring_beside();
   check_refusals();
   return checks_end("dampers in series with a rig");
 }

@@ -138,13 +138,14 @@ class CoreDamper:
         added: ArrayLike | None = None,
         bend: float = 0.0,
         within: float = 0.0,
+        spring: ArrayLike | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Force history in series with a rig whose pins have play and whose parts are flexible.
 
-        The force factor F + added, F that of the damper under its own deformation, is within (e - z) + stiffness z
-        (1 + bend z^2), e the stretch of the rig and z what of it is beyond half the play, either way: none within the
-        play, unless it is a soft part that closes there. Held at the first deformation for long before. The stretch is
-        linear between samples, in quarters of a step where it comes to an end of the play.
+        The force factor F + added + spring u_d, F that of the damper under its own deformation u_d, is within (e - z) +
+        stiffness z (1 + bend z^2), e the stretch of the rig and z what of it is beyond half the play, either way: none
+        within the play, unless it is a soft part that closes there. Held at the first deformation for long before. The
+        stretch is linear between samples, in quarters of a step where it comes to an end of the play.
 
         Args:
             time: (n,) s, ascending.
@@ -156,6 +157,7 @@ class CoreDamper:
             added: (n,) N, carried by the rig beside the damper's force; None: 0.
             bend: by which the rig stiffens, 1/m2, at least 0.
             within: stiffness within the play, N/m, at least 0.
+            spring: (n,) N/m beside the damper's force, at least 0; None: 0.
 
         Returns:
             Force through rig and damper (n,) N, and the damper's own deformation (n,) m.
@@ -167,12 +169,13 @@ class CoreDamper:
         if not t.size == u.size == v.size >= 1:
             raise ValueError(f"{t.size} times, {u.size} deformations, {v.size} velocities")
         given = []
-        for name, values in (("factors", factor), ("added forces", added)):
+        for name, values in (("factors", factor), ("added forces", added), ("springs", spring)):
             one = None if values is None else np.ascontiguousarray(values, dtype=float).ravel()
             if one is not None and one.size != t.size:
                 raise ValueError(f"{t.size} times, {one.size} {name}")
-            if name == "factors" and one is not None and np.any(one < 0.0):
-                raise CoreError("ED_E_ARGUMENT", f"damper in series: factor = {one.min():g} is not allowed: at least 0")
+            if name != "added forces" and one is not None and np.any(one < 0.0):
+                text = f"{name[:-1]} = {one.min():g} is not allowed: at least 0"
+                raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
             given.append(ffi.NULL if one is None else ffi.from_buffer("double[]", one))
         if not (stiffness > 0.0 and np.isfinite(stiffness)):
             text = f"stiffness = {stiffness:g} is not allowed: finite and above 0"

@@ -173,6 +173,18 @@ def test_factor_and_added_force() -> None:
     np.testing.assert_allclose(still[1], x, rtol=1e-6)
 
 
+def test_spring_beside() -> None:
+    """A spring beside a Zener model is a stiffer k0, behind a rig with play too; one that changes is not."""
+    p = EXAMPLES["zener"]
+    t, force, own = found("zener", 250, play=PLAY, spring=np.full(round(DURATION * 250) + 1, 0.7 * p["k0"]))
+    stiffer = CoreDamper("zener", [{**p, "k0": 1.7 * p["k0"]}[name] for name in p])
+    expected = stiffer.force_in_series(t, MOTION.u(t), MOTION.v(t), STIFFNESS, PLAY)
+    np.testing.assert_allclose(force, expected[0], atol=1e-8 * np.max(np.abs(force)), rtol=0)
+    np.testing.assert_allclose(own, expected[1], atol=1e-10, rtol=0)
+    _, growing, _ = found("zener", 250, play=PLAY, spring=np.linspace(0.0, 1.4, t.size) * p["k0"])
+    assert np.max(np.abs(growing - force)) > 0.05 * np.max(np.abs(force))
+
+
 @pytest.mark.parametrize(
     ("options", "words"),
     [
@@ -181,6 +193,7 @@ def test_factor_and_added_force() -> None:
         ({"play": -1e-3}, "play = -0.001"),
         ({"factor": [1.0, -0.5, 1.0]}, "factor = -0.5"),
         ({"added": [0.0, np.nan, 0.0]}, "sample 2 of 3"),
+        ({"spring": [0.0, 0.0, -1.0]}, "spring = -1"),
     ],
 )
 def test_refusals(options: dict, words: str) -> None:  # type: ignore[type-arg]

@@ -1,6 +1,6 @@
 /* A damper in a test rig whose pins have play and whose parts are flexible: u = u_d + e, and
  *
- *   factor F(u_d) + added = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond half the play, either way.
+ *   factor F(u_d) + added + spring u_d = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond half the play, either way.
  *
  * The stretch e of the rig is linear in time over a step, or over a part of one in which it turns a corner, and balances at its end;
  * what the damper's own deformation u_d then does is a cubic, that its law meets exactly. The force of the law falls as e grows, that
@@ -27,6 +27,11 @@ typedef struct {
   double stiffness, bend, within, gap; /* of the rig; half the play */
   double tolerance, largest;
 } series;
+
+/* What stands beside the law at the end of a step. */
+typedef struct {
+  double factor, added, spring;
+} beside;
 
 static double beyond(const series *in, double stretch)
 {
@@ -60,7 +65,7 @@ static double meet(const series *in, double stretch, double force, double slope)
 
 /* The stretch at the end of a step in which the damper follows `path` + (stretch - from) * direction; *stretch: a first guess. */
 static int settle(series *in, const double *committed, double *trial, const ed_path *path, const ed_path direction[2], double from,
-                  double factor, double added, double *stretch)
+                  beside here, double *stretch)
 {
   const double rise = fabs(ed_path_u(path, path->h) - path->c[0]);
   double low = -INFINITY, high = INFINITY, next = *stretch, before = 0.0;
@@ -74,12 +79,13 @@ static int settle(series *in, const double *committed, double *trial, const ed_p
     const int status = ed_damper_advance(in->damper, in->system, committed, &own, direction, trial, &out);
     if (status != ED_OK)
       return status;
-    const double force = factor * out.force + added, residual = force - carried(in, e);
+    const double more = here.added + here.spring * ed_path_u(&own, own.h);
+    const double force = here.factor * out.force + more, residual = force - carried(in, e);
     const int swings = residual * before < 0.0 && fabs(residual) > 0.5 * fabs(before);
-    const double slope = fmax(-factor * (out.slope[0] + (swings ? out.chord[0] : 0.0)), 0.0);
+    const double slope = fmax(here.spring - here.factor * (out.slope[0] + (swings ? out.chord[0] : 0.0)), 0.0);
     if (!isfinite(residual + slope))
       return ED_E_NOT_FINITE;
-    const double largest = fmax(in->largest, fabs(factor * out.force) + fabs(added));
+    const double largest = fmax(in->largest, fabs(here.factor * out.force) + fabs(more));
     if (fabs(residual) <= in->tolerance * fmax(largest, slope * rise)) {
       in->largest = largest;
       return ED_OK;
@@ -96,13 +102,14 @@ static int settle(series *in, const double *committed, double *trial, const ed_p
 }
 
 static int check(int n, const double *time, const double *u, const double *v, const double *factor, const double *added,
-                 int *done)
+                 const double *spring, int *done)
 {
   for (*done = 0; *done < n; ++*done) {
     const int i = *done;
-    if (!isfinite(time[i] + u[i] + v[i]) || (factor && !isfinite(factor[i])) || (added && !isfinite(added[i])))
+    if (!isfinite(time[i] + u[i] + v[i]) || (factor && !isfinite(factor[i])) || (added && !isfinite(added[i])) ||
+        (spring && !isfinite(spring[i])))
       return ED_E_NOT_FINITE;
-    if ((i > 0 && !(time[i] > time[i - 1])) || (factor && factor[i] < 0.0))
+    if ((i > 0 && !(time[i] > time[i - 1])) || (factor && factor[i] < 0.0) || (spring && spring[i] < 0.0))
       return ED_E_ARGUMENT;
   }
   *done = 0;
@@ -110,22 +117,20 @@ static int check(int n, const double *time, const double *u, const double *v, co
 }
 
 /* From rest to the first deformation so slowly that nothing viscous is left of the way. */
-static int begin(series *in, const double *state, double *trial, double slowly, double u, double factor, double added,
-                 double *stretch)
+static int begin(series *in, const double *state, double *trial, double slowly, double u, beside here, double *stretch)
 {
   ed_path path, direction[2] = {{slowly, {0.0, 0.0, -3.0 / (slowly * slowly), 2.0 / (slowly * slowly * slowly)}}, {slowly, {0.0}}};
   ed_path_hermite(&path, slowly, 0.0, 0.0, u, 0.0);
   *stretch = fmax(-in->gap, fmin(in->gap, u)); /* pins that nothing pushes move the damper no more than they must */
-  return settle(in, state, trial, &path, direction, 0.0, factor, added, stretch);
+  return settle(in, state, trial, &path, direction, 0.0, here, stretch);
 }
 
 /* One step along `path`, which begins at the deformation less the stretch `from`. *stretch: in, a first guess; out, that at its end. */
-static int advance(series *in, const double *committed, double *trial, const ed_path *path, double from, double factor, double added,
-                   double *stretch)
+static int advance(series *in, const double *committed, double *trial, const ed_path *path, double from, beside here, double *stretch)
 {
   const double h = path->h;
   const ed_path direction[2] = {{h, {0.0, -1.0 / h, 0.0, 0.0}}, {h, {0.0}}};
-  return settle(in, committed, trial, path, direction, from, factor, added, stretch);
+  return settle(in, committed, trial, path, direction, from, here, stretch);
 }
 
 static int turns_corner(const series *in, double from, double stretch)
@@ -134,10 +139,16 @@ static int turns_corner(const series *in, double from, double stretch)
          (fabs(from) > in->gap || fabs(stretch) > in->gap);
 }
 
+static beside between(const beside ends[2], double share)
+{
+  return (beside){ends[0].factor + share * (ends[1].factor - ends[0].factor), ends[0].added + share * (ends[1].added - ends[0].added),
+                  ends[0].spring + share * (ends[1].spring - ends[0].spring)};
+}
+
 /* The same step in PARTS, as the stretch is not linear where pins meet or part. `state` and `trial` are swapped in between; the
  * state at the end is in *trial. */
-static int in_parts(series *in, double **state, double **trial, const ed_path *whole, double from, const double factor[2],
-                    const double added[2], double *stretch)
+static int in_parts(series *in, double **state, double **trial, const ed_path *whole, double from, const beside ends[2],
+                    double *stretch)
 {
   double end = from;
   for (int i = 0; i < PARTS; i++) {
@@ -150,8 +161,7 @@ static int in_parts(series *in, double **state, double **trial, const ed_path *w
       *state = *trial;
       *trial = swap;
     }
-    const int status = advance(in, *state, *trial, &path, begin, factor[0] + share * (factor[1] - factor[0]),
-                               added[0] + share * (added[1] - added[0]), &end);
+    const int status = advance(in, *state, *trial, &path, begin, between(ends, share), &end);
     if (status != ED_OK)
       return status;
   }
@@ -159,12 +169,17 @@ static int in_parts(series *in, double **state, double **trial, const ed_path *w
   return ED_OK;
 }
 
+static beside at(const double *factor, const double *added, const double *spring, int i)
+{
+  return (beside){factor ? factor[i] : 1.0, added ? added[i] : 0.0, spring ? spring[i] : 0.0};
+}
+
 static int run(series *in, double *state, double *trial, int n, const double *time, const double *u, const double *v,
-               const double *factor, const double *added, double *force, double *own, int *done)
+               const double *factor, const double *added, const double *spring, double *force, double *own, int *done)
 {
   double stretch, speed = 0.0, speeding = 0.0;
-  int status = begin(in, state, trial, 1e6 * (time[n - 1] - time[0] + 1.0), u[0], factor ? factor[0] : 1.0, added ? added[0] : 0.0,
-                     &stretch);
+  beside ends[2] = {at(factor, added, spring, 0)};
+  int status = begin(in, state, trial, 1e6 * (time[n - 1] - time[0] + 1.0), u[0], ends[0], &stretch);
   for (int i = 0; status == ED_OK; i++) {
     double *swap = state;
     state = trial;
@@ -175,29 +190,29 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
     if (i + 1 == n)
       break;
     const double h = time[i + 1] - time[i], from = stretch;
-    const double factors[2] = {factor ? factor[i] : 1.0, factor ? factor[i + 1] : 1.0};
-    const double more[2] = {added ? added[i] : 0.0, added ? added[i + 1] : 0.0};
+    ends[1] = at(factor, added, spring, i + 1);
     ed_path path;
     ed_path_hermite(&path, h, u[i], v[i], u[i + 1], v[i + 1]);
     path.c[0] -= from;
     stretch = from + h * (speed + h * speeding);
-    status = advance(in, state, trial, &path, from, factors[1], more[1], &stretch);
+    status = advance(in, state, trial, &path, from, ends[1], &stretch);
     if (status == ED_OK && turns_corner(in, from, stretch))
-      status = in_parts(in, &state, &trial, &path, from, factors, more, &stretch);
+      status = in_parts(in, &state, &trial, &path, from, ends, &stretch);
     speeding = ((stretch - from) / h - speed) / h;
     speed = (stretch - from) / h;
+    ends[0] = ends[1];
   }
   return status;
 }
 
 int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
-                                const double *factor, const double *added, double stiffness, double bend, double within,
-                                double play, double *force, double *own, int *done)
+                                const double *factor, const double *added, const double *spring, double stiffness, double bend,
+                                double within, double play, double *force, double *own, int *done)
 {
   *done = 0;
   if (!(stiffness > 0.0) || !(bend >= 0.0) || !(within >= 0.0) || !(play >= 0.0) || !isfinite(stiffness + bend + within + play))
     return ED_E_ARGUMENT;
-  int status = check(n, time, u, v, factor, added, done);
+  int status = check(n, time, u, v, factor, added, spring, done);
   if (status != ED_OK)
     return status;
   series in = {.damper = damper, .stiffness = stiffness, .bend = bend, .within = within, .gap = 0.5 * play, .tolerance = TOLERANCE};
@@ -213,7 +228,7 @@ int ed_damper_history_in_series(const ed_damper *damper, int n, const double *ti
   if (state) {
     ed_damper_start(damper, state);
     ed_amendments_start(damper, state, 0);
-    status = run(&in, state, state + size, n, time, u, v, factor, added, force, own, done);
+    status = run(&in, state, state + size, n, time, u, v, factor, added, spring, force, own, done);
   }
   free(state);
   ed_ode_system_free(in.system);

@@ -88,6 +88,7 @@ class Form:
         of_power: whether it does.
         of_temperature: whether an error of the thermometer changes what it does.
         beside_motion: whether it is slower or faster than all motion, so that nothing else does what it does.
+        elastic: whether its force beside the law goes with the deformation alone.
         has_columns: whether a share of it is each test's own, see `columns`.
         may_be_shaped: whether a finer form of it has a curve of its own (`edesign.calibrate.dampers.finer`).
         begins: whether its state at the beginning of a test is that test's own, by `BEGUN` more than what is left from
@@ -117,6 +118,7 @@ class Form:
     has_columns: bool = False
     of_temperature: ClassVar[bool] = False
     beside_motion: ClassVar[bool] = False
+    elastic: ClassVar[bool] = False
     begins: bool = False
     may_be_shaped: bool = True
 

@@ -8,6 +8,7 @@ from functools import cached_property, lru_cache
 from typing import Any, Generic, TypeVar
 
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline
 
 from edesign.calibrate.dampers.band import band_power
 from edesign.calibrate.dampers.effect import BEGUN, Form, Memory, Series
@@ -35,6 +36,8 @@ _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show 
 _BEGUN = 1e-3  # change of a state, a number, by which differences are taken
 _WARMER = 0.2  # K, likewise
 _KEPT = 64  # force histories of the law alone: those of one set of parameters
+_COARSE = 3  # samples of a first round with a rig in series, that finds about what it takes of the motion
+_MOVED = 1e-3  # of the largest deformation, by which differences for springs are taken
 
 T = TypeVar("T")
 
@@ -227,13 +230,11 @@ class DamperProblem:
         for part in acting:
             values = part.form.law(part.p, trial, values)
         series = [s for s in (part.form.series(part.p) for part in acting) if s is not None]
-        law_force = self._law_force(trial, own, values)
-        changed = _changed(trial, own, law_force, acting, relaxation_time(self.law, values))
-        beside = changed.parallel + changed.factor * self._split(trial, own, values, law_force, changed)
         if series:
-            force = self._in_series(trial, own, values, changed.factor, beside, series)
+            force = self._in_series(trial, own, values, acting, Series.together(series))
         else:
-            force = np.asarray(changed.factor * law_force + beside)
+            law_force, changed = self._changed_force(trial, own, values, acting)
+            force = np.asarray(changed.factor * law_force + changed.parallel)
         carried = [part.form.carriage(part.p, trial, motion, force) for part in acting]
         force = sum((own for own in carried if own is not None), start=force)
         for part in acting:
@@ -241,6 +242,17 @@ class DamperProblem:
         if not np.all(np.isfinite(force)):
             raise PredictionError("the force is not finite")
         return force
+
+    def _changed_force(
+        self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[_Acting]
+    ) -> tuple[np.ndarray, _Changed]:
+        """Force (n,) N of the law, and what parts make of it; what they do to its springs and dashpots apart stands
+        beside.
+        """
+        law_force = self._law_force(trial, motion, values)
+        changed = _changed(trial, motion, law_force, acting, relaxation_time(self.law, values))
+        changed.parallel = changed.parallel + changed.factor * self._split(trial, motion, values, law_force, changed)
+        return law_force, changed
 
     def _split(
         self, trial: Trial, motion: Motion, values: dict[str, float], force: np.ndarray, changed: _Changed
@@ -267,36 +279,46 @@ class DamperProblem:
         )
 
     def _in_series(
-        self,
-        trial: Trial,
-        motion: Motion,
-        values: dict[str, float],
-        factor: np.ndarray | float,
-        beside: np.ndarray | float,
-        series: Sequence[Series],
+        self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[_Acting], rig: Series
     ) -> np.ndarray:
-        """Force with the rig in series.
+        """Force (n,) N with the rig in series.
 
-        The factor and the forces beside are those of the whole motion: what the rig takes of it is small.
+        What parts make of the law's force goes with the motion that the rig leaves to the specimen, and this with the
+        force: a round at fewer samples finds that motion, the second one the force. Springs move with the specimen
+        within each round.
         """
-        rig = Series.together(series)
-        n = motion.time.size
         damper = _damper(self.law.name, self._at(trial, values))
-        try:
-            force, _ = damper.force_in_series(
-                motion.time,
-                motion.displacement,
-                motion.velocity,
-                rig.stiffness,
-                rig.play,
-                np.broadcast_to(factor, n),
-                np.broadcast_to(beside, n),
-                rig.bend,
-                rig.within,
-            )
-        except CoreError as error:
-            raise PredictionError(str(error)) from error
-        return force
+        remembered = [dict(part.memory) for part in acting]
+        left = motion
+        for stride in (_COARSE, 1):
+            for part, memory in zip(acting, remembered, strict=True):
+                part.memory = dict(memory)
+            _, changed = self._changed_force(trial, left, values, acting)
+            if changed.nothing:
+                stride = 1
+            driven = motion.thinned(stride) if stride > 1 else motion
+            spring = 0.0 if changed.nothing else _spring(trial, left, acting, changed.parallel)
+            beside = (changed.factor, changed.parallel - spring * left.displacement, spring)
+            factor, added, springs = (np.broadcast_to(b, left.time.shape)[::stride] for b in beside)
+            try:
+                force, own = damper.force_in_series(
+                    driven.time,
+                    driven.displacement,
+                    driven.velocity,
+                    rig.stiffness,
+                    rig.play,
+                    factor,
+                    added,
+                    rig.bend,
+                    rig.within,
+                    springs,
+                )
+            except CoreError as error:
+                raise PredictionError(str(error)) from error
+            if driven is motion:
+                return force
+            left = motion.moved(motion.displacement - _between(driven, driven.displacement - own, motion.time))
+        raise AssertionError("the last round is at all samples")
 
     def _law_force(self, trial: Trial, motion: Motion, values: dict[str, float]) -> np.ndarray:
         law = self._at(trial, values)
@@ -352,6 +374,11 @@ class _Changed:
     parallel: np.ndarray | float = 0.0
     splits: bool = False
 
+    @property
+    def nothing(self) -> bool:
+        """Whether they change nothing."""
+        return isinstance(self.factor, float) and isinstance(self.parallel, float)
+
 
 def _changed(
     trial: Trial, motion: Motion, law_force: np.ndarray, acting: Sequence[_Acting], relaxes: float | None
@@ -383,6 +410,33 @@ def _changed(
     if inside is not None and relaxes is not None:
         found.parallel = found.parallel + relaxed_force(motion, np.broadcast_to(inside, law_force.shape), relaxes)
     return found
+
+
+def _spring(trial: Trial, motion: Motion, acting: Sequence[_Acting], beside: np.ndarray | float) -> np.ndarray:
+    """Stiffness (n,) N/m, at least 0, with which forces (n,) N beside the law go with the deformation: that of springs
+    among the parts at each deformation, and of the rest on average.
+    """
+    u = motion.displacement
+    step = _MOVED * max(float(np.max(np.abs(u))), 1e-300)
+    here, further = (_elastic_force(trial, one, acting) for one in (motion, replace(motion, displacement=u + step)))
+    swing = u - u.mean()
+    rest = float(swing @ (beside - here)) / max(float(swing @ swing), 1e-300)
+    return np.maximum((further - here) / step + rest, 0.0)
+
+
+def _elastic_force(trial: Trial, motion: Motion, acting: Sequence[_Acting]) -> np.ndarray:
+    """Force (n,) N of the springs among parts."""
+    total = np.zeros_like(motion.displacement)
+    for part in acting:
+        force = part.form.parallel(part.p, trial, motion, {}) if part.form.elastic else None
+        total = total if force is None else total + force
+    return total
+
+
+def _between(coarse: Motion, values: np.ndarray, time: np.ndarray) -> np.ndarray:
+    """Values (m,) at samples of a coarse motion, by cubics at times (n,); as the last one after it."""
+    curve = CubicHermiteSpline(coarse.time, values, coarse.spline.slopes(values))
+    return np.asarray(curve(np.minimum(time, coarse.time[-1])))
 
 
 class _Same(Generic[T]):

@@ -8,8 +8,13 @@ import numpy as np
 import pytest
 
 from edesign.calibrate.dampers.effect import Form, Series
+from edesign.calibrate.dampers.effects.degradation import Path as Travelled
 from edesign.calibrate.dampers.effects.friction import Loaded, LuGre, Presliding, Stribeck, Tanh
+from edesign.calibrate.dampers.effects.hardening import Exponential
+from edesign.calibrate.dampers.effects.one_sided import ContactPositive
+from edesign.calibrate.dampers.effects.payne import Whole
 from edesign.calibrate.dampers.effects.play import CLOSES, Backlash, Gap, GapAside, GapSeated, follow
+from edesign.calibrate.dampers.effects.relaxation_branch import Maxwell
 from edesign.calibrate.dampers.effects.series_flexibility import Closing, Linear
 from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear
 from edesign.calibrate.dampers.left import Left
@@ -285,6 +290,46 @@ def test_series_of_a_spring_is_two_springs() -> None:
         force, own = damper.force_in_series(time, u, np.full(41, 0.01), series.stiffness, series.play)
         np.testing.assert_allclose(force, k * k_s / (k + k_s) * np.maximum(u - gap, 0.0), atol=1e-6 * k * 0.01)
         np.testing.assert_allclose(force, k * own, atol=1e-6 * k * 0.01)
+
+
+@pytest.mark.parametrize(
+    ("form", "values", "rig", "error"),
+    [
+        # of what the effect does: two rounds of Newton's method for springs, two in turn for others
+        (ContactPositive(), (7e6, 1e-3, 1.5), Linear(), 1e-4),
+        (Exponential(), (2e5, 7e-3), Gap(), 2e-3),
+        (Maxwell(), (2e6, 0.2), Linear(), 5e-3),
+        (Whole(), (0.3, 4e-3, 1.0, 0.5), Linear(), 1e-3),
+        (Travelled(), (0.4, 1.0), Gap(), 4e-3),
+    ],
+)
+def test_what_acts_in_the_specimen_goes_with_the_motion_that_the_rig_leaves(
+    form: Form, values: tuple[float, ...], rig: Form, error: float
+) -> None:
+    # balance: the force is that without a rig under the motion u - e, e the stretch of the rig under this force, in two
+    # tests of which the second begins with what the specimen remembers
+    stiffness, play = 3e7, 4e-4 if isinstance(rig, Gap) else 0.0
+    size = Sizes.of([_trial(_irregular(), order=order) for order in range(2)])
+    motions = (_irregular(), _sine(200.0))
+    trials = tuple(_trial(motion, f"t{i}", i) for i, motion in enumerate(motions))
+    problem = DamperProblem(law("kelvin_voigt"), {"k": 4e6, "c": 1e-3}, None, trials, size)
+    acting, stands = (candidate_of(one, size, Left()) for one in (form, rig))
+    assert acting is not None and stands is not None
+    part = (acting, np.array(values))
+    in_series = {"stiffness": stiffness, "play": play}
+    with_rig = (stands, np.array([in_series[u.name] for u in stands.unknowns]))
+    forces = problem.predict(problem.declared, [part, with_rig], ("fit",))
+    plain = problem.predict(problem.declared, [with_rig], ("fit",))
+    own = []
+    for motion, force in zip(motions, forces, strict=True):
+        stretch = force / stiffness + 0.5 * play * np.sign(force)
+        own.append(motion.moved(np.where(force == 0.0, 0.0, motion.displacement - stretch)))
+    within = tuple(replace(trial, motion=motion) for trial, motion in zip(trials, own, strict=True))
+    balanced = replace(problem, trials=within).predict(problem.declared, [part], ("fit",))
+    for force, expected, bare in zip(forces, balanced, plain, strict=True):
+        done = np.linalg.norm(force - bare)
+        assert done > 0.02 * np.linalg.norm(bare)
+        assert np.linalg.norm(force - expected) < error * done
 
 
 def test_a_seated_gap_is_crossed_under_its_force() -> None:

@@ -18,6 +18,7 @@ _NEAREST = 0.99  # a test to be predicted may go further than those
 
 class _Hardening(Form):
     name: ClassVar[str] = "hardening"
+    elastic: ClassVar[bool] = True
     may_be_inside: ClassVar[bool] = True
     kind: ClassVar[Kind] = "damper"
     signature: ClassVar[str] = (

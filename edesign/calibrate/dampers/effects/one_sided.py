@@ -26,6 +26,7 @@ class _OneSided(Form):
 
 
 class _Spring(_OneSided):
+    elastic: ClassVar[bool] = True
     signature: ClassVar[str] = (
         "too little force at the tips of one side of the loops alone: even multiples of the frequency"
     )
