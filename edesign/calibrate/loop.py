@@ -450,7 +450,8 @@ class Loop:
             found = self._fit_all(without, known)
         else:
             pool = [c for c in self._candidates(without) if may_join(c, others) and c.label != effect.label]
-            likely = shortlist(self._screened(without.fitted, pool, roughly=True))[:_RIVALS]
+            roughly = any(e.slow for e in others)
+            likely = shortlist(self._screened(without.fitted, pool, roughly))[:_RIVALS]
             found = self._fit_best(likely, _FAR_BEHIND * current.fitted.chi2)
         self.rivals[_labels(others), held] = found
         return found

@@ -32,6 +32,7 @@ class Candidate:
         beside_motion: whether it does what no motion does: much of a residual that it takes is its own, however few of
             the samples are independent.
         finer: whether it is a finer form of one that was found (`Problem.finer`).
+        doubted: whether what it does depends on a condition in doubt (`Problem.doubt`).
     """
 
     name: str
@@ -43,6 +44,7 @@ class Candidate:
     slow: bool = False
     finer: bool = False
     beside_motion: bool = False
+    doubted: bool = False
 
     @property
     def label(self) -> str:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from edesign.calibrate.fit import Fitted, Model
+from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import Candidate, PredictionError
 from edesign.calibrate.side_by_side import side_by_side
 
@@ -154,17 +154,30 @@ def _within(candidate: Candidate, x: np.ndarray, move: np.ndarray) -> np.ndarray
 
 
 def screen(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:
-    """Signatures of candidates, those that explain most first.
+    """Signatures of candidates, those that explain most first. Those of conditions in doubt are seen with nothing in
+    doubt: what is left of a wrong condition, and may be as much as doubt allows, goes in no straight line with them.
 
     Args:
         fitted: the model so far.
         candidates: forms of effects it may lack.
     """
+    model, certain = fitted.model, fitted.model.problem.certain
+    doubted = [c for c in candidates if c.doubted] if certain is not model.problem else []
+    found = _signatures(fitted, [c for c in candidates if not any(c is other for other in doubted)])
+    if doubted:
+        known = fit(replace(model, problem=certain), fitted.x, most_steps=0)
+        seen = _signatures(known, doubted)
+        found += [replace(one, model=replace(one.model, problem=model.problem)) for one in seen]
+    return ordered(found)
+
+
+def _signatures(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:
+    """Signatures of candidates that can be predicted."""
     whole = Screen(fitted)
     model = fitted.model
     known = (*model.given, *fitted.slopes, *candidates)
     signatures = side_by_side(whole.signature, candidates, model.workers, known)
-    return ordered(signature for signature in signatures if signature is not None)
+    return [signature for signature in signatures if signature is not None]
 
 
 def screen_again(fitted: Fitted, signatures: Sequence[Signature]) -> list[Signature]:

@@ -44,4 +44,5 @@ def candidate_of(form: Form, sizes: Sizes, left: Left) -> Candidate | None:
     slow = type(form).series is not Form.series
     effect = (form, dict(form.fixed(sizes)))
     unknowns = form.unknowns(sizes)
-    return Candidate(form.name, form.form, form.kind, unknowns, starts, effect, slow, beside_motion=form.beside_motion)
+    known = {"beside_motion": form.beside_motion, "doubted": form.of_temperature}
+    return Candidate(form.name, form.form, form.kind, unknowns, starts, effect, slow, **known)

@@ -167,7 +167,7 @@ class DamperProblem:
         """What an error of the thermometer changes (n_i,) N; None: nothing."""
         if not self.thermometer:
             return None
-        warm = tuple((_Same(c), tuple(v.tolist())) for c, v in parts if c.effect[0].of_temperature)
+        warm = tuple((_Same(c), tuple(v.tolist())) for c, v in parts if c.doubted)
         change = self._kept_warmer(warm)[index]
         return self.thermometer * change if np.any(change) else None
 

@@ -24,9 +24,11 @@ from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Sizes
-from edesign.calibrate.fit import Model
+from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.screening import screen
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import LAWS
+from edesign.damper.parameters import read_parameters
 
 
 def test_a_transition_is_half_way_at_its_middle() -> None:
@@ -178,3 +180,31 @@ def test_an_error_of_the_thermometer_is_no_residual() -> None:
     doubt = replace(solid, thermometer=0.2).doubt([part], 0)
     np.testing.assert_allclose(doubt, -0.002 * force, atol=2e-5 * STIFFNESS * U)  # second order of 0.002
     assert replace(solid, thermometer=0.2).doubt([], 0) is None  # this law has no temperature
+
+
+def test_laws_of_the_temperature_are_screened_with_nothing_in_doubt() -> None:
+    # 20 to 32 degC and losses that fall with them: seen beside a law without, doubt takes a share of what is left
+    tests = tuple(
+        replace(trial(motion(11), order, warm), name=f"t{order}") for order, warm in enumerate((20.0, 24.0, 28.0, 32.0))
+    )
+    solid = DamperProblem(LAWS["mgmm"], read_parameters(LAWS["mgmm"], "thesis_table_4_2"), None, tests, Sizes.of(tests))
+    falls = candidate_of(temperature_law.Exponential().of_loss(), solid.sizes, Left())
+    assert falls is not None and falls.doubted
+    made = solid.predict(solid.declared, [(falls, np.array([0.02]))], ("fit",))
+    noise = 1e-3 * float(np.std(made[0]))
+    random = np.random.default_rng(3)
+    noisy = tuple(
+        replace(test, force=force + noise * random.standard_normal(force.size))
+        for test, force in zip(tests, made, strict=True)
+    )
+    certain = replace(solid, trials=noisy)
+    doubted = replace(certain, thermometer=0.2)
+    found = []
+    for problem in (certain, doubted):
+        model = Model(problem, (noise,) * 4, held=True)
+        (signature,) = screen(fit(model, model.coordinates()), [falls])
+        assert signature.model.problem is problem
+        found.append(signature)
+    assert found[1].gain == pytest.approx(found[0].gain, rel=1e-12)
+    np.testing.assert_allclose(found[1].start, found[0].start, rtol=1e-12)
+    assert falls.unknowns[0].value(float(found[0].start[-1])) == pytest.approx(0.02, rel=0.2)  # one linear step
