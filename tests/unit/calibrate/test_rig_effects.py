@@ -22,6 +22,8 @@ from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.dampers.turning_points import with_turning_points
+from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.screening import screen
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import law
 
@@ -395,3 +397,22 @@ def test_effects_keep_their_size_behind_a_stiff_rig(
         np.max(np.abs(expected - k * trial.motion.displacement - c * trial.motion.velocity))
         > 0.05 * c * 2 * np.pi * AMPLITUDE
     )
+
+
+@pytest.mark.parametrize("form", [Backlash(), Gap()])
+def test_a_play_of_a_few_thousandths_of_the_motion_is_seen(form: Form) -> None:
+    # from starts far too large, a linear step would see nothing but harm
+    trial = _trial(_irregular())
+    problem = DamperProblem(law("zener"), {"k0": 4e6, "k1": 3e6, "c1": 3e5}, None, (trial,), Sizes.of((trial,)))
+    candidate = candidate_of(form, problem.sizes, Left())
+    assert candidate is not None
+    true = {"play": 3e-5, "stiffness": 1e9}
+    part = (candidate, np.array([true[u.name] for u in candidate.unknowns]))
+    (force,) = problem.predict(problem.declared, [part], ("fit",))
+    measured = replace(problem, trials=(replace(trial, force=force),))
+    model = Model(
+        measured, (0.05 * float(np.std(force - problem.predict(problem.declared, [], ("fit",))[0])),), held=True
+    )
+    fitted = fit(model, model.coordinates())
+    (signature,) = screen(fitted, [candidate])
+    assert signature.gain > 0.8 * fitted.chi2

@@ -40,7 +40,7 @@ class Gap(_Play):
         return (self._play(sizes), Unknown("stiffness", "N/m", 2.0 * k, 1e4 * k, 100.0 * k, logarithmic=True))
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        clearances = ((0.02, 1000.0), (0.02, 30.0), (0.1, 100.0))
+        clearances = ((0.02, 1000.0), (0.02, 30.0), (0.1, 100.0), (0.004, 300.0))
         return tuple((play * sizes.displacement, k * sizes.stiffness) for play, k in clearances)
 
     def series(self, p: Values) -> Series:
@@ -100,7 +100,7 @@ class Backlash(_Play):
         return (self._play(sizes),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((play * sizes.displacement,) for play in (0.02, 0.1))
+        return tuple((play * sizes.displacement,) for play in (0.02, 0.1, 0.004))
 
     def specimen(self, p: Values, trial: Trial, motion: Motion) -> Motion:
         points, index = with_turning_points(motion)
