@@ -54,12 +54,12 @@ def amended(
     tau: of the law, s, for those inside it; it has been held before the first sample.
     """
     beside = tuple(one for one in amendments if not one.kind.inside)
-    found = _beside(beside, law_force, time, u, v, temperature_C)
+    inside = np.zeros_like(u)
     for one in amendments:
         if one.kind.inside:
             same = Amendment(one.name, one.form.removesuffix("_inside"), one.values)
-            found = found + _inside(same, law_force, time, u, v, tau)
-    return found
+            inside += _inside(same, law_force, time, u, v, tau)
+    return _beside(beside, law_force, time, u, v, temperature_C, inside)
 
 
 def _inside(
@@ -87,12 +87,13 @@ def _beside(
     u: np.ndarray,
     v: np.ndarray,
     temperature_C: float | None,
+    inside: np.ndarray | float = 0.0,
 ) -> np.ndarray:
     n = time.size
     h, du = np.diff(time), np.diff(u)
     path = np.concatenate(([0.0], np.cumsum(np.abs(du))))
     largest = np.maximum.accumulate(np.abs(u))
-    phi, beside = np.ones(n), np.zeros(n)
+    phi, beside = np.ones(n), np.zeros(n) + inside
     counted = []
     for one in amendments:
         p = one.values
@@ -135,7 +136,7 @@ def _beside(
                 beside += p["f"] * np.arcsinh(v / p["v0"])
             case _:
                 counted.append(one)
-    return _with_work(counted, phi * law_force, h, du) + beside
+    return _with_work(counted, phi * law_force, beside, h, du)
 
 
 def _broken(p: dict[str, float], h: np.ndarray, u: np.ndarray) -> np.ndarray:
@@ -167,8 +168,10 @@ def _branch(p: dict[str, float], h: np.ndarray, v: np.ndarray) -> np.ndarray:
     return q
 
 
-def _with_work(counted: Sequence[Amendment], force: np.ndarray, h: np.ndarray, du: np.ndarray) -> np.ndarray:
-    """Times the factors of work and heat, which act from the next sample on."""
+def _with_work(
+    counted: Sequence[Amendment], force: np.ndarray, beside: np.ndarray, h: np.ndarray, du: np.ndarray
+) -> np.ndarray:
+    """Times the factors of work and heat, which act from the next sample on, and what stands beside."""
     state = [0.0] * len(counted)
     found = np.empty_like(force)
     for i in range(force.size):
@@ -176,7 +179,7 @@ def _with_work(counted: Sequence[Amendment], force: np.ndarray, h: np.ndarray, d
         for one, x in zip(counted, state, strict=True):
             p = one.values
             phi *= exp(-x) if one.name == "self_heating" else 1.0 - p["d"] * (1.0 - exp(-max(x, 0.0) / p["E0"]))
-        found[i] = phi * force[i]
+        found[i] = phi * force[i] + beside[i]
         if i == 0:
             continue
         work = 0.5 * (found[i - 1] + found[i]) * du[i - 1]

@@ -264,7 +264,7 @@ void ed_damper_free(ed_damper *damper);
 
 /* Amendments: effects that a law has not. F = phi F_law + parallel forces, phi the product of the factors. Their drivers are those of
  * the ends of steps, all zero at rest: envelope a1 = max(|u1|, a exp(-h/tau_a)), largest deformation M, path s += |u1 - u0|, work E of
- * phi F_law by the trapezoidal rule, heat q1 = q exp(-h/tau_h) + beta dE. E and q act from the next step on; g = (a/a0)^m / (1 + (a/a0)^m). */
+ * F by the trapezoidal rule, heat q1 = q exp(-h/tau_h) + beta dE. E and q act from the next step on; g = (a/a0)^m / (1 + (a/a0)^m). */
 enum {
   ED_AMEND_CONSTANT = 0,                  /* factor: phi = factor */
   ED_AMEND_PAYNE_WHOLE = 1,               /* d a0 m tau_a: phi = 1 - d g(a) */

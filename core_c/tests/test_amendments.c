@@ -107,13 +107,13 @@ static double expected(memory *m, const int *used, double h, double u, double v,
     case ED_AMEND_DEGRADATION_PATH: phi *= 1.0 - p[0] * pow(m->path / p[2], p[1]); break;
     }
   }
-  const double work = 0.5 * (m->force + phi * law) * (u - m->u);
+  const double force = phi * law + beside, work = 0.5 * (m->force + force) * (u - m->u);
   m->work += work;
   m->heat = m->heat * exp(-h / 4.0) + 0.03 * work; /* of EACH */
-  m->force = phi * law;
+  m->force = force;
   m->u = u;
   m->v = v;
-  return phi * law + beside;
+  return force;
 }
 
 static double u_at(double t)

@@ -157,7 +157,8 @@ def core_law(amendments: tuple[Amendment, ...]) -> LawValues:
 
 
 def test_an_oscillator_follows_the_differential_equations_of_its_amended_damper():
-    """The definitions for short steps: s' = |v|, E' = phi F v, q' = beta phi F v - q/tau_h, a' = |v| or -a/tau_a."""
+    """The definitions for short steps: s' = |v|, E' = F v, q' = beta F v - q/tau_h with all of the force F, a' = |v| or
+    -a/tau_a."""
     k0, k1, c1 = FRAME_LAW
     payne, mullins, degradation, heating, hardening, branch, dashpot = (one.values for one in FRAME_AMENDMENTS)
 
@@ -178,8 +179,8 @@ def test_an_oscillator_follows_the_differential_equations_of_its_amended_damper(
             acceleration,
             k1 * v - k1 / c1 * q1,
             abs(v),
-            law_force * v,
-            heating["beta"] * law_force * v - heat / heating["tau_h"],
+            (law_force + beside) * v,
+            heating["beta"] * (law_force + beside) * v - heat / heating["tau_h"],
             branch["k"] * v - q2 / branch["tau"],
             abs(v) if grows else -a / payne["tau_a"],
         ]

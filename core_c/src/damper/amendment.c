@@ -167,7 +167,7 @@ static void add(ed_amended *sum, const ed_amended *force)
   sum->chord += force->chord;
 }
 
-/* Factors depend on the deformation alone, parallel forces on the velocities too. */
+/* Factors depend on the deformation alone, parallel forces on the velocities too. All of the force works. */
 int ed_amend(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
              ed_damper_force *out)
 {
@@ -190,7 +190,7 @@ int ed_amend(const ed_damper *damper, const double *committed, const ed_path *pa
     else
       add(&beside, &found);
   }
-  const double force = factor.value * out->force, work = 0.5 * (before[FORCE] + force) * ends.du;
+  const double force = factor.value * out->force + beside.value, work = 0.5 * (before[FORCE] + force) * ends.du;
   for (int i = 0; i < damper->n_amendments; i++) {
     const ed_amendment *one = &damper->amendments[i];
     if (one->kind->worked)
@@ -206,6 +206,6 @@ int ed_amend(const ed_damper *damper, const double *committed, const ed_path *pa
                     beside.by_v1 * v1;
     out->chord[j] = of_law * out->chord[j] + beside.chord * v1;
   }
-  out->force = force + beside.value;
+  out->force = force;
   return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
 }

@@ -119,8 +119,9 @@ def worked(
     gain: float = 1.0,
     forgets: float = math.inf,
     quick: tuple[float, float] = (0.0, math.inf),
+    beside: np.ndarray | float = 0.0,
 ) -> tuple[np.ndarray, float]:
-    """A factor of e that follows the work of the force that it lowers: e' = gain F v - e / forgets, F = factor F_law.
+    """A factor of e that follows the work done on a specimen: e' = gain F v - e / forgets, F = factor F_law + beside.
 
     The definition is in steps, the factor at the end of a step taking e of its beginning. All steps are iterated at
     once, from no softening on, until e stays (Picard): its errors fall as those of an exponential series.
@@ -133,6 +134,7 @@ def worked(
         gain: 1 for e in J.
         forgets: s.
         quick: gain and s of a second e, zero at the beginning, that counts as much.
+        beside: force (n,) N in the specimen beside the law's.
 
     Returns:
         The factor (n,); e at the end.
@@ -144,7 +146,7 @@ def worked(
     e = np.full(force.size, before)
     for _ in range(_SWEEPS):
         phi = np.concatenate((factor(e[:1]), factor(e[:-1])))
-        softened = phi * force
+        softened = phi * force + beside
         done = way * (softened[1:] + softened[:-1])
         after = sum((fading(decay, each * done, first) for each, decay, first in kinds), start=np.zeros_like(e))
         moved = float(np.max(np.abs(after - e)))

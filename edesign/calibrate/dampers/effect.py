@@ -33,6 +33,8 @@ _LEAST = 1e-6  # factor of which a negative power is taken
 Memory = dict[str, Any]
 BEGUN = "begun"
 """In a memory: by how much more the state at the beginning of a test is than what is left from before."""
+BESIDE = "beside"
+"""In a memory of a form that counts work: force (n,) N in the specimen beside the law's."""
 
 
 class Series(NamedTuple):
@@ -88,6 +90,8 @@ class Form:
         of_power: whether it does.
         of_temperature: whether an error of the thermometer changes what it does.
         beside_motion: whether it is slower or faster than all motion, so that nothing else does what it does.
+        counts_work: whether its factor follows the work done on the specimen: the force that it is given has the
+            factors of forms that do not, and `BESIDE` is the force beside it.
         elastic: whether its force beside the law goes with the deformation alone.
         has_columns: whether a share of it is each test's own, see `columns`.
         may_be_shaped: whether a finer form of it has a curve of its own (`edesign.calibrate.dampers.finer`).
@@ -118,6 +122,7 @@ class Form:
     has_columns: bool = False
     of_temperature: ClassVar[bool] = False
     beside_motion: ClassVar[bool] = False
+    counts_work: ClassVar[bool] = False
     elastic: ClassVar[bool] = False
     begins: bool = False
     may_be_shaped: bool = True

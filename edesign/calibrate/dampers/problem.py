@@ -11,7 +11,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
 from edesign.calibrate.dampers.band import band_power
-from edesign.calibrate.dampers.effect import BEGUN, Form, Memory, Series
+from edesign.calibrate.dampers.effect import BEGUN, BESIDE, Form, Memory, Series
 from edesign.calibrate.dampers.finer import finer
 from edesign.calibrate.dampers.inside import (
     relaxation_time,
@@ -383,33 +383,53 @@ class _Changed:
 def _changed(
     trial: Trial, motion: Motion, law_force: np.ndarray, acting: Sequence[_Acting], relaxes: float | None
 ) -> _Changed:
-    """What acts inside the law comes through its relaxation."""
+    """What acts inside the law comes through its relaxation; what counts work counts that of the whole specimen."""
     found = _Changed()
     inside: np.ndarray | float | None = None
     for part in acting:
         form = part.form
-        own = form.factor(part.p, trial, motion, law_force, part.memory)
         beside = form.parallel(part.p, trial, motion, part.memory)
-        if form.inside and relaxes is not None:
-            if own is not None:
-                whole = np.broadcast_to(own, law_force.shape)
-                found.parallel = found.parallel + relaxed_factor(motion, whole, law_force, relaxes)
-            if beside is not None:
-                inside = beside if inside is None else inside + beside
-            continue
-        if own is not None and form.of_power:
-            found.power = found.power * own
-        elif own is not None and form.spares_loss:
-            found.springs = found.springs * form.spring_factor(part.p, own)
-            found.dashpots = found.dashpots * form.dashpot_factor(part.p, motion, own)
-            found.splits = True
-        elif own is not None:
-            found.factor = found.factor * form.spring_factor(part.p, own)
-        if beside is not None:
+        if beside is not None and form.inside and relaxes is not None:
+            inside = beside if inside is None else inside + beside
+        elif beside is not None:
             found.parallel = found.parallel + beside
+        if not form.counts_work:
+            _multiply(
+                found, part, motion, law_force, form.factor(part.p, trial, motion, law_force, part.memory), relaxes
+            )
     if inside is not None and relaxes is not None:
         found.parallel = found.parallel + relaxed_force(motion, np.broadcast_to(inside, law_force.shape), relaxes)
+    for part in acting:
+        if part.form.counts_work:
+            part.memory[BESIDE] = found.parallel
+            own = part.form.factor(part.p, trial, motion, found.factor * law_force, part.memory)
+            _multiply(found, part, motion, law_force, own, relaxes)
     return found
+
+
+def _multiply(
+    found: _Changed,
+    part: _Acting,
+    motion: Motion,
+    law_force: np.ndarray,
+    factor: np.ndarray | float | None,
+    relaxes: float | None,
+) -> None:
+    """Take a factor (n,) of a part where it acts."""
+    form = part.form
+    if factor is None:
+        return
+    if form.inside and relaxes is not None:
+        whole = np.broadcast_to(factor, law_force.shape)
+        found.parallel = found.parallel + relaxed_factor(motion, whole, law_force, relaxes)
+    elif form.of_power:
+        found.power = found.power * factor
+    elif form.spares_loss:
+        found.springs = found.springs * form.spring_factor(part.p, factor)
+        found.dashpots = found.dashpots * form.dashpot_factor(part.p, motion, factor)
+        found.splits = True
+    else:
+        found.factor = found.factor * form.spring_factor(part.p, factor)
 
 
 def _spring(trial: Trial, motion: Motion, acting: Sequence[_Acting], beside: np.ndarray | float) -> np.ndarray:

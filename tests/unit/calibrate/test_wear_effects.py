@@ -26,12 +26,16 @@ from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.effects import (
     ageing,
     degradation,
+    mullins,
+    relaxation_branch,
     self_heating,
 )
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes
+from edesign.damper.amendments import Amendment
+from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
 
 
@@ -206,3 +210,39 @@ def test_work_that_springs_give_back_is_evened_out() -> None:
     step = float(np.max(of.steps))
     np.testing.assert_allclose(soft(0.1 * t), np.exp(-0.1 * (t + tau * np.expm1(-t / tau))), atol=0.1 * step)
     assert soft(np.full(t.size, 0.2)) == pytest.approx(math.exp(-0.2), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("form", "values", "core"),
+    [
+        (degradation.Energy(), (0.4, 400.0), ("degradation", "energy", {"d": 0.4, "E0": 400.0})),
+        (self_heating.Rate(), (1e-3, 3.0), ("self_heating", "rate", {"beta": 1e-3, "tau_h": 3.0})),
+    ],
+)
+def test_what_stands_beside_the_law_works_too(
+    form: Form, values: tuple[float, ...], core: tuple[str, str, dict[str, float]]
+) -> None:
+    # a branch beside a Zener law and a path that softens it, by the core, which steps through the same definitions
+    test = trial(motion(11))
+    zener = {"k0": STIFFNESS, "k1": 0.5 * STIFFNESS, "c1": 0.1 * STIFFNESS}
+    problem = DamperProblem(LAWS["zener"], zener, None, (test,), sizes())
+    parts, branch = [], {"k": 0.8 * STIFFNESS, "tau": 0.2}
+    for one, own in (
+        (form, values),
+        (relaxation_branch.Maxwell(), tuple(branch.values())),
+        (mullins.Path(), (0.5, 0.1, 0.0)),
+    ):
+        candidate = candidate_of(one, problem.sizes, Left())
+        assert candidate is not None and len(candidate.unknowns) == len(own)
+        parts.append((candidate, np.array(own)))
+    amendments = (
+        Amendment(*core),
+        Amendment("relaxation_branch", "maxwell", branch),
+        Amendment("mullins", "path", {"m": 0.5, "s0": 0.1}),
+    )
+    of = test.motion
+    expected = Damper(LAWS["zener"], zener, amendments=amendments).force(of.time, of.displacement, of.velocity)
+    (found,) = problem.predict(problem.declared, parts, ("fit",))
+    (alone,) = problem.predict(problem.declared, parts[1:], ("fit",))
+    np.testing.assert_allclose(found, expected, atol=1e-6 * np.max(np.abs(expected)))
+    assert np.max(np.abs(found - alone)) > 0.1 * np.max(np.abs(found))

@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.drivers import weighted_path, worked
-from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.effect import BESIDE, Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -22,6 +22,7 @@ class _Degradation(Form):
 class Energy(_Degradation):
     """The force falls with the work done in its life: F = (1 - d (1 - exp(-max(E, 0)/E0))) F_law."""
 
+    counts_work: ClassVar[bool] = True
     may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "energy"
     title: ClassVar[str] = "lasting degradation by dissipated energy"
@@ -46,7 +47,8 @@ class Energy(_Degradation):
         def left(energy: np.ndarray) -> np.ndarray:
             return np.asarray(1.0 + d * np.expm1(scale * np.maximum(energy, 0.0)))
 
-        phi, memory["energy"] = worked(motion, force, left, memory.get("energy", 0.0))
+        before, beside = memory.get("energy", 0.0), memory.get(BESIDE, 0.0)
+        phi, memory["energy"] = worked(motion, force, left, before, beside=beside)
         return phi
 
 
@@ -54,6 +56,7 @@ class Work(_Degradation):
     """The force falls with a power of the work done in its life, without end: F = (1 - d (max(E, 0)/W)^p) F_law."""
 
     form: ClassVar[str] = "work"
+    counts_work: ClassVar[bool] = True
     may_spare_loss: ClassVar[bool] = True
     title: ClassVar[str] = "lasting degradation by dissipated energy, without end"
     signature: ClassVar[str] = Energy.signature
@@ -75,7 +78,8 @@ class Work(_Degradation):
         def left(energy: np.ndarray) -> np.ndarray:
             return np.asarray(1.0 - p["d"] * (np.maximum(energy, 0.0) / p["W"]) ** p["p"])
 
-        phi, memory["energy"] = worked(motion, force, left, memory.get("energy", 0.0))
+        before, beside = memory.get("energy", 0.0), memory.get(BESIDE, 0.0)
+        phi, memory["energy"] = worked(motion, force, left, before, beside=beside)
         return phi
 
 

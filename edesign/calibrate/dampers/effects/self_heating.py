@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.drivers import worked
-from edesign.calibrate.dampers.effect import BEGUN, Form, Memory
+from edesign.calibrate.dampers.effect import BEGUN, BESIDE, Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -28,6 +28,7 @@ class Rate(Form):
     """Heat by work, lost in time, none at the beginning of a test: F = exp(-q) F_law, q' = beta F v - q/tau_h."""
 
     name: ClassVar[str] = "self_heating"
+    counts_work: ClassVar[bool] = True
     may_spare_loss: ClassVar[bool] = True
     loss_start: ClassVar[float] = 2.0  # what is warm loses damping before stiffness
     form: ClassVar[str] = "rate"
@@ -57,7 +58,8 @@ class Rate(Form):
         return (0.2 * each, quick), *((0.1 * each, t * sizes.duration) for t in (1.0, 3.0, _LONGEST))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        return worked(motion, force, self._of_heat(p, motion), memory.get(BEGUN, 0.0), p["beta"], p["tau_h"])[0]
+        before, beside = memory.get(BEGUN, 0.0), memory.get(BESIDE, 0.0)
+        return worked(motion, force, self._of_heat(p, motion), before, p["beta"], p["tau_h"], beside=beside)[0]
 
     def finer(self) -> tuple[Form, ...]:
         """Heat left from before a test, another one in each, as pauses between tests are not recorded: q(0) = q_i. And
@@ -129,6 +131,7 @@ class Core(Rate):
             p["beta"],
             p["tau_h"],
             (p["beta_c"], p["tau_c"]),
+            memory.get(BESIDE, 0.0),
         )[0]
 
 
@@ -151,7 +154,8 @@ class Carried(Rate):
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
-        phi, memory["heat"] = worked(motion, force, self._of_heat(p, motion), before, p["beta"], p["tau_h"])
+        soft, beside = self._of_heat(p, motion), memory.get(BESIDE, 0.0)
+        phi, memory["heat"] = worked(motion, force, soft, before, p["beta"], p["tau_h"], beside=beside)
         return phi
 
 
@@ -181,8 +185,8 @@ class Levelling(Carried):
             return np.asarray((1.0 + np.maximum(q, 0.0) / m) ** -m)
 
         before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
-        soft = self._of_heat(p, motion, left)
-        phi, memory["heat"] = worked(motion, force, soft, before, p["beta"], p["tau_h"])
+        soft, beside = self._of_heat(p, motion, left), memory.get(BESIDE, 0.0)
+        phi, memory["heat"] = worked(motion, force, soft, before, p["beta"], p["tau_h"], beside=beside)
         return phi
 
 
