@@ -37,6 +37,7 @@ _BEGUN = 1e-3  # change of a state, a number, by which differences are taken
 _WARMER = 0.2  # K, likewise
 _KEPT = 64  # force histories of the law alone: those of one set of parameters
 _COARSE = 3  # samples of a first round with a rig in series, that finds about what it takes of the motion
+_FEWEST = 4  # of them; a shorter test has the second round alone
 _MOVED = 1e-3  # of the largest deformation, by which differences for springs are taken
 
 T = TypeVar("T")
@@ -289,17 +290,17 @@ class DamperProblem:
         """
         damper = _damper(self.law.name, self._at(trial, values))
         remembered = [dict(part.memory) for part in acting]
-        left = motion
-        for stride in (_COARSE, 1):
+        left, driven = motion, motion.thinned(_COARSE)
+        while True:
             for part, memory in zip(acting, remembered, strict=True):
                 part.memory = dict(memory)
             _, changed = self._changed_force(trial, left, values, acting)
-            if changed.nothing:
-                stride = 1
-            driven = motion.thinned(stride) if stride > 1 else motion
+            if changed.nothing or driven.time.size < _FEWEST:
+                driven = motion
+            every = 1 if driven is motion else _COARSE
             spring = 0.0 if changed.nothing else _spring(trial, left, acting, changed.parallel)
             beside = (changed.factor, changed.parallel - spring * left.displacement, spring)
-            factor, added, springs = (np.broadcast_to(b, left.time.shape)[::stride] for b in beside)
+            factor, added, springs = (np.broadcast_to(b, left.time.shape)[::every] for b in beside)
             try:
                 force, own = damper.force_in_series(
                     driven.time,
@@ -318,7 +319,7 @@ class DamperProblem:
             if driven is motion:
                 return force
             left = motion.moved(motion.displacement - _between(driven, driven.displacement - own, motion.time))
-        raise AssertionError("the last round is at all samples")
+            driven = motion
 
     def _law_force(self, trial: Trial, motion: Motion, values: dict[str, float]) -> np.ndarray:
         law = self._at(trial, values)

@@ -416,3 +416,17 @@ def test_a_play_of_a_few_thousandths_of_the_motion_is_seen(form: Form) -> None:
     fitted = fit(model, model.coordinates())
     (signature,) = screen(fitted, [candidate])
     assert signature.gain > 0.8 * fitted.chi2
+
+
+@pytest.mark.parametrize("samples", [2, 3, 9, 12])
+def test_a_test_of_a_few_samples_is_predicted_behind_a_rig(samples: int) -> None:
+    time = 0.01 * np.arange(samples)
+    trial = _trial(Motion(time, 0.1 * time, np.full(samples, 0.1), np.zeros(samples)))
+    problem = DamperProblem(law("kelvin_voigt"), {"k": 4e6, "c": 1e-3}, None, (trial,), Sizes.of((trial,)))
+    parts = []
+    for form, values in ((ContactPositive(), (4e6, 0.0, 1.0)), (Linear(), (8e6,))):
+        candidate = candidate_of(form, problem.sizes, Left())
+        assert candidate is not None
+        parts.append((candidate, np.array(values)))
+    (force,) = problem.predict(problem.declared, parts, ("fit",))
+    np.testing.assert_allclose(force, 4e6 * trial.motion.displacement, atol=1.0)  # 8 beside 8 kN/mm in series
