@@ -118,7 +118,7 @@ class Evidence:
         removed = f"removes {100.0 * self.share:.1f} %" if self.share > 0.0 else "removes nothing"
         return (
             f"{removed} of the excess over noise in tests left out; {self.better} of {self.tests} tests improve "
-            f"(t = {self.t:.1f}); BIC falls by {round(self.bic)}"
+            f"(t = {self.t:.1f}); BIC falls by {self.bic:z.0f}"
         )
 
 

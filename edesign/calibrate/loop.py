@@ -430,10 +430,8 @@ class Loop:
         slow = len(smaller.effects) > 1 or any(other.slow for other in smaller.effects)
         number = _FORMS_SLOW if slow else _FORMS_HELD if fitted.model.held else _FORMS
         signatures = self._screened(without, pool)
-        wider = [found for s in signatures if (found := begun_from(fitted, effect, s))]
-        return self._fit_best(
-            [*likely_forms(signatures, number), *wider[:number]], min(most, _FAR_BEHIND * fitted.chi2)
-        )
+        wider = [found for s in signatures if (found := begun_from(fitted, effect, s))][:number]
+        return self._fit_best([*likely_forms(signatures, number), *wider], min(most, _FAR_BEHIND * fitted.chi2))
 
     def _alternatives(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models in which another effect, or another form, stands in the place of one."""

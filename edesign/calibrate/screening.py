@@ -162,13 +162,12 @@ def screen(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:
         candidates: forms of effects it may lack.
     """
     model, certain = fitted.model, fitted.model.problem.certain
-    doubted = [c for c in candidates if c.doubted] if certain is not model.problem else []
-    found = _signatures(fitted, [c for c in candidates if not any(c is other for other in doubted)])
-    if doubted:
-        known = fit(replace(model, problem=certain), fitted.x, most_steps=0)
-        seen = _signatures(known, doubted)
-        found += [replace(one, model=replace(one.model, problem=model.problem)) for one in seen]
-    return ordered(found)
+    doubted = [c for c in candidates if c.doubted]
+    if certain is model.problem or not doubted:
+        return ordered(_signatures(fitted, candidates))
+    seen = _signatures(fit(replace(model, problem=certain), fitted.x, most_steps=0), doubted)
+    seen = [replace(one, model=replace(one.model, problem=model.problem)) for one in seen]
+    return ordered([*_signatures(fitted, [c for c in candidates if not c.doubted]), *seen])
 
 
 def _signatures(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:

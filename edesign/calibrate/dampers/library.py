@@ -44,5 +44,14 @@ def candidate_of(form: Form, sizes: Sizes, left: Left) -> Candidate | None:
     slow = type(form).series is not Form.series
     effect = (form, dict(form.fixed(sizes)))
     unknowns = form.unknowns(sizes)
-    known = {"beside_motion": form.beside_motion, "doubted": form.of_temperature}
-    return Candidate(form.name, form.form, form.kind, unknowns, starts, effect, slow, **known)
+    return Candidate(
+        form.name,
+        form.form,
+        form.kind,
+        unknowns,
+        starts,
+        effect,
+        slow,
+        beside_motion=form.beside_motion,
+        doubted=form.of_temperature,
+    )

@@ -5,25 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
+from edesign.calibrate.dampers.acting import Acting, Changed, changed_by, spring_beside
 from edesign.calibrate.dampers.band import band_power
-from edesign.calibrate.dampers.effect import BEGUN, BESIDE, Form, Memory, Series
+from edesign.calibrate.dampers.effect import BEGUN, Series
 from edesign.calibrate.dampers.finer import finer
 from edesign.calibrate.dampers.inside import (
     relaxation_time,
     relaxed_factor,
-    relaxed_force,
     without_dashpots,
     without_power,
 )
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidates
-from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
 from edesign.calibrate.unknown import Unknown
 from edesign.core import CoreError
@@ -38,7 +38,6 @@ _WARMER = 0.2  # K, likewise
 _KEPT = 64  # force histories of the law alone: those of one set of parameters
 _COARSE = 3  # samples of a first round with a rig in series, that finds about what it takes of the motion
 _FEWEST = 4  # of them; a shorter test has the second round alone
-_MOVED = 1e-3  # of the largest deformation, by which differences for springs are taken
 
 T = TypeVar("T")
 
@@ -109,7 +108,7 @@ class DamperProblem:
 
         Tests that come later than those asked for are left out; earlier ones are run through where a part remembers.
         """
-        acting = [_Acting.of(part) for part in parts]
+        acting = [Acting.of(part) for part in parts]
         values = self.law_values(base)
         wanted = [trial.use in uses for trial in self.trials]
         remembers = any(part.form.remembers for part in acting)
@@ -138,7 +137,7 @@ class DamperProblem:
 
         @lru_cache(maxsize=1)
         def kept(base: tuple[float, ...], parts: tuple[_KeptPart, ...]) -> tuple[np.ndarray, ...]:
-            acting = [_Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
+            acting = [Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
             values = self.law_values(np.array(base))
             found = []
             for trial in self.trials:
@@ -158,7 +157,7 @@ class DamperProblem:
 
         @lru_cache(maxsize=_KEPT)
         def kept(parts: tuple[_KeptPart, ...], index: int) -> np.ndarray:
-            acting = [_Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
+            acting = [Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
             columns = [part.form.columns(part.p, self.trials[index]) for part in acting]
             return _orthonormal([c for c in columns if c is not None])
 
@@ -178,7 +177,7 @@ class DamperProblem:
 
         @lru_cache(maxsize=_KEPT)
         def kept(parts: tuple[_KeptPart, ...]) -> tuple[np.ndarray, ...]:
-            acting = [_Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
+            acting = [Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
             found = []
             for trial in self.trials:
                 warmer = replace(trial, temperature=trial.temperature + _WARMER)
@@ -214,13 +213,13 @@ class DamperProblem:
             whole += residual.size
         return max(inside / expected, sum(float(r @ r) for r in residuals) / whole)
 
-    def _force(self, trial: Trial, values: dict[str, float], acting: Sequence[_Acting]) -> np.ndarray:
+    def _force(self, trial: Trial, values: dict[str, float], acting: Sequence[Acting]) -> np.ndarray:
         parts_of_step = max((part.form.refined for part in acting), default=1)
         with np.errstate(all="ignore"):  # a search may ask for anything; a force that is not finite is refused
             fine = trial.finer(parts_of_step) if parts_of_step > 1 else trial
             return self._recorded(fine, values, acting)[::parts_of_step]
 
-    def _recorded(self, trial: Trial, values: dict[str, float], acting: Sequence[_Acting]) -> np.ndarray:
+    def _recorded(self, trial: Trial, values: dict[str, float], acting: Sequence[Acting]) -> np.ndarray:
         """Force (n,) N that the load cell records."""
         motion = trial.motion
         for part in acting:
@@ -245,18 +244,18 @@ class DamperProblem:
         return force
 
     def _changed_force(
-        self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[_Acting]
-    ) -> tuple[np.ndarray, _Changed]:
+        self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[Acting]
+    ) -> tuple[np.ndarray, Changed]:
         """Force (n,) N of the law, and what parts make of it; what they do to its springs and dashpots apart stands
         beside.
         """
         law_force = self._law_force(trial, motion, values)
-        changed = _changed(trial, motion, law_force, acting, relaxation_time(self.law, values))
+        changed = changed_by(acting, trial, motion, law_force, relaxation_time(self.law, values))
         changed.parallel = changed.parallel + changed.factor * self._split(trial, motion, values, law_force, changed)
         return law_force, changed
 
     def _split(
-        self, trial: Trial, motion: Motion, values: dict[str, float], force: np.ndarray, changed: _Changed
+        self, trial: Trial, motion: Motion, values: dict[str, float], force: np.ndarray, changed: Changed
     ) -> np.ndarray | float:
         """What factors of springs and dashpots apart add to the law's force (n,) N, inside its relaxation if it has
         one.
@@ -280,7 +279,7 @@ class DamperProblem:
         )
 
     def _in_series(
-        self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[_Acting], rig: Series
+        self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[Acting], rig: Series
     ) -> np.ndarray:
         """Force (n,) N with the rig in series.
 
@@ -295,10 +294,10 @@ class DamperProblem:
             for part, memory in zip(acting, remembered, strict=True):
                 part.memory = dict(memory)
             _, changed = self._changed_force(trial, left, values, acting)
-            if changed.nothing or driven.time.size < _FEWEST:
+            if changed.still or driven.time.size < _FEWEST:
                 driven = motion
             every = 1 if driven is motion else _COARSE
-            spring = 0.0 if changed.nothing else _spring(trial, left, acting, changed.parallel)
+            spring = 0.0 if changed.still else spring_beside(acting, trial, left, changed.parallel)
             beside = (changed.factor, changed.parallel - spring * left.displacement, spring)
             factor, added, springs = (np.broadcast_to(b, left.time.shape)[::every] for b in beside)
             try:
@@ -344,114 +343,6 @@ class DamperProblem:
             return tuple(found.values())
 
         return kept
-
-
-@dataclass
-class _Acting:
-    """A part in one prediction of the campaign."""
-
-    form: Form
-    p: Values
-    memory: Memory
-
-    @staticmethod
-    def of(part: Part) -> _Acting:
-        candidate, values = part
-        form, fixed = candidate.effect
-        p: dict[str, Any] = {u.name: float(v) for u, v in zip(candidate.unknowns, values, strict=True)}
-        return _Acting(form, {**p, **fixed}, {})
-
-
-@dataclass
-class _Changed:
-    """What parts make of the law's force: factors of all of it, of its springs, its dashpots and that of a power of the
-    velocity, and forces beside it.
-    """
-
-    factor: np.ndarray | float = 1.0
-    springs: np.ndarray | float = 1.0
-    dashpots: np.ndarray | float = 1.0
-    power: np.ndarray | float = 1.0
-    parallel: np.ndarray | float = 0.0
-    splits: bool = False
-
-    @property
-    def nothing(self) -> bool:
-        """Whether they change nothing."""
-        return isinstance(self.factor, float) and isinstance(self.parallel, float)
-
-
-def _changed(
-    trial: Trial, motion: Motion, law_force: np.ndarray, acting: Sequence[_Acting], relaxes: float | None
-) -> _Changed:
-    """What acts inside the law comes through its relaxation; what counts work counts that of the whole specimen."""
-    found = _Changed()
-    inside: np.ndarray | float | None = None
-    for part in acting:
-        form = part.form
-        beside = form.parallel(part.p, trial, motion, part.memory)
-        if beside is not None and form.inside and relaxes is not None:
-            inside = beside if inside is None else inside + beside
-        elif beside is not None:
-            found.parallel = found.parallel + beside
-        if not form.counts_work:
-            _multiply(
-                found, part, motion, law_force, form.factor(part.p, trial, motion, law_force, part.memory), relaxes
-            )
-    if inside is not None and relaxes is not None:
-        found.parallel = found.parallel + relaxed_force(motion, np.broadcast_to(inside, law_force.shape), relaxes)
-    for part in acting:
-        if part.form.counts_work:
-            part.memory[BESIDE] = found.parallel
-            own = part.form.factor(part.p, trial, motion, found.factor * law_force, part.memory)
-            _multiply(found, part, motion, law_force, own, relaxes)
-    return found
-
-
-def _multiply(
-    found: _Changed,
-    part: _Acting,
-    motion: Motion,
-    law_force: np.ndarray,
-    factor: np.ndarray | float | None,
-    relaxes: float | None,
-) -> None:
-    """Take a factor (n,) of a part where it acts."""
-    form = part.form
-    if factor is None:
-        return
-    if form.inside and relaxes is not None:
-        whole = np.broadcast_to(factor, law_force.shape)
-        found.parallel = found.parallel + relaxed_factor(motion, whole, law_force, relaxes)
-    elif form.of_power:
-        found.power = found.power * factor
-    elif form.spares_loss:
-        found.springs = found.springs * form.spring_factor(part.p, factor)
-        found.dashpots = found.dashpots * form.dashpot_factor(part.p, motion, factor)
-        found.splits = True
-    else:
-        found.factor = found.factor * form.spring_factor(part.p, factor)
-
-
-def _spring(trial: Trial, motion: Motion, acting: Sequence[_Acting], beside: np.ndarray | float) -> np.ndarray:
-    """Stiffness (n,) N/m, at least 0, with which forces (n,) N beside the law go with the deformation: that of springs
-    among the parts at each deformation, and of the rest on average.
-    """
-    u = motion.displacement
-    step = _MOVED * max(float(np.max(np.abs(u))), 1e-300)
-    here, further = (_elastic_force(trial, one, acting) for one in (motion, replace(motion, displacement=u + step)))
-    swing = u - u.mean()
-    rest = float(swing @ (beside - here)) / max(float(swing @ swing), 1e-300)
-    return np.maximum((further - here) / step + rest, 0.0)
-
-
-def _elastic_force(trial: Trial, motion: Motion, acting: Sequence[_Acting]) -> np.ndarray:
-    """Force (n,) N of the springs among parts."""
-    total = np.zeros_like(motion.displacement)
-    for part in acting:
-        force = part.form.parallel(part.p, trial, motion, {}) if part.form.elastic else None
-        total = total if force is None else total + force
-    return total
 
 
 def _between(coarse: Motion, values: np.ndarray, time: np.ndarray) -> np.ndarray:

@@ -339,6 +339,28 @@ def test_forms_that_leave_more_than_asked_are_not_fitted_on() -> None:
     assert found.fitted.model.effects[0].label == "x.whole"
 
 
+def test_a_form_that_has_the_parameters_of_another_is_tried_where_that_one_is(monkeypatch: pytest.MonkeyPatch) -> None:
+    # though no linear estimate makes it likely
+    monkeypatch.setattr("edesign.calibrate.loop.likely_forms", lambda signatures, most: [])
+    problem = linear(seed=18, hidden={"x": 2.0})
+    problem.columns = {"x.whole": problem.columns["x"], "x.half": problem.columns["y"]}
+    current = _of_labels(problem, "x.half")
+    (found,) = Loop(problem, (1.0,) * 6, workers=1)._other_forms(current, current.fitted.model.effects[0])
+    assert found.fitted.model.effects[0].label == "x.whole"
+
+
+@pytest.mark.parametrize("slow", [False, True])
+def test_rivals_are_screened_beside_what_stays_unless_that_is_slow(slow: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = linear(seed=20, hidden={"x": 2.0, "y": 2.0})
+    two = _of_labels(problem, "x.only", "y.only")
+    x, y = two.fitted.model.effects
+    beside = replace(two.fitted.model, effects=(x, replace(y, slow=slow)))
+    loop, asked = Loop(problem, (1.0,) * 6, workers=1), []
+    monkeypatch.setattr(loop, "_screened", lambda fitted, pool, roughly=False: asked.append(roughly) or [])
+    loop._alternatives(Judged(fit(beside, two.fitted.x)), x)
+    assert asked == [slow]
+
+
 def test_what_stands_beside_another_form_of_an_effect_is_no_rival_of_it() -> None:
     problem = linear(seed=19, hidden={"x": 2.0})
     problem.columns = {**problem.columns, "x.one": problem.columns["x"], "x.other": problem.columns["z"]}

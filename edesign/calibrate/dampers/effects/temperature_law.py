@@ -18,7 +18,7 @@ from edesign.damper.laws import LAWS
 from edesign.damper.temperature import CHANGING, REFERENCE_C, at_one_rate
 
 _LEAST_SPAN = 2.0  # K: tests at one temperature tell nothing of it, and readings of one, 0.2 K off, span up to 1 K
-_SHARPEST = 1.0  # K, of a transition: no rubber has a sharper one, and readings may be off by a fifth
+_SHARPEST = 1.0  # K, of a transition: no rubber has a sharper one, and readings may be off by 0.2 K
 _SLOWING = -0.015, 0.024  # 1/K: from -20 to 80 degC no fall is endless
 _NEAREST = 0.05  # of 1 + c w: T0 - C2, where the fall ends, comes no nearer
 
