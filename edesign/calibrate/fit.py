@@ -157,11 +157,22 @@ class Fitted:
         return sum(r.size for r in self.residuals)
 
     @cached_property
+    def own(self) -> tuple[np.ndarray | None, ...]:
+        """Columns (n_i, k) of each test fitted to, whose share is its own; None: there are none."""
+        problem = self.model.problem
+        return tuple(problem.nuisance(self.base, self.parts, i) for i, use in enumerate(problem.uses) if use == "fit")
+
+    @property
     def freedom(self) -> int:
         """How many numbers were fitted, with those that are each test's own."""
-        problem = self.model.problem
-        columns = [problem.nuisance(self.base, self.parts, i) for i, use in enumerate(problem.uses) if use == "fit"]
-        return self.x.size + sum(own.shape[1] for own in columns if own is not None)
+        return self.x.size + sum(columns.shape[1] for columns in self.own if columns is not None)
+
+    def shared(self, residuals: Sequence[np.ndarray]) -> list[np.ndarray]:
+        """Residuals (n_i,) of another model in the tests fitted to, freed from what is each test's own in this one."""
+        return [
+            r if columns is None else r - columns @ (columns.T @ r)
+            for r, columns in zip(residuals, self.own, strict=True)
+        ]
 
     @property
     def reduced(self) -> float:

@@ -12,6 +12,7 @@ from edesign.calibrate.contest import BEHIND, FITTED, both, fit_best, judged_of,
 from edesign.calibrate.evidence import CLEAR, SHARE, Judged, compare, simplest
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.forms import begin_alike, begun_at, begun_from, may_join
+from edesign.calibrate.outcome import errors_of, predict
 from edesign.calibrate.pairs import likely_pairs
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem
 from edesign.calibrate.screening import Signature, ordered, screen, screen_again
@@ -72,7 +73,7 @@ class Loop:
         self.may_refit = refit
         self.workers = workers
         self.tell = progress
-        self.material = 0.0
+        self.left: tuple[np.ndarray, ...] = ()  # residuals of the model without effects that is the rival of all
         self.beside_declared: list[Signature] = []  # effects beside the law as declared
         self.rivals: dict[tuple[frozenset[str], bool], list[Judged]] = {}
         """Models with one effect more, by the effects they share, and whether these stand beside the declared law."""
@@ -98,6 +99,7 @@ class Loop:
         if declared.at_floor:
             return Selection(declared, refit, declared, ())
         final, near = self._search(declared, refit)
+        final = self._placed(final)
         adopted_labels = _labels(final.fitted.model.effects)
         refused = tuple(item for item in near if item[0].label not in adopted_labels)
         adopted = self._explain(final, refit)
@@ -109,7 +111,7 @@ class Loop:
         held = self._beside_declared(declared) if self.may_refit else []
         if refit.at_floor:
             return simplest([refit, *(judged for judged in held if compare(judged, declared).adopts)]), ()
-        self.material = _SMALL * (rival.fitted.chi2 - rival.fitted.samples)
+        self.left = rival.fitted.residuals
         refused: Refused = ()
         current = None
         best = min(held, key=_of_left_out, default=None)
@@ -151,6 +153,20 @@ class Loop:
                 break
             current = found
         return self._against_others(self._prune(self._held_again(current))), refused
+
+    def _placed(self, final: Judged) -> Judged:
+        """Each effect in the form that does least wrong to tests that are not fitted to, of those that do the same to
+        the fitted ones, as a gain does that changed in between: what it does to a test is then that test's own.
+        """
+        for i, part in enumerate(final.fitted.parts):
+            models = [final]
+            for other in self.problem.elsewhere(part):
+                effects = (*final.fitted.model.effects[:i], other, *final.fitted.model.effects[i + 1 :])
+                model = replace(final.fitted.model, effects=effects)
+                models.append(Judged(fit(model, final.fitted.x, most_steps=0)))
+            if len(models) > 1:
+                final = min(models, key=lambda one: errors_of(self.problem, predict(self.problem, one)).validate)
+        return final
 
     def _against_others(self, current: Judged) -> Judged:
         """A single effect against others beside the law fitted again, where none were: it was found beside others."""
@@ -235,15 +251,19 @@ class Loop:
         return current.fitted.chi2 - current.fitted.samples >= self._may_miss(current)
 
     def _may_miss(self, current: Judged) -> float:
-        """Sum of squares that the equations of the known effects may miss."""
+        """Sum of squares that the equations of the known effects may miss: what is each test's own, as a tone is, has
+        none that others could make up for.
+        """
         fitted = current.fitted
         bare = replace(fitted.model, effects=())
+        shared = fitted.shared(self.left)
+        material = _SMALL * (sum(float(r @ r) for r in shared) - fitted.samples)
         try:
-            without = bare.residuals(fitted.x[: len(bare.base)])
+            without = fitted.shared(bare.residuals(fitted.x[: len(bare.base)]))
         except PredictionError:
-            return self.material
+            return material
         done = sum(float((w - r) @ (w - r)) for w, r in zip(without, fitted.residuals, strict=True))
-        return max(self.material, _MISSED * done)
+        return max(material, _MISSED * done)
 
     def _other_forms_of_likely(self, tried: Sequence[Judged]) -> list[Judged]:
         """Models with further forms of the effects that the best models have last: best on tests left out, or on those

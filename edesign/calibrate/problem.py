@@ -111,6 +111,9 @@ class Problem(Protocol):
     def finer(self, part: Part) -> tuple[Part, ...]:
         """Finer forms of an effect that was found, with the values at which they do what it does."""
 
+    def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
+        """Forms that do what a part does to the tests that are fitted to, and something else to others."""
+
     def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
         """Predicted values (n_i,) of each test used so; None for the others.
 

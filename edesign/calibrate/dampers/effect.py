@@ -235,6 +235,10 @@ class Form:
         """Finer forms that a search would be lost in, for when this one was found; each has its parameters first."""
         return ()
 
+    def elsewhere(self, sizes: Sizes) -> tuple[Form, ...]:
+        """Forms that do the same to the tests that are fitted to, and something else to others."""
+        return ()
+
     def columns(self, p: Values, trial: Trial) -> np.ndarray | None:
         """Columns (n, k) whose share is each test's own; None: there are none."""
         return None

@@ -22,7 +22,7 @@ from edesign.calibrate.dampers.inside import (
 )
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
-from edesign.calibrate.dampers.library import candidates
+from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
 from edesign.calibrate.unknown import Unknown
@@ -33,6 +33,7 @@ from edesign.damper.temperature import TemperatureModel, at
 from edesign.errors import InputError
 
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
+_WELL_APART = 1e-6  # ratio of eigenvalues with which squares of columns make a basis that is exact to 1e-10
 _BEGUN = 1e-3  # change of a state, a number, by which differences are taken
 _WARMER = 0.2  # K, likewise
 _KEPT = 64  # force histories of the law alone: those of one set of parameters
@@ -98,6 +99,12 @@ class DamperProblem:
     def finer(self, part: Part) -> tuple[Part, ...]:
         """Finer forms of an effect that was found, with the values at which they do what it does."""
         return finer(part, self.sizes, without_dashpots(self.law, self.start) is not None)
+
+    def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
+        """Forms that do what a part does to the tests that are fitted to, and something else to others."""
+        form = part[0].effect[0]
+        others = (candidate_of(other, self.sizes, Left((), ())) for other in form.elsewhere(self.sizes))
+        return tuple(other for other in others if other is not None)
 
     def law_values(self, base: np.ndarray) -> dict[str, float]:
         """Parameters of the law, all of them, of the values of the unknown ones."""
@@ -366,8 +373,13 @@ class _Same(Generic[T]):
 
 def _orthonormal(columns: Sequence[np.ndarray]) -> np.ndarray:
     """A basis (n, k) of columns, those that depend on others left out."""
-    basis, sizes, _ = np.linalg.svd(np.hstack(columns), full_matrices=False)
-    basis = basis[:, sizes > _DEPENDENT * sizes[0]]
+    given = np.hstack(columns)
+    squares, turned = np.linalg.eigh(given.T @ given)  # a tenth of the time of the decomposition below
+    if squares[0] > _WELL_APART * squares[-1]:
+        basis = given @ (turned / np.sqrt(squares))
+    else:
+        basis, sizes, _ = np.linalg.svd(given, full_matrices=False)
+        basis = basis[:, sizes > _DEPENDENT * sizes[0]]
     basis.setflags(write=False)
     return np.asarray(basis)
 

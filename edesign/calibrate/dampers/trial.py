@@ -142,7 +142,7 @@ class Sizes:
         path: of all tests.
         work: dissipated in all tests.
         tests: number in the campaign.
-        fitted: how many of them are fitted to.
+        fitted: (tests,) whether each of them is fitted to.
         period: of the slowest motion (longest time between reversals, times two).
         temperatures: lowest and highest, degC, whatever single readings say.
     """
@@ -155,7 +155,7 @@ class Sizes:
     path: float
     work: float
     tests: int
-    fitted: int
+    fitted: tuple[bool, ...]
     period: float
     temperatures: tuple[float, float]
 
@@ -188,7 +188,7 @@ class Sizes:
             path=sum(float(t.motion.path[-1]) for t in trials),
             work=abs(work),
             tests=len(trials),
-            fitted=len(fitted),
+            fitted=tuple(t.use == "fit" for t in trials),
             period=max(_slowest(t.motion) for t in fitted),
             temperatures=(min(temperatures), max(temperatures)),
         )

@@ -99,6 +99,10 @@ class PropertyProblem:
         """There are none."""
         return ()
 
+    def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
+        """There are none."""
+        return ()
+
     def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """Nothing is in doubt."""
         return None

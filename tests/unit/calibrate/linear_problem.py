@@ -19,6 +19,7 @@ class LinearProblem:
         matrices: (n_i, p) of each test.
         columns: of each effect (n_i,) of each test, by its name, or name.form.
         measured: (n_i,) of each test.
+        own: of an effect, by its name, columns (n_i, k) of each test whose share is its own.
     """
 
     matrices: Sequence[np.ndarray]
@@ -32,6 +33,7 @@ class LinearProblem:
     fine: tuple[
         str, ...
     ] = ()  # columns that are finer forms of effects found, no candidates; name.form_more: of a form
+    own: dict[str, Sequence[np.ndarray]] = field(default_factory=dict)
     instruments: tuple[str, ...] = ()  # effects of the measurement; the others are the damper's
 
     def __post_init__(self) -> None:
@@ -61,6 +63,13 @@ class LinearProblem:
         keys = [key for key in keys if "_" not in key or key.startswith(candidate.effect + "_")]
         return tuple((replace(candidate, form=key.split(".")[1], effect=key, finer=True), values) for key in keys)
 
+    def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
+        """Forms whose columns are those of the effect in all tests that are fitted to."""
+        given, fitted = self.columns[part[0].effect], [i for i, use in enumerate(self.uses) if use == "fit"]
+        others = [key for key in self.columns if key.split(".")[0] == part[0].name and key != part[0].effect]
+        same = [key for key in others if all(np.array_equal(self.columns[key][i], given[i]) for i in fitted)]
+        return tuple(replace(part[0], form=key.partition(".")[2] or "only", effect=key) for key in same)
+
     def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
         found: list[np.ndarray | None] = []
         for i, (matrix, use) in enumerate(zip(self.matrices, self.uses, strict=True)):
@@ -71,7 +80,8 @@ class LinearProblem:
         return found
 
     def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
-        return None
+        columns = [self.own[candidate.name][index] for candidate, _ in parts if candidate.name in self.own]
+        return np.linalg.qr(np.hstack(columns))[0] if columns else None
 
     def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         return self.doubts[index] if self.doubts else None

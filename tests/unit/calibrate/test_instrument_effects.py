@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.signal import lfilter
 from scipy.special import j0
 
 from edesign.calibrate.dampers.effect import Form
@@ -17,7 +18,7 @@ from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.peaks import common_tones
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
-from edesign.calibrate.problem import Part
+from edesign.calibrate.problem import Part, Use
 from edesign.damper.laws import law
 
 ROUNDING = 1e-9
@@ -116,6 +117,15 @@ def test_a_gain_that_changes_has_a_form_for_each_place() -> None:
             np.testing.assert_allclose(motion.displacement, made, rtol=1e-14)
     copied = pickle.loads(pickle.dumps(forms[1]))
     assert (copied.form, copied.first) == ("force_from_test_3", 3)
+
+
+def test_a_gain_has_forms_where_fitted_tests_tell_it_and_others_where_the_rest_does() -> None:
+    uses: tuple[Use, ...] = ("fit", "validate", "validate", "fit", "fit", "validate")
+    sizes = Sizes.of([replace(_trial(100.0, 1.0, order=i), use=use) for i, use in enumerate(uses)])
+    forms = [form for form in gain.forms_of(sizes) if isinstance(form, gain.ForceFromTest)]
+    assert [form.first for form in forms] == [4, 5]
+    assert [form.form for form in forms[0].elsewhere(sizes)] == ["force_from_test_2", "force_from_test_3"]
+    assert forms[1].elsewhere(sizes) == () == gain.Force().elsewhere(sizes)
 
 
 def test_lines_of_drift_begin_with_the_test_or_go_on_through_the_campaign() -> None:
@@ -245,6 +255,28 @@ def test_a_tone_whose_frequency_hunts_is_taken_out_by_restless_alone() -> None:
     # sums over 2401 samples in place of integrals: 1/2401 of the power, a few times
     assert left(hum.Unsteady()) == pytest.approx(1.0 - j0(1.0) ** 2, abs=2e-3)
     assert left(hum.Restless()) < 5e-5
+
+
+def test_of_a_tone_that_wanders_more_cosines_leave_less() -> None:
+    # amplitude 1 + 0.3 z, z with the spectrum 2 T / (1 + (2 pi f T)^2), T = 4 s: above f_c, for f_c T far above 1, the
+    # share 1 / (pi^2 f_c T) of its power is left (Rice 1944, Bell Syst. Tech. J. 23, section 2.7)
+    trial, duration, t0 = _trial(400.0, 20.0), 20.0, 4.0
+    since = trial.motion.time - trial.motion.time[0]
+    step = float(since[1])
+    rest = {hum.Restless: 0.0, hum.Hunting: 0.0}
+    random = np.random.default_rng(8)
+    for _ in range(20):
+        keep = np.exp(-step / t0)
+        slow = lfilter([np.sqrt(1.0 - keep**2)], [1.0, -keep], random.standard_normal(since.size + 8000))[8000:]
+        tone = 0.3 * slow * np.sin(W * 50.02 * since)
+        for kind in rest:
+            columns = kind().columns({"frequency": 50.02}, trial)
+            assert columns is not None
+            left = tone - columns @ np.linalg.lstsq(columns, tone, rcond=None)[0]
+            rest[kind] += float(left @ left) / (20.0 * 0.045 * since.size)
+    for kind, cosines in ((hum.Restless, 21), (hum.Hunting, 81)):
+        corner = (cosines - 1) / (2.0 * duration)
+        assert rest[kind] == pytest.approx(1.0 / (np.pi**2 * corner * t0), rel=0.25)
 
 
 def test_differences_of_a_frequency_stay_within_its_peak() -> None:

@@ -287,7 +287,9 @@ def test_two_effects_are_sought_where_one_makes_other_tests_worse() -> None:
     )
     free = _model(problem)
     refit, declared = (Judged(fit(model, model.coordinates())) for model in (free, replace(free, held=True)))
-    found, refused = Loop(problem, (1.0,) * 6, workers=1)._round(refit, declared)
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    loop.left = declared.fitted.residuals
+    found, refused = loop._round(refit, declared)
     (best, evidence), *_ = refused
     assert best.name == "x" and evidence.share > 0.8 and not evidence.adopts
     assert found is not None and sorted(effect.name for effect in found.fitted.model.effects) == ["x", "y"]
@@ -531,6 +533,45 @@ def test_what_equations_may_miss_is_a_share_of_what_they_do() -> None:
     loop = Loop(problem, (1.0,) * 6, workers=1)
     fitted = [column for column, use in zip(problem.columns["x"], problem.uses, strict=True) if use == "fit"]
     done = 40.0**2 * sum(float(column @ column) for column in fitted)
+    loop.left = judged.fitted.residuals
     assert loop._may_miss(judged) == pytest.approx(5e-4 * done, rel=0.01)  # 40 is told to 4 / sqrt(1000)
-    loop.material = 1e-3 * done  # a share of what the refitted law leaves, if that is more
-    assert loop._may_miss(judged) == loop.material
+    # a share of what the refitted law leaves, if that is more: 1 % of ten times what the effect does
+    loop.left = tuple(10.0**0.5 * 40.0 * column for column in fitted)
+    assert loop._may_miss(judged) == pytest.approx(0.1 * done, rel=0.01)
+
+
+def test_what_is_each_tests_own_has_no_misses_that_another_effect_could_make_up_for() -> None:
+    # x takes three columns out of each test, in which the data have much: what is left beside them counts alone
+    problem = linear(seed=13, hidden={"y": 40.0})
+    random = np.random.default_rng(1)
+    own = [random.standard_normal((200, 3)) for _ in problem.uses]
+    measured = tuple(m + columns @ np.full(3, 1e3) for m, columns in zip(problem.measured, own, strict=True))
+    problem = replace(problem, own={"x": own}, measured=measured)
+    noise = (1.0,) * 6
+    x, y, _ = problem.candidates(())
+    declared = Judged(fit(Model(problem, noise, held=True), np.empty(0)))
+    model = Model(problem, noise, (x, y))
+    loop = Loop(problem, noise, workers=1)
+    loop.left = declared.fitted.residuals
+    fitted = [i for i, use in enumerate(problem.uses) if use == "fit"]
+    done = 40.0**2 * sum(float(problem.columns["y"][i] @ problem.columns["y"][i]) for i in fitted)
+    assert declared.fitted.chi2 > 1e3 * done
+    # 1 % of what y does, but for the share of 3 columns of 200 values and of x's own column
+    assert loop._may_miss(Judged(fit(model, model.coordinates()))) == pytest.approx(0.01 * done, rel=0.1)
+
+
+def test_a_form_that_the_fitted_tests_cannot_place_is_placed_by_the_others() -> None:
+    # x acts from the fourth test on, or from the fifth: the fourth is to validate
+    for early in (True, False):
+        problem = linear(seed=5, tests=6)
+        uses: tuple[Use, ...] = ("fit", "fit", "fit", "validate", "fit", "fit")
+        column = problem.columns["x"]
+        late = [np.zeros(200) if i < 4 else column[i] for i in range(6)]
+        soon = [np.zeros(200) if i < 3 else column[i] for i in range(6)]
+        measured = tuple(m + 5.0 * (soon if early else late)[i] for i, m in enumerate(problem.measured))
+        problem = replace(problem, columns={"x.late": late, "x.soon": soon}, measured=measured, uses=uses)
+        found = Loop(problem, (1.0,) * 6, workers=1).run()
+        assert [one.candidate.label for one in found.adopted] == ["x.soon" if early else "x.late"]
+        # what is adopted is what the model has, with the value of the fitted tests: 5 to 1 / sqrt(400)
+        assert found.final.fitted.model.effects == (found.adopted[0].candidate,)
+        assert found.adopted[0].values[0] == pytest.approx(5.0, abs=4.0 / 20.0)

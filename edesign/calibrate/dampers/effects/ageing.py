@@ -73,7 +73,7 @@ class Logarithmic(_Ageing):
         return math.log1p(tests)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return super().starts(sizes) if sizes.fitted > _BENT else ()
+        return super().starts(sizes) if sum(sizes.fitted) > _BENT else ()
 
 
 class Power(_Ageing):
@@ -90,7 +90,7 @@ class Power(_Ageing):
         return Unknown("rate", "", -_LARGEST, 10.0, 0.3), Unknown("p", "", 0.1, 6.0, 1.0, logarithmic=True)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return ((0.1, 0.4), (0.1, 2.0)) if sizes.fitted > _BENT else ()
+        return ((0.1, 0.4), (0.1, 2.0)) if sum(sizes.fitted) > _BENT else ()
 
     def fixed(self, sizes: Sizes) -> dict[str, float]:
         return {"N": sizes.tests - 1.0}
@@ -111,7 +111,7 @@ class Course(_Ageing):
         return tuple(Unknown(f"a{i}", "", -_LARGEST, 10.0, 0.3) for i in (1, 2, 3)) if self.starts(sizes) else ()
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return ((0.03, 0.06, 0.1), (0.07, 0.09, 0.1)) if sizes.fitted >= _COURSE else ()
+        return ((0.03, 0.06, 0.1), (0.07, 0.09, 0.1)) if sum(sizes.fitted) >= _COURSE else ()
 
     def fixed(self, sizes: Sizes) -> dict[str, float]:
         return {"N": sizes.tests - 1.0}

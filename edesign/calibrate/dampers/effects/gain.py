@@ -51,6 +51,8 @@ class Displacement(_Gain):
 class _FromTest(Form):
     """A gain that changed between two tests: one form for each place, which is no number that a search could move.
 
+    Tests that are not fitted to may stand between those two: what they record tells in which of them it changed.
+
     Args:
         first: the test from which it is changed; 2 is the second of the campaign.
     """
@@ -66,6 +68,11 @@ class _FromTest(Form):
 
     def fixed(self, sizes: Sizes) -> Mapping[str, float]:
         return {"first_test": float(self.first)}
+
+    def elsewhere(self, sizes: Sizes) -> tuple[Form, ...]:
+        last = 1 + max(i for i in range(self.first - 1) if sizes.fitted[i])
+        after = 1 + min(i for i in range(self.first - 1, sizes.tests) if sizes.fitted[i])
+        return tuple(type(self)(first) for first in range(last + 1, after + 1) if first != self.first)
 
     def _changed(self, trial: Trial) -> bool:
         return trial.order + 1 >= self.first
@@ -94,8 +101,8 @@ class DisplacementFromTest(_FromTest, Displacement):
 
 
 def forms_of(sizes: Sizes) -> tuple[Form, ...]:
-    """A form of each channel for each place between two tests."""
-    places = range(2, sizes.tests + 1)
+    """A form of each channel for each place between two tests that are fitted to."""
+    places = [order + 1 for order, fitted in enumerate(sizes.fitted) if fitted][1:]
     return (*(ForceFromTest(first) for first in places), *(DisplacementFromTest(first) for first in places))
 
 

@@ -15,7 +15,7 @@ from edesign.calibrate.unknown import Unknown
 
 _LOWEST, _HIGHEST = 5.0, 1000.0  # Hz
 _SLOW = 5  # half cycles over a test, and none, in which the amplitude may change
-_QUICK = 21
+_QUICK, _QUICKEST = 21, 81
 
 
 @dataclass(frozen=True)
@@ -92,4 +92,13 @@ class Restless(Unsteady):
     _slow: ClassVar[int] = _QUICK
 
 
-FORMS = (Tone, Harmonics, Unsteady, Restless)
+class Hunting(Unsteady):
+    """As `restless`, with changes within tenths of a second."""
+
+    form: ClassVar[str] = "hunting"
+    title: ClassVar[str] = "hum in the force channel whose frequency and amplitude hunt quickly"
+    signature: ClassVar[str] = "a peak of the spectrum some hertz wide, about one frequency in all tests"
+    _slow: ClassVar[int] = _QUICKEST
+
+
+FORMS = (Tone, Harmonics, Unsteady, Restless, Hunting)
