@@ -24,6 +24,8 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("hardening", "threshold"): {"k": 3e6, "u0": 3.3e-3},
     ("one_sided", "factor"): {"b": 0.15, "side": -1.0},
     ("one_sided", "spring"): {"k": 2e6, "u0": 1.7e-3, "side": -1.0},
+    ("one_sided", "contact"): {"k": 4e6, "u0": 1.2e-3, "n": 1.6, "side": 1.0, "r": 3e-3},
+    ("one_sided", "even"): {"k": 8e5, "n": 2.1, "r": 5e-3},
     ("relaxation_branch", "maxwell"): {"k": 2e6, "tau": 0.2},
     ("velocity_exponent", "dashpot"): {"c": 8e3, "alpha": 0.4},
     ("payne", "network"): {"d": 0.3, "s0": 0.01, "tau": 2.0},
@@ -128,6 +130,11 @@ def _beside(
                 phi *= np.where(p["side"] * u > 0.0, 1.0 + p["b"], 1.0)
             case "one_sided.spring":
                 beside += p["k"] * np.maximum(p["side"] * u - p["u0"], 0.0) * p["side"]
+            case "one_sided.contact":
+                x = np.maximum(p["side"] * u - p["u0"], 0.0)
+                beside += p["side"] * p["k"] * x * (x / p["r"]) ** (p["n"] - 1.0)
+            case "one_sided.even":
+                beside += p["k"] * p["r"] * (np.abs(u) / p["r"]) ** p["n"]
             case "relaxation_branch.maxwell":
                 beside += _branch(p, h, v)
             case "velocity_exponent.dashpot":

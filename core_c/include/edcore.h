@@ -283,7 +283,9 @@ enum {
   ED_AMEND_PAYNE_NETWORK = 14,            /* d s0 tau: phi = 1 - d x, x' = (1 - x) |v|/s0 - x/tau, |v| constant over the step */
   ED_AMEND_MULLINS_DAMAGE = 15,           /* m r p: phi = 1 - m (1 - exp(-(M/r)^p)) */
   ED_AMEND_VELOCITY_EXPONENT_FLOW = 16,   /* f v0: f asinh(v/v0) */
-  ED_AMEND_DEGRADATION_PATH = 17          /* d p S: phi = 1 - d (s/S)^p */
+  ED_AMEND_DEGRADATION_PATH = 17,         /* d p S: phi = 1 - d (s/S)^p */
+  ED_AMEND_ONE_SIDED_CONTACT = 18,        /* k u0 n side(1, -1) r: k x (x/r)^(n-1) side, x = max(side u - u0, 0) */
+  ED_AMEND_ONE_SIDED_EVEN = 19            /* k n r: k |u| (|u|/r)^(n-1) */
 };
 /* Adds one to a damper, before its first state is made; several act together. inside: not beside the law but inside one that relaxes all
  * of its forces, F_law + tau F_law' = everything: it adds Q to the force, Q + tau Q' = force, or (phi - 1)(F_law + tau F_law') for a

@@ -9,7 +9,7 @@
 
 typedef struct {
   int kind, n;
-  double parameter[4];
+  double parameter[5];
 } amendment;
 
 static const amendment EACH[] = {
@@ -31,6 +31,8 @@ static const amendment EACH[] = {
     {ED_AMEND_MULLINS_DAMAGE, 3, {0.3, 0.7, 1.4}},
     {ED_AMEND_VELOCITY_EXPONENT_FLOW, 2, {0.5, 0.3}},
     {ED_AMEND_DEGRADATION_PATH, 3, {0.2, 0.8, 20.0}},
+    {ED_AMEND_ONE_SIDED_CONTACT, 5, {1.4, 0.2, 1.5, -1.0, 0.8}},
+    {ED_AMEND_ONE_SIDED_EVEN, 3, {0.9, 2.2, 0.7}},
 };
 enum { KINDS = sizeof EACH / sizeof *EACH };
 
@@ -104,6 +106,10 @@ static double expected(memory *m, const int *used, double h, double u, double v,
     }
     case ED_AMEND_MULLINS_DAMAGE: phi *= 1.0 - p[0] * (1.0 - exp(-pow(m->largest / p[1], p[2]))); break;
     case ED_AMEND_VELOCITY_EXPONENT_FLOW: beside += p[0] * log(v / p[1] + sqrt(v * v / (p[1] * p[1]) + 1.0)); break;
+    case ED_AMEND_ONE_SIDED_CONTACT: /* k r^(1-n) x^n */
+      beside += p[3] * u > p[1] ? p[3] * p[0] * pow(p[4], 1.0 - p[2]) * pow(p[3] * u - p[1], p[2]) : 0.0;
+      break;
+    case ED_AMEND_ONE_SIDED_EVEN: beside += p[0] * p[2] * pow(fabs(u) / p[2], p[1]); break;
     case ED_AMEND_DEGRADATION_PATH: phi *= 1.0 - p[0] * pow(m->path / p[2], p[1]); break;
     }
   }

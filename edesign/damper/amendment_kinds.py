@@ -273,6 +273,30 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
         ),
         kind(
+            "one_sided.contact",
+            "contact to one side that stiffens",
+            "k x (x/r)^(n-1) side, x = max(side u - u0, 0)",
+            "Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (n = 3/2: Hertz)",
+            (
+                _any("k", "secant stiffness at r beyond u0", "N/m"),
+                Parameter("u0", "deformation at which it begins", "m", lower_allowed=True),
+                Parameter("n", "exponent", "", lower=1.0, lower_allowed=True),
+                _SIDE,
+                Parameter("r", "deformation beyond u0 at which the secant stiffness is k", "m", fitted=False),
+            ),
+        ),
+        kind(
+            "one_sided.even",
+            "stiffer to one side, softer to the other",
+            "k |u| (|u|/r)^(n-1)",
+            "Kovacic and Brennan (2011), The Duffing Equation, Wiley (Helmholtz-Duffing: n = 2)",
+            (
+                _any("k", "secant stiffness at r; negative: softer where the deformation is positive", "N/m"),
+                Parameter("n", "exponent", "", lower=1.0, lower_allowed=True),
+                Parameter("r", "deformation at which the secant stiffness is k", "m", fitted=False),
+            ),
+        ),
+        kind(
             "relaxation_branch.maxwell",
             "further Maxwell branch",
             "Q' + Q/tau = k u'",

@@ -67,6 +67,32 @@ const ed_amendment_kind ed_amend_one_sided_spring = {
     .name = "one_sided.spring", .n_parameters = 3,
     .parameter = {{"k", ED_ANY}, {"u0", ED_NOT_NEGATIVE}, {"side", ED_SIDE}}, .at_end = one_sided_spring};
 
+static void one_sided_contact(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  (void)before, (void)after;
+  const double beyond = p[3] * ends->u1 - p[1];
+  const double secant = beyond > 0.0 ? p[0] * pow(beyond / p[4], p[2] - 1.0) : 0.0;
+  out->value = secant * fmax(beyond, 0.0) * p[3];
+  out->by_u1 = p[2] * secant;
+}
+
+const ed_amendment_kind ed_amend_one_sided_contact = {
+    .name = "one_sided.contact", .n_parameters = 5,
+    .parameter = {{"k", ED_ANY}, {"u0", ED_NOT_NEGATIVE}, {"n", ED_AT_LEAST_ONE}, {"side", ED_SIDE}, {"r", ED_POSITIVE}},
+    .at_end = one_sided_contact};
+
+static void one_sided_even(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  (void)before, (void)after;
+  const double size = fabs(ends->u1), secant = p[0] * pow(size / p[2], p[1] - 1.0);
+  out->value = secant * size;
+  out->by_u1 = p[1] * secant * ed_sign(ends->u1);
+}
+
+const ed_amendment_kind ed_amend_one_sided_even = {
+    .name = "one_sided.even", .n_parameters = 3,
+    .parameter = {{"k", ED_ANY}, {"n", ED_AT_LEAST_ONE}, {"r", ED_POSITIVE}}, .at_end = one_sided_even};
+
 /* Q' + Q/tau = k v, v linear between the ends of the step. */
 static void relaxation_branch(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {

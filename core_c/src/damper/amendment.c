@@ -33,6 +33,8 @@ static const ed_amendment_kind *kind_of(int id)
       [ED_AMEND_MULLINS_DAMAGE] = &ed_amend_mullins_damage,
       [ED_AMEND_VELOCITY_EXPONENT_FLOW] = &ed_amend_velocity_exponent_flow,
       [ED_AMEND_DEGRADATION_PATH] = &ed_amend_degradation_path,
+      [ED_AMEND_ONE_SIDED_CONTACT] = &ed_amend_one_sided_contact,
+      [ED_AMEND_ONE_SIDED_EVEN] = &ed_amend_one_sided_even,
   };
   return id >= 0 && id < (int)(sizeof kinds / sizeof *kinds) ? kinds[id] : NULL;
 }

@@ -5,7 +5,7 @@
 
 #include "damper/law.h"
 
-enum { ED_AMENDMENT_PARAMETERS = 4 };
+enum { ED_AMENDMENT_PARAMETERS = 5 };
 
 /* A step by its two ends; du: from the one to the other, as far as it counts. jump: deformation over which a force that jumps rises,
  * 0 unless a brace must find its balance inside the jump. */
@@ -51,7 +51,7 @@ extern const ed_amendment_kind ed_amend_constant, ed_amend_payne_whole, ed_amend
 /* amend_parallel.c */
 extern const ed_amendment_kind ed_amend_payne_elastic, ed_amend_mullins_elastic, ed_amend_hardening_power,
     ed_amend_hardening_threshold, ed_amend_one_sided_spring, ed_amend_relaxation_branch_maxwell, ed_amend_velocity_exponent_dashpot,
-    ed_amend_velocity_exponent_flow;
+    ed_amend_velocity_exponent_flow, ed_amend_one_sided_contact, ed_amend_one_sided_even;
 
 static inline double ed_sign(double x)
 {

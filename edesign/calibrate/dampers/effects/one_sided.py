@@ -65,7 +65,7 @@ class SpringNegative(_Spring):
 
 
 class _Contact(_Spring):
-    amendment: ClassVar[bool] = False
+    amendment_form: ClassVar[str] = "contact"
     source: ClassVar[str] = (
         "contact of curved bodies: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (power 3/2)"
     )
@@ -171,6 +171,36 @@ class SoftNegative(_Soft):
     side: ClassVar[float] = -1.0
 
 
+class Even(_OneSided):
+    """A force to one side whatever the side of the deformation, which stiffens one and softens the other:
+    k |u| (|u|/r)^(n - 1)."""
+
+    form: ClassVar[str] = "even"
+    amendment_form: ClassVar[str] = "even"
+    elastic: ClassVar[bool] = True
+    title: ClassVar[str] = "stiffer with deformation to one side, softer to the other"
+    signature: ClassVar[str] = (
+        "a force to the same side at both tips of the loops: even multiples of the frequency alone"
+    )
+    source: ClassVar[str] = (
+        "Kovacic & Brennan (2011), The Duffing Equation, Wiley, section 2.5 (Helmholtz-Duffing: n = 2)"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        k = 20.0 * sizes.stiffness
+        return Unknown("k", "N/m", -k, k, sizes.stiffness), Unknown("n", "", 1.0, 5.0, 1.0)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.1 * sizes.stiffness, 2.0),)
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"r": sizes.displacement}
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        size = np.abs(motion.displacement)
+        return np.asarray(p["k"] * size * (size / p["r"]) ** (p["n"] - 1.0))
+
+
 FORMS = (
     ContactPositive,
     ContactNegative,
@@ -180,4 +210,5 @@ FORMS = (
     FactorNegative,
     SoftPositive,
     SoftNegative,
+    Even,
 )
