@@ -73,6 +73,8 @@ class Loop:
         self.may_refit = refit
         self.workers = workers
         self.tell = progress
+        self.standing: Judged | None = None  # the best model with effects so far
+        self.interrupted = False
         self.left: tuple[np.ndarray, ...] = ()  # residuals of the model without effects that is the rival of all
         self.beside_declared: list[Signature] = []  # effects beside the law as declared
         self.rivals: dict[tuple[frozenset[str], bool], list[Judged]] = {}
@@ -81,9 +83,10 @@ class Loop:
         self.compared: set[tuple[str, _Key]] = set()  # effects whose forms were, beside which model
 
     def run(self) -> Selection:
-        """Find the effects.
+        """Find the effects. A Ctrl-C ends the search with those found so far, a second one leaves it.
 
         Raises:
+            KeyboardInterrupt: there are none so far, or it was the second one.
             InputError: the model as declared has no prediction of the tests.
         """
         held = Model(self.problem, self.noise, held=True, workers=self.workers)
@@ -98,12 +101,22 @@ class Loop:
             refit = _refitted(Judged(fit(free, free.coordinates(), _LONG)))
         if declared.at_floor:
             return Selection(declared, refit, declared, ())
-        final, near = self._search(declared, refit)
+        try:
+            final, near = self._search(declared, refit)
+        except KeyboardInterrupt:
+            if self.standing is None:
+                raise
+            self._stop()
+            final, near = self.standing, ()
         final = self._placed(final)
         adopted_labels = _labels(final.fitted.model.effects)
         refused = tuple(item for item in near if item[0].label not in adopted_labels)
         adopted = self._explain(final, refit)
-        return Selection(declared, refit, final, adopted, refused)
+        return Selection(declared, refit, final, adopted, refused, self.interrupted)
+
+    def _stop(self) -> None:
+        self.interrupted = True
+        self.tell("interrupted: going on with the effects found so far; interrupt again to leave them")
 
     def _search(self, declared: Judged, refit: Judged) -> tuple[Judged, Refused]:
         """The final model, and what came near it in the last round."""
@@ -133,9 +146,11 @@ class Loop:
             return rival, refused
         been: set[frozenset[str]] = set()  # what was added may have been needless in the end: not again
         while True:
+            self.standing = current
             if _last_is_new(current):
                 current = self._reformed(self._reconsider(self._last_alone(current)))
             current = self._finer(_refitted(self._freed(self._prune(current))))
+            self.standing = current
             self.known.clear()  # of another belief in the declared parameters: not asked for again
             labels = _labels(current.fitted.model.effects)
             if current.at_floor or len(labels) >= _MOST or labels in been:
@@ -474,6 +489,15 @@ class Loop:
         self.rivals[_labels(others), held] = found
         return found
 
+    def _alternatives_unless_stopped(self, current: Judged, effect: Candidate) -> list[Judged]:
+        if self.interrupted:
+            return []
+        try:
+            return self._alternatives(current, effect)
+        except KeyboardInterrupt:
+            self._stop()
+            return []
+
     def _stood_beside(self, others: Sequence[Candidate]) -> list[Part]:
         """The best form of each effect, the best first, that was fitted beside other forms of these effects."""
         names = sorted(other.name for other in others)
@@ -586,7 +610,7 @@ class Loop:
             without = self._without(final, effect)
             evidence = compare(final, without)
             alike: dict[str, Judged] = {}
-            for other in sorted(self._alternatives(final, effect), key=_of_left_out):
+            for other in sorted(self._alternatives_unless_stopped(final, effect), key=_of_left_out):
                 if _labels(other.fitted.model.effects) == _labels(final.fitted.model.effects):
                     continue
                 near = compare(other, without).share > _ALIKE * evidence.share

@@ -83,6 +83,7 @@ class Outcome:
             law_held=self.found.law_held,
             series=series,
             seconds=seconds,
+            interrupted=self.found.interrupted,
         )
 
 

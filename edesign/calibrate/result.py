@@ -180,6 +180,7 @@ class Calibration:
         seconds: that the calibration took.
         carried: the corrected law as a law file can carry it; None: the subject has no law file.
         subject: what was calibrated.
+        interrupted: whether the search for effects was ended before it had come to an end.
     """
 
     title: str
@@ -199,6 +200,12 @@ class Calibration:
     seconds: float
     carried: CarriedLaw | None = None
     subject: Subject = "damper"
+    interrupted: bool = False
+
+    @property
+    def verdict_words(self) -> str:
+        """The verdict, for people."""
+        return self.verdict.replace("_", " ") + (", the search interrupted" if self.interrupted else "")
 
     @property
     def tests(self) -> tuple[Series, ...]:

@@ -43,6 +43,7 @@ class Selection:
         final: the model with effects.
         adopted: the effects, in the order of adoption.
         refused: what came nearest to being adopted.
+        interrupted: whether the search was ended before it had come to an end.
     """
 
     declared: Judged
@@ -50,6 +51,7 @@ class Selection:
     final: Judged
     adopted: tuple[Adopted, ...]
     refused: Refused = ()
+    interrupted: bool = False
 
     @property
     def law_held(self) -> bool:

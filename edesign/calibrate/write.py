@@ -26,6 +26,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "title": found.title,
         "law": found.law,
         "verdict": found.verdict,
+        "interrupted": found.interrupted,
         "error": {
             stage: {
                 "fit": found.errors[stage].fit,
@@ -124,7 +125,7 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
     data["tested"] = _tested(found, specimen.layer_thickness)
     best = "" if not carried.replaced else f"; {100 * found.errors['corrected'].validate:.3g} % with forms it lacks"
     head = [
-        f"# {law.title}, calibrated by {len(found.series)} tests of {found.title}: {found.verdict.replace('_', ' ')}",
+        f"# {law.title}, calibrated by {len(found.series)} tests of {found.title}: {found.verdict_words}",
         f"# NRMS (thesis Eq. 4.28) of the validation tests {100 * carried.validate:.3g} %{best}, as declared "
         f"{100 * found.errors['declared'].validate:.3g} %, noise {100 * found.noise_floor:.3g} %",
         *(f"# not carried: {text}" for text in left_out),

@@ -31,6 +31,7 @@ def calibrate(
     """Predict measured tests, find what the law or structure lacks, add it, and report errors before and after."""
     from edesign.archive.files import check_folder
     from edesign.calibrate.files import check_names
+    from edesign.errors import Interrupted
     from edesign.report.text import print_tables
 
     folder = campaign.parent if output is None else output
@@ -55,6 +56,8 @@ def calibrate(
         typer.echo(found.verdict())
         for path in written:
             typer.echo(f"written: {path}")
+    if found.interrupted:
+        raise Interrupted(f"the search was interrupted; what it had found is in {folder}")
 
 
 @dataclass(frozen=True)
@@ -66,6 +69,7 @@ class _Found:
     json: Callable[[], dict[str, Any]]
     tables: Callable[[], list[Table]]
     verdict: Callable[[], str]
+    interrupted: bool
 
 
 def _run(campaign: Path, workers: int, tell: Callable[[str], None]) -> _Found:
@@ -97,6 +101,7 @@ def _run(campaign: Path, workers: int, tell: Callable[[str], None]) -> _Found:
         lambda: calibration_json(found),
         lambda: tables_of(found),
         lambda: verdict_text(found),
+        found.interrupted,
     )
 
 
@@ -114,4 +119,5 @@ def _properties(campaign: Path, workers: int, tell: Callable[[str], None]) -> _F
         lambda: property_calibration_json(found),
         lambda: property_tables(found),
         lambda: property_verdict(found),
+        found.found.interrupted,
     )

@@ -24,6 +24,8 @@ NRMS_NOTES: dict[Subject, str] = {
     "over the root mean square of its kind (accelerations, displacements) in the fitted tests",
 }
 
+INTERRUPTED = "The search was interrupted: there may be more effects, and others like these."
+
 _TOLD = 2  # parameters of an effect in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
 
@@ -156,7 +158,7 @@ def _errors(calibration: Calibration) -> str:
 
 
 def _doubts(calibration: Calibration) -> list[str]:
-    texts = []
+    texts = [INTERRUPTED] if calibration.interrupted else []
     if calibration.verdict in ("partly_explained", "unexplained"):
         share, model = percent(calibration.unexplained_share, 2), MODELS[calibration.subject]
         texts.append(

@@ -78,7 +78,7 @@ def law_text(calibration: PropertyCalibration) -> str:
     error = {stage: 100.0 * float(np.sqrt(found.errors[stage].validate)) for stage in STAGES}
     head = [
         f"# {law.title}, calibrated by {len(table)} rows of {calibration.campaign.title or table.source}: "
-        f"{found.verdict.replace('_', ' ')}",
+        f"{found.verdict_words}",
         f"# rms relative error of the properties of rows held out {error['corrected']:.2f} %, as declared "
         f"{error['declared']:.2f} %, refitted {error['refit']:.2f} %",
         *(f"# left out: {text}" for text in corrected.left_out),

@@ -40,7 +40,7 @@ def structure_text(found: Calibration, campaign: StructureCampaign) -> str:
     if campaign.isolation is not None:
         data["law"] = _law(found, campaign)
     head = [
-        f"# {found.title}, calibrated by {len(found.tests)} tests: {found.verdict.replace('_', ' ')}",
+        f"# {found.title}, calibrated by {len(found.tests)} tests: {found.verdict_words}",
         *_errors(found),
         *(f"# beside it: {_told(effect)}" for effect in left_out),
     ]
@@ -71,9 +71,8 @@ def law_texts(found: Calibration, campaign: StructureCampaign) -> dict[str, str]
     data = _law(found, campaign)
     if carried:
         data["effects"] = write_effects(carried)
-    verdict = found.verdict.replace("_", " ")
     head = [
-        f"# isolation layer of {found.title}, calibrated by {len(found.tests)} tests: {verdict}",
+        f"# isolation layer of {found.title}, calibrated by {len(found.tests)} tests: {found.verdict_words}",
         *_errors(found),
         *(f"# acts beside it: {name}" for name in beside),
         *left_out,

@@ -13,6 +13,8 @@ from kelvin_voigt_campaign import campaign, lawful
 
 from edesign.archive.reader import open_archive
 from edesign.calibrate.dampers.prepare import damper_problem
+from edesign.calibrate.evidence import Judged
+from edesign.calibrate.loop import Loop
 from edesign.cli.main import main
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve
@@ -26,6 +28,50 @@ def _rewritten(path: Path, change: Callable[[list[str]], list[str]]) -> None:
 
 def _run(folder: Path, *more: str) -> int:
     return main(["calibrate", str(folder / "campaign.yaml"), "--workers", "1", *more])
+
+
+def test_a_search_that_is_interrupted_leaves_what_it_has_found(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
+        return lawful(t, u, v, a, order) + 1.5e10 * u**3
+
+    def interrupt(*_: object) -> Judged:
+        raise KeyboardInterrupt
+
+    campaign(tmp_path / "c", hidden)
+    monkeypatch.setattr(Loop, "_prune", interrupt)
+    assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 130
+    said = capsys.readouterr()
+    assert "interrupt again to leave them" in said.err and "the search was interrupted; what it had found" in said.err
+    assert "The search was interrupted: there may be more effects" in said.out
+    told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
+    assert told["interrupted"]
+    assert [effect["name"] for effect in told["effects"]] == ["hardening"]
+    assert "the search interrupted" in (tmp_path / "out/law.yaml").read_text(encoding="utf-8").splitlines()[0]
+    # before there is an effect nothing is written, and a second time all is left
+    monkeypatch.setattr(Loop, "_round", interrupt)
+    monkeypatch.setattr(Loop, "_beside_declared", interrupt)
+    assert _run(tmp_path / "c", "--output", str(tmp_path / "none")) == 130
+    assert not (tmp_path / "none").exists()
+
+
+def test_look_alikes_that_were_not_asked_for_are_none(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
+        return lawful(t, u, v, a, order) + 1.5e10 * u**3
+
+    def interrupt(*_: object) -> list[Judged]:
+        raise KeyboardInterrupt
+
+    campaign(tmp_path / "c", hidden)
+    monkeypatch.setattr(Loop, "_alternatives", interrupt)
+    assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 130
+    told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
+    assert told["interrupted"] and told["effects"][0]["name"] == "hardening"
+    assert told["effects"][0]["indistinguishable_from"] == []
+    assert "explained" in capsys.readouterr().out.lower()
 
 
 def test_files_and_their_contents(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
