@@ -9,6 +9,7 @@ from typing import Generic, TypeVar
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
+from scipy.linalg import qr
 
 from edesign.calibrate.dampers.acting import Acting, Changed, changed_by, spring_beside
 from edesign.calibrate.dampers.band import band_power
@@ -378,7 +379,9 @@ def _orthonormal(columns: Sequence[np.ndarray]) -> np.ndarray:
     if squares[0] > _WELL_APART * squares[-1]:
         basis = given @ (turned / np.sqrt(squares))
     else:
-        basis, sizes, _ = np.linalg.svd(given, full_matrices=False)
+        # not the singular values, whose search may not end where dozens of columns stand twice
+        basis, corner, _ = qr(given, mode="economic", pivoting=True)
+        sizes = np.abs(np.diag(corner))
         basis = basis[:, sizes > _DEPENDENT * sizes[0]]
     basis.setflags(write=False)
     return np.asarray(basis)

@@ -362,6 +362,7 @@ def test_nuisance_is_an_orthonormal_basis_of_the_columns() -> None:
     ("parts", "rank"),
     [
         ([(offset.PerTest(), ()), (drift.EachOwn(), ())], 2),  # both have the constant
+        ([(hum.Restless(), (50.0,)), (hum.Hunting(), (50.0,))], 162),  # 42 columns stand twice
         ([(hum.Tone(), (120.0,))], 1),  # at the rate of the samples a tone is a constant
     ],
 )
