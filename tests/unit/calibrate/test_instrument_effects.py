@@ -90,6 +90,21 @@ def test_a_filter_has_the_gain_and_phase_of_first_order() -> None:
     np.testing.assert_allclose(found[settled], exact[settled], atol=1e5 * 4e-4)
 
 
+def test_what_a_filtered_displacement_shows_is_undone() -> None:
+    # sin(w t) is shown as Im(e^{i w t} / (1 + i w tau)); differences of the third derivative: (w h)^2 / 6 = 7e-4
+    tau, u0 = 0.03, 0.01
+    trial = _trial(100.0, 10.0)
+    time = trial.motion.time - trial.motion.time[0]
+    true = [u0 * np.imag((1j * W) ** order * np.exp(1j * W * time)) for order in range(3)]
+    shown = [u0 * np.imag((1j * W) ** order * np.exp(1j * W * time) / (1.0 + 1j * W * tau)) for order in range(3)]
+    form = lag.DisplacementFilter()
+    found = form.actuator({"time_constant": tau}, trial, Motion(trial.motion.time, *shown))
+    np.testing.assert_allclose(found.displacement, true[0], atol=1e-12 * u0)
+    np.testing.assert_allclose(found.velocity, true[1], atol=1e-12 * u0 * W)
+    np.testing.assert_allclose(found.acceleration[1:-1], true[2][1:-1], atol=2e-4 * u0 * W**2)
+    np.testing.assert_array_equal(form.channel({"time_constant": tau}, trial, trial.force), trial.force)
+
+
 def test_gains_scale_their_channel() -> None:
     trial = _trial(100.0, 2.0)
     np.testing.assert_allclose(gain.Force().channel({"g": 0.04}, trial, trial.force), 1.04 * trial.force, rtol=1e-14)

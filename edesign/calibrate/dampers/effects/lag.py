@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.inside import relaxed_force, swung_force
-from edesign.calibrate.dampers.trial import Sizes, Trial, Values
+from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
@@ -83,4 +83,23 @@ class SecondOrder(_Lag):
         return swung_force(trial.motion, force - force[0], p["f"], p["zeta"]) + force[0]
 
 
-FORMS = (Delay, Filter, SecondOrder)
+class DisplacementFilter(Filter):
+    """A first-order filter in the displacement channel: the specimen has moved by u + tau u'."""
+
+    form: ClassVar[str] = "displacement_filter"
+    title: ClassVar[str] = "analogue filter in the displacement channel alone"
+
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        tau = p["time_constant"]
+        return Motion(
+            motion.time,
+            motion.displacement + tau * motion.velocity,
+            motion.velocity + tau * motion.acceleration,
+            motion.acceleration + tau * np.gradient(motion.acceleration, motion.time),
+        )
+
+    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
+        return force
+
+
+FORMS = (Delay, Filter, SecondOrder, DisplacementFilter)
