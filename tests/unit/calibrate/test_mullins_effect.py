@@ -89,6 +89,37 @@ def test_mullins_by_largest_deformation(recovery: float) -> None:
     close(factor(mullins.Damage(), {"m": 0.2, "r": 4e-3, "p": 1.7, "recovery": recovery}, tests), damaged)
 
 
+@pytest.mark.parametrize("recovery", [0.0, 0.4, 1.0])
+def test_a_forgotten_path_is_counted_from_there(recovery: float) -> None:
+    first, second = two_tests()
+    before = (1.0 - recovery) * first.motion.path[-1]
+    expected = [1.0 + 0.3 * np.exp(-first.motion.path / 0.2), 1.0 + 0.3 * np.exp(-(before + second.motion.path) / 0.2)]
+    found = factor(mullins.ForgottenPath(), {"m": 0.3, "s0": 0.2, "recovery": recovery}, (first, second))
+    close(found, expected)
+
+
+@pytest.mark.parametrize("recovery", [0.0, 0.4])
+def test_scragging_follows_the_path_towards_what_the_largest_deformation_allows(recovery: float) -> None:
+    tests, largest, damage, expected = two_tests(), 0.0, 0.0, []
+    for t in tests:
+        u, rows = t.motion.displacement, []
+        largest, damage = (1.0 - recovery) * largest, (1.0 - recovery) * damage
+        for i, value in enumerate(u):
+            largest = max(largest, abs(value))
+            above = 1.0 - math.exp(-largest / 4e-3) - damage
+            way = abs(value - u[i - 1]) if i else 0.0
+            damage += above * (1.0 - math.exp(-way / 0.05)) if above > 0.0 else 0.0
+            rows.append(1.0 - 0.2 * damage)
+        expected.append(np.array(rows))
+    p = {"m": 0.2, "r": 4e-3, "s0": 0.05, "recovery": recovery}
+    close(factor(mullins.Scragging(), p, tests), expected)
+    # without a way it is the damage at once, with an endless one there is none
+    quick = factor(mullins.Scragging(), {**p, "s0": 1e-12}, tests)
+    damaged = factor(mullins.Damage(), {"m": 0.2, "r": 4e-3, "p": 1.0, "recovery": recovery}, tests)
+    for one, other in zip(quick[:1], damaged[:1], strict=True):
+        np.testing.assert_allclose(one[1:], other[1:], rtol=1e-9)
+
+
 def test_a_single_test_has_no_recovery() -> None:
     single = Sizes.of((trial(motion(1)),))
     for form in (kind() for kind in mullins.FORMS):

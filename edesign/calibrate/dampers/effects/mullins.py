@@ -12,6 +12,7 @@ from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+from edesign.core.fading import fading
 
 _LEAST_CYCLE = 0.05  # range of a half cycle, of the largest displacement
 
@@ -86,6 +87,25 @@ class Path(_ByPath):
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         return np.asarray(1.0 + p["m"] * self._virgin(p, motion, memory))
+
+
+class ForgottenPath(Path):
+    """As `path`, a share of the path being forgotten between tests: the next one begins at (1 - recovery) s."""
+
+    amendment: ClassVar[bool] = False
+    form: ClassVar[str] = "forgotten_path"
+    title: ClassVar[str] = "softening of the virgin specimen with the path travelled, of which rest forgets a share"
+
+    def _rested(self, left: float, recovery: float) -> float:
+        return float(left ** (1.0 - recovery))
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return super().unknowns(sizes) if sizes.tests > 1 else ()  # one test: it is `path`
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        own = sizes.path / sizes.tests
+        rows = tuple((0.15, s0, share) for share in (0.4, 0.8) for s0 in (0.1 * own, 0.4 * own, 1.5 * own))
+        return rows if sizes.tests > 1 else ()
 
 
 class Work(Path):
@@ -298,4 +318,44 @@ class Damage(_ByMaximum):
         return np.asarray(1.0 + p["m"] * np.expm1(-(ratio ** p["p"])))
 
 
-FORMS = (Path, Work, Maximum, Elastic, Damage, PseudoElastic, Cycles, Forgotten, Equivalent)
+class Scragging(_ByMaximum):
+    """Damage that goes with the path towards what the largest deformation ever allows: F = (1 - D) F_law,
+    D' = (m (1 - exp(-M/r)) - D) |v|/s0 while that is above D; rest heals the share `recovery` of D and M.
+    """
+
+    may_be_inside: ClassVar[bool] = False
+    amendment: ClassVar[bool] = False
+    form: ClassVar[str] = "scragging"
+    title: ClassVar[str] = "softening in the first cycles at each new largest deformation"
+    signature: ClassVar[str] = (
+        "too little force in the first cycles at every deformation larger than all before, not in later ones"
+    )
+    source: ClassVar[str] = (
+        "Kelly & Konstantinidis (2011), Mechanics of Rubber Bearings, section 2.4 (scragging); damage by the largest "
+        "deformation: Simo (1987), Comput. Methods Appl. Mech. Engrg 60, 153-173"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u, path = sizes.displacement, sizes.path
+        return (
+            Unknown("m", "", -0.9, 0.95, 0.5),
+            Unknown("r", "m", 0.02 * u, 20.0 * u, 0.5 * u, logarithmic=True),
+            Unknown("s0", "m", 0.1 * u, 10.0 * path, path / sizes.tests, logarithmic=True),
+            *self._recovery(sizes),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        u, own = sizes.displacement, sizes.path / sizes.tests
+        rows = tuple((0.15, r * u, s * own) for r in (0.3, 1.0) for s in (0.1, 0.4, 1.5))
+        return tuple((*row, 0.4) for row in rows) if sizes.tests > 1 else rows
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        before = (1.0 - p["recovery"]) * memory.get("damage", 0.0)  # of m
+        allowed = np.maximum(-np.expm1(-self._largest(p, motion, memory) / p["r"]), before)
+        stays = np.exp(-np.abs(motion.ways) / p["s0"])
+        damage = fading(stays, (1.0 - stays) * allowed[1:], before)
+        memory["damage"] = float(damage[-1])
+        return np.asarray(1.0 - p["m"] * damage)
+
+
+FORMS = (Path, Work, Maximum, Elastic, Damage, PseudoElastic, Cycles, Forgotten, Equivalent, ForgottenPath, Scragging)
