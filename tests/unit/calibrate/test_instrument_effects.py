@@ -42,7 +42,7 @@ def _sizes(tests: int = 1) -> Sizes:
 @pytest.mark.parametrize("kind", PARAMETRIC)
 def test_starts_are_complete_and_inside_the_bounds(kind: type[Form]) -> None:
     form, trial = kind(), _trial(120.0, 10.0)
-    left = Left([trial], [np.sin(W * 50.0 * trial.motion.time)])
+    left = Left([trial], [np.sin(W * 50.0 * trial.motion.time) + np.sin(W * 31.0 * trial.motion.time)])
     unknowns = form.unknowns(_sizes())
     starts = form.starts_from_residuals(_sizes(), left) if form.name == "hum" else form.starts(_sizes())
     assert starts
@@ -252,6 +252,29 @@ def test_a_tone_is_taken_out_with_its_harmonics() -> None:
     assert _left(hum.Harmonics().columns(p, trial), tone) < ROUNDING
     # the second tone is left: 4 of sqrt(25^2 + 4^2)
     assert _left(hum.Tone().columns(p, trial), tone) == pytest.approx(4.0 / np.hypot(25.0, 4.0), rel=1e-2)
+
+
+def test_two_tones_have_frequencies_of_their_own() -> None:
+    trial = _trial(120.0, 10.0)
+    since = trial.motion.time - trial.motion.time[0]
+    tones = 25.0 * np.sin(W * 9.3 * since + 0.7) + 14.0 * np.sin(W * 34.79 * since - 1.1)
+    assert _left(hum.TwoTones().columns({"frequency": 9.3, "second": 34.79}, trial), tones) < ROUNDING
+    assert _left(hum.Tone().columns({"frequency": 9.3}, trial), tones) == pytest.approx(
+        14.0 / np.hypot(25.0, 14.0), rel=1e-2
+    )
+
+
+def test_a_tone_below_harmonics_of_the_motion_is_found_where_it_is_none_of_them() -> None:
+    # sines of 1, 1.3 and 2 Hz leave their own odd harmonics; 8.6 Hz is none of them, though below seven times 2 Hz
+    trials = [_trial(200.0, 20.0, f, i) for i, f in enumerate((1.0, 1.3, 2.0))]
+    residuals = _noise(trials, 9)
+    for trial, residual, f in zip(trials, residuals, (1.0, 1.3, 2.0), strict=True):
+        since = trial.motion.time - trial.motion.time[0]
+        residual += sum(300.0 / n * np.sin(W * f * n * since) for n in (3, 5, 7))
+    assert common_tones(trials, residuals) == ()
+    for trial, residual in zip(trials, residuals, strict=True):
+        residual += 60.0 * np.sin(W * 8.6 * trial.motion.time)
+    assert common_tones(trials, residuals) == pytest.approx((8.6,), abs=0.25 / 20.0)
 
 
 def test_a_tone_whose_frequency_hunts_is_taken_out_by_restless_alone() -> None:

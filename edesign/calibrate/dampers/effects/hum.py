@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from itertools import combinations
 from typing import ClassVar
 
 import numpy as np
@@ -68,6 +69,27 @@ class Harmonics(_Hum):
         return tuple(sorted(super().starts_from_residuals(sizes, left))[:1])
 
 
+class TwoTones(_Hum):
+    """Two tones at frequencies of their own, as of a pump and of a floor."""
+
+    form: ClassVar[str] = "two_tones"
+    title: ClassVar[str] = "hum of two frequencies in the force channel"
+    signature: ClassVar[str] = "two narrow peaks of the spectrum at the same frequencies in all tests"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        (one,) = super().unknowns(sizes)
+        return one, replace(one, name="second")
+
+    def starts_from_residuals(self, sizes: Sizes, left: Left) -> tuple[tuple[float, ...], ...]:
+        """Each two of the peaks; none: one tone, or no hum."""
+        return tuple(combinations((f for (f,) in super().starts_from_residuals(sizes, left)), 2))
+
+    def columns(self, p: Values, trial: Trial) -> np.ndarray:
+        return np.hstack(
+            [super(TwoTones, self).columns({"frequency": p[name]}, trial) for name in ("frequency", "second")]
+        )
+
+
 class Unsteady(_Hum):
     """One tone whose amplitude and phase change slowly within a test, as a motor's do under load."""
 
@@ -101,4 +123,4 @@ class Hunting(Unsteady):
     _slow: ClassVar[int] = _QUICKEST
 
 
-FORMS = (Tone, Harmonics, Unsteady, Restless, Hunting)
+FORMS = (Tone, Harmonics, TwoTones, Unsteady, Restless, Hunting)
