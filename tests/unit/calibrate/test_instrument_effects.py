@@ -173,6 +173,9 @@ def test_own_columns_take_out_what_is_each_tests_own() -> None:
     assert _left(offset.PerTest().columns({}, trial), line) == pytest.approx(0.5, abs=2e-3)
     assert _left(drift.Wandering().columns({}, trial), 5.0 + np.cos(np.pi * since / 4.0)) < ROUNDING
     assert _left(drift.Warming().columns({"tau": 0.7}, trial), 3.0 - 8.0 * np.exp(-since / 0.7)) < ROUNDING
+    assert (
+        _left(drift.Swinging().columns({"period": 22.0}, trial), 3.0 - 8.0 * np.sin(W * since / 22.0 + 0.3)) < ROUNDING
+    )
     assert _left(drift.EachOwn().columns({}, trial), 3.0 - 8.0 * np.exp(-since / 0.7)) > 0.1
 
 

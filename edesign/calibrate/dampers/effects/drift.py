@@ -104,6 +104,25 @@ class Warming(_Own):
         return np.column_stack((np.ones_like(since), -np.expm1(-since / p["tau"])))
 
 
+class Swinging(_Own):
+    """The zero swings with one period of all tests, as with a room's heating: F + a_i + b_i sin(2 pi t/T + phase_i)."""
+
+    form: ClassVar[str] = "swinging"
+    title: ClassVar[str] = "zero of the force channel that swings slowly, with one period"
+    signature: ClassVar[str] = "a slow sine over time in each test, of one period, whatever the motion"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        t = sizes.duration
+        return (Unknown("period", "s", max(0.3 * t, 2.0 * sizes.period), 10.0 * t, 0.2 * t, logarithmic=True),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((share * sizes.duration,) for share in (0.6, 1.2, 2.4))
+
+    def columns(self, p: Values, trial: Trial) -> np.ndarray:
+        angle = 2.0 * np.pi * (trial.motion.time - trial.motion.time[0]) / p["period"]
+        return np.column_stack((np.ones_like(angle), np.sin(angle), np.cos(angle)))
+
+
 class Wandering(_Own):
     """The zero wanders: in each test a sum of cosines, all slower than half the slowest motion of the test."""
 
@@ -128,4 +147,4 @@ def slowest_frequency(motion: Motion) -> float:
     return at / float(motion.time[-1] - motion.time[0])
 
 
-FORMS = (PerTestLine, Campaign, EachOwn, Warming, Wandering)
+FORMS = (PerTestLine, Campaign, EachOwn, Warming, Swinging, Wandering)
