@@ -112,11 +112,15 @@ class Swinging(_Own):
     signature: ClassVar[str] = "a slow sine over time in each test, of one period, whatever the motion"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        t = sizes.duration
-        return (Unknown("period", "s", max(0.3 * t, 2.0 * sizes.period), 10.0 * t, 0.2 * t, logarithmic=True),)
+        t, least = sizes.duration, self._least(sizes)
+        return (Unknown("period", "s", least, 10.0 * max(t, least), 0.2 * t, logarithmic=True),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((share * sizes.duration,) for share in (0.6, 1.2, 2.4))
+        periods = (max(share * sizes.duration, self._least(sizes)) for share in (0.6, 1.2, 2.4))
+        return tuple((period,) for period in dict.fromkeys(periods))
+
+    def _least(self, sizes: Sizes) -> float:
+        return max(0.3 * sizes.duration, 2.0 * sizes.period)
 
     def columns(self, p: Values, trial: Trial) -> np.ndarray:
         angle = 2.0 * np.pi * (trial.motion.time - trial.motion.time[0]) / p["period"]
