@@ -42,7 +42,7 @@ def _sizes(tests: int = 1) -> Sizes:
 @pytest.mark.parametrize("kind", PARAMETRIC)
 def test_starts_are_complete_and_inside_the_bounds(kind: type[Form]) -> None:
     form, trial = kind(), _trial(120.0, 10.0)
-    left = Left([trial], [np.sin(W * 50.0 * trial.motion.time) + np.sin(W * 31.0 * trial.motion.time)])
+    left = Left([trial], [sum(np.sin(W * f * trial.motion.time) for f in (50.0, 31.0, 21.0))])
     unknowns = form.unknowns(_sizes())
     starts = form.starts_from_residuals(_sizes(), left) if form.name == "hum" else form.starts(_sizes())
     assert starts
@@ -265,6 +265,15 @@ def test_two_tones_have_frequencies_of_their_own() -> None:
     assert _left(hum.Tone().columns({"frequency": 9.3}, trial), tones) == pytest.approx(
         14.0 / np.hypot(25.0, 14.0), rel=1e-2
     )
+
+
+def test_three_tones_have_frequencies_of_their_own() -> None:
+    trial = _trial(120.0, 10.0)
+    since = trial.motion.time - trial.motion.time[0]
+    tones = sum(a * np.sin(W * f * since + f) for a, f in ((9.0, 9.3), (5.0, 34.79), (2.0, 51.1)))
+    p = {"frequency": 9.3, "second": 34.79, "third": 51.1}
+    assert _left(hum.ThreeTones().columns(p, trial), tones) < ROUNDING
+    assert hum.ThreeTones().columns(p, trial).shape == (since.size, 6)
 
 
 def test_a_tone_below_harmonics_of_the_motion_is_found_where_it_is_none_of_them() -> None:

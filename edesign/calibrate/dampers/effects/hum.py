@@ -75,19 +75,28 @@ class TwoTones(_Hum):
     form: ClassVar[str] = "two_tones"
     title: ClassVar[str] = "hum of two frequencies in the force channel"
     signature: ClassVar[str] = "two narrow peaks of the spectrum at the same frequencies in all tests"
+    _names: ClassVar[tuple[str, ...]] = ("frequency", "second")
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         (one,) = super().unknowns(sizes)
-        return one, replace(one, name="second")
+        return tuple(replace(one, name=name) for name in self._names)
 
     def starts_from_residuals(self, sizes: Sizes, left: Left) -> tuple[tuple[float, ...], ...]:
-        """Each two of the peaks; none: one tone, or no hum."""
-        return tuple(combinations((f for (f,) in super().starts_from_residuals(sizes, left)), 2))
+        """Each so many of the peaks; none: there are fewer."""
+        return tuple(combinations((f for (f,) in super().starts_from_residuals(sizes, left)), len(self._names)))
 
     def columns(self, p: Values, trial: Trial) -> np.ndarray:
-        return np.hstack(
-            [super(TwoTones, self).columns({"frequency": p[name]}, trial) for name in ("frequency", "second")]
-        )
+        each = super().columns
+        return np.hstack([each({"frequency": p[name]}, trial) for name in self._names])
+
+
+class ThreeTones(TwoTones):
+    """Three tones at frequencies of their own."""
+
+    form: ClassVar[str] = "three_tones"
+    title: ClassVar[str] = "hum of three frequencies in the force channel"
+    signature: ClassVar[str] = "three narrow peaks of the spectrum at the same frequencies in all tests"
+    _names: ClassVar[tuple[str, ...]] = ("frequency", "second", "third")
 
 
 class Unsteady(_Hum):
@@ -123,4 +132,4 @@ class Hunting(Unsteady):
     _slow: ClassVar[int] = _QUICKEST
 
 
-FORMS = (Tone, Harmonics, TwoTones, Unsteady, Restless, Hunting)
+FORMS = (Tone, Harmonics, TwoTones, ThreeTones, Unsteady, Restless, Hunting)
