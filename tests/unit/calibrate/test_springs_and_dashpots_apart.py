@@ -51,6 +51,21 @@ def test_kraus_softens_springs_and_gives_dashpots_a_hump() -> None:
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
 
 
+def test_an_axial_load_softens_springs_and_pushes_the_specimen_over() -> None:
+    test = trial(motion(11))
+    size, rest = sizes(), [np.zeros_like(test.force)]
+    found = {c.label: c for c in candidates(size, Left((test,), rest), False, True)}
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), size)
+    springs, dashpots = STIFFNESS * test.motion.displacement, 2e4 * test.motion.velocity
+    for label, value, expected in (
+        ("static_offset.axial_load", 0.2, 0.8 * springs + 1.2 * dashpots),
+        ("static_offset.p_delta", 3e5, springs + dashpots - 3e5 * test.motion.displacement),
+    ):
+        (force,) = solid.predict(solid.declared, [(found[label], np.array([value]))], ("fit",))
+        assert force is not None
+        np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
+
+
 def test_of_loss_changes_dashpots_alone() -> None:
     warm = replace(trial(motion(11)), temperature=np.full(motion(11).time.size, 26.0))
     size, rest = replace(sizes(), temperatures=(20.0, 26.0)), [np.zeros_like(warm.force)]

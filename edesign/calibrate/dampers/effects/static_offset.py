@@ -71,4 +71,45 @@ class ConstantForce(_StaticOffset):
         return p["P"]
 
 
-FORMS = (PreShear, Tared, ConstantForce)
+class AxialLoad(_StaticOffset):
+    """An axial load P below the buckling load P_E: springs times 1 - q, dashpots times 1 + q, q = (P/P_E)^2."""
+
+    spares_loss: bool = True
+    form: ClassVar[str] = "axial_load"
+    title: ClassVar[str] = "axial load on the specimen, which softens its springs and thickens its losses"
+    signature: ClassVar[str] = "less stiffness and more damping by the same share, in all tests alike"
+    source: ClassVar[str] = "Koh & Kelly (1988), Int. J. Mech. Sci. 30, 933-943"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (Unknown("q", "", 0.0, 0.9, 0.1),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.05,),)
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> float:
+        return 1.0 - p["q"]
+
+    def dashpot_factor(self, p: Values, motion: Motion, factor: np.ndarray | float) -> float:
+        return 1.0 + p["q"]
+
+
+class PDelta(_StaticOffset):
+    """An axial load P on a specimen of height h, tilted by its shear: F_law(u) - (P/h) u."""
+
+    elastic: ClassVar[bool] = True
+    form: ClassVar[str] = "p_delta"
+    title: ClassVar[str] = "axial load on the specimen, which pushes it over"
+    signature: ClassVar[str] = "a spring of negative stiffness, neither relaxing nor softening"
+    source: ClassVar[str] = ConstantForce.source
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (Unknown("P_over_h", "N/m", -sizes.stiffness, sizes.stiffness, 0.1 * sizes.stiffness),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.05 * sizes.stiffness,),)
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        return -p["P_over_h"] * motion.displacement
+
+
+FORMS = (PreShear, Tared, ConstantForce, AxialLoad, PDelta)
