@@ -72,7 +72,7 @@ class SecondOrder(_Lag):
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         least = 1.0 / (np.pi * _LONGEST * sizes.period)  # of damping 1 and the longest lag
         return (
-            Unknown("f", "Hz", 0.5 * least, 1e4 * least, 10.0 * least, logarithmic=True),
+            Unknown("f", "Hz", 0.2 * least, 1e4 * least, 10.0 * least, logarithmic=True),
             Unknown("zeta", "", 0.2, 0.99, 0.7, logarithmic=True),
         )
 
