@@ -156,13 +156,13 @@ class Fitted:
         """Number of residuals."""
         return sum(r.size for r in self.residuals)
 
-    @cached_property
+    @property
     def own(self) -> tuple[np.ndarray | None, ...]:
         """Columns (n_i, k) of each test fitted to, whose share is its own; None: there are none."""
         problem = self.model.problem
         return tuple(problem.nuisance(self.base, self.parts, i) for i, use in enumerate(problem.uses) if use == "fit")
 
-    @property
+    @cached_property
     def freedom(self) -> int:
         """How many numbers were fitted, with those that are each test's own."""
         return self.x.size + sum(columns.shape[1] for columns in self.own if columns is not None)

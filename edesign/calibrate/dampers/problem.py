@@ -104,7 +104,7 @@ class DamperProblem:
     def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
         """Forms that do what a part does to the tests that are fitted to, and something else to others."""
         form = part[0].effect[0]
-        others = (candidate_of(other, self.sizes, Left((), ())) for other in form.elsewhere(self.sizes))
+        others = (candidate_of(other, self.sizes, Left()) for other in form.elsewhere(self.sizes))
         return tuple(other for other in others if other is not None)
 
     def law_values(self, base: np.ndarray) -> dict[str, float]:
