@@ -10,13 +10,15 @@ from edesign.calibrate.unknown import Unknown
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Law, Parameter
 
+_FARTHEST = 1e3  # times a declared value, or a part of it: laws without a scale are none that anybody declares
 _INSIDE = 1e-9  # share of a size that is kept from a bound which is not allowed itself
 
 
 def law_unknowns(law: Law, declared: Mapping[str, float], sizes: Sizes) -> tuple[Unknown, ...]:
     """Unknowns for the parameters of a law that data can tell, about the declared ones.
 
-    A positive one is searched by its logarithm, in units of its declared value; one that is zero in units that the
+    A positive one is searched by its logarithm, in units of its declared value, up to a thousand times that or a
+    thousandth of it; one that is zero in units that the
     campaign suggests.
     """
     scales = Scales(sizes.force, sizes.displacement, sizes.velocity)
@@ -30,4 +32,7 @@ def _unknown(parameter: Parameter, declared: Mapping[str, float], scales: Scales
     size = abs(value) if value else scales.of(parameter.unit, declared)
     lower = parameter.lower + (0.0 if parameter.lower_allowed or math.isinf(parameter.lower) else _INSIDE * size)
     upper = parameter.upper - (0.0 if parameter.upper_allowed or math.isinf(parameter.upper) else _INSIDE * size)
-    return Unknown(parameter.name, parameter.unit, lower, upper, size, logarithmic=value > 0.0 and lower >= 0.0)
+    logarithmic = value > 0.0 and lower >= 0.0
+    if logarithmic:
+        lower, upper = max(lower, value / _FARTHEST), min(upper, value * _FARTHEST)
+    return Unknown(parameter.name, parameter.unit, lower, upper, size, logarithmic=logarithmic)
