@@ -43,14 +43,16 @@ def _sizes(tests: int = 1) -> Sizes:
 def test_starts_are_complete_and_inside_the_bounds(kind: type[Form]) -> None:
     form, trial = kind(), _trial(120.0, 10.0)
     left = Left([trial], [sum(np.sin(W * f * trial.motion.time) for f in (50.0, 31.0, 21.0))])
-    unknowns = form.unknowns(_sizes())
-    starts = form.starts_from_residuals(_sizes(), left) if form.name == "hum" else form.starts(_sizes())
+    unknowns = form.unknowns(_sizes(4))
+    starts = form.starts_from_residuals(_sizes(4), left) if form.name == "hum" else form.starts(_sizes(4))
     assert starts
     for start in starts:
         assert len(start) == len(unknowns)
         for value, unknown in zip(start, unknowns, strict=True):
             assert unknown.lower < value < unknown.upper
             assert unknown.value(unknown.coordinate(value)) == pytest.approx(value, rel=1e-12)
+    if kind is drift.Swinging:
+        assert form.starts(_sizes(3)) == ()  # too few tests for a period in common
 
 
 def test_no_amplitude_leaves_the_force_unchanged() -> None:

@@ -12,6 +12,7 @@ from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
 _MOST_COSINES = 8
+_FEWEST = 4  # tests of which a common period is told: in fewer any slow course is a part of a sine
 _SLOW = 0.01  # share of a motion's power below what is called its slowest frequency
 
 
@@ -116,6 +117,8 @@ class Swinging(_Own):
         return (Unknown("period", "s", least, 10.0 * max(t, least), 0.2 * t, logarithmic=True),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        if sum(sizes.fitted) < _FEWEST:
+            return ()
         periods = (max(share * sizes.duration, self._least(sizes)) for share in (0.6, 1.2, 2.4))
         return tuple((period,) for period in dict.fromkeys(periods))
 
