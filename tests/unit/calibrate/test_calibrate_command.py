@@ -49,7 +49,7 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     assert told["interrupted"]
     assert [effect["name"] for effect in told["effects"]] == ["hardening"]
     assert "the search interrupted" in (tmp_path / "out/law.yaml").read_text(encoding="utf-8").splitlines()[0]
-    # before there is an effect nothing is written, and a second time all is left
+    # before there is an effect nothing is written
     monkeypatch.setattr(Loop, "_round", interrupt)
     monkeypatch.setattr(Loop, "_beside_declared", interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "none")) == 130

@@ -328,6 +328,7 @@ def test_of_a_tone_that_wanders_more_cosines_leave_less() -> None:
             rest[kind] += float(left @ left) / (20.0 * 0.045 * since.size)
     for kind, cosines in ((hum.Restless, 21), (hum.Hunting, 81)):
         corner = (cosines - 1) / (2.0 * duration)
+        # 20 draws, and rows of cosines over 20 s end within 1/20 Hz: a tenth of the corner of the shorter one
         assert rest[kind] == pytest.approx(1.0 / (np.pi**2 * corner * t0), rel=0.25)
 
 

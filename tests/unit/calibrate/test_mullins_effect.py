@@ -113,11 +113,12 @@ def test_scragging_follows_the_path_towards_what_the_largest_deformation_allows(
         expected.append(np.array(rows))
     p = {"m": 0.2, "r": 4e-3, "s0": 0.05, "recovery": recovery}
     close(factor(mullins.Scragging(), p, tests), expected)
-    # without a way it is the damage at once, with an endless one there is none
+    # of no way it is the damage at once, of an endless one there is none
     quick = factor(mullins.Scragging(), {**p, "s0": 1e-12}, tests)
     damaged = factor(mullins.Damage(), {"m": 0.2, "r": 4e-3, "p": 1.0, "recovery": recovery}, tests)
     for one, other in zip(quick[:1], damaged[:1], strict=True):
         np.testing.assert_allclose(one[1:], other[1:], rtol=1e-9)
+    close(factor(mullins.Scragging(), {**p, "s0": 1e12}, tests), [np.ones(t.motion.time.size) for t in tests])
 
 
 def test_a_single_test_has_no_recovery() -> None:

@@ -22,6 +22,7 @@ from edesign.calibrate.dampers.effects import (
     payne,
     temperature_law,
 )
+from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
@@ -49,6 +50,14 @@ def test_kraus_softens_springs_and_gives_dashpots_a_hump() -> None:
     assert found is not None and g.max() - g.min() > 0.2
     # the core's first sample is that of a law at rest before: 1e-6 N
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
+
+
+def test_parameters_of_a_law_stay_within_a_thousand_times_the_declared_ones() -> None:
+    # a search that takes c1/k1 to nothing asks for laws that no step resolves
+    unknowns = law_unknowns(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, sizes())
+    for unknown, value in zip(unknowns, (STIFFNESS, 2e4), strict=True):
+        bounds = [unknown.value(end) for end in unknown.span]
+        np.testing.assert_allclose(bounds, [1e-3 * value, 1e3 * value], rtol=1e-12)
 
 
 def test_an_axial_load_softens_springs_and_pushes_the_specimen_over() -> None:

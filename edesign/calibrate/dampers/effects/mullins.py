@@ -89,15 +89,19 @@ class Path(_ByPath):
         return np.asarray(1.0 + p["m"] * self._virgin(p, motion, memory))
 
 
-class ForgottenPath(Path):
+class _Forgets:
+    """Rest forgets a share of what has worn the specimen, not of what is worn off."""
+
+    def _rested(self, left: float, recovery: float) -> float:
+        return float(left ** (1.0 - recovery))
+
+
+class ForgottenPath(_Forgets, Path):
     """As `path`, a share of the path being forgotten between tests: the next one begins at (1 - recovery) s."""
 
     amendment: ClassVar[bool] = False
     form: ClassVar[str] = "forgotten_path"
     title: ClassVar[str] = "softening of the virgin specimen with the path travelled, of which rest forgets a share"
-
-    def _rested(self, left: float, recovery: float) -> float:
-        return float(left ** (1.0 - recovery))
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         return super().unknowns(sizes) if sizes.tests > 1 else ()  # one test: it is `path`
@@ -180,14 +184,11 @@ class Cycles(Path):
         return cycles(motion, p["least"])
 
 
-class Forgotten(Cycles):
+class Forgotten(_Forgets, Cycles):
     """As `cycles`, a share of the cycles being forgotten between tests: the next one begins at (1 - recovery) N."""
 
     form: ClassVar[str] = "forgotten_cycles"
     title: ClassVar[str] = "softening of the virgin specimen with the number of cycles, of which rest forgets a share"
-
-    def _rested(self, left: float, recovery: float) -> float:
-        return float(left ** (1.0 - recovery))
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         return super().unknowns(sizes) if sizes.tests > 1 else ()  # one test: it is `cycles`
