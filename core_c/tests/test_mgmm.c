@@ -248,6 +248,36 @@ static void check_derivatives(int consistent)
   free_rig(&r);
 }
 
+/* Without relaxation the force is that of the springs and dashpots at one instant; both sides of where the step leaves its quadrature,
+ * slow and fast steps, and the slow beginning of a history. The lag that is left is tau over the step, on forces of PEAK. */
+static void check_no_relaxation(int consistent)
+{
+  for (double tau = 1e-9; tau > 1e-21; tau *= 0.05) {
+    double p[N_PARAMETERS];
+    memcpy(p, TABLE_4_2, sizeof p);
+    p[K1] = p[C1] / tau;
+    p[CONSISTENT] = consistent;
+    rig r = new_rig(ED_LAW_MGMM, N_PARAMETERS, p, 0.0);
+    double largest = 0.0, smallest = 0.0, fastest = 0.0, slowest = 0.0;
+    static const double to[][3] = {{0.02, 2.0, 150.0}, {1e-3, 2.1, 90.0}, {0.02, -1.0, -200.0}, {1e7, 3.0, 0.0}};
+    for (int i = 0; i < 4; i++) {
+      /* the extremes of the cubic, by looking along it */
+      const double h = to[i][0], mean = (to[i][1] - r.u) / h, from = r.u, speed = r.v, end = to[i][2];
+      for (int j = 0; j <= 20000; j++) {
+        const double x = j / 20000.0, bend = 3.0 * mean - 2.0 * speed - end, twist = speed + end - 2.0 * mean;
+        const double at = from + h * x * (speed + x * (bend + x * twist)), v = speed + x * (2.0 * bend + 3.0 * x * twist);
+        largest = fmax(largest, at), smallest = fmin(smallest, at), fastest = fmax(fastest, v), slowest = fmin(slowest, v);
+      }
+      const double k = 0.107 + 3.741 * exp(-(largest - smallest) / 2.0 / 7.966) + 3.613;
+      const double c = 0.0151 + 0.902 * exp(-(fastest - slowest) / 2.0 / 13.468) + 0.190;
+      const double expected = k * to[i][1] + c * end + copysign(1.585 * pow(fabs(end), 0.374), end) * (end != 0.0);
+      CHECK_NEAR(move(&r, h, to[i][1], end), expected,
+                 (1e-7 + tau / h) * PEAK + (end == 0.0 ? 1.585 * pow(12.0 * tau / 1e14, 0.374) : 0.0)); /* |v| on the last tau */
+    }
+    free_rig(&r);
+  }
+}
+
 /* At rest the slope of |v|^alpha is infinite for alpha < 1; it comes out large and finite, and the force zero. */
 static void check_rest(void)
 {
@@ -290,6 +320,7 @@ int main(void)
     check_complex_stiffness(consistent);
     check_subdivision(consistent);
     check_derivatives(consistent);
+    check_no_relaxation(consistent);
   }
   check_rest();
   check_parameters();

@@ -5,6 +5,7 @@
 #include <complex.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { MOST = 40001 };
 static const double MGMM[] = {0.515e6, 15.1e3, 0.107e6, 21e3, 0.374, 3.741e6, 3.613e6, 7.966e-3, 902e3, 190e3, 13.468e-3, 0.0};
@@ -255,6 +256,24 @@ static void check_spring_beside(void)
   ed_damper_free(other);
 }
 
+/* A damper whose relaxation ends at once, at the slow beginning too: as one a thousand times slower, of which a step sees nothing either. */
+static void check_no_relaxation(void)
+{
+  enum { N = 400 };
+  static double expected[N + 1];
+  double p[12];
+  memcpy(p, MGMM, sizeof p);
+  sine(N, 0.01, 8e-3, 5.0, 0.3);
+  for (int i = 0; i < 2; i++) {
+    p[0] = p[1] / (i ? 1e-12 : 1e-9);
+    run(ED_LAW_MGMM, 12, p, N, NULL, NULL, 390e6, 108e6, 4.7e-4);
+    if (i == 0)
+      memcpy(expected, force, sizeof expected);
+  }
+  for (int i = 0; i <= N; i++)
+    CHECK_NEAR(force[i], expected[i], 1e-6 * 6e4);
+}
+
 /* What is refused leaves the results as they were, and the damper too. */
 static void check_refusals(void)
 {
@@ -305,6 +324,7 @@ int main(void)
   check_play();
   check_rest();
   check_spring_beside();
+  check_no_relaxation();
   check_refusals();
   return checks_end("dampers in series with a rig");
 }

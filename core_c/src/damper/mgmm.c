@@ -29,6 +29,8 @@ typedef struct {
 
 /* Of what happened so many relaxation times ago nothing is left in double precision. */
 static const double FORGOTTEN = 40.0;
+/* Share of a step below which a relaxation time is none: a part of the step that is so short lies in its rounding. */
+static const double INSTANT = 1e-13;
 /* Share of v_ref at which the power of the non-linear dashpot, whose slope at rest is infinite for alpha < 1, is rounded. */
 static const double REST = 1e-7;
 /* Pieces of quadrature: the powers of e by which the integrand may change over one, for 3 points (all together) and for 5 (each of
@@ -212,6 +214,36 @@ static int quiet_step(const constants *law, int points, const double *committed,
   return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
 }
 
+static ed_running of_memory(const double *memory, int largest)
+{
+  return (ed_running){memory[largest], memory[largest + 1]};
+}
+
+/* Without relaxation: Q is its right-hand side at the end of the step, on which the growth of the extremes has no slope. */
+static int instant_step(const constants *law, const double *memory, const ed_path *path, const ed_path direction[2], double *trial,
+                        ed_damper_force *out)
+{
+  const double h = path->h, u = ed_path_u(path, h), v = ed_path_v(path, h);
+  ed_path velocity;
+  ed_path_of_velocity(path, &velocity);
+  const ed_running of_u = ed_extremes_along(of_memory(memory, LARGEST_U), path);
+  const ed_running of_v = ed_extremes_along(of_memory(memory, LARGEST_V), &velocity);
+  const double k = constant_modulus(&law->k_mod, of_u.largest, of_u.smallest);
+  const double c = law->c1 + constant_modulus(&law->c_mod, of_v.largest, of_v.smallest);
+  double steep, power = ed_power_now(&law->power, v, &steep);
+  trial[0] = law->relaxing * k * u + c * v + law->c_nl * power;
+  trial[1 + LARGEST_U] = of_u.largest;
+  trial[1 + SMALLEST_U] = of_u.smallest;
+  trial[1 + LARGEST_V] = of_v.largest;
+  trial[1 + SMALLEST_V] = of_v.smallest;
+  out->force = (law->k0 + (1.0 - law->relaxing) * k) * u + trial[0];
+  for (int j = 0; j < 2; j++) {
+    out->slope[j] = (law->k0 + k) * ed_path_u(&direction[j], h) + (c + law->c_nl * steep) * ed_path_v(&direction[j], h);
+    out->chord[j] = 0.0;
+  }
+  return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
+}
+
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                 ed_damper_force *out)
 {
@@ -220,6 +252,8 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   const double *memory = committed + 1;
   if (!isfinite(path->c[0] + h * (path->c[1] + h * (path->c[2] + h * path->c[3]))))
     return ED_E_NOT_FINITE;
+  if (law->tau < INSTANT * h)
+    return instant_step(law, memory, path, direction, trial, out);
   const int wanted = moves(direction), points = quiet_points(law, memory, path);
   if (points > 0)
     return quiet_step(law, points, committed, path, direction, wanted, trial, out);
@@ -233,10 +267,9 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   }
   ed_softening_piece of_u[ED_EXTREMES_PIECES], of_v[ED_EXTREMES_PIECES];
   ed_running extremes_u, extremes_v;
-  const int n_u = ed_softening_pieces((ed_running){memory[LARGEST_U], memory[SMALLEST_U]}, path, wanted ? along : NULL, origin,
-                                      of_u, &extremes_u);
-  const int n_v = ed_softening_pieces((ed_running){memory[LARGEST_V], memory[SMALLEST_V]}, &velocity,
-                                      wanted ? velocity_along : NULL, origin, of_v, &extremes_v);
+  const int n_u = ed_softening_pieces(of_memory(memory, LARGEST_U), path, wanted ? along : NULL, origin, of_u, &extremes_u);
+  const int n_v = ed_softening_pieces(of_memory(memory, LARGEST_V), &velocity, wanted ? velocity_along : NULL, origin, of_v,
+                                      &extremes_v);
   of_u[n_u - 1].to = of_v[n_v - 1].to = length;
   if (origin > 0.0) {
     ed_path_piece(path, origin, h, &sum.path);
@@ -307,8 +340,8 @@ static void remember(const ed_damper *damper, double u, double v, const double *
 {
   (void)damper;
   (void)y;
-  const ed_running of_u = ed_extremes_with((ed_running){memory[LARGEST_U], memory[SMALLEST_U]}, u);
-  const ed_running of_v = ed_extremes_with((ed_running){memory[LARGEST_V], memory[SMALLEST_V]}, v);
+  const ed_running of_u = ed_extremes_with(of_memory(memory, LARGEST_U), u);
+  const ed_running of_v = ed_extremes_with(of_memory(memory, LARGEST_V), v);
   memory[LARGEST_U] = of_u.largest;
   memory[SMALLEST_U] = of_u.smallest;
   memory[LARGEST_V] = of_v.largest;
@@ -322,8 +355,8 @@ static int events(const ed_damper *damper, const ed_path *path, const double *me
   ed_path velocity;
   ed_path_of_velocity(path, &velocity);
   double of_u[ED_EXTREMES_BREAKS], of_v[ED_EXTREMES_BREAKS];
-  const int n_u = ed_extremes_breaks((ed_running){memory[LARGEST_U], memory[SMALLEST_U]}, path, of_u);
-  const int n_v = ed_extremes_breaks((ed_running){memory[LARGEST_V], memory[SMALLEST_V]}, &velocity, of_v);
+  const int n_u = ed_extremes_breaks(of_memory(memory, LARGEST_U), path, of_u);
+  const int n_v = ed_extremes_breaks(of_memory(memory, LARGEST_V), &velocity, of_v);
   int n = 0;
   for (int i = 0, j = 0; (i < n_u || j < n_v) && n < 8;)
     at[n++] = j == n_v || (i < n_u && of_u[i] <= of_v[j]) ? of_u[i++] : of_v[j++];
