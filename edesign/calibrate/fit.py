@@ -99,8 +99,8 @@ class Model:
         return tuple(found)
 
     def residuals(self, x: np.ndarray, uses: Sequence[Use] = ("fit",)) -> list[np.ndarray]:
-        """Residuals (n_i,) of the tests used so, in units of noise, freed from what is each test's own, and whitened
-        where a condition of a test is in doubt.
+        """Residuals (n_i,) of the tests used so, in units of the noise at each time, freed from what is each test's
+        own, and whitened where a condition of a test is in doubt.
         """
         parts = self.parts(x)
         base = self.base_values(x)
@@ -109,7 +109,7 @@ class Model:
         for i, values in enumerate(predicted):
             if values is None:
                 continue
-            residual = (self.problem.measured[i] - values) / self.noise[i]
+            residual = self._weighted(i, (self.problem.measured[i] - values) / self.noise[i])
             columns = self.problem.nuisance(base, parts, i) if parts else None
             if columns is not None:
                 residual = residual - columns @ (columns.T @ residual)
@@ -125,9 +125,14 @@ class Model:
 
     def _doubt(self, parts: Sequence[Part], i: int, columns: np.ndarray | None) -> np.ndarray | None:
         doubt = self.problem.doubt(parts, i)
-        if doubt is not None and columns is not None:
-            doubt = doubt - columns @ (columns.T @ doubt)
-        return None if doubt is None else doubt / self.noise[i]
+        if doubt is None:
+            return None
+        doubt = self._weighted(i, doubt / self.noise[i])
+        return doubt if columns is None else doubt - columns @ (columns.T @ doubt)
+
+    def _weighted(self, i: int, values: np.ndarray) -> np.ndarray:
+        weight = self.problem.weight(i)
+        return values if weight is None else weight * values
 
 
 @dataclass(frozen=True)

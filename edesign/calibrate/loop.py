@@ -33,6 +33,7 @@ effects.
 _LIKELY = 2  # effects of which forms are compared, or models with which the law is fitted again
 _ELSEWHERE = 8  # forms fitted from the law as declared
 _RIVALS = 5  # forms that are tried in the place of one
+_SECOND = 3  # models in which other effects are tried again in finer forms
 _MOST = 4  # effects
 _FEW = 2  # effects up to which pairs are sought, and each is held against others and in other forms
 _FAR = 0.5  # coordinates: factors of e
@@ -140,6 +141,9 @@ class Loop:
                 held = [*held, alone]
             else:
                 current = self._two_beside_declared(held, refit, freed)
+                if current is not None and not current.at_floor:  # or one beside the law fitted again
+                    one, refused = self._round(refit, rival, held)
+                    current = current if one is None else simplest([current, one])
         if current is None:
             current, refused = self._round(refit, rival, held)
         if current is None:
@@ -156,14 +160,16 @@ class Loop:
             if current.at_floor or len(labels) >= _MOST or labels in been:
                 break
             been.add(labels)
-            found = None
-            if beside:
+            found = self._second_look(current) if len(labels) == _FEW else None
+            if found is None and beside:
                 freed, beside = self._freed(min(held, key=_of_left_out)), False
                 found = None if freed.at_floor else self._two_beside_declared(held, current, freed)
             if found is None:
                 found, refused = self._round(current, current)
             if found is None:
                 found = self._in_pairs(current)
+            if found is None and len(labels) < _FEW:
+                found = self._second_look(current)
             if found is None:
                 break
             current = found
@@ -207,6 +213,27 @@ class Loop:
             return None
         evidence = compare(pair, current)
         return pair if evidence.beyond_chance and evidence.share >= CLEAR else None
+
+    def _second_look(self, current: Judged) -> Judged | None:
+        """A model with another effect in the place of one or two that came near it and in finer forms is better; None:
+        there is none.
+        """
+        labels = _labels(current.fitted.model.effects)
+        if not self._more_than_misses(current):
+            return None
+        best: dict[tuple[str, ...], Judged] = {}
+        for others in {frozenset[str](), *(labels - {label} for label in labels)}:
+            for judged in [*self.rivals.get((others, False), ()), *self.rivals.get((others, True), ())]:
+                names = _names(judged)
+                if names != _names(current):
+                    best[names] = min(best.get(names, judged), judged, key=lambda one: one.fitted.chi2)
+        near = sorted(best.values(), key=lambda judged: judged.fitted.chi2)[:_SECOND]
+        found = []
+        for judged in near:
+            if judged.fitted.chi2 <= BEHIND * current.fitted.chi2:
+                found.append(self._in_doubt(self._as_fine_as_needed(self._certain(self._freed(judged)), -1)))
+        best_of_all = simplest([current, *found])
+        return None if best_of_all is current else best_of_all
 
     def _round(self, current: Judged, rival: Judged, further: Sequence[Judged] = ()) -> tuple[Judged | None, Refused]:
         """The best model with one effect more, or two, and what came near; None: chance may have made it.
@@ -382,9 +409,7 @@ class Loop:
                 best = simplest([best, self._as_fine_as_needed(self._certain(near), -1)])
         if best is first:
             return current
-        if first is current:
-            return best
-        return Judged(fit(replace(best.fitted.model, problem=self.problem), best.fitted.x))
+        return self._in_doubt(best)
 
     def _certain(self, current: Judged) -> Judged:
         """With nothing in doubt."""
@@ -392,6 +417,12 @@ class Loop:
         if problem is self.problem:
             return current
         return Judged(fit(replace(current.fitted.model, problem=problem), current.fitted.x, _LONG))
+
+    def _in_doubt(self, current: Judged) -> Judged:
+        """With what is in doubt."""
+        if current.fitted.model.problem is self.problem:
+            return current
+        return Judged(fit(replace(current.fitted.model, problem=self.problem), current.fitted.x))
 
     def _as_fine_as_needed(self, best: Judged, i: int) -> Judged:
         """With the effect i in finer forms as long as they are better and more than noise is left."""
@@ -667,6 +698,10 @@ def _key(model: Model) -> _Key:
 
 def _labels(effects: Sequence[Candidate]) -> frozenset[str]:
     return frozenset(effect.label for effect in effects)
+
+
+def _names(judged: Judged) -> tuple[str, ...]:
+    return tuple(sorted(effect.name for effect in judged.fitted.model.effects))
 
 
 def _last_is_new(judged: Judged) -> bool:

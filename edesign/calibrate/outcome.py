@@ -115,7 +115,9 @@ def predict(problem: Problem, judged: Judged) -> list[np.ndarray]:
         assert values is not None
         columns = problem.nuisance(judged.fitted.base, parts, i) if parts else None
         if columns is not None:
-            values = values + columns @ (columns.T @ (problem.measured[i] - values))
+            weight = problem.weight(i)
+            own = 1.0 if weight is None else weight
+            values = values + columns @ (columns.T @ (own * (problem.measured[i] - values))) / own
         found.append(values)
     return found
 

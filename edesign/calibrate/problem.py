@@ -122,7 +122,12 @@ class Problem(Protocol):
         """
 
     def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
-        """Orthonormal columns (n_i, k) whose share is each test's own, as the phase of hum is; None: there are none."""
+        """Orthonormal columns (n_i, k), weighted, whose share is each test's own, as the phase of hum is; None: there
+        are none.
+        """
+
+    def weight(self, index: int) -> np.ndarray | None:
+        """Factors (n_i,) of the residuals of a test that make its noise as strong at all times; None: it is."""
 
     def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """What a condition of a test that is known only so well may change (n_i,), in the base model as declared and

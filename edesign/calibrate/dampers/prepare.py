@@ -6,10 +6,11 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
+from scipy.ndimage import uniform_filter1d
 
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
-from edesign.calibrate.noise import smooth
+from edesign.calibrate.noise import smooth, white_noise
 from edesign.calibrate.problem import PredictionError
 from edesign.damper.campaign import Campaign
 from edesign.damper.laws import law as law_of
@@ -17,6 +18,8 @@ from edesign.damper.parameters import read_parameters
 from edesign.damper.test_record import DamperTest
 from edesign.errors import InputError
 
+_AGAIN = 6  # times that noise is added
+_EVENED = 0.1  # s, over which its effect is evened out
 _THERMOMETER = 0.2  # K: tolerance of a platinum resistor of class A near room temperature, IEC 60751
 _ABSURD = 30.0  # ratio of measured to predicted force beyond which a unit is wrong, not a law
 _OPPOSITE = -0.3
@@ -80,20 +83,34 @@ def _trial(test: DamperTest, order: int) -> tuple[Trial, float]:
 
 
 def _with_motion_noise(problem: DamperProblem, noise: Sequence[float]) -> DamperProblem:
-    """What noise of the displacement (m, of each test) makes of force: the same noise added and taken off once more."""
+    """What noise of the displacement (m, of each test) makes of force: such noise added and taken off again. It makes
+    most where the damper is slow and its force steep over the velocity.
+    """
     random = np.random.default_rng(len(noise))
-    again = []
-    for trial, size in zip(problem.trials, noise, strict=True):
-        motion = trial.motion
-        if size > 0.0:
-            noisy = motion.displacement + size * random.standard_normal(motion.time.size)
-            motion = Motion(motion.time, *smooth(motion.time, noisy)[:3])
-        again.append(replace(trial, motion=motion))
-    changes = [float(np.sqrt(np.mean(change**2))) for change in _changes(problem, again)]
-    return replace(
-        problem,
-        trials=tuple(replace(trial, motion_noise=own) for trial, own in zip(problem.trials, changes, strict=True)),
-    )
+    power = [np.zeros(trial.motion.time.size) for trial in problem.trials]
+    for _ in range(_AGAIN if any(noise) else 0):
+        again = []
+        for trial, size in zip(problem.trials, noise, strict=True):
+            motion = trial.motion
+            if size > 0.0:
+                noisy = motion.displacement + size * random.standard_normal(motion.time.size)
+                motion = Motion(motion.time, *smooth(motion.time, noisy)[:3])
+            again.append(replace(trial, motion=motion))
+        for own, change in zip(power, _changes(problem, again), strict=True):
+            own += change**2 / _AGAIN
+    return replace(problem, trials=tuple(map(_weighted, problem.trials, power)))
+
+
+def _weighted(trial: Trial, power: np.ndarray) -> Trial:
+    """With the noise of the motion, whose force has the power (n,) N^2, evened out."""
+    if not np.any(power):
+        return trial
+    time = trial.motion.time
+    wide = min(max(int(_EVENED / float(np.median(np.diff(time)))), 1), time.size)
+    power = uniform_filter1d(power, wide, mode="nearest")
+    all_of_it = power + white_noise(trial.force, time) ** 2
+    weight = np.sqrt(np.mean(all_of_it) / all_of_it)
+    return replace(trial, motion_noise=float(np.sqrt(np.mean(power))), weight=weight)
 
 
 def _changes(problem: DamperProblem, trials: Sequence[Trial]) -> list[np.ndarray]:

@@ -132,7 +132,8 @@ class DamperProblem:
         columns = [self._kept_nuisance(tuple((_Same(c), tuple(v.tolist())) for c, v in own), index)] if own else []
         if any(part[0].effect[0].begins for part in parts):
             warm = self._begun(base, parts)[index]
-            columns.append(warm[:, np.newaxis] / max(float(np.max(np.abs(warm))), 1e-300))
+            warm = self._weighted(index, warm[:, np.newaxis])
+            columns.append(warm / max(float(np.max(np.abs(warm))), 1e-300))
         return columns[0] if own and len(columns) == 1 else _orthonormal(columns) if columns else None
 
     def _begun(self, base: np.ndarray, parts: Sequence[Part]) -> tuple[np.ndarray, ...]:
@@ -167,9 +168,17 @@ class DamperProblem:
         def kept(parts: tuple[_KeptPart, ...], index: int) -> np.ndarray:
             acting = [Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
             columns = [part.form.columns(part.p, self.trials[index]) for part in acting]
-            return _orthonormal([c for c in columns if c is not None])
+            return _orthonormal([self._weighted(index, c) for c in columns if c is not None])
 
         return kept
+
+    def weight(self, index: int) -> np.ndarray | None:
+        """Factors (n_i,) of the residuals of a test that make its noise as strong at all times; None: it is."""
+        return self.trials[index].weight
+
+    def _weighted(self, index: int, columns: np.ndarray) -> np.ndarray:
+        weight = self.weight(index)
+        return columns if weight is None else weight[:, np.newaxis] * columns
 
     def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """What an error of the thermometer changes (n_i,) N; None: nothing."""
@@ -217,7 +226,9 @@ class DamperProblem:
         for residual, trial, size in zip(residuals, fitted, noise, strict=True):
             power, white = band_power(residual, trial.motion)
             inside += power
-            expected += white + 0.5 * residual.size * (trial.motion_noise / size) ** 2  # of a one-sided spectrum
+            squares = residual.size if trial.weight is None else float(trial.weight @ trial.weight)
+            through = residual.size - (1.0 - (trial.motion_noise / size) ** 2) * squares  # what is not the channel's
+            expected += white + 0.5 * through  # of a one-sided spectrum
             whole += residual.size
         return max(inside / expected, sum(float(r @ r) for r in residuals) / whole)
 

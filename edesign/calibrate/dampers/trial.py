@@ -75,6 +75,7 @@ class Trial:
         force: measured (n,) N.
         temperature: (n,) degC: measured, or ambient.
         motion_noise: standard deviation of the force that noise of the displacement makes through the law, N.
+        weight: (n,) factors of a residual that make its noise as strong at all times; None: it is.
         whole: the test at full rate, if this is not.
     """
 
@@ -85,6 +86,7 @@ class Trial:
     force: np.ndarray
     temperature: np.ndarray
     motion_noise: float = 0.0
+    weight: np.ndarray | None = None
     whole: Trial | None = None
 
     def thinned(self) -> Trial:
@@ -100,6 +102,7 @@ class Trial:
             motion=self.motion.thinned(stride),
             force=np.ascontiguousarray(self.force[::stride]),
             temperature=np.ascontiguousarray(self.temperature[::stride]),
+            weight=None if self.weight is None else np.ascontiguousarray(self.weight[::stride]),
             whole=self,
         )
 

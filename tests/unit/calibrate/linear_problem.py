@@ -30,6 +30,7 @@ class LinearProblem:
     base: tuple[Unknown, ...] = ()
     declared: np.ndarray = field(default_factory=lambda: np.empty(0))
     doubts: tuple[np.ndarray, ...] = ()
+    weights: tuple[np.ndarray, ...] = ()
     fine: tuple[
         str, ...
     ] = ()  # columns that are finer forms of effects found, no candidates; name.form_more: of a form
@@ -81,7 +82,13 @@ class LinearProblem:
 
     def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
         columns = [self.own[candidate.name][index] for candidate, _ in parts if candidate.name in self.own]
-        return np.linalg.qr(np.hstack(columns))[0] if columns else None
+        if not columns:
+            return None
+        weight = self.weight(index)
+        return np.linalg.qr(np.hstack(columns) * (1.0 if weight is None else weight[:, np.newaxis]))[0]
+
+    def weight(self, index: int) -> np.ndarray | None:
+        return self.weights[index] if self.weights else None
 
     def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         return self.doubts[index] if self.doubts else None

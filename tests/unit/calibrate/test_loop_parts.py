@@ -16,6 +16,7 @@ from edesign.calibrate.evidence import Evidence, Judged, compare, simplest
 from edesign.calibrate.fit import BELIEF, Model, correlation_length, fit, whitened
 from edesign.calibrate.forms import begun_at, begun_from
 from edesign.calibrate.loop import Loop
+from edesign.calibrate.outcome import predict
 from edesign.calibrate.pairs import joint_gains, likely_pairs
 from edesign.calibrate.problem import Candidate, Part, Use
 from edesign.calibrate.screening import Screen, Signature, screen, screen_again
@@ -57,6 +58,36 @@ def test_fit_is_least_squares() -> None:
     assert np.sqrt(np.diag(found.covariance)) == pytest.approx(
         np.sqrt(np.diag(np.linalg.inv(matrix.T @ matrix))) * found.misfit, rel=1e-3
     )
+
+
+def test_noise_that_changes_within_a_test_is_weighted_least_squares() -> None:
+    # noise three times as strong in the first half of each test, and an effect that has a share of each test's own
+    problem = linear()
+    problem.weights = tuple(np.where(np.arange(y.size) < y.size // 2, 1.0 / 3.0, 1.0) for y in problem.measured)
+    random = np.random.default_rng(6)
+    problem.columns["slow"] = [random.standard_normal(y.size) for y in problem.measured]
+    problem.own["slow"] = [random.standard_normal((y.size, 2)) for y in problem.measured]
+    (slow,) = (c for c in problem.candidates([]) if c.name == "slow")
+    model = replace(_model(problem), effects=(slow,))
+    fitted = [i for i, use in enumerate(problem.uses) if use == "fit"]
+    # all of it at once: the parameters, and two numbers of each test
+    blocks = []
+    for place, i in enumerate(fitted):
+        own = np.zeros((problem.measured[i].size, 2 * len(fitted)))
+        own[:, 2 * place : 2 * place + 2] = problem.own["slow"][i]
+        columns = [problem.matrices[i], problem.columns["slow"][i][:, np.newaxis], own]
+        blocks.append(np.hstack(columns) * problem.weights[i][:, np.newaxis])
+    belief = np.hstack([np.eye(3) / BELIEF, np.zeros((3, 1 + 2 * len(fitted)))])
+    right = [*(problem.weights[i] * problem.measured[i] for i in fitted), np.ones(3) / BELIEF]
+    expected = np.linalg.lstsq(np.vstack([*blocks, belief]), np.concatenate(right), rcond=None)[0]
+    found = fit(model, model.coordinates())
+    assert found.x == pytest.approx(expected[:4], abs=1e-6)
+    # what is taken from a test is what that fit gives it
+    errors = predict(problem, Judged(found))
+    for place, i in enumerate(fitted):
+        own = problem.own["slow"][i] @ expected[4 + 2 * place : 6 + 2 * place]
+        shared = problem.matrices[i] @ expected[:3] + expected[3] * problem.columns["slow"][i]
+        assert errors[i] == pytest.approx(shared + own, abs=1e-5)
 
 
 def test_a_condition_in_doubt_is_generalised_least_squares() -> None:

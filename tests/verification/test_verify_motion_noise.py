@@ -1,0 +1,52 @@
+"""Noise of the displacement through a law, at rest and in motion, against records with noise of their own."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.calibrate.dampers.prepare import damper_problem
+from edesign.calibrate.run import noise_of
+from edesign.damper.campaign import write_campaign
+from edesign.damper.damper import Damper
+from edesign.damper.laws import law
+from edesign.damper.parameters import read_parameters
+from edesign.damper.specimen import Specimen
+from edesign.damper.test_files import LawChoice
+from edesign.damper.test_record import DamperTest
+
+TESTS = 12
+REST = 4.0  # s
+FORCE_NOISE, DISPLACEMENT_NOISE = 5.0, 7e-7  # N, m
+
+
+def test_noise_is_as_strong_at_rest_as_in_motion_once_weighted(tmp_path: Path) -> None:
+    """The MGMM's dashpot |v|^0.37 is steep at rest, where a micrometre of noise makes hundreds of newtons."""
+    mgmm = law("mgmm")
+    damper = Damper(mgmm, read_parameters(mgmm, "thesis_table_4_2"))
+    random = np.random.default_rng(11)
+    t = np.arange(0.0, 12.0, 1.0 / 500.0)
+    since = np.maximum(t - REST, 0.0)
+    tests = []
+    for i in range(TESTS):
+        u = (3.0 + 0.4 * i) * 1e-3 * (1.0 - np.exp(-since)) ** 2 * np.sin(2.0 * np.pi * 0.9 * since)
+        force = damper.force(t, u) + FORCE_NOISE * random.standard_normal(t.size)
+        noisy = u + DISPLACEMENT_NOISE * random.standard_normal(t.size)
+        tests.append(DamperTest(f"test_{i + 1:02d}", t, noisy, force, 20.0, use="fit" if i % 4 else "validate"))
+    choice = LawChoice("mgmm", "thesis_table_4_2")
+    problem = damper_problem(write_campaign(tmp_path, Specimen("S", 2, 0.0414, 0.012), tests, choice))
+    predicted = problem.predict(problem.declared, (), ("fit", "validate"))
+    rest, moving = t < REST - 0.2, t > REST + 1.0
+    bare, weighted = [], []
+    for trial, values in zip(problem.trials, predicted, strict=True):
+        assert values is not None and trial.weight is not None
+        residual = (trial.force - values) / noise_of(trial)
+        for found, r in ((bare, residual), (weighted, trial.weight * residual)):
+            found.append([float(np.mean(r[part] ** 2)) for part in (rest, moving)])
+    still, fast = np.mean(bare, axis=0)
+    assert still > 20.0 * fast  # what is evened out
+    # six repetitions tell a power within a tenth of a second, some ten independent values each, to 2 / sqrt(120) = 0.2;
+    # noise on top of noise, which is all that a program has, is stronger by at most the two together: sqrt(2)
+    assert np.mean(weighted, axis=0) == pytest.approx([1.0, 1.0], rel=0.35)
