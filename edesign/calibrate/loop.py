@@ -34,6 +34,8 @@ _LIKELY = 2  # effects of which forms are compared, or models with which the law
 _ELSEWHERE = 8  # forms fitted from the law as declared
 _RIVALS = 5  # forms that are tried in the place of one
 _SECOND = 3  # models in which other effects are tried again in finer forms
+_WELL_ABOVE = 2.0  # times noise: a model that leaves less is not held against others begun elsewhere
+_BEGINNINGS = 2  # effects to which others are added, of those that were not the best alone
 _MOST = 4  # effects
 _FEW = 2  # effects up to which pairs are sought, and each is held against others and in other forms
 _FAR = 0.5  # coordinates: factors of e
@@ -81,6 +83,8 @@ class Loop:
         self.rivals: dict[tuple[frozenset[str], bool], list[Judged]] = {}
         """Models with one effect more, by the effects they share, and whether these stand beside the declared law."""
         self.known: dict[_Key, Judged] = {}  # since the model was last fitted again
+        self.begun: set[str] = set()  # effects to which others were added
+        self.beginnings = _BEGINNINGS
         self.compared: set[tuple[str, _Key]] = set()  # effects whose forms were, beside which model
 
     def run(self) -> Selection:
@@ -160,7 +164,7 @@ class Loop:
             if current.at_floor or len(labels) >= _MOST or labels in been:
                 break
             been.add(labels)
-            found = self._second_look(current) if len(labels) == _FEW else None
+            found = self._second_look(current) if len(labels) == _FEW else None  # a third one is seldom there
             if found is None and beside:
                 freed, beside = self._freed(min(held, key=_of_left_out)), False
                 found = None if freed.at_floor else self._two_beside_declared(held, current, freed)
@@ -219,7 +223,7 @@ class Loop:
         there is none.
         """
         labels = _labels(current.fitted.model.effects)
-        if not self._more_than_misses(current):
+        if current.fitted.reduced <= _WELL_ABOVE:
             return None
         best: dict[tuple[str, ...], Judged] = {}
         for others in {frozenset[str](), *(labels - {label} for label in labels)}:
@@ -233,7 +237,31 @@ class Loop:
             if judged.fitted.chi2 <= BEHIND * current.fitted.chi2:
                 found.append(self._in_doubt(self._as_fine_as_needed(self._certain(self._freed(judged)), -1)))
         best_of_all = simplest([current, *found])
-        return None if best_of_all is current else best_of_all
+        return self._begun_with_another(current) if best_of_all is current else best_of_all
+
+    def _begun_with_another(self, current: Judged) -> Judged | None:
+        """A model that is better, of two effects of which the first did much alone but was not the best then; None:
+        there is none.
+        """
+        alone: dict[str, Judged] = {}
+        for judged in [*self.rivals.get((frozenset(), False), ()), *self.rivals.get((frozenset(), True), ())]:
+            name = judged.fitted.model.effects[0].name
+            alone[name] = min(alone.get(name, judged), judged, key=lambda one: one.fitted.chi2)
+        self.begun.update(_names(current))
+        others = [judged for name, judged in alone.items() if name not in self.begun]
+        for judged in sorted(others, key=lambda one: one.fitted.chi2)[: self.beginnings]:
+            first = judged.fitted.model.effects[0].name
+            self.begun.add(first)
+            self.beginnings -= 1
+            self.tell(f"two effects, {first} one of them")
+            found, _ = self._round(judged, judged)
+            if found is None or found.fitted.chi2 > BEHIND * current.fitted.chi2:
+                continue
+            found = self._finer(self._reformed(found))
+            if simplest([current, found]) is found:
+                self.beginnings = 0
+                return found
+        return None
 
     def _round(self, current: Judged, rival: Judged, further: Sequence[Judged] = ()) -> tuple[Judged | None, Refused]:
         """The best model with one effect more, or two, and what came near; None: chance may have made it.
