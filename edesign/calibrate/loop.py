@@ -453,9 +453,13 @@ class Loop:
         return Judged(fit(replace(current.fitted.model, problem=self.problem), current.fitted.x))
 
     def _as_fine_as_needed(self, best: Judged, i: int) -> Judged:
-        """With the effect i in finer forms as long as they are better and more than noise is left."""
-        while not best.at_floor and (found := self._in_finer_form(best, i)) is not best:
-            best = found
+        """With the effect i in finer forms as long as they are better and more than noise is left; not twice in one
+        form, as a coarser one that does as well may have it before it again.
+        """
+        been: set[str] = set()
+        while not best.at_floor and (label := best.fitted.model.effects[i].label) not in been:
+            been.add(label)
+            best = self._in_finer_form(best, i)
         return best
 
     def _near_forms(self, current: Judged) -> list[Judged]:
