@@ -86,7 +86,7 @@ def test_a_factor_acts_on_its_side_alone() -> None:
     (negative,) = factor(one_sided.FactorNegative(), {"b": 0.2, "side": -1.0}, (t,))
     assert set(positive[t.motion.displacement > 0.0]) == {1.2} and set(positive[t.motion.displacement <= 0.0]) == {1.0}
     assert set(negative[t.motion.displacement < 0.0]) == {1.2} and set(negative[t.motion.displacement >= 0.0]) == {1.0}
-    sides = [form().fixed(sizes())["side"] for form in one_sided.FORMS if form is not one_sided.Even]
+    sides = [form().fixed(sizes())["side"] for form in one_sided.FORMS if "even" not in form.form]
     assert sides == [1.0, -1.0] * 4
 
 
@@ -146,6 +146,16 @@ def test_another_exponent_of_the_power_alone_is_a_law_with_that_exponent() -> No
     assert found is not None and expected is not None
     # the factor is linear between samples inside the relaxation, which bends where the velocity passes zero
     assert np.sqrt(np.mean((found - expected) ** 2)) < 3e-3 * np.sqrt(np.mean(expected**2))
+
+
+def test_a_contact_that_stiffens_on_both_sides_is_a_power_of_the_depth() -> None:
+    of = motion(5)
+    found = hardening.Contact().parallel({"k": 3e6, "u0": 0.2 * U, "n": 1.5, "r": U}, trial(of), of, {})
+    depth = [max(abs(u) - 0.2 * U, 0.0) for u in of.displacement]
+    tips = [3e6 * U * (x / U) ** 1.5 for x in depth]
+    expected = [math.copysign(tip, u) for tip, u in zip(tips, of.displacement, strict=True)]
+    np.testing.assert_allclose(found, expected, rtol=0.0, atol=ROUNDING * 3e6 * U)
+    assert np.min(found) < 0.0 < np.max(found)
 
 
 def test_hardening_inside_moves_the_law_by_the_stiffened_motion() -> None:

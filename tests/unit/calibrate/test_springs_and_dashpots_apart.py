@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -48,6 +49,31 @@ def test_kraus_softens_springs_and_gives_dashpots_a_hump() -> None:
     (found,) = solid.predict(solid.declared, [(kraus, values)], ("fit",))
     expected = STIFFNESS * test.motion.displacement * phi + 2e4 * test.motion.velocity * phi2
     assert found is not None and g.max() - g.min() > 0.2
+    # the core's first sample is that of a law at rest before: 1e-6 N
+    np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
+
+
+@pytest.mark.parametrize(
+    ("label", "p", "springs"),
+    [
+        ("hardening.springs", {"b": 0.4, "p": 2.5}, lambda x: 1.0 + 0.4 * np.abs(x) ** 2.5),
+        ("hardening.springs_gent", {"b": 1.0, "u_m": 1.6}, lambda x: 1.0 / (1.0 - (x / 1.6) ** 2)),
+        ("one_sided.even_springs", {"b": -0.3}, lambda x: 1.0 - 0.3 * x),
+    ],
+)
+def test_springs_stiffen_and_dashpots_stay(
+    label: str, p: dict[str, float], springs: Callable[[np.ndarray], np.ndarray]
+) -> None:
+    # of Kelvin and Voigt, so that the law's force is k u and c v apart; x = u/r, r the largest deformation
+    test, size = trial(motion(11)), sizes()
+    rest = [np.zeros_like(test.force)]
+    (form,) = (c for c in candidates(size, Left((test,), rest), False, True) if c.label == label)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), size)
+    values = {**p, **({"u_m": p["u_m"] * size.displacement} if "u_m" in p else {})}
+    (found,) = solid.predict(solid.declared, [(form, np.array([values[u.name] for u in form.unknowns]))], ("fit",))
+    u, v = test.motion.displacement, test.motion.velocity
+    expected = STIFFNESS * springs(u / size.displacement) * u + 2e4 * v
+    assert found is not None
     # the core's first sample is that of a law at rest before: 1e-6 N
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-9 * STIFFNESS * U)
 

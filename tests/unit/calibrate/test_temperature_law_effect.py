@@ -123,6 +123,18 @@ def test_shifted_law_is_the_law_on_another_clock(law: str, values: dict[str, flo
         assert np.max(np.abs(warm - plain)) > 0.01 * np.max(np.abs(plain))
 
 
+def test_a_shift_of_forces_leaves_velocities() -> None:
+    # Table 4.2 by hand, SI: dashpots in N s/m by a_T, c_NL in N (s/m)^alpha by a_T^alpha, the rest as it was
+    printed = {"k1": 5.15e5, "c1": 1.51e4, "k0": 1.07e5, "c_NL": 2.1e4, "alpha": 0.374, "k_a": 3.7e6, "k_b": 3.6e6}
+    values = {**printed, "u_ref": 8e-3, "c_a": 9e5, "c_b": 1.9e5, "v_ref": 0.0135, "consistent": 0.0}
+    found = temperature_law.ShiftOfForces().law(
+        {"b": 0.05, "c": 0.01, "T0": 20.0}, trial(motion(3), 0, 28.0), LAWS["mgmm"].complete(values)
+    )
+    a_t = math.exp(-0.05 * 8.0 / 1.08)
+    expected = {name: a_t * values[name] for name in ("c1", "c_a", "c_b")}
+    assert found == pytest.approx({**values, **expected, "c_NL": a_t**0.374 * values["c_NL"]}, rel=1e-12)
+
+
 def test_another_gamma_multiplies_every_parameter_in_the_units_of_the_thesis() -> None:
     # Table 4.2 by hand: c_NL is in kN (s/mm)^alpha there, and alpha changes too
     printed = {

@@ -99,6 +99,32 @@ class Soft(Threshold):
         return np.asarray(p["k"] * w * begun * np.sign(motion.displacement))
 
 
+class Contact(_FromLargest):
+    """A contact that stiffens from a deformation on: k x (x/r)^(n - 1) sgn u, x = max(|u| - u0, 0)."""
+
+    form: ClassVar[str] = "contact"
+    title: ClassVar[str] = "contact that stiffens beyond a deformation"
+    source: ClassVar[str] = (
+        "contact of curved bodies: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (power 3/2)"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return (
+            Unknown("k", "N/m", -20.0 * k, 100.0 * k, k),
+            Unknown("u0", "m", 0.0, 0.98 * u, 0.3 * u),
+            Unknown("n", "", 1.0, 5.0, 1.0),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        k, u = sizes.stiffness, sizes.displacement
+        return tuple((0.1 * k / (1.0 - share) ** 1.5, share * u, 1.5) for share in (0.3, 0.6))
+
+    def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
+        beyond = np.maximum(np.abs(motion.displacement) - p["u0"], 0.0)
+        return np.asarray(p["k"] * beyond * (beyond / p["r"]) ** (p["n"] - 1.0) * np.sign(motion.displacement))
+
+
 class Exponential(_Hardening):
     """A spring beside the law that stiffens exponentially: k u (exp((u/u0)^2) - 1)."""
 
@@ -139,6 +165,56 @@ class Gent(_Hardening):
         return np.asarray(p["k"] * motion.displacement * square / (1.0 - square))
 
 
+class Springs(_FromLargest):
+    """The law's springs stiffen with a power of the deformation, softened ones too: k (1 + b (|u|/r)^p) u, dashpots as
+    they are.
+    """
+
+    may_be_inside: ClassVar[bool] = False
+    spares_loss: bool = True
+    elastic: ClassVar[bool] = False
+    form: ClassVar[str] = "springs"
+    title: ClassVar[str] = "hardening of the law's springs at large strain"
+    signature: ClassVar[str] = (
+        "too little force at the tips of large loops alone, less of it in tests in which the law has softened"
+    )
+    source: ClassVar[str] = "Yeoh (1990), Rubber Chem. Technol. 63, 792-805: all terms by one measure of stiffness"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return Unknown("b", "", -0.9, 20.0, 0.3), Unknown("p", "", 0.5, 15.0, 2.0, logarithmic=True)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return (0.1, 2.0), (0.1, 6.0)
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return np.asarray(1.0 + p["b"] * (np.abs(motion.displacement) / p["r"]) ** p["p"])
+
+    def dashpot_factor(self, p: Values, motion: Motion, factor: np.ndarray | float) -> float:
+        return 1.0
+
+
+class SpringsToTheEnd(Springs):
+    """The law's springs stiffen towards the length of the chains: k (1 + b x^2/(1 - x^2)) u, x = u/u_m, x^2 at most
+    _NEAREST.
+    """
+
+    form: ClassVar[str] = "springs_gent"
+    title: ClassVar[str] = "hardening of the law's springs towards the length of the chains"
+    source: ClassVar[str] = Gent.source
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        u = sizes.displacement
+        length = Unknown("u_m", "m", _LEAST_LENGTH * u, 10.0 * u, u, logarithmic=True)
+        return Unknown("b", "", -0.9, 20.0, 0.3), length
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.1 * (length**2 - 1.0), length * sizes.displacement) for length in (1.2, 2.5))
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        square = np.minimum((motion.displacement / p["u_m"]) ** 2, _NEAREST)
+        return np.asarray(1.0 + p["b"] * square / (1.0 - square))
+
+
 class Inside(_FromLargest):
     """The whole law stiffens, its relaxing forces too: it sees u (1 + b (|u|/r)^p)."""
 
@@ -165,4 +241,4 @@ class Inside(_FromLargest):
         return Motion(motion.time, u * (1.0 + more), slope * v, slope * motion.acceleration + bend * v * v)
 
 
-FORMS = (Power, Threshold, Soft, Exponential, Gent, Inside)
+FORMS = (Power, Threshold, Soft, Contact, Exponential, Gent, Springs, SpringsToTheEnd, Inside)

@@ -201,6 +201,34 @@ class Even(_OneSided):
         return np.asarray(p["k"] * size * (size / p["r"]) ** (p["n"] - 1.0))
 
 
+class EvenSprings(_OneSided):
+    """The law's springs stiffen to one side and soften to the other: k (1 + b u/r) u, dashpots as they are."""
+
+    form: ClassVar[str] = "even_springs"
+    amendment: ClassVar[bool] = False
+    spares_loss: bool = True
+    title: ClassVar[str] = "springs stiffer with deformation to one side, softer to the other"
+    signature: ClassVar[str] = (
+        "a force to the same side at both tips of the loops, less of it per deformation where the law softens"
+    )
+    source: ClassVar[str] = Even.source
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (Unknown("b", "", -0.95, 0.95, 0.3),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.1,),)
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"r": sizes.displacement}
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return np.asarray(1.0 + p["b"] * motion.displacement / p["r"])
+
+    def dashpot_factor(self, p: Values, motion: Motion, factor: np.ndarray | float) -> float:
+        return 1.0
+
+
 FORMS = (
     ContactPositive,
     ContactNegative,
@@ -211,4 +239,5 @@ FORMS = (
     SoftPositive,
     SoftNegative,
     Even,
+    EvenSprings,
 )

@@ -114,6 +114,19 @@ class ShiftWlf(Shift):
         return tuple((b, c) for (b,) in super().starts(sizes) for c in (0.0, 0.01))
 
 
+class ShiftOfForces(ShiftWlf):
+    """As `shift_wlf`, but velocities in the law, as that at which its damping softens, stay as they are: dashpots are
+    multiplied by their powers of a_T, nothing else.
+    """
+
+    form: ClassVar[str] = "shift_of_forces"
+    title: ClassVar[str] = "dashpots that weaken with temperature, each by its power of the velocity"
+
+    def law(self, p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
+        velocities = {q.name: values[q.name] for q in _parameters(values) if q.unit == "m/s"}
+        return {**super().law(p, trial, values), **velocities}
+
+
 class Gamma(_Temperature):
     """The MGMM's own factor falls at another rate: all of its parameters, alpha and u_ref too, are multiplied by
     exp(-b (T - T0)) beside gamma_T. It does nothing to other laws.
@@ -198,4 +211,4 @@ def _parameters(values: Values) -> tuple[Parameter, ...]:
     return next(own for own in every if {parameter.name for parameter in own} == set(values))
 
 
-FORMS = (Exponential, Wlf, Transition, Shift, ShiftWlf, Gamma, GammaWlf)
+FORMS = (Exponential, Wlf, Transition, Shift, ShiftWlf, ShiftOfForces, Gamma, GammaWlf)
