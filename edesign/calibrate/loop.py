@@ -141,11 +141,17 @@ class Loop:
             alone = self._finer(freed)
             if alone.fitted.model.held and alone.at_floor and compare(alone, rival).adopts:
                 current = simplest([alone, *held])  # nothing is left for others
-            elif alone.at_floor or not self._more_than_misses(alone):
+            elif alone.at_floor:
                 held = [*held, alone]
             else:
                 current = self._two_beside_declared(held, refit, freed)
-                if current is not None and not current.at_floor:  # or one beside the law fitted again
+                if current is not None and not self._more_than_misses(alone):
+                    current = self._freed(current)
+                    removed = alone.fitted.chi2 - current.fitted.chi2
+                    current = current if removed >= self._nearly_all(alone) else None
+                if current is None:
+                    held = [*held, alone]
+                elif not current.at_floor:  # or one beside the law fitted again
                     one, refused = self._round(refit, rival, held)
                     current = current if one is None else simplest([current, one])
         if current is None:
