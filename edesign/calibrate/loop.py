@@ -225,14 +225,18 @@ class Loop:
         return pair if evidence.beyond_chance and evidence.share >= CLEAR else None
 
     def _second_look(self, current: Judged) -> Judged | None:
-        """A model with another effect in the place of one or two that came near it and in finer forms is better; None:
-        there is none.
+        """A model that came near it, with other effects or one more, and is better in finer forms or with the law
+        fitted again; None: there is none.
         """
         labels = _labels(current.fitted.model.effects)
         if current.fitted.reduced <= _WELL_ABOVE:
             return None
         best: dict[tuple[str, ...], Judged] = {}
-        for others in {frozenset[str](), *(labels - {label} for label in labels)}:
+        for others in {
+            frozenset[str](),
+            *(labels - {label} for label in labels),
+            *([labels] if len(labels) < _FEW else []),
+        }:
             for judged in [*self.rivals.get((others, False), ()), *self.rivals.get((others, True), ())]:
                 names = _names(judged)
                 if names != _names(current):
@@ -241,7 +245,8 @@ class Loop:
         found = []
         for judged in near:
             if judged.fitted.chi2 <= BEHIND * current.fitted.chi2:
-                found.append(self._in_doubt(self._as_fine_as_needed(self._certain(self._freed(judged)), -1)))
+                begun = self._certain(self._freed_if_half(judged))
+                found.append(self._in_doubt(self._as_fine_as_needed(begun, -1)))
         best_of_all = simplest([current, *found])
         return self._begun_with_another(current) if best_of_all is current else best_of_all
 
@@ -660,6 +665,17 @@ class Loop:
         free = replace(model, held=False)
         found = Judged(fit(free, free.coordinates(None, current.fitted.parts)))
         return found if compare(found, current).beyond_chance else current
+
+    def _freed_if_half(self, current: Judged) -> Judged:
+        """With the parameters of the law fitted, if that leaves half at most: what else is missing may make it no
+        better on tests left out.
+        """
+        model = current.fitted.model
+        if not model.held or not self.may_refit:
+            return current
+        free = replace(model, held=False)
+        found = Judged(fit(free, free.coordinates(None, current.fitted.parts), _LONG))
+        return found if found.fitted.chi2 <= 0.5 * current.fitted.chi2 else current
 
     def _held_again(self, current: Judged) -> Judged:
         """With the law as declared, if that explains the tests as well once the effects are there."""
