@@ -15,13 +15,16 @@ def candidates(sizes: Sizes, left: Left, relaxes: bool, splits: bool, powers: bo
     Args:
         sizes: of the campaign.
         left: of the tests: some forms take their starts from it.
-        relaxes: whether the law relaxes all its forces, so that effects may stand inside it.
+        relaxes: whether the law is the MGMM: it relaxes all its forces, so that effects may stand inside it, and its
+            springs soften.
         powers: whether one of its dashpots has a power of the velocity, beside others.
         splits: whether its springs and dashpots can be told apart, so that effects may change them differently.
     """
     found = []
     for module in MODULES:
         for form in (*(kind() for kind in module.FORMS), *getattr(module, "forms_of", lambda _: ())(sizes)):
+            if form.of_softening and not relaxes:
+                continue
             variants = [form] if splits or not form.spares_loss else []
             if relaxes and form.may_be_inside:
                 variants.append(form.within())

@@ -13,6 +13,8 @@ import pytest
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.effects import MODULES
+from edesign.calibrate.dampers.left import Left
+from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.problem import Candidate
@@ -54,7 +56,8 @@ def problem() -> DamperProblem:
 FORMS: list[Form] = [kind() for module in MODULES for kind in module.FORMS]
 FITTED = [t for t in problem().trials if t.use == "fit"]
 HUMMING = [np.sin(2.0 * np.pi * TONE * t.motion.time) for t in FITTED]  # hum is looked for where a residual shows some
-CANDIDATES = list(problem().candidates(HUMMING))
+OF_SOFTENING = [candidate_of(form, problem().sizes, Left()) for form in FORMS if form.of_softening]  # not of this law
+CANDIDATES = [*problem().candidates(HUMMING), *(candidate for candidate in OF_SOFTENING if candidate is not None)]
 FINER = [
     (candidate, start, part)
     for candidate in CANDIDATES

@@ -67,7 +67,9 @@ def test_springs_stiffen_and_dashpots_stay(
     # of Kelvin and Voigt, so that the law's force is k u and c v apart; x = u/r, r the largest deformation
     test, size = trial(motion(11)), sizes()
     rest = [np.zeros_like(test.force)]
-    (form,) = (c for c in candidates(size, Left((test,), rest), False, True) if c.label == label)
+    (form,) = (c for c in candidates(size, Left((test,), rest), True, True) if c.label == label)
+    # springs that do not soften have the springs beside them for it
+    assert not [c for c in candidates(size, Left((test,), rest), False, True) if c.label == label]
     solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), size)
     values = {**p, **({"u_m": p["u_m"] * size.displacement} if "u_m" in p else {})}
     (found,) = solid.predict(solid.declared, [(form, np.array([values[u.name] for u in form.unknowns]))], ("fit",))
