@@ -606,3 +606,96 @@ def test_a_form_that_the_fitted_tests_cannot_place_is_placed_by_the_others() -> 
         # what is adopted is what the model has, with the value of the fitted tests: 5 to 1 / sqrt(400)
         assert found.final.fitted.model.effects == (found.adopted[0].candidate,)
         assert found.adopted[0].values[0] == pytest.approx(5.0, abs=4.0 / 20.0)
+
+
+def _mixed(problem: LinearProblem, name: str, of: str, share: float, seed: int) -> None:
+    """A column that is another one to a share of its power, and else its own."""
+    random = np.random.default_rng(seed)
+    own = np.sqrt(1.0 - share**2)
+    problem.columns[name] = [share * c + own * random.standard_normal(c.size) for c in problem.columns[of]]
+
+
+def test_what_came_near_takes_the_place_of_two_in_a_finer_form() -> None:
+    # hidden is z in a finer form; x and y are like it to 0.9 and nine tenths of what x leaves, the coarse z to 0.9
+    problem = linear(seed=3)
+    random = np.random.default_rng(2)
+    problem.columns = {"z.exact": [random.standard_normal(200) for _ in problem.uses]}
+    for name, seed in (("x", 11), ("y", 12), ("z", 13)):
+        _mixed(problem, name, "z.exact", 0.9, seed)
+    problem.fine = ("z.exact",)
+    problem.measured = tuple(m + 20.0 * c for m, c in zip(problem.measured, problem.columns["z.exact"], strict=True))
+    by_name = {candidate.name: candidate for candidate in problem.candidates(())}
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+
+    def fitted(*names: str) -> Judged:
+        model = replace(_model(problem), effects=tuple(by_name[name] for name in names))
+        return Judged(fit(model, model.coordinates()))
+
+    current, near = fitted("x", "y"), fitted("z")
+    assert near.fitted.chi2 > 1.5 * current.fitted.chi2 > 1.5 * 2.0 * current.fitted.samples
+    assert loop._second_look(current) is None  # nothing came near
+    loop.rivals[frozenset(), False] = [near]
+    found = loop._second_look(current)
+    assert found is not None and [e.label for e in found.fitted.model.effects] == ["z.exact"] and found.at_floor
+
+
+def test_two_effects_are_begun_with_one_that_was_not_the_best_alone() -> None:
+    # hidden are x and y; what was found first are a and b, each like both of them
+    problem = linear(seed=4, hidden={"x": 20.0, "y": 20.0})
+    random = np.random.default_rng(5)
+    both = [x + y for x, y in zip(problem.columns["x"], problem.columns["y"], strict=True)]
+    for name in "ab":
+        problem.columns[name] = [c + random.standard_normal(200) for c in both]
+    del problem.columns["z"]
+    by_name = {candidate.name: candidate for candidate in problem.candidates(())}
+    told: list[str] = []
+    loop = Loop(problem, (1.0,) * 6, workers=1, progress=told.append)
+
+    def fitted(*names: str) -> Judged:
+        model = replace(_model(problem), effects=tuple(by_name[name] for name in names))
+        return Judged(fit(model, model.coordinates()))
+
+    current = fitted("a", "b")
+    loop.left = fitted().fitted.residuals
+    loop.rivals[frozenset(), False] = [fitted("a"), fitted("b"), fitted("x")]
+    found = loop._begun_with_another(current)
+    assert found is not None and {e.name for e in found.fitted.model.effects} == {"x", "y"} and found.at_floor
+    assert "two effects, x one of them" in told
+    assert loop._begun_with_another(current) is None  # once
+
+
+def test_finer_and_coarser_forms_in_turn_come_to_an_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = linear(seed=6, hidden={"x": 20.0})
+    problem.columns |= {"z.one": problem.columns["y"], "z.two": problem.columns["z"]}
+    forms = [c for c in problem.candidates(()) if c.label in ("z.one", "z.two")]
+    models = [replace(_model(problem), effects=(form,)) for form in forms]
+    one, two = (Judged(fit(model, model.coordinates())) for model in models)
+    loop, asked = Loop(problem, (1.0,) * 6, workers=1), []
+
+    def other(judged: Judged, i: int) -> Judged:
+        asked.append(judged)
+        return two if judged is one else one
+
+    monkeypatch.setattr(loop, "_in_finer_form", other)
+    assert not one.at_floor
+    loop._as_fine_as_needed(one, 0)
+    assert asked == [one, two]
+
+
+def test_the_law_is_fitted_where_that_leaves_half_whatever_tests_left_out_say() -> None:
+    problem = linear(seed=7, hidden={"x": 20.0})
+    problem.declared = np.zeros(3)
+    x = next(candidate for candidate in problem.candidates(()) if candidate.name == "x")
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    held = replace(_model(problem), effects=(x,), held=True)
+    current = Judged(fit(held, held.coordinates()))
+    freed = loop._freed_if_half(current)
+    assert not freed.fitted.model.held and freed.at_floor  # the law is 1.1, 0.8 and 1.3, declared as nothing
+    assert loop._freed_if_half(freed) is freed
+    right = replace(problem)
+    right.declared = np.array([1.1, 0.8, 1.3])
+    model = Model(right, (1.0,) * 6, (x,), held=True)
+    true = Judged(fit(model, model.coordinates()))
+    assert Loop(right, (1.0,) * 6, workers=1)._freed_if_half(true) is true
+    problem.declared = np.zeros(3)
+    assert Loop(problem, (1.0,) * 6, refit=False, workers=1)._freed_if_half(current) is current
