@@ -85,7 +85,7 @@ class Form:
         may_spare_loss: whether its factor may change the law's dashpots less, or more, than its springs, or them alone.
         loss_start: exponent of the dashpots from which a search goes.
         spares_loss: whether it does, see `dashpot_factor`.
-        of_softening: whether it is another one only of a law whose springs soften, as those of the MGMM do.
+        of_mgmm: whether it is one of its own only for the MGMM, whose springs soften and which has gamma_T.
         spares_springs: whether it changes dashpots alone.
         may_be_of_power: whether its factor may act on the law's dashpot of a power of the velocity alone.
         of_power: whether it does.
@@ -118,7 +118,7 @@ class Form:
     loss_start: ClassVar[float] = 0.0
     spares_loss: bool = False
     spares_springs: bool = False
-    of_softening: ClassVar[bool] = False
+    of_mgmm: bool = False
     may_be_of_power: ClassVar[bool] = False
     of_power: bool = False
     has_columns: bool = False

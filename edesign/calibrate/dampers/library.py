@@ -23,7 +23,7 @@ def candidates(sizes: Sizes, left: Left, relaxes: bool, splits: bool, powers: bo
     found = []
     for module in MODULES:
         for form in (*(kind() for kind in module.FORMS), *getattr(module, "forms_of", lambda _: ())(sizes)):
-            if form.of_softening and not relaxes:
+            if form.of_mgmm and not relaxes:
                 continue
             variants = [form] if splits or not form.spares_loss else []
             if relaxes and form.may_be_inside:

@@ -56,8 +56,8 @@ def problem() -> DamperProblem:
 FORMS: list[Form] = [kind() for module in MODULES for kind in module.FORMS]
 FITTED = [t for t in problem().trials if t.use == "fit"]
 HUMMING = [np.sin(2.0 * np.pi * TONE * t.motion.time) for t in FITTED]  # hum is looked for where a residual shows some
-OF_SOFTENING = [candidate_of(form, problem().sizes, Left()) for form in FORMS if form.of_softening]  # not of this law
-CANDIDATES = [*problem().candidates(HUMMING), *(candidate for candidate in OF_SOFTENING if candidate is not None)]
+OF_MGMM = [candidate_of(form, problem().sizes, Left()) for form in FORMS if form.of_mgmm]  # not of this law
+CANDIDATES = [*problem().candidates(HUMMING), *(candidate for candidate in OF_MGMM if candidate is not None)]
 FINER = [
     (candidate, start, part)
     for candidate in CANDIDATES

@@ -21,7 +21,7 @@ from edesign.calibrate.dampers.effects import (
     temperature_law,
 )
 from edesign.calibrate.dampers.left import Left
-from edesign.calibrate.dampers.library import candidate_of
+from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Sizes
 from edesign.calibrate.fit import Model, fit
@@ -133,6 +133,28 @@ def test_a_shift_of_forces_leaves_velocities() -> None:
     a_t = math.exp(-0.05 * 8.0 / 1.08)
     expected = {name: a_t * values[name] for name in ("c1", "c_a", "c_b")}
     assert found == pytest.approx({**values, **expected, "c_NL": a_t**0.374 * values["c_NL"]}, rel=1e-12)
+
+
+def test_a_law_in_the_place_of_gamma_is_that_law_without_it() -> None:
+    # 27.5 degC: gamma_T of Table 4.4 is half way between 0.935 and 0.875; an effect of no size leaves a law without it
+    mgmm, size = LAWS["mgmm"], sizes()
+    values = read_parameters(mgmm, "thesis_table_4_2")
+    warm, cold = (replace(trial(motion(3), 0, degrees), use="fit") for degrees in (27.5, 20.0))
+    (form,) = (f for f in temperature_law.forms_of(size) if f.form == "exponential_in_place")
+    candidate = candidate_of(form, size, Left())
+    assert candidate is not None and candidate.label == "temperature_law.exponential_in_place"
+    problem = DamperProblem(mgmm, values, None, (warm, cold), size)
+    for b in (0.0, 0.03):
+        forces = problem.predict(problem.declared, [(candidate, np.array([b]))], ("fit",))
+        assert forces[0] is not None and forces[1] is not None
+        scale = float(np.max(np.abs(forces[1])))
+        np.testing.assert_allclose(forces[0], math.exp(-b * 7.5) * forces[1], rtol=0.0, atol=1e-9 * scale)
+    plain = problem.predict(problem.declared, (), ("fit",))
+    assert plain[0] is not None and np.max(np.abs(plain[0])) < 0.95 * scale
+    labels = {f"temperature_law.{f.form}" for f in temperature_law.forms_of(size)}
+    rest = Left((warm,), [np.zeros_like(warm.force)])
+    assert labels <= {c.label for c in candidates(size, rest, True, True)}
+    assert not labels & {c.label for c in candidates(size, rest, False, True)}  # no law but the MGMM has gamma_T
 
 
 def test_another_gamma_multiplies_every_parameter_in_the_units_of_the_thesis() -> None:

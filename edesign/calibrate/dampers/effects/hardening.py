@@ -172,7 +172,7 @@ class Springs(_FromLargest):
 
     may_be_inside: ClassVar[bool] = False
     spares_loss: bool = True
-    of_softening: ClassVar[bool] = True
+    of_mgmm: bool = True
     elastic: ClassVar[bool] = False
     form: ClassVar[str] = "springs"
     title: ClassVar[str] = "hardening of the law's springs at large strain"

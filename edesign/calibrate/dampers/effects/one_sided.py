@@ -205,7 +205,7 @@ class EvenSprings(_OneSided):
     """The law's springs stiffen to one side and soften to the other: k (1 + b u/r) u, dashpots as they are."""
 
     form: ClassVar[str] = "even_springs"
-    of_softening: ClassVar[bool] = True
+    of_mgmm: bool = True
     amendment: ClassVar[bool] = False
     spares_loss: bool = True
     title: ClassVar[str] = "springs stiffer with deformation to one side, softer to the other"
