@@ -384,13 +384,22 @@ class _Same(Generic[T]):
 
 
 def _orthonormal(columns: Sequence[np.ndarray]) -> np.ndarray:
-    """A basis (n, k) of columns, those that depend on others left out."""
+    """A basis (n, k) of columns, those that depend on others left out.
+
+    Raises:
+        PredictionError: they are not finite, or their squares.
+    """
     given = np.hstack(columns)
-    squares, turned = np.linalg.eigh(given.T @ given)  # a tenth of the time of the decomposition below
+    if not np.isfinite(np.sum(given * given)):
+        raise PredictionError("what is each test's own is not finite")
+    try:
+        squares, turned = np.linalg.eigh(given.T @ given)  # a tenth of the time of the decomposition below
+    except np.linalg.LinAlgError:  # nor do these searches end where dozens of columns stand twice
+        squares, turned = np.zeros(1), np.eye(1)
     if squares[0] > _WELL_APART * squares[-1]:
         basis = given @ (turned / np.sqrt(squares))
     else:
-        # not the singular values, whose search may not end where dozens of columns stand twice
+        # not the singular values, whose search may not end either
         basis, corner, _ = qr(given, mode="economic", pivoting=True)
         sizes = np.abs(np.diag(corner))
         basis = basis[:, sizes > _DEPENDENT * sizes[0]]

@@ -18,7 +18,7 @@ from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.peaks import common_tones
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
-from edesign.calibrate.problem import Part, Use
+from edesign.calibrate.problem import Part, PredictionError, Use
 from edesign.damper.laws import law
 
 ROUNDING = 1e-9
@@ -425,6 +425,25 @@ def test_nuisance_takes_nothing_out_that_is_in_no_column(
     found, columns = _nuisance(_trial(120.0, 10.0), parts)
     assert np.linalg.matrix_rank(columns, tol=1e-9) == rank == found.shape[1]
     np.testing.assert_allclose(found @ (found.T @ columns), columns, rtol=0.0, atol=1e-9)
+
+
+def test_nuisance_that_is_not_finite_is_no_prediction() -> None:
+    trial = _trial(120.0, 10.0)
+    broken = replace(trial, weight=np.where(np.arange(trial.force.size) == 7, np.nan, 1.0))
+    for bad in (broken, replace(trial, weight=np.full(trial.force.size, 1e200))):
+        with pytest.raises(PredictionError, match="each test's own is not finite"):
+            _nuisance(bad, [(hum.Tone(), (50.0,)), (drift.EachOwn(), ())])
+
+
+def test_nuisance_does_without_eigenvalues_that_do_not_converge(monkeypatch: pytest.MonkeyPatch) -> None:
+    def fails(*_: object) -> None:
+        raise np.linalg.LinAlgError("Eigenvalues did not converge")
+
+    trial = _trial(120.0, 10.0)
+    expected, _ = _nuisance(trial, [(hum.Restless(), (50.0,)), (drift.EachOwn(), ())])
+    monkeypatch.setattr(np.linalg, "eigh", fails)
+    found, _ = _nuisance(trial, [(hum.Restless(), (50.0,)), (drift.EachOwn(), ())])
+    np.testing.assert_allclose(found @ found.T, expected @ expected.T, rtol=0.0, atol=1e-12)
 
 
 def test_harmonics_of_the_motion_and_noise_are_no_hum() -> None:
