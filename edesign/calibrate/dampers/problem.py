@@ -390,7 +390,9 @@ def _orthonormal(columns: Sequence[np.ndarray]) -> np.ndarray:
         PredictionError: they are not finite, or their squares.
     """
     given = np.hstack(columns)
-    if not np.isfinite(np.sum(given * given)):
+    with np.errstate(over="ignore"):
+        finite = bool(np.isfinite(np.sum(given * given)))
+    if not finite:
         raise PredictionError("what is each test's own is not finite")
     try:
         squares, turned = np.linalg.eigh(given.T @ given)  # a tenth of the time of the decomposition below
