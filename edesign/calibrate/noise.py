@@ -15,8 +15,14 @@ from edesign.calibrate.residual.smoothing import smoothed
 from edesign.calibrate.residual.tones import without_tones
 
 _FEWEST = 64  # samples, for a spectrum
+_LEAST = 5e-4  # of a test's rms force: no load cell is better, and no integration of a law is asked to be
 NONE = 1e-8
 """Of the range: noise below it is rounding or leakage; no instrument is as good."""
+
+
+def least_noise(force: np.ndarray) -> float:
+    """Standard deviation that noise of a force (n,) N is taken for at least, N."""
+    return _LEAST * float(np.sqrt(np.mean(force**2)))
 
 
 def white_noise(values: np.ndarray, time: np.ndarray) -> float:

@@ -13,13 +13,11 @@ from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.trial import Trial
 from edesign.calibrate.loop import Loop, Progress
-from edesign.calibrate.noise import white_noise
+from edesign.calibrate.noise import least_noise, white_noise
 from edesign.calibrate.outcome import Outcome, residual_of
 from edesign.calibrate.residual.analysis import analyse
 from edesign.calibrate.result import Calibration, Series
 from edesign.damper.campaign import Campaign
-
-_LEAST_NOISE = 5e-4  # of a test's rms force: no load cell is better, and no integration of a law is asked to be
 
 
 def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda _: None) -> Calibration:
@@ -77,4 +75,4 @@ def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda 
 def noise_of(trial: Trial) -> float:
     """Standard deviation of what cannot be predicted in a test, N: noise of the force, and of the motion by the law."""
     channel = white_noise(trial.force, trial.motion.time)
-    return max(float(np.hypot(channel, trial.motion_noise)), _LEAST_NOISE * float(np.sqrt(np.mean(trial.force**2))))
+    return max(float(np.hypot(channel, trial.motion_noise)), least_noise(trial.force))

@@ -10,7 +10,7 @@ from scipy.ndimage import uniform_filter1d
 
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
-from edesign.calibrate.noise import smooth, white_noise
+from edesign.calibrate.noise import least_noise, smooth, white_noise
 from edesign.calibrate.problem import PredictionError
 from edesign.damper.campaign import Campaign
 from edesign.damper.laws import law as law_of
@@ -108,7 +108,7 @@ def _weighted(trial: Trial, power: np.ndarray) -> Trial:
     time = trial.motion.time
     wide = min(max(int(_EVENED / float(np.median(np.diff(time)))), 1), time.size)
     power = uniform_filter1d(power, wide, mode="nearest")
-    all_of_it = power + white_noise(trial.force, time) ** 2
+    all_of_it = power + max(white_noise(trial.force, time), least_noise(trial.force)) ** 2
     weight = np.sqrt(np.mean(all_of_it) / all_of_it)
     return replace(trial, motion_noise=float(np.sqrt(np.mean(power))), weight=weight)
 
