@@ -231,12 +231,9 @@ class Loop:
         labels = _labels(current.fitted.model.effects)
         if current.fitted.reduced <= _WELL_ABOVE:
             return None
+        beside = [frozenset[str](), *(labels - {label} for label in sorted(labels))]
         best: dict[tuple[str, ...], Judged] = {}
-        for others in {
-            frozenset[str](),
-            *(labels - {label} for label in labels),
-            *([labels] if len(labels) < _FEW else []),
-        }:
+        for others in beside if len(labels) >= _FEW else [*beside, labels]:
             for judged in [*self.rivals.get((others, False), ()), *self.rivals.get((others, True), ())]:
                 names = _names(judged)
                 if names != _names(current):

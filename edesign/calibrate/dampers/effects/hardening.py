@@ -109,12 +109,7 @@ class Contact(_FromLargest):
     )
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        k, u = sizes.stiffness, sizes.displacement
-        return (
-            Unknown("k", "N/m", -20.0 * k, 100.0 * k, k),
-            Unknown("u0", "m", 0.0, 0.98 * u, 0.3 * u),
-            Unknown("n", "", 1.0, 5.0, 1.0),
-        )
+        return contact_unknowns(sizes)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         k, u = sizes.stiffness, sizes.displacement
@@ -240,6 +235,16 @@ class Inside(_FromLargest):
         slope = 1.0 + (1.0 + m) * more
         bend = b * m * (1.0 + m) * x ** (m - 1.0) * np.sign(u) / p["r"]
         return Motion(motion.time, u * (1.0 + more), slope * v, slope * motion.acceleration + bend * v * v)
+
+
+def contact_unknowns(sizes: Sizes) -> tuple[Unknown, ...]:
+    """Stiffness, beginning and power of a contact, to both sides or one."""
+    k, u = sizes.stiffness, sizes.displacement
+    return (
+        Unknown("k", "N/m", -20.0 * k, 100.0 * k, k),
+        Unknown("u0", "m", 0.0, 0.98 * u, 0.3 * u),
+        Unknown("n", "", 1.0, 5.0, 1.0),
+    )
 
 
 FORMS = (Power, Threshold, Soft, Contact, Exponential, Gent, Springs, SpringsToTheEnd, Inside)

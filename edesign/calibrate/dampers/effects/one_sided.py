@@ -7,6 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.effects.hardening import contact_unknowns
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -71,12 +72,7 @@ class _Contact(_Spring):
     )
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        k, u = sizes.stiffness, sizes.displacement
-        return (
-            Unknown("k", "N/m", -20.0 * k, 100.0 * k, k),
-            Unknown("u0", "m", 0.0, 0.98 * u, 0.3 * u),
-            Unknown("n", "", 1.0, 5.0, 1.0),
-        )
+        return contact_unknowns(sizes)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         k, u = sizes.stiffness, sizes.displacement
