@@ -43,6 +43,22 @@ class Judged:
         return leave_one_out(self.fitted)
 
     @property
+    def labels(self) -> frozenset[str]:
+        """Of the forms of its effects."""
+        return frozenset(effect.label for effect in self.fitted.model.effects)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of its effects, sorted; one that has two forms has two."""
+        return tuple(sorted(effect.name for effect in self.fitted.model.effects))
+
+    @property
+    def last_is_new(self) -> bool:
+        """Whether the last effect is another one, not a further form of one that was there."""
+        *before, last = self.fitted.model.effects
+        return all(effect.name != last.name for effect in before)
+
+    @property
     def at_floor(self) -> bool:
         """Whether nothing but noise is left."""
         return self.left <= AT_FLOOR
@@ -135,15 +151,11 @@ def simplest(models: Sequence[Judged]) -> Judged:
 
 def _beaten(judged: Judged, best: Judged) -> bool:
     evidence = compare(best, judged)
-    return evidence.clearly_better or (_names(judged) == _names(best) and evidence.better_form)
+    return evidence.clearly_better or (set(judged.names) == set(best.names) and evidence.better_form)
 
 
 def _beside_motion(judged: Judged) -> int:
     return sum(effect.beside_motion for effect in judged.fitted.model.effects)
-
-
-def _names(judged: Judged) -> set[str]:
-    return {effect.name for effect in judged.fitted.model.effects}
 
 
 def _score(judged: Judged) -> float:

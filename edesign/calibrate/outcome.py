@@ -12,7 +12,7 @@ from edesign.calibrate.evidence import AT_FLOOR, Judged
 from edesign.calibrate.problem import Candidate, Described, Problem, Use
 from edesign.calibrate.residual.record import Residual
 from edesign.calibrate.result import Calibration, Effect, Errors, Estimate, NextTest, Series, Stage, Verdict
-from edesign.calibrate.selection import Adopted, Selection
+from edesign.calibrate.search.selection import Adopted, Selection
 
 BOTH: tuple[Use, ...] = ("fit", "validate")
 _EXPLAINED, _NONE = 1.5, 2.0

@@ -12,11 +12,11 @@ from edesign.calibrate.dampers.full_rate import at_full_rate
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.trial import Trial
-from edesign.calibrate.loop import Loop, Progress
 from edesign.calibrate.noise import least_noise, white_noise
 from edesign.calibrate.outcome import Outcome, residual_of
 from edesign.calibrate.residual.analysis import analyse
 from edesign.calibrate.result import Calibration, Series
+from edesign.calibrate.search.loop import Loop, Progress
 from edesign.damper.campaign import Campaign
 
 

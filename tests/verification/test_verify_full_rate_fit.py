@@ -15,7 +15,7 @@ from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.outcome import Outcome
-from edesign.calibrate.selection import Selection
+from edesign.calibrate.search.selection import Selection
 from edesign.damper.campaign import write_campaign
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law

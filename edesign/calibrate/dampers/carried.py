@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from edesign.calibrate.contest import fit_best
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Fitted, fit
 from edesign.calibrate.outcome import errors_of, parameters_of, predict
 from edesign.calibrate.problem import Candidate, Described, Part, PredictionError
 from edesign.calibrate.result import CarriedLaw
-from edesign.calibrate.screening import screen
+from edesign.calibrate.search.contest import fit_best
+from edesign.calibrate.search.screening import screen
 from edesign.damper.amendments import AMENDMENTS, Amendment
 
 _FITTED = 3  # forms of an effect

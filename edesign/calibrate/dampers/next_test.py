@@ -12,7 +12,7 @@ from edesign.calibrate.dampers.trial import Motion, Trial
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.result import NextTest
-from edesign.calibrate.selection import Selection
+from edesign.calibrate.search.selection import Selection
 from edesign.damper.history import spline_velocity
 
 _RATE = 250.0  # Hz, of the tests thought of

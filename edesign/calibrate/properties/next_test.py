@@ -10,7 +10,7 @@ from edesign.calibrate.evidence import Judged
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.properties.problem import PropertyProblem, at_rows
 from edesign.calibrate.result import NextTest
-from edesign.calibrate.selection import Selection
+from edesign.calibrate.search.selection import Selection
 from edesign.damper.property_table import PropertyTable
 
 _STRAINS = (0.3, 1.5)  # of the smallest, of the largest

@@ -8,7 +8,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from edesign.calibrate.evidence import Judged
-from edesign.calibrate.loop import Loop, Progress
 from edesign.calibrate.outcome import Outcome, stages
 from edesign.calibrate.problem import Part
 from edesign.calibrate.properties.arrangement import Arrangement
@@ -20,6 +19,7 @@ from edesign.calibrate.properties.repeatability import noise_of
 from edesign.calibrate.properties.result import CorrectedLaw, PropertyCalibration
 from edesign.calibrate.properties.shape import shape_of
 from edesign.calibrate.run import described
+from edesign.calibrate.search.loop import Loop, Progress
 from edesign.damper.amendments import AMENDMENTS, Amendment
 from edesign.damper.temperature import GammaT
 

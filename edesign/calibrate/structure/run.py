@@ -9,10 +9,10 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.calibrate.evidence import Judged
-from edesign.calibrate.loop import Loop, Progress
 from edesign.calibrate.outcome import Outcome
 from edesign.calibrate.problem import Candidate, Described
 from edesign.calibrate.result import Calibration, Series, Stage
+from edesign.calibrate.search.loop import Loop, Progress
 from edesign.calibrate.structure.campaign import StructureCampaign
 from edesign.calibrate.structure.check import check_channels, check_tests
 from edesign.calibrate.structure.problem import StructureProblem, acting, first_frequency

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from edesign.calibrate.evidence import Judged
+from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.problem import Candidate, Kind, Part, Use
 from edesign.calibrate.unknown import Unknown
 
@@ -111,3 +113,15 @@ def linear(seed: int = 1, hidden: dict[str, float] | None = None, noise: float =
         measured.append(value)
     uses: tuple[Use, ...] = ("fit",) * (tests - 1) + ("validate",)
     return LinearProblem(matrices, columns, tuple(measured), uses)
+
+
+def model_of(problem: LinearProblem, noise: float = 1.0) -> Model:
+    """The model without effects."""
+    return Model(problem, (noise,) * len(problem.names))
+
+
+def of_labels(problem: LinearProblem, *labels: str) -> Judged:
+    """The model with effects, fitted."""
+    by_label = {c.label: c for c in problem.candidates([])}
+    model = replace(model_of(problem), effects=tuple(by_label[label] for label in labels))
+    return Judged(fit(model, model.coordinates()))

@@ -14,7 +14,7 @@ from kelvin_voigt_campaign import campaign, lawful
 from edesign.archive.reader import open_archive
 from edesign.calibrate.dampers.prepare import damper_problem
 from edesign.calibrate.evidence import Judged
-from edesign.calibrate.loop import Loop
+from edesign.calibrate.search.loop import Loop
 from edesign.cli.main import main
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve

@@ -23,7 +23,7 @@ from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.dampers.turning_points import with_turning_points
 from edesign.calibrate.fit import Model, fit
-from edesign.calibrate.screening import screen
+from edesign.calibrate.search.screening import screen
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import law
 

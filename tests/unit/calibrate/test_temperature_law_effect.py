@@ -25,7 +25,7 @@ from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Sizes
 from edesign.calibrate.fit import Model, fit
-from edesign.calibrate.screening import screen
+from edesign.calibrate.search.screening import screen
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import read_parameters

@@ -12,7 +12,7 @@ import numpy as np
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Fitted, fit, refine
 from edesign.calibrate.problem import PredictionError
-from edesign.calibrate.screening import Signature
+from edesign.calibrate.search.screening import Signature
 from edesign.calibrate.side_by_side import side_by_side
 
 FITTED = 20

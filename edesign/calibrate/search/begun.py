@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.calibrate.fit import Fitted
 from edesign.calibrate.problem import Candidate, Part
-from edesign.calibrate.screening import Signature
+from edesign.calibrate.search.screening import Signature
 
 
 def begun_from(fitted: Fitted, effect: Candidate, signature: Signature) -> Signature | None:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from edesign.calibrate.fit import Fitted
-from edesign.calibrate.screening import Screen, Signature
+from edesign.calibrate.search.screening import Screen, Signature
 
 _DEPENDENT = 1e-10  # of the squared size of the columns: below it they tell the same
 

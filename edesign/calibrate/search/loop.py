@@ -1,0 +1,231 @@
+"""The loop: find what a model lacks, add it; stop when noise is left, or when nothing known explains what is left."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+from edesign.calibrate.evidence import Judged, compare, simplest
+from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.problem import Candidate, PredictionError, Problem
+from edesign.calibrate.search.alternatives import Alternatives
+from edesign.calibrate.search.beside_declared import BesideDeclared
+from edesign.calibrate.search.effect_forms import EffectForms
+from edesign.calibrate.search.misses import more_than_misses, nearly_all
+from edesign.calibrate.search.rounds import Rounds
+from edesign.calibrate.search.second_look import SecondLook
+from edesign.calibrate.search.selection import Adopted, Refused, Selection
+from edesign.calibrate.search.workbench import (
+    FEW,
+    HOPELESS,
+    LONG,
+    Progress,
+    Workbench,
+    of_left_out,
+    refitted,
+    worse,
+)
+from edesign.errors import InputError
+
+_MOST = 4  # effects
+_ABOUT, _PERHAPS = 1.5, 6.0
+"""Times what the refit leaves: an effect beside the declared law that leaves no more does about as much, and perhaps as
+much together with another one.
+"""
+_ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
+
+
+class Loop:
+    """The search for what a model lacks.
+
+    Args:
+        problem: tests, model, and effects it may lack.
+        noise: (tests,) standard deviation of each test's noise.
+        refit: whether the parameters of the model may be fitted.
+        workers: processes.
+        progress: told what is done.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        noise: Sequence[float],
+        refit: bool = True,
+        workers: int = 2,
+        progress: Progress = lambda _: None,
+    ) -> None:
+        self.bench = Workbench(problem, noise, refit, workers, progress)
+        self.forms = EffectForms(self.bench)
+        self.alternatives = Alternatives(self.bench)
+        self.declared = BesideDeclared(self.bench, self.forms)
+        self.rounds = Rounds(self.bench, self.forms)
+        self.second = SecondLook(self.bench, self.forms, self.rounds)
+        self.standing: Judged | None = None  # the best model with effects so far
+        self.interrupted = False
+
+    def run(self) -> Selection:
+        """Find the effects. A Ctrl-C ends the search with those found so far, a second one leaves it.
+
+        Raises:
+            KeyboardInterrupt: there are none so far, or it was the second one.
+            InputError: the model as declared has no prediction of the tests.
+        """
+        held = Model(self.bench.problem, self.bench.noise, held=True, workers=self.bench.workers)
+        try:
+            declared = Judged(fit(held, held.coordinates()))
+        except PredictionError as error:
+            raise InputError(f"the declared model cannot predict the tests: {error}") from error
+        refit = declared
+        if self.bench.may_refit:
+            self.bench.tell("refitting the declared law")
+            free = replace(held, held=False)
+            refit = refitted(Judged(fit(free, free.coordinates(), LONG)))
+        if declared.at_floor:
+            return Selection(declared, refit, declared, ())
+        try:
+            final, near = self._search(declared, refit)
+        except KeyboardInterrupt:
+            if self.standing is None:
+                raise
+            self._stop()
+            final, near = self.standing, ()
+        final = self.forms.placed(final)
+        adopted_labels = final.labels
+        refused = tuple(item for item in near if item[0].label not in adopted_labels)
+        adopted = self._explain(final, refit)
+        return Selection(declared, refit, final, adopted, refused, self.interrupted)
+
+    def _stop(self) -> None:
+        self.interrupted = True
+        self.bench.tell("interrupted: going on with the effects found so far; interrupt again to leave them")
+
+    def _search(self, declared: Judged, refit: Judged) -> tuple[Judged, Refused]:
+        """The final model, and what came near it in the last round."""
+        rival = refit if compare(refit, declared).beyond_chance else declared
+        held = self.declared.one(declared) if self.bench.may_refit else []
+        if refit.at_floor:
+            return simplest([refit, *(judged for judged in held if compare(judged, declared).adopts)]), ()
+        self.bench.left = rival.fitted.residuals
+        current, refused, beside = self._first(refit, rival, held)
+        if current is None:
+            return rival, refused
+        been: set[frozenset[str]] = set()  # what was added may have been needless in the end: not again
+        while True:
+            self.standing = current
+            if current.last_is_new:
+                current = self.forms.reformed(self.alternatives.reconsider(self._last_alone(current)))
+            current = self.forms.finer(refitted(self.bench.freed(self._prune(current))))
+            self.standing = current
+            self.bench.known.clear()  # of another belief in the declared parameters: not asked for again
+            labels = current.labels
+            if current.at_floor or len(labels) >= _MOST or labels in been:
+                break
+            been.add(labels)
+            found = self.second.look(current) if len(labels) == FEW else None  # a third one is seldom there
+            if found is None and beside is not None:
+                freed = self.bench.freed(beside)
+                found = None if freed.at_floor else self.declared.two(beside, current, freed)
+                beside = None
+            if found is None:
+                found, refused = self.rounds.one_more(current, current)
+            if found is None:
+                found = self.rounds.in_pairs(current)
+            if found is None and len(labels) < FEW:
+                found = self.second.look(current)
+            if found is None:
+                break
+            current = found
+        return self.alternatives.against_others(self._prune(self.bench.held_again(current))), refused
+
+    def _first(
+        self, refit: Judged, rival: Judged, held: Sequence[Judged]
+    ) -> tuple[Judged | None, Refused, Judged | None]:
+        """The first effect, or the first two, with what came near; and an effect beside the law as declared that may do
+        as much as the law fitted again together with another one, if that has not been tried.
+
+        Args:
+            refit: the law fitted again.
+            rival: the model to beat.
+            held: models with one effect beside the law as declared.
+        """
+        best = min(held, key=of_left_out, default=None)
+        if best is None or best.fitted.chi2 > _ABOUT * refit.fitted.chi2:
+            perhaps = best is not None and best.fitted.chi2 <= _PERHAPS * refit.fitted.chi2
+            return *self.rounds.one_more(refit, rival, held), best if perhaps else None
+        held = [*held, *self.forms.other_forms(best, best.fitted.model.effects[0])]
+        best = min(held, key=of_left_out)
+        freed = self.bench.freed(best)
+        alone = self.forms.finer(freed)
+        if alone.at_floor:
+            if alone.fitted.model.held and compare(alone, rival).adopts:
+                return simplest([alone, *held]), (), None  # nothing is left for others
+            return *self.rounds.one_more(refit, rival, [*held, alone]), None
+        two = self.declared.two(best, refit, freed)
+        if two is not None and not more_than_misses(alone, self.bench.left):
+            two = self.bench.freed(two)
+            two = two if alone.fitted.chi2 - two.fitted.chi2 >= nearly_all(alone) else None
+        if two is None:
+            return *self.rounds.one_more(refit, rival, [*held, alone]), None
+        if two.at_floor:
+            return two, (), None
+        one, refused = self.rounds.one_more(refit, rival, held)  # or one beside the law fitted again
+        return two if one is None else simplest([two, one]), refused, None
+
+    def _last_alone(self, current: Judged) -> Judged:
+        """The last effect beside the law fitted again, if that leaves noise alone: the first one has made up for a law
+        that is not as declared.
+        """
+        model = current.fitted.model
+        if not model.held or current.at_floor or len(model.effects) < 2:
+            return current
+        alone = self.bench.freed(self.bench.without(current, model.effects[0]))
+        return alone if alone.at_floor else current
+
+    def _alternatives_unless_stopped(self, current: Judged, effect: Candidate) -> list[Judged]:
+        if self.interrupted:
+            return []
+        try:
+            return self.alternatives.others(current, effect)
+        except KeyboardInterrupt:
+            self._stop()
+            return []
+
+    def _prune(self, current: Judged) -> Judged:
+        """Without the effects that others make needless, or the law fitted again; another one in the form that suits
+        best then, as an effect found before may be a part of what another form does.
+        """
+        for label in [effect.label for effect in current.fitted.model.effects]:
+            effect = next((e for e in current.fitted.model.effects if e.label == label), None)
+            if effect is None or len(current.fitted.model.effects) < 2:
+                continue
+            without = self.bench.without(current, effect)
+            few, most = len(current.fitted.model.effects) <= FEW, HOPELESS * current.fitted.chi2
+            forms = self.forms.other_forms(without, without.fitted.model.effects[-1], most) if few else []
+            smaller = [without, self.bench.freed(without), *forms]
+            enough = [judged for judged in smaller if not compare(current, judged).needed]
+            if enough:
+                current = simplest(enough)
+        return current
+
+    def _explain(self, final: Judged, refit: Judged) -> tuple[Adopted, ...]:
+        """The evidence for each effect of the final model, and what cannot be told from it."""
+        found: list[Adopted] = []
+        for effect, values in final.fitted.parts:
+            self.bench.tell(f"telling {effect.name} apart from others")
+            without = self.bench.without(final, effect)
+            evidence = compare(final, without)
+            alike: dict[str, Judged] = {}
+            for other in sorted(self._alternatives_unless_stopped(final, effect), key=of_left_out):
+                if other.labels == final.labels:
+                    continue
+                near = compare(other, without).share > _ALIKE * evidence.share
+                if near and not compare(final, other).beyond_chance and _replacement(other, final).name != effect.name:
+                    alike.setdefault(_replacement(other, final).name, other)
+            if final.fitted.model.held and len(final.fitted.parts) == 1 and not worse(refit, final):
+                alike["refit"] = refit
+            found.append(Adopted(effect, values, evidence, without, alike))
+        return tuple(found)
+
+
+def _replacement(judged: Judged, of: Judged) -> Candidate:
+    return next(effect for effect in judged.fitted.model.effects if effect.label not in of.labels)

@@ -1,0 +1,82 @@
+"""Signatures of effects, alone and in pairs, against the fits of a linear problem."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from linear_problem import linear, model_of
+
+from edesign.calibrate.fit import fit
+from edesign.calibrate.search.contest import likely_forms, shortlist
+from edesign.calibrate.search.pairs import joint_gains, likely_pairs
+from edesign.calibrate.search.screening import Screen, Signature, screen, screen_again
+
+
+def test_screening_tells_what_a_fit_would_gain() -> None:
+    problem = linear(hidden={"x": 0.5, "y": 0.05})
+    rival = fit(model_of(problem), np.ones(3))
+    signatures = screen(rival, problem.candidates([]))
+    assert signatures[0].candidate.name == "x"
+    for signature in signatures:
+        fitted = fit(signature.model, signature.start)
+        # the belief of two parts in a thousand of the data's weight is in one cost and not in the other
+        assert signature.gain == pytest.approx(rival.chi2 - fitted.chi2, rel=0.02, abs=0.2)
+
+
+def test_signatures_beside_the_law_as_declared_tell_what_a_fit_of_that_law_too_would_gain() -> None:
+    problem = linear(hidden={"x": 0.5, "y": 0.05})
+    held = replace(model_of(problem), held=True)
+    beside_declared = screen(fit(held, held.coordinates()), problem.candidates([]))
+    unfitted = fit(model_of(problem), np.ones(3), most_steps=0)
+    found = {s.candidate.name: s for s in screen_again(unfitted, beside_declared)}
+    for expected in screen(unfitted, problem.candidates([])):
+        signature = found[expected.candidate.name]
+        # slopes by differences of numbers of 1e1 over steps of 1e-4 or more
+        assert signature.gain == pytest.approx(expected.gain, rel=1e-6)
+        np.testing.assert_allclose(signature.start, expected.start, rtol=1e-6)
+        assert signature.model == expected.model
+
+
+def test_two_effects_gain_what_both_columns_gain() -> None:
+    problem = linear(hidden={"x": 0.3, "y": 0.3})
+    rival = fit(model_of(problem), np.ones(3))
+    signatures = {s.candidate.name: s for s in screen(rival, problem.candidates([]))}
+    whole = Screen(rival)
+    columns = whole.free(np.column_stack([np.concatenate(problem.columns[n][:5]) for n in "xy"]))
+    residual = whole.free(whole.residual)
+    left = residual - columns @ np.linalg.lstsq(columns, residual, rcond=None)[0]
+    expected = float(residual @ residual - left @ left)
+    pair = [signatures["x"], signatures["y"]]
+    assert joint_gains(rival, pair)[0, 1] == pytest.approx(expected, rel=1e-6)
+    assert likely_pairs(rival, pair, 3) == [tuple(pair)]
+    assert likely_pairs(rival, [pair[0], pair[0]], 3) == []  # one effect is no pair
+
+
+def test_slow_effects_do_not_hide_what_others_would_gain() -> None:
+    # all is linear: what a candidate changes is the same with and without the slow effect
+    problem = linear(hidden={"x": 0.5, "y": 0.5})
+    x, y, _ = problem.candidates([])
+    model = replace(model_of(problem), effects=(x,))
+    fitted = fit(model, np.array([1.0, 1.0, 1.0, 0.5]))
+    slow = replace(model, effects=(replace(x, slow=True),))
+    (exact,) = screen(fitted, [y])
+    (quick,) = screen(fit(slow, fitted.x), [y])
+    assert quick.gain == pytest.approx(exact.gain, rel=1e-6)
+    np.testing.assert_allclose(quick.start, exact.start, rtol=1e-6)
+
+
+def test_likely_forms_are_the_best_and_the_simplest_that_is_nearly_as_good() -> None:
+    problem = linear(hidden={"x": 0.5})
+    (signature, *_) = screen(fit(model_of(problem), np.ones(3)), problem.candidates([]))
+    (a,) = signature.candidate.unknowns
+
+    def form(name: str, gain: float, unknowns: int) -> Signature:
+        candidate = replace(signature.candidate, form=name, unknowns=(a,) * unknowns)
+        return replace(signature, candidate=candidate, gain=gain)
+
+    forms = [form("rich", 100.0, 4), form("richer", 99.0, 5), form("simple", 91.0, 1), form("poor", 50.0, 1)]
+    assert [s.candidate.form for s in likely_forms(forms, 2)] == ["rich", "simple"]
+    assert [s.candidate.form for s in likely_forms(forms, 4)] == ["rich", "richer", "simple", "poor"]
+    assert [s.candidate.form for s in shortlist(forms)] == ["rich", "simple"]
