@@ -57,7 +57,7 @@ def problem(dt: float = 0.01) -> DamperProblem:
         tests.append(
             Trial(f"t{order}", "validate" if order == 1 else "fit", order, motion, force, np.full(t.size, warm))
         )
-    return DamperProblem(law("mgmm"), MGMM, None, tuple(tests), Sizes.of(tests))
+    return DamperProblem(law("mgmm"), MGMM, tuple(tests), Sizes.of(tests))
 
 
 def predicted(of: DamperProblem, parts: list[tuple[Candidate, np.ndarray]], order: int) -> np.ndarray:

@@ -44,7 +44,7 @@ def damper_problem(campaign: Campaign) -> DamperProblem:
     start = read_parameters(chosen, campaign.law.parameters)
     prepared = [_trial(test, order) for order, test in enumerate(campaign.tests)]
     trials = tuple(trial for trial, _ in prepared)
-    problem = DamperProblem(chosen, start, None, trials, Sizes.of(trials))
+    problem = DamperProblem(chosen, start, trials, Sizes.of(trials))
     _check_law(problem, campaign)
     _check_forces(problem, campaign)
     noisy = _with_motion_noise(problem, [noise for _, noise in prepared])

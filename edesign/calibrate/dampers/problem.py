@@ -30,7 +30,7 @@ from edesign.calibrate.unknown import Unknown
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.law import Law
-from edesign.damper.temperature import TemperatureModel, at
+from edesign.damper.temperature import at
 from edesign.errors import InputError
 
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
@@ -51,7 +51,6 @@ class DamperProblem:
     Attributes:
         law: declared.
         start: its parameters, SI.
-        temperature_law: how they change with temperature; None: the law's own.
         trials: at the rate of a fit, or at full rate.
         sizes: of the campaign.
         thermometer: standard deviation of its error, K; 0 where temperatures do not matter.
@@ -59,7 +58,6 @@ class DamperProblem:
 
     law: Law
     start: Mapping[str, float]
-    temperature_law: TemperatureModel | None
     trials: tuple[Trial, ...]
     sizes: Sizes
     thermometer: float = 0.0
@@ -356,7 +354,7 @@ class DamperProblem:
         @lru_cache(maxsize=_KEPT)
         def kept(values: tuple[tuple[str, float], ...], temperature_C: float) -> tuple[float, ...]:
             try:
-                found, _ = at(self.law, dict(values), temperature_C, self.temperature_law)
+                found, _ = at(self.law, dict(values), temperature_C)
             except InputError as error:
                 raise PredictionError(str(error)) from error
             return tuple(found.values())

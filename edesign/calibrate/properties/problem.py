@@ -186,7 +186,7 @@ def property_problem(
     use = {int(row): group.use for group in campaign.groups for row in group.rows}
     rows = range(len(campaign.table))
     trials = tuple(_trial(campaign.table, campaign.specimen, row, use[row], cycles[1], samples) for row in rows)
-    inner = DamperProblem(law, start, None, trials, Sizes.of(trials))
+    inner = DamperProblem(law, start, trials, Sizes.of(trials))
     return PropertyProblem(campaign.table, campaign.specimen, campaign.groups, inner, cycles, samples)
 
 

@@ -14,7 +14,10 @@ from kelvin_voigt_campaign import campaign, lawful
 from edesign.archive.reader import open_archive
 from edesign.calibrate.dampers.prepare import damper_problem
 from edesign.calibrate.evidence import Judged
+from edesign.calibrate.search.alternatives import Alternatives
+from edesign.calibrate.search.beside_declared import BesideDeclared
 from edesign.calibrate.search.loop import Loop
+from edesign.calibrate.search.rounds import Rounds
 from edesign.cli.main import main
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve
@@ -50,8 +53,8 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     assert [effect["name"] for effect in told["effects"]] == ["hardening"]
     assert "the search interrupted" in (tmp_path / "out/law.yaml").read_text(encoding="utf-8").splitlines()[0]
     # before there is an effect nothing is written
-    monkeypatch.setattr(Loop, "_round", interrupt)
-    monkeypatch.setattr(Loop, "_beside_declared", interrupt)
+    monkeypatch.setattr(Rounds, "one_more", interrupt)
+    monkeypatch.setattr(BesideDeclared, "one", interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "none")) == 130
     assert not (tmp_path / "none").exists()
 
@@ -66,7 +69,7 @@ def test_look_alikes_that_were_not_asked_for_are_none(
         raise KeyboardInterrupt
 
     campaign(tmp_path / "c", hidden)
-    monkeypatch.setattr(Loop, "_alternatives", interrupt)
+    monkeypatch.setattr(Alternatives, "others", interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 130
     told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
     assert told["interrupted"] and told["effects"][0]["name"] == "hardening"

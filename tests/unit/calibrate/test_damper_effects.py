@@ -134,14 +134,14 @@ def test_another_exponent_of_the_power_alone_is_a_law_with_that_exponent() -> No
     # far above v0 the factor is |v/v0|^n: c_NL |v|^alpha becomes c_NL v0^-n |v|^(alpha + n)
     mgmm, values = LAWS["mgmm"], read_parameters(LAWS["mgmm"], "thesis_table_4_2")
     test = replace(trial(motion(9)), temperature=np.full(motion(9).time.size, 20.0))
-    damper = DamperProblem(mgmm, values, None, (test,), sizes())
+    damper = DamperProblem(mgmm, values, (test,), sizes())
     form = velocity_exponent.Exponent().of_power_law()
     candidate = candidate_of(form, sizes(), Left())
     assert candidate is not None and candidate.label == "velocity_exponent.exponent_of_power"
     n, v0 = 0.2, 1e-7
     (found,) = damper.predict(damper.declared, [(candidate, np.array([n, v0]))], ("fit",))
     other = {**values, "c_NL": values["c_NL"] * v0**-n, "alpha": values["alpha"] + n}
-    again = DamperProblem(mgmm, other, None, (test,), sizes())
+    again = DamperProblem(mgmm, other, (test,), sizes())
     (expected,) = again.predict(again.declared, (), ("fit",))
     assert found is not None and expected is not None
     # the factor is linear between samples inside the relaxation, which bends where the velocity passes zero

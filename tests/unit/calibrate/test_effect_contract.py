@@ -47,10 +47,10 @@ def trials() -> tuple[Trial, ...]:
 def problem() -> DamperProblem:
     solid = law("kelvin_voigt")
     bare = trials()
-    plain = DamperProblem(solid, LAW, None, bare, Sizes.of(bare))
+    plain = DamperProblem(solid, LAW, bare, Sizes.of(bare))
     forces = plain.predict(plain.declared, (), ("fit", "validate"))
     measured = tuple(replace(t, force=f) for t, f in zip(bare, forces, strict=True) if f is not None)
-    return DamperProblem(solid, LAW, None, measured, Sizes.of(measured))
+    return DamperProblem(solid, LAW, measured, Sizes.of(measured))
 
 
 FORMS: list[Form] = [kind() for module in MODULES for kind in module.FORMS]

@@ -390,7 +390,7 @@ def test_harmonics_start_from_the_lowest_peak() -> None:
 def _nuisance(trial: Trial, parts: list[tuple[Form, tuple[float, ...]]]) -> tuple[np.ndarray, np.ndarray]:
     """Columns of a problem with these parts, and those of the forms side by side."""
     sizes, rest = Sizes.of((trial,)), [np.sin(W * 50.0 * trial.motion.time)]
-    problem = DamperProblem(law("kelvin_voigt"), {"k": 1e7, "c": 0.0}, None, (trial,), sizes)
+    problem = DamperProblem(law("kelvin_voigt"), {"k": 1e7, "c": 0.0}, (trial,), sizes)
     given: list[Part] = []
     columns = []
     for form, values in parts:

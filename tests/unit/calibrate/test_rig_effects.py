@@ -218,7 +218,7 @@ def test_pins_aside_lose_the_clearance_one_way_and_nothing_the_other(aside: floa
     time = np.arange(201) / 100.0
     motion = Motion(time, 0.004 * time, np.full(201, 0.004), np.zeros(201))
     trial, play, k, rig = _trial(motion), 2e-3, 1e6, 1e8
-    problem = DamperProblem(law("kelvin_voigt"), {"k": k, "c": 0.0}, None, (trial,), Sizes.of((trial,)))
+    problem = DamperProblem(law("kelvin_voigt"), {"k": k, "c": 0.0}, (trial,), Sizes.of((trial,)))
     candidate = candidate_of(GapAside(), problem.sizes, Left())
     assert candidate is not None
     (force,) = problem.predict(problem.declared, [(candidate, np.array([play, rig, aside]))], ("fit",))
@@ -314,7 +314,7 @@ def test_what_acts_in_the_specimen_goes_with_the_motion_that_the_rig_leaves(
     size = Sizes.of([_trial(_irregular(), order=order) for order in range(2)])
     motions = (_irregular(), _sine(200.0))
     trials = tuple(_trial(motion, f"t{i}", i) for i, motion in enumerate(motions))
-    problem = DamperProblem(law("kelvin_voigt"), {"k": 4e6, "c": 1e-3}, None, trials, size)
+    problem = DamperProblem(law("kelvin_voigt"), {"k": 4e6, "c": 1e-3}, trials, size)
     acting, stands = (candidate_of(one, size, Left()) for one in (form, rig))
     assert acting is not None and stands is not None
     part = (acting, np.array(values))
@@ -386,7 +386,7 @@ def test_effects_keep_their_size_behind_a_stiff_rig(
     k, c = 1e7, 2e5
     trial = _trial(_sine(200.0), order=5)
     sizes = replace(Sizes.of((trial,)), tests=8)
-    problem = DamperProblem(law("kelvin_voigt"), {"k": k, "c": c}, None, (trial,), sizes)
+    problem = DamperProblem(law("kelvin_voigt"), {"k": k, "c": c}, (trial,), sizes)
     found = {one.label: one for one in candidates(sizes, Left((trial,), (trial.force,)), False, True)}
     parts = [(found[label], np.array(values)), (found["series_flexibility.linear"], np.array([1e5 * k]))]
     (force,) = problem.predict(problem.declared, parts, ("fit",))
@@ -403,7 +403,7 @@ def test_effects_keep_their_size_behind_a_stiff_rig(
 def test_a_play_of_a_few_thousandths_of_the_motion_is_seen(form: Form) -> None:
     # from starts far too large, a linear step would see nothing but harm
     trial = _trial(_irregular())
-    problem = DamperProblem(law("zener"), {"k0": 4e6, "k1": 3e6, "c1": 3e5}, None, (trial,), Sizes.of((trial,)))
+    problem = DamperProblem(law("zener"), {"k0": 4e6, "k1": 3e6, "c1": 3e5}, (trial,), Sizes.of((trial,)))
     candidate = candidate_of(form, problem.sizes, Left())
     assert candidate is not None
     true = {"play": 3e-5, "stiffness": 1e9}
@@ -420,7 +420,7 @@ def test_a_play_of_a_few_thousandths_of_the_motion_is_seen(form: Form) -> None:
 def test_a_test_of_a_few_samples_is_predicted_behind_a_rig(samples: int) -> None:
     time = 0.01 * np.arange(samples)
     trial = _trial(Motion(time, 0.1 * time, np.full(samples, 0.1), np.zeros(samples)))
-    problem = DamperProblem(law("kelvin_voigt"), {"k": 4e6, "c": 1e-3}, None, (trial,), Sizes.of((trial,)))
+    problem = DamperProblem(law("kelvin_voigt"), {"k": 4e6, "c": 1e-3}, (trial,), Sizes.of((trial,)))
     parts = []
     for form, values in ((ContactPositive(), (4e6, 0.0, 1.0)), (Linear(), (8e6,))):
         candidate = candidate_of(form, problem.sizes, Left())

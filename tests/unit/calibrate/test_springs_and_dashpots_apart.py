@@ -44,7 +44,7 @@ def test_kraus_softens_springs_and_gives_dashpots_a_hump() -> None:
     size, rest = sizes(), [np.zeros_like(test.force)]
     (kraus,) = (c for c in candidates(size, Left((test,), rest), False, True) if c.label == "payne.kraus")
     assert not [c for c in candidates(size, Left((test,), rest), False, False) if c.label == "payne.kraus"]
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), size)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, (test,), size)
     values = np.array([p[unknown.name] for unknown in kraus.unknowns])
     (found,) = solid.predict(solid.declared, [(kraus, values)], ("fit",))
     expected = STIFFNESS * test.motion.displacement * phi + 2e4 * test.motion.velocity * phi2
@@ -70,7 +70,7 @@ def test_springs_stiffen_and_dashpots_stay(
     (form,) = (c for c in candidates(size, Left((test,), rest), True, True) if c.label == label)
     # springs that do not soften have the springs beside them for it
     assert not [c for c in candidates(size, Left((test,), rest), False, True) if c.label == label]
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), size)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, (test,), size)
     values = {**p, **({"u_m": p["u_m"] * size.displacement} if "u_m" in p else {})}
     (found,) = solid.predict(solid.declared, [(form, np.array([values[u.name] for u in form.unknowns]))], ("fit",))
     u, v = test.motion.displacement, test.motion.velocity
@@ -92,7 +92,7 @@ def test_an_axial_load_softens_springs_and_pushes_the_specimen_over() -> None:
     test = trial(motion(11))
     size, rest = sizes(), [np.zeros_like(test.force)]
     found = {c.label: c for c in candidates(size, Left((test,), rest), False, True)}
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), size)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, (test,), size)
     springs, dashpots = STIFFNESS * test.motion.displacement, 2e4 * test.motion.velocity
     for label, value, expected in (
         ("static_offset.axial_load", 0.2, 0.8 * springs + 1.2 * dashpots),
@@ -107,7 +107,7 @@ def test_of_loss_changes_dashpots_alone() -> None:
     warm = replace(trial(motion(11)), temperature=np.full(motion(11).time.size, 26.0))
     size, rest = replace(sizes(), temperatures=(20.0, 26.0)), [np.zeros_like(warm.force)]
     found = {c.label: c for c in candidates(size, Left((warm,), rest), False, True)}
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (warm,), size)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, (warm,), size)
     springs, dashpots = STIFFNESS * warm.motion.displacement, 2e4 * warm.motion.velocity
     phi = math.exp(-0.03 * 6.0)
     for label, values, expected in (
@@ -122,7 +122,7 @@ def test_of_loss_changes_dashpots_alone() -> None:
 def test_dashpots_take_a_share_of_what_springs_do() -> None:
     warm = replace(trial(motion(12)), temperature=np.full(motion(12).time.size, 26.0))
     size = replace(sizes(), temperatures=(20.0, 26.0))
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (warm,), size)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, (warm,), size)
     plain = candidate_of(temperature_law.Exponential(), size, Left())
     assert plain is not None
     (shared, begun), _ = solid.finer((plain, np.array([0.03])))
@@ -143,7 +143,7 @@ def test_springs_of_the_mgmm_are_what_goes_with_the_deformation() -> None:
         }
     )
     test = trial(motion(12), 3)
-    solid = DamperProblem(mgmm, values, None, (test,), sizes())
+    solid = DamperProblem(mgmm, values, (test,), sizes())
     found = {c.label: c for c in candidates(sizes(7), Left((test,), [np.zeros_like(test.force)]), True, True)}
     phi = 1.0 - 0.1 * 3
     (force,) = solid.predict(solid.declared, [(found["ageing.linear_of_loss"], np.array([-0.1]))], ("fit",))
@@ -171,7 +171,7 @@ def test_a_curve_of_its_own_bends_all_of_a_law_that_has_no_sides() -> None:
     size = replace(sizes(), temperatures=(20.0, 26.0))
     zener = LAWS["zener"]
     values = {parameter.name: 1e6 for parameter in zener.parameters}
-    solid = DamperProblem(zener, values, None, (test,), size)
+    solid = DamperProblem(zener, values, (test,), size)
     plain = candidate_of(temperature_law.Exponential(), size, Left())
     assert plain is not None
     (fine,) = solid.finer((plain, np.array([0.03])))

@@ -143,7 +143,7 @@ def test_a_law_in_the_place_of_gamma_is_that_law_without_it() -> None:
     (form,) = (f for f in temperature_law.forms_of(size) if f.form == "exponential_in_place")
     candidate = candidate_of(form, size, Left())
     assert candidate is not None and candidate.label == "temperature_law.exponential_in_place"
-    problem = DamperProblem(mgmm, values, None, (warm, cold), size)
+    problem = DamperProblem(mgmm, values, (warm, cold), size)
     for b in (0.0, 0.03):
         forces = problem.predict(problem.declared, [(candidate, np.array([b]))], ("fit",))
         assert forces[0] is not None and forces[1] is not None
@@ -197,7 +197,7 @@ def test_an_error_of_the_thermometer_is_no_residual() -> None:
     # forces of a test 0.2 K warmer than was read: all of the residual, and what such an error is taken to leave
     size = replace(sizes(), temperatures=(20.0, 26.0))
     test = replace(trial(motion(11)), temperature=np.full(motion(11).time.size, 25.0))
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, (test,), size)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, (test,), size)
     softens = candidate_of(temperature_law.Exponential(), size, Left())
     assert softens is not None
     part = (softens, np.array([0.01]))
@@ -221,7 +221,7 @@ def test_laws_of_the_temperature_are_screened_with_nothing_in_doubt() -> None:
     tests = tuple(
         replace(trial(motion(11), order, warm), name=f"t{order}") for order, warm in enumerate((20.0, 24.0, 28.0, 32.0))
     )
-    solid = DamperProblem(LAWS["mgmm"], read_parameters(LAWS["mgmm"], "thesis_table_4_2"), None, tests, Sizes.of(tests))
+    solid = DamperProblem(LAWS["mgmm"], read_parameters(LAWS["mgmm"], "thesis_table_4_2"), tests, Sizes.of(tests))
     falls = candidate_of(temperature_law.Exponential().of_loss(), solid.sizes, Left())
     assert falls is not None and falls.doubted
     made = solid.predict(solid.declared, [(falls, np.array([0.02]))], ("fit",))

@@ -184,7 +184,7 @@ def test_heat_from_before_a_test_is_each_tests_own() -> None:
     # no heat by work (beta = 0): what was there fades, F = exp(-q0 exp(-t/tau)) F_law; the shares are linear in q0
     tests = two_tests()
     q0, tau, size = (1e-3, -0.4e-3), 3.0, sizes()
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, None, tests, size)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, tests, size)
     forces = [f for f in solid.predict(solid.declared, (), ("fit", "validate")) if f is not None]
     warm = [
         np.exp(-q * np.exp(-(t.motion.time - t.motion.time[0]) / tau)) * f
@@ -225,7 +225,7 @@ def test_what_stands_beside_the_law_works_too(
     # a branch beside a Zener law and a path that softens it, by the core, which steps through the same definitions
     test = trial(motion(11))
     zener = {"k0": STIFFNESS, "k1": 0.5 * STIFFNESS, "c1": 0.1 * STIFFNESS}
-    problem = DamperProblem(LAWS["zener"], zener, None, (test,), sizes())
+    problem = DamperProblem(LAWS["zener"], zener, (test,), sizes())
     parts, branch = [], {"k": 0.8 * STIFFNESS, "tau": 0.2}
     for one, own in (
         (form, values),
