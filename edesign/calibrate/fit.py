@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
 
+from edesign.calibrate.allowance import Allowance
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem, Use
 from edesign.calibrate.side_by_side import brief_side_by_side
 from edesign.calibrate.unknown import Unknown
@@ -38,6 +39,7 @@ class Model:
             what no model explains does not make the parameters sure, so the belief in the declared ones counts by as
             much more.
         workers: processes that predict it.
+        allowance: processor time that predictions may take.
     """
 
     problem: Problem
@@ -46,6 +48,7 @@ class Model:
     held: bool = False
     misfit: float = 1.0
     workers: int = 1
+    allowance: Allowance = field(default_factory=Allowance, compare=False)
 
     @cached_property
     def base(self) -> tuple[Unknown, ...]:
@@ -60,7 +63,7 @@ class Model:
     @property
     def given(self) -> tuple[object, ...]:
         """What models share: problem and effects."""
-        return (self.problem, *self.effects)
+        return (self.problem, self.allowance, *self.effects)
 
     def coordinates(self, base: np.ndarray | None = None, parts: Sequence[Part] = ()) -> np.ndarray:
         """Coordinates (p,) of values of the base (None: declared) and of the parts; effects without a part at their
@@ -101,7 +104,11 @@ class Model:
     def residuals(self, x: np.ndarray, uses: Sequence[Use] = ("fit",)) -> list[np.ndarray]:
         """Residuals (n_i,) of the tests used so, in units of the noise at each time, freed from what is each test's
         own, and whitened where a condition of a test is in doubt.
+
+        Raises:
+            OutOfTime: the allowance is used up.
         """
+        self.allowance.check()
         parts = self.parts(x)
         base = self.base_values(x)
         predicted = self.problem.predict(base, parts, uses)

@@ -83,7 +83,7 @@ class Outcome:
             law_held=self.found.law_held,
             series=series,
             seconds=seconds,
-            interrupted=self.found.interrupted,
+            ending=self.found.ending,
         )
 
 

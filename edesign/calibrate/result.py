@@ -14,6 +14,8 @@ from edesign.damper.amendments import Amendment
 Verdict = Literal["none", "explained", "partly_explained", "unexplained"]
 Subject = Literal["damper", "structure"]
 Stage = Literal["declared", "refit", "corrected"]
+Ending = Literal["complete", "interrupted", "out_of_time"]
+"""How a search came to its end."""
 
 
 @dataclass(frozen=True)
@@ -180,7 +182,7 @@ class Calibration:
         seconds: that the calibration took.
         carried: the corrected law as a law file can carry it; None: the subject has no law file.
         subject: what was calibrated.
-        interrupted: whether the search for effects was ended before it had come to an end.
+        ending: how the search for effects came to its end.
     """
 
     title: str
@@ -200,12 +202,13 @@ class Calibration:
     seconds: float
     carried: CarriedLaw | None = None
     subject: Subject = "damper"
-    interrupted: bool = False
+    ending: Ending = "complete"
 
     @property
     def verdict_words(self) -> str:
         """The verdict, for people."""
-        return self.verdict.replace("_", " ") + (", the search interrupted" if self.interrupted else "")
+        how = "" if self.ending == "complete" else f", the search {self.ending}"
+        return (self.verdict + how).replace("_", " ")
 
     @property
     def tests(self) -> tuple[Series, ...]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time as clock
 from dataclasses import replace
 
@@ -20,13 +21,16 @@ from edesign.calibrate.search.loop import Loop, Progress
 from edesign.damper.campaign import Campaign
 
 
-def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda _: None) -> Calibration:
+def calibrate(
+    campaign: Campaign, workers: int = 2, progress: Progress = lambda _: None, seconds: float = math.inf
+) -> Calibration:
     """Run the loop on the tests of a campaign.
 
     Args:
         campaign: tests, and the declared law.
         workers: processes.
         progress: told what is done.
+        seconds: processor time after which the search goes on with what it has found.
 
     Raises:
         InputError: the campaign is wrong.
@@ -36,7 +40,7 @@ def calibrate(campaign: Campaign, workers: int = 2, progress: Progress = lambda 
     assert campaign.law is not None
     noise = tuple(noise_of(trial) for trial in problem.trials)
     fast = thinned(problem)
-    found = Loop(fast, noise, campaign.law.refit, workers, progress).run()
+    found = Loop(fast, noise, campaign.law.refit, workers, progress, seconds).run()
     progress("fitting all samples")
     found = at_full_rate(found, problem)
     progress("predicting all tests")

@@ -26,7 +26,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "title": found.title,
         "law": found.law,
         "verdict": found.verdict,
-        "interrupted": found.interrupted,
+        "search": found.ending,
         "error": {
             stage: {
                 "fit": found.errors[stage].fit,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -26,6 +27,17 @@ def calibrate(
     page: Annotated[bool, typer.Option("--page/--no-page", help="Write calibration.html.")] = True,
     json_output: Annotated[bool, typer.Option("--json", help="Print calibration.json instead of tables.")] = False,
     workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Processes.")] = 2,
+    seconds: Annotated[
+        float | None,
+        typer.Option(
+            "--seconds",
+            "-s",
+            min=0.0,
+            help="Processor time after which the search goes on with what it has found; 0: none. "
+            "60 with tests of a damper, none with records or tables, if not said.",
+            show_default=False,
+        ),
+    ] = None,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
 ) -> None:
     """Predict measured tests, find what the law or structure lacks, add it, and report errors before and after."""
@@ -44,7 +56,7 @@ def calibrate(
             typer.echo(f"{time.monotonic() - begin:6.1f} s  {what}", err=True)
 
     tell("reading the tests")
-    found = _run(campaign, workers, tell)
+    found = _run(campaign, _Search(workers, tell, math.inf if seconds == 0.0 else seconds))
     written = found.write(folder)
     if page:
         tell("drawing the report")
@@ -60,6 +72,22 @@ def calibrate(
         raise Interrupted(f"the search was interrupted; what it had found is in {folder}")
 
 
+_SECONDS = 60.0  # of processor time, with tests of a damper
+
+
+@dataclass(frozen=True)
+class _Search:
+    """What is asked of a search."""
+
+    workers: int
+    tell: Callable[[str], None]
+    seconds: float | None
+
+    def within(self, usual: float = math.inf) -> tuple[int, Callable[[str], None], float]:
+        """As `calibrate` takes it."""
+        return self.workers, self.tell, usual if self.seconds is None else self.seconds
+
+
 @dataclass(frozen=True)
 class _Found:
     """What may be asked of a calibration, whatever the tests are of."""
@@ -72,13 +100,13 @@ class _Found:
     interrupted: bool
 
 
-def _run(campaign: Path, workers: int, tell: Callable[[str], None]) -> _Found:
+def _run(campaign: Path, search: _Search) -> _Found:
     """Calibrate with the tests of a damper, the records of a structure, or the rows of a property table."""
     from edesign.calibrate.properties.campaign import is_property_campaign
     from edesign.calibrate.structure.campaign import StructureCampaign, is_structure_campaign, load_structure_campaign
 
     if is_property_campaign(campaign):
-        return _properties(campaign, workers, tell)
+        return _properties(campaign, search)
 
     from edesign.calibrate.files import write_files
     from edesign.calibrate.run import calibrate as run
@@ -91,33 +119,33 @@ def _run(campaign: Path, workers: int, tell: Callable[[str], None]) -> _Found:
     loaded: Campaign | StructureCampaign
     if is_structure_campaign(campaign):
         loaded = load_structure_campaign(campaign)
-        found = calibrate_structure(loaded, workers, tell)
+        found = calibrate_structure(loaded, *search.within())
     else:
         loaded = load_campaign(campaign)
-        found = run(loaded, workers, tell)
+        found = run(loaded, *search.within(_SECONDS))
     return _Found(
         lambda folder: write_files(found, loaded, folder),
-        lambda path: write_calibration_page(found, path, workers=workers),
+        lambda path: write_calibration_page(found, path, workers=search.workers),
         lambda: calibration_json(found),
         lambda: tables_of(found),
         lambda: verdict_text(found),
-        found.interrupted,
+        found.ending == "interrupted",
     )
 
 
-def _properties(campaign: Path, workers: int, tell: Callable[[str], None]) -> _Found:
+def _properties(campaign: Path, search: _Search) -> _Found:
     from edesign.calibrate.properties.campaign import load_property_campaign
     from edesign.calibrate.properties.run import calibrate_properties
     from edesign.calibrate.properties.write import property_calibration_json, write_property_files
     from edesign.report.page.property_calibration import write_property_calibration_page
     from edesign.report.property_calibration import property_tables, property_verdict
 
-    found = calibrate_properties(load_property_campaign(campaign), workers, tell)
+    found = calibrate_properties(load_property_campaign(campaign), *search.within())
     return _Found(
         lambda folder: write_property_files(found, folder),
         lambda path: write_property_calibration_page(found, path),
         lambda: property_calibration_json(found),
         lambda: property_tables(found),
         lambda: property_verdict(found),
-        found.found.interrupted,
+        found.found.ending == "interrupted",
     )

@@ -24,7 +24,12 @@ NRMS_NOTES: dict[Subject, str] = {
     "over the root mean square of its kind (accelerations, displacements) in the fitted tests",
 }
 
-INTERRUPTED = "The search was interrupted: there may be more effects, and others like these."
+ENDED = {
+    "complete": [],
+    "interrupted": ["The search was interrupted: there may be more effects, and others like these."],
+    "out_of_time": ["The search ended with its time (`--seconds`): there may be more effects, and others like these."],
+}
+"""What is to be said of how a search came to its end."""
 
 _TOLD = 2  # parameters of an effect in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
@@ -158,7 +163,7 @@ def _errors(calibration: Calibration) -> str:
 
 
 def _doubts(calibration: Calibration) -> list[str]:
-    texts = [INTERRUPTED] if calibration.interrupted else []
+    texts = [*ENDED[calibration.ending]]
     if calibration.verdict in ("partly_explained", "unexplained"):
         share, model = percent(calibration.unexplained_share, 2), MODELS[calibration.subject]
         texts.append(

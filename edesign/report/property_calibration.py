@@ -11,7 +11,7 @@ from edesign.calibrate.properties.result import PropertyCalibration
 from edesign.calibrate.properties.shape import relative
 from edesign.damper.steady_state import PropertyRows
 from edesign.report.calibration_effect_tables import effect_name, effect_tables
-from edesign.report.calibration_tables import INTERRUPTED, STAGES, effect_text, law_parameters_table
+from edesign.report.calibration_tables import ENDED, STAGES, effect_text, law_parameters_table
 from edesign.report.calibration_units import percent
 from edesign.report.property_figures import QUANTITIES, property_figure, residual_figure
 from edesign.report.table import Table
@@ -73,8 +73,7 @@ def property_verdict(calibration: PropertyCalibration) -> str:
         f"The rms relative error of properties held out is {declared} % as declared, {refit} % with the law alone "
         f"fitted again, {corrected} % corrected; rows repeat to {percent(calibration.noise)} %."
     )
-    if found.interrupted:
-        texts.append(INTERRUPTED)
+    texts += ENDED[found.ending]
     if found.unexplained_shape:
         texts.append(f"What is left: {found.unexplained_shape}")
     for effect in found.effects:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time as clock
 from collections.abc import Mapping
 
@@ -25,7 +26,7 @@ from edesign.damper.temperature import GammaT
 
 
 def calibrate_properties(
-    campaign: PropertyCampaign, workers: int = 2, progress: Progress = lambda _: None
+    campaign: PropertyCampaign, workers: int = 2, progress: Progress = lambda _: None, seconds: float = math.inf
 ) -> PropertyCalibration:
     """Run the loop on the rows of a property table.
 
@@ -33,12 +34,13 @@ def calibrate_properties(
         campaign: the table, and the declared law.
         workers: processes.
         progress: told what is done.
+        seconds: processor time after which the search goes on with what it has found.
     """
     begin = clock.perf_counter()
     size = noise_of(campaign.table)
     noise = (size,) * len(campaign.groups)
     quick = property_problem(campaign)
-    found = Loop(quick, noise, campaign.law.refit, workers, progress).run()
+    found = Loop(quick, noise, campaign.law.refit, workers, progress, seconds).run()
     progress("predicting all rows")
     problem = as_measured(campaign)
     outcome = Outcome.of(problem, noise, found)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
+from edesign.calibrate.allowance import Allowance, OutOfTime
 from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.problem import Candidate, PredictionError, Problem
+from edesign.calibrate.result import Ending
 from edesign.calibrate.search.alternatives import Alternatives
 from edesign.calibrate.search.beside_declared import BesideDeclared
 from edesign.calibrate.search.effect_forms import EffectForms
@@ -32,6 +35,7 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 """Times what the refit leaves: an effect beside the declared law that leaves no more does about as much, and perhaps as
 much together with another one.
 """
+_TELLING = 10.0  # s of processor time in which an effect is told apart from others
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 
 
@@ -44,6 +48,7 @@ class Loop:
         refit: whether the parameters of the model may be fitted.
         workers: processes.
         progress: told what is done.
+        seconds: processor time after which it goes on with what it has found.
     """
 
     def __init__(
@@ -53,7 +58,10 @@ class Loop:
         refit: bool = True,
         workers: int = 2,
         progress: Progress = lambda _: None,
+        seconds: float = math.inf,
     ) -> None:
+        self.seconds = seconds
+        self.allowance = Allowance(workers=workers)
         self.bench = Workbench(problem, noise, refit, workers, progress)
         self.forms = EffectForms(self.bench)
         self.alternatives = Alternatives(self.bench)
@@ -61,50 +69,71 @@ class Loop:
         self.rounds = Rounds(self.bench, self.forms)
         self.second = SecondLook(self.bench, self.forms, self.rounds)
         self.standing: Judged | None = None  # the best model with effects so far
-        self.interrupted = False
+        self.ending: Ending = "complete"
 
     def run(self) -> Selection:
-        """Find the effects. A Ctrl-C ends the search with those found so far, a second one leaves it.
+        """Find the effects. A Ctrl-C ends the search with those found so far, as the end of its time does; a second one
+        leaves it.
 
         Raises:
             KeyboardInterrupt: there are none so far, or it was the second one.
             InputError: the model as declared has no prediction of the tests.
         """
-        held = Model(self.bench.problem, self.bench.noise, held=True, workers=self.bench.workers)
+        bench = self.bench
+        held = Model(bench.problem, bench.noise, (), True, workers=bench.workers, allowance=self.allowance)
         try:
             declared = Judged(fit(held, held.coordinates()))
         except PredictionError as error:
             raise InputError(f"the declared model cannot predict the tests: {error}") from error
         refit = declared
-        if self.bench.may_refit:
-            self.bench.tell("refitting the declared law")
+        if bench.may_refit:
+            bench.tell("refitting the declared law")
             free = replace(held, held=False)
             refit = refitted(Judged(fit(free, free.coordinates(), LONG)))
         if declared.at_floor:
             return Selection(declared, refit, declared, ())
+        rival = refit if compare(refit, declared).beyond_chance else declared
+        self.allowance.renew(self.seconds)
         try:
-            final, near = self._search(declared, refit)
+            final, near = self._search(declared, refit, rival)
         except KeyboardInterrupt:
-            if self.standing is None:
+            if (so_far := self._so_far(rival)) is rival:
                 raise
-            self._stop()
-            final, near = self.standing, ()
+            self._interrupted()
+            final, near = so_far, ()
+        except OutOfTime:
+            self._out_of_time()
+            final, near = self._so_far(rival), ()
+        self.allowance.renew()
         final = self.forms.placed(final)
         adopted_labels = final.labels
         refused = tuple(item for item in near if item[0].label not in adopted_labels)
         adopted = self._explain(final, refit)
-        return Selection(declared, refit, final, adopted, refused, self.interrupted)
+        return Selection(declared, refit, final, adopted, refused, self.ending)
 
-    def _stop(self) -> None:
-        self.interrupted = True
+    def _interrupted(self) -> None:
+        self.ending = "interrupted"
         self.bench.tell("interrupted: going on with the effects found so far; interrupt again to leave them")
 
-    def _search(self, declared: Judged, refit: Judged) -> tuple[Judged, Refused]:
-        """The final model, and what came near it in the last round."""
-        rival = refit if compare(refit, declared).beyond_chance else declared
+    def _out_of_time(self) -> None:
+        self.ending = "out_of_time"
+        self.bench.tell("out of time: going on with the effects found so far")
+
+    def _so_far(self, rival: Judged) -> Judged:
+        """The best model with effects so far; the rival: there is none."""
+        if self.standing is not None:
+            return self.standing
+        self.allowance.renew()
+        tried = [*self.bench.known.values(), *(one for models in self.bench.rivals.values() for one in models)]
+        return simplest([judged for judged in tried if compare(judged, rival).adopts] or [rival])
+
+    def _search(self, declared: Judged, refit: Judged, rival: Judged) -> tuple[Judged, Refused]:
+        """The final model, and what came near it in the last round; `rival` is the model to beat."""
         held = self.declared.one(declared) if self.bench.may_refit else []
         if refit.at_floor:
-            return simplest([refit, *(judged for judged in held if compare(judged, declared).adopts)]), ()
+            # what does as much with the law as declared
+            fair = [judged for judged in held if compare(judged, declared).adopts and not worse(judged, refit)]
+            return simplest([refit, *fair]), ()
         self.bench.left = rival.fitted.residuals
         current, refused, beside = self._first(refit, rival, held)
         if current is None:
@@ -182,13 +211,18 @@ class Loop:
         return alone if alone.at_floor else current
 
     def _alternatives_unless_stopped(self, current: Judged, effect: Candidate) -> list[Judged]:
-        if self.interrupted:
+        if self.ending == "interrupted":
             return []
+        self.allowance.renew(_TELLING)
         try:
             return self.alternatives.others(current, effect)
         except KeyboardInterrupt:
-            self._stop()
-            return []
+            self._interrupted()
+        except OutOfTime:
+            self._out_of_time()
+        finally:
+            self.allowance.renew()
+        return []
 
     def _prune(self, current: Judged) -> Judged:
         """Without the effects that others make needless, or the law fitted again; another one in the form that suits

@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.calibrate.evidence import Evidence, Judged
 from edesign.calibrate.problem import Candidate
+from edesign.calibrate.result import Ending
 
 Refused = tuple[tuple[Candidate, Evidence], ...]
 """The effects that came nearest to being adopted in the last round, with the evidence."""
@@ -43,7 +44,7 @@ class Selection:
         final: the model with effects.
         adopted: the effects, in the order of adoption.
         refused: what came nearest to being adopted.
-        interrupted: whether the search was ended before it had come to an end.
+        ending: how the search came to its end.
     """
 
     declared: Judged
@@ -51,7 +52,7 @@ class Selection:
     final: Judged
     adopted: tuple[Adopted, ...]
     refused: Refused = ()
-    interrupted: bool = False
+    ending: Ending = "complete"
 
     @property
     def law_held(self) -> bool:

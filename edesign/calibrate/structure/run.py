@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time as clock
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -23,7 +24,10 @@ _TEMPERATURE = 20.0  # degC; records of structures have none, and no effect of a
 
 
 def calibrate_structure(
-    campaign: StructureCampaign, workers: int = 2, progress: Progress = lambda _: None
+    campaign: StructureCampaign,
+    workers: int = 2,
+    progress: Progress = lambda _: None,
+    seconds: float = math.inf,
 ) -> Calibration:
     """Run the loop on the records of a structure.
 
@@ -31,6 +35,7 @@ def calibrate_structure(
         campaign: records, and the declared building.
         workers: processes.
         progress: told what is done.
+        seconds: processor time after which the search goes on with what it has found.
 
     Raises:
         InputError: the campaign is wrong.
@@ -39,7 +44,7 @@ def calibrate_structure(
     check_tests(campaign)
     problem = StructureProblem.of(campaign)
     check_channels(problem, campaign)
-    found = Loop(problem, problem.noise, bool(problem.base), workers, progress).run()
+    found = Loop(problem, problem.noise, bool(problem.base), workers, progress, seconds).run()
     progress("predicting all tests")
     outcome = Outcome.of(problem, problem.noise, found)
     series = _series(problem, found.final, outcome.predicted)

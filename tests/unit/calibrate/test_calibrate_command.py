@@ -49,7 +49,7 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     assert "interrupt again to leave them" in said.err and "the search was interrupted; what it had found" in said.err
     assert "The search was interrupted: there may be more effects" in said.out
     told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
-    assert told["interrupted"]
+    assert told["search"] == "interrupted"
     assert [effect["name"] for effect in told["effects"]] == ["hardening"]
     assert "the search interrupted" in (tmp_path / "out/law.yaml").read_text(encoding="utf-8").splitlines()[0]
     # before there is an effect nothing is written
@@ -72,7 +72,7 @@ def test_look_alikes_that_were_not_asked_for_are_none(
     monkeypatch.setattr(Alternatives, "others", interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 130
     told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
-    assert told["interrupted"] and told["effects"][0]["name"] == "hardening"
+    assert told["search"] == "interrupted" and told["effects"][0]["name"] == "hardening"
     assert told["effects"][0]["indistinguishable_from"] == []
     assert "explained" in capsys.readouterr().out.lower()
 

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from linear_problem import linear, model_of
 
+from edesign.calibrate.allowance import Allowance, OutOfTime
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.search.loop import Loop
@@ -164,3 +165,46 @@ def test_the_law_is_fitted_where_that_leaves_half_whatever_tests_left_out_say() 
     assert Loop(right, (1.0,) * 6, workers=1).bench.freed_if_half(true) is true
     problem.declared = np.zeros(3)
     assert Loop(problem, (1.0,) * 6, refit=False, workers=1).bench.freed_if_half(current) is current
+
+
+@pytest.mark.parametrize(("off", "found"), [(0.0, ["x"]), (0.3, [])])
+def test_an_effect_beside_the_law_as_declared_must_do_as_much_as_the_law_fitted_again(
+    off: float, found: list[str]
+) -> None:
+    # the law is not as declared; x is all of that, or leaves 9 % more than noise, which alone would pass for noise
+    problem = linear(seed=23)
+    problem.declared = np.array([0.6, 1.3, 0.8])
+    random = np.random.default_rng(24)
+    problem.columns["x"] = [
+        m @ (np.array([1.1, 0.8, 1.3]) - problem.declared) + off * random.standard_normal(200) for m in problem.matrices
+    ]
+    selection = Loop(problem, (1.0,) * 6, workers=1).run()
+    assert selection.refit.at_floor
+    assert [adopted.candidate.name for adopted in selection.adopted] == found
+
+
+@pytest.mark.parametrize(("steps", "found"), [(0, []), (75, ["x"]), (10**6, ["x", "z"])])
+def test_a_search_out_of_time_goes_on_with_what_it_has_found(
+    steps: int, found: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    left = float("inf")
+
+    def renew(self: Allowance, seconds: float = np.inf) -> None:
+        nonlocal left
+        left = seconds
+
+    def check(self: Allowance) -> None:
+        nonlocal left
+        left -= 1.0
+        if left < 0.0:
+            raise OutOfTime
+
+    monkeypatch.setattr(Allowance, "renew", renew)
+    monkeypatch.setattr(Allowance, "check", check)
+    monkeypatch.setattr("edesign.calibrate.search.loop._TELLING", 1e6)
+    told: list[str] = []
+    problem = linear(seed=5, hidden={"x": 5.0, "z": 4.0})
+    selection = Loop(problem, (1.0,) * 6, workers=1, progress=told.append, seconds=steps).run()
+    assert sorted(adopted.candidate.name for adopted in selection.adopted) == found
+    assert selection.ending == ("complete" if steps == 10**6 else "out_of_time")
+    assert any(line.startswith("out of time") for line in told) == (steps < 10**6)

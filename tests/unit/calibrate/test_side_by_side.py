@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import signal
 import time
+from itertools import cycle
 
 import numpy as np
 import pytest
@@ -72,7 +73,10 @@ def test_a_killed_process_loses_nothing() -> None:
 
 
 @pytest.mark.parametrize(("duration", "processes"), [(0.0, 1), (0.15, 2)])
-def test_short_work_is_done_here(duration: float, processes: int) -> None:
+def test_short_work_is_done_here(duration: float, processes: int, monkeypatch: pytest.MonkeyPatch) -> None:
+    begun = cycle((0.0, duration))
+    monkeypatch.setattr(time, "perf_counter", lambda: next(begun))
+
     def work(i: int) -> tuple[int, int]:
         time.sleep(duration)
         return i, os.getpid()
