@@ -69,7 +69,7 @@ def calibrate(
         problem.law.name,
         described,
         analyse([residual_of(one, "corrected") for one in series]).shape if outcome.more_is_left else "",
-        next_test(problem, found),
+        next_test(fast, found, workers),
         series,
         clock.perf_counter() - begin,
     )

@@ -13,46 +13,57 @@ from edesign.calibrate.evidence import Judged
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.result import NextTest
 from edesign.calibrate.search.selection import Selection
+from edesign.calibrate.side_by_side import side_by_side
 from edesign.damper.history import spline_velocity
 
-_RATE = 250.0  # Hz, of the tests thought of
+_RATE, _PER_CYCLE = 60.0, 40  # samples of the tests thought of, per second and per cycle, as fits have at least
 _FREQUENCIES = (0.1, 0.5, 2.0, 5.0)  # Hz
 _SHARES = (0.1, 0.5, 1.0, 1.3)  # of the largest displacement so far
 _CYCLES = 12
 _WARMER = 15.0  # K
 
 
-def next_test(problem: DamperProblem, found: Selection) -> NextTest | None:
+def next_test(problem: DamperProblem, found: Selection, workers: int = 1) -> NextTest | None:
     """The test, of those a laboratory can make, in which look-alikes would differ most.
 
     Each model predicts each test that could be made after the campaign; the one with the largest NRMS between two
     predictions is told. None: no effect has a look-alike among effects.
+
+    Args:
+        problem: the tests made, at the rate of a fit.
+        found: effects and their look-alikes.
+        workers: processes.
     """
     best: NextTest | None = None
     for adopted in found.adopted:
         for name, other in adopted.alike.items():
             if name == "refit":
                 continue
-            told = _best_test(problem, found.final, other, (adopted.candidate.name, name))
+            told = _best_test(problem, found.final, other, (adopted.candidate.name, name), workers)
             if told is not None and (best is None or told.difference > best.difference):
                 best = told
     return best
 
 
-def _best_test(problem: DamperProblem, one: Judged, other: Judged, names: tuple[str, str]) -> NextTest | None:
+def _best_test(
+    problem: DamperProblem, one: Judged, other: Judged, names: tuple[str, str], workers: int
+) -> NextTest | None:
     remembers = any(part[0].effect[0].remembers for judged in (one, other) for part in judged.fitted.parts)
     before = problem.trials if remembers else ()
     so_far = max(_differences(problem, one, other), default=0.0)
-    best: tuple[float, str] | None = None
-    for text, trial in _tests(problem):
-        further = replace(problem, trials=(*before, trial))
+
+    def difference(test: tuple[str, Trial]) -> tuple[float, str] | None:
+        text, trial = test
         try:
-            difference = _differences(further, one, other)[-1]
+            return _differences(replace(problem, trials=(*before, trial)), one, other)[-1], text
         except PredictionError:
-            continue
-        if best is None or difference > best[0]:
-            best = (difference, text)
-    return None if best is None else NextTest(best[1], names, best[0], so_far)
+            return None
+
+    told = [test for test in side_by_side(difference, _tests(problem), workers) if test is not None]
+    if not told:
+        return None
+    most, text = max(told, key=lambda test: test[0])
+    return NextTest(text, names, most, so_far)
 
 
 def _differences(problem: DamperProblem, one: Judged, other: Judged) -> list[float]:
@@ -93,7 +104,7 @@ def _trial(problem: DamperProblem, motion: Motion, temperature: float) -> Trial:
 
 def _sine(amplitude: float, frequency: float) -> Motion:
     """Cycles with half a cycle to grow."""
-    time = np.arange(0.0, _CYCLES / frequency, 1.0 / max(_RATE, 50.0 * frequency))
+    time = np.arange(0.0, _CYCLES / frequency, 1.0 / max(_RATE, _PER_CYCLE * frequency))
     grow = np.clip(2.0 * frequency * time, 0.0, 1.0)
     return _motion(time, amplitude * grow * np.sin(2.0 * np.pi * frequency * time))
 
