@@ -2,13 +2,15 @@
  *
  *   factor F(u_d) + added + spring u_d = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond half the play, either way.
  *
- * The stretch e of the rig is linear in time over a step, or over a part of one in which it turns a corner, and balances at its end;
- * what the damper's own deformation u_d then does is a cubic, that its law meets exactly. The force of the law falls as e grows, that
+ * The stretch e of the rig balances at the end of a step, over which it is a parabola in time through its ends and the sample before:
+ * its rate at the end is that of the second backward difference. It is linear over the first step, over parts of a step in which it
+ * turns a corner, over the step after that, and over one much longer than the one before, with which that difference is not stable.
+ * What the damper's own deformation u_d then does is a cubic, that its law meets exactly. The force of the law falls as e grows, that
  * of the rig rises: there is one balance. Newton's method with the law's own tangent finds it, the corners of the rig taken as they
  * are; bisection where that leaves the bracket.
  *
- * Second order in the sampling step; first order for laws whose force jumps with the velocity (a bare dashpot), where a power of
- * the velocity is steep at rest, and where e turns a corner of the rig inside a step. */
+ * Third order in the sampling step; second order for laws whose force jumps with the velocity (a bare dashpot), first order where a
+ * power of the velocity is steep at rest, and where e turns a corner of the rig inside a step. */
 #include "damper/law.h"
 #include "damper/ode_system.h"
 
@@ -17,7 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_ITERATIONS = 200, PATIENCE = 8, PARTS = 4 };
+enum { MOST_ITERATIONS = 200, PATIENCE = 8, PARTS = 6 };
 /* Of the largest force so far. Laws that SUNDIALS integrates carry its tolerance, a tenth of theirs here. */
 static const double TOLERANCE = 1e-8, ODE_TOLERANCE = 1e-7;
 
@@ -125,12 +127,23 @@ static int begin(series *in, const double *state, double *trial, double slowly, 
   return settle(in, state, trial, &path, direction, 0.0, here, stretch);
 }
 
+/* The rate of the stretch over the step before, and how long that was: infinite where the stretch is linear now. */
+typedef struct {
+  double rate, lasted;
+} past;
+
+static const past NO_PAST = {0.0, INFINITY};
+
 /* One step along `path`, which begins at the deformation less the stretch `from`. *stretch: in, a first guess; out, that at its end. */
-static int advance(series *in, const double *committed, double *trial, const ed_path *path, double from, beside here, double *stretch)
+static int advance(series *in, const double *committed, double *trial, const ed_path *path, double from, past before, beside here,
+                   double *stretch)
 {
-  const double h = path->h;
-  const ed_path direction[2] = {{h, {0.0, -1.0 / h, 0.0, 0.0}}, {h, {0.0}}};
-  return settle(in, committed, trial, path, direction, from, here, stretch);
+  const double h = path->h, both = h + before.lasted, bend = 1.0 / (h * both), old = before.rate / both;
+  const ed_path direction[2] = {{h, {0.0, h * bend - 1.0 / h, -bend, 0.0}}, {h, {0.0}}};
+  ed_path still = *path; /* of the stretch that is again `from` at the end */
+  still.c[1] -= h * old;
+  still.c[2] += old;
+  return settle(in, committed, trial, &still, direction, from, here, stretch);
 }
 
 static int turns_corner(const series *in, double from, double stretch)
@@ -150,9 +163,10 @@ static beside between(const beside ends[2], double share)
 static int in_parts(series *in, double **state, double **trial, const ed_path *whole, double from, const beside ends[2],
                     double *stretch)
 {
-  double end = from;
+  double end = from, change = (*stretch - from) / PARTS;
   for (int i = 0; i < PARTS; i++) {
     const double share = (i + 1.0) / PARTS, begin = end;
+    end += change;
     ed_path path;
     ed_path_piece(whole, whole->h * i / PARTS, whole->h * share, &path);
     path.c[0] += from - begin;
@@ -161,9 +175,10 @@ static int in_parts(series *in, double **state, double **trial, const ed_path *w
       *state = *trial;
       *trial = swap;
     }
-    const int status = advance(in, *state, *trial, &path, begin, between(ends, share), &end);
+    const int status = advance(in, *state, *trial, &path, begin, NO_PAST, between(ends, share), &end);
     if (status != ED_OK)
       return status;
+    change = end - begin;
   }
   *stretch = end;
   return ED_OK;
@@ -178,6 +193,7 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
                const double *factor, const double *added, const double *spring, double *force, double *own, int *done)
 {
   double stretch, speed = 0.0, speeding = 0.0;
+  past before = NO_PAST;
   beside ends[2] = {at(factor, added, spring, 0)};
   int status = begin(in, state, trial, 1e6 * (time[n - 1] - time[0] + 1.0), u[0], ends[0], &stretch);
   for (int i = 0; status == ED_OK; i++) {
@@ -195,11 +211,13 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
     ed_path_hermite(&path, h, u[i], v[i], u[i + 1], v[i + 1]);
     path.c[0] -= from;
     stretch = from + h * (speed + h * speeding);
-    status = advance(in, state, trial, &path, from, ends[1], &stretch);
-    if (status == ED_OK && turns_corner(in, from, stretch))
+    status = advance(in, state, trial, &path, from, before, ends[1], &stretch);
+    const int corner = status == ED_OK && turns_corner(in, from, stretch);
+    if (corner)
       status = in_parts(in, &state, &trial, &path, from, ends, &stretch);
     speeding = ((stretch - from) / h - speed) / h;
     speed = (stretch - from) / h;
+    before = corner || (i + 2 < n && time[i + 2] - time[i + 1] > 2.0 * h) ? NO_PAST : (past){speed, h};
     ends[0] = ends[1];
   }
   return status;

@@ -12,8 +12,8 @@ from scipy.interpolate import CubicHermiteSpline
 from edesign.calibrate.problem import Use
 from edesign.calibrate.spline import Spline
 
-_RATE = 60.0  # samples per second that a fit needs at least
-_PER_CYCLE = 40  # and in a cycle of the fastest motion: exact to 1e-5 through cubics
+_RATE = 40.0  # samples per second that a fit needs at least
+_PER_CYCLE = 25  # and in a cycle of the fastest motion: the MGMM exact to 1e-4 through cubics, in a rig to 1e-3
 
 
 @dataclass(frozen=True, eq=False)
