@@ -114,6 +114,11 @@ class Problem(Protocol):
     def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
         """Forms that do what a part does to the tests that are fitted to, and something else to others."""
 
+    def simpler(self, part: Part) -> tuple[Candidate, ...]:
+        """Forms of other effects that do what a part does where some of its parameters are at an end; each has the
+        other ones.
+        """
+
     def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
         """Predicted values (n_i,) of each test used so; None for the others.
 

@@ -237,6 +237,10 @@ class Form:
         """Finer forms that a search would be lost in, for when this one was found; each has its parameters first."""
         return ()
 
+    def simpler(self) -> tuple[Form, ...]:
+        """Forms of other effects that do the same where some parameters are at an end; each has the other ones."""
+        return ()
+
     def elsewhere(self, sizes: Sizes) -> tuple[Form, ...]:
         """Forms that do the same to the tests that are fitted to, and something else to others."""
         return ()

@@ -13,7 +13,7 @@ from scipy.linalg import qr
 
 from edesign.calibrate.dampers.acting import Acting, Changed, changed_by, spring_beside
 from edesign.calibrate.dampers.band import band_power
-from edesign.calibrate.dampers.effect import BEGUN, Series
+from edesign.calibrate.dampers.effect import BEGUN, Form, Series
 from edesign.calibrate.dampers.finer import finer
 from edesign.calibrate.dampers.inside import (
     relaxation_time,
@@ -101,9 +101,15 @@ class DamperProblem:
 
     def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
         """Forms that do what a part does to the tests that are fitted to, and something else to others."""
-        form = part[0].effect[0]
-        others = (candidate_of(other, self.sizes, Left()) for other in form.elsewhere(self.sizes))
-        return tuple(other for other in others if other is not None)
+        return self._candidates_of(part[0].effect[0].elsewhere(self.sizes))
+
+    def simpler(self, part: Part) -> tuple[Candidate, ...]:
+        """Forms of other effects that do what a part does where some of its parameters are at an end."""
+        return self._candidates_of(part[0].effect[0].simpler())
+
+    def _candidates_of(self, forms: Sequence[Form]) -> tuple[Candidate, ...]:
+        found = (candidate_of(form, self.sizes, Left()) for form in forms)
+        return tuple(candidate for candidate in found if candidate is not None)
 
     def law_values(self, base: np.ndarray) -> dict[str, float]:
         """Parameters of the law, all of them, of the values of the unknown ones."""

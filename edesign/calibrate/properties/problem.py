@@ -103,6 +103,10 @@ class PropertyProblem:
         """There are none."""
         return ()
 
+    def simpler(self, part: Part) -> tuple[Candidate, ...]:
+        """There are none."""
+        return ()
+
     def weight(self, index: int) -> np.ndarray | None:
         """None: noise is as strong at all times."""
         return None

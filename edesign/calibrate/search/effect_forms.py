@@ -77,6 +77,15 @@ class EffectForms:
             current = simplest([current, *self.other_forms(current, effect)])
         return current
 
+    def plainer(self, current: Judged) -> Judged:
+        """Each effect as a simpler one, where that does the same: play without a clearance is a flexible rig."""
+        for i in range(len(current.fitted.parts)):
+            known = current.fitted.parts[i]
+            others = [begun_at(other, known) for other in self.bench.problem.simpler(known)]
+            parts = [part for part in others if part is not None and part[0].label not in current.labels]
+            current = simplest([current, *self.bench.with_parts(current, i, parts)])
+        return current
+
     def finer(self, current: Judged) -> Judged:
         """Each effect in a finer form, where more than noise is left and that form is better: with nothing in doubt, as
         what is in doubt may have made up for the coarser one.

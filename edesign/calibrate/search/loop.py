@@ -143,7 +143,7 @@ class Loop:
             self.standing = current
             if current.last_is_new:
                 current = self.forms.reformed(self.alternatives.reconsider(self._last_alone(current)))
-            current = self.forms.finer(refitted(self.bench.freed(self._prune(current))))
+            current = self.forms.finer(refitted(self.bench.freed(self._prune(self.forms.plainer(current)))))
             self.standing = current
             self.bench.known.clear()  # of another belief in the declared parameters: not asked for again
             labels = current.labels
@@ -164,7 +164,8 @@ class Loop:
             if found is None:
                 break
             current = found
-        return self.alternatives.against_others(self._prune(self.bench.held_again(current))), refused
+        final = self.forms.plainer(self._prune(self.bench.held_again(current)))
+        return self.alternatives.against_others(final), refused
 
     def _first(
         self, refit: Judged, rival: Judged, held: Sequence[Judged]

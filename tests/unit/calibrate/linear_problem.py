@@ -73,6 +73,10 @@ class LinearProblem:
         same = [key for key in others if all(np.array_equal(self.columns[key][i], given[i]) for i in fitted)]
         return tuple(replace(part[0], form=key.partition(".")[2] or "only", effect=key) for key in same)
 
+    def simpler(self, part: Part) -> tuple[Candidate, ...]:
+        """There are none."""
+        return ()
+
     def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:
         found: list[np.ndarray | None] = []
         for i, (matrix, use) in enumerate(zip(self.matrices, self.uses, strict=True)):

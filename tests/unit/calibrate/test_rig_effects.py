@@ -8,22 +8,26 @@ import numpy as np
 import pytest
 
 from edesign.calibrate.dampers.effect import Form, Series
+from edesign.calibrate.dampers.effects import play
 from edesign.calibrate.dampers.effects.degradation import Path as Travelled
 from edesign.calibrate.dampers.effects.friction import Loaded, LuGre, Presliding, Stribeck, Tanh
 from edesign.calibrate.dampers.effects.hardening import Exponential
 from edesign.calibrate.dampers.effects.one_sided import ContactPositive
 from edesign.calibrate.dampers.effects.payne import Whole
-from edesign.calibrate.dampers.effects.play import CLOSES, Backlash, Gap, GapAside, GapSeated, follow
+from edesign.calibrate.dampers.effects.play import Backlash, Gap, GapAside, GapSeated, follow
 from edesign.calibrate.dampers.effects.relaxation_branch import Maxwell
-from edesign.calibrate.dampers.effects.series_flexibility import Closing, Linear
+from edesign.calibrate.dampers.effects.series_flexibility import CLEARANCE, CLOSES, Closing, Linear
 from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.dampers.turning_points import with_turning_points
+from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.search.effect_forms import EffectForms
 from edesign.calibrate.search.screening import screen
+from edesign.calibrate.search.workbench import Workbench
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import law
 
@@ -349,10 +353,42 @@ def test_a_seated_gap_is_crossed_under_its_force() -> None:
 
 
 def test_a_joint_is_either_a_seated_gap_or_closes() -> None:
-    # one equation of both: which it is depends on the force that closes it, which one of them only has
+    # one equation of all: which it is depends on the force that closes it, and on how much stiffer it is then
     sizes = Sizes.of([_trial(_irregular())])
-    by_form = {form: next(u for u in form().unknowns(sizes) if u.name == "F_c") for form in (GapSeated, Closing)}
-    assert by_form[GapSeated].upper == by_form[Closing].lower == CLOSES * sizes.force
+    forms = (GapSeated(), Closing(), play.Closing())
+    seated, bedded, closed = ({u.name: u for u in form.unknowns(sizes)} for form in forms)
+    assert seated["F_c"].upper == bedded["F_c"].lower == closed["F_c"].lower == CLOSES * sizes.force
+    assert bedded["ratio"].upper == closed["ratio"].lower == CLEARANCE
+    p = {"stiffness": 3e6, "F_c": 2e3, "ratio": 5.0}
+    assert forms[1].series(p) == forms[2].series(p)
+
+
+@pytest.mark.parametrize(("clearance", "found"), [(0.0, "series_flexibility.linear"), (2e-4, "play.gap")])
+def test_play_without_a_clearance_is_a_flexible_rig(clearance: float, found: str) -> None:
+    # a spring in a rig, as the core has it, beside noise; the form with the clearance was found
+    random, k, rig = np.random.default_rng(5), 1e7, 4e7
+    trials = []
+    for order, share in enumerate((1.0, 0.5, 0.2, 0.8)):
+        motion = replace(
+            _irregular(), displacement=share * _irregular().displacement, velocity=share * _irregular().velocity
+        )
+        one = np.ones_like(motion.time)
+        force, _ = CoreDamper("kelvin_voigt", (k, 0.0)).force_in_series(
+            motion.time, motion.displacement, motion.velocity, rig, clearance, one
+        )
+        noisy = force + 20.0 * random.standard_normal(force.size)
+        trials.append(replace(_trial(motion, f"test {order}", order), force=noisy))
+    sizes = Sizes.of(trials)
+    problem = DamperProblem(law("kelvin_voigt"), {"k": k, "c": 0.0}, tuple(trials), sizes)
+    gap = candidate_of(Gap(), sizes, Left())
+    assert gap is not None
+    model = Model(problem, (20.0,) * 4, (gap,), held=True)
+    known = Judged(fit(model, model.coordinates(None, [(gap, np.array([max(clearance, 1e-5), rig]))])))
+    forms = EffectForms(Workbench(problem, model.noise, True, 1, lambda _: None))
+    (part,) = forms.plainer(known).fitted.parts
+    assert part[0].label == found
+    stiffness = dict(zip((u.name for u in part[0].unknowns), part[1], strict=True))["stiffness"]
+    assert stiffness == pytest.approx(rig, rel=0.01)  # noise of a thousandth of the force in 8000 samples
 
 
 def test_parts_in_series_share_their_force() -> None:

@@ -9,13 +9,12 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.effect import Form, Series
+from edesign.calibrate.dampers.effects import series_flexibility
+from edesign.calibrate.dampers.effects.series_flexibility import CLEARANCE, CLOSES
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.dampers.turning_points import with_turning_points
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
-
-CLOSES = 0.03
-"""Share of the largest force that closes a joint: below it is a clearance that is crossed, above it a soft part."""
 
 
 class _Play(Form):
@@ -45,6 +44,10 @@ class Gap(_Play):
 
     def series(self, p: Values) -> Series:
         return Series(p["stiffness"], play=p["play"])
+
+    def simpler(self) -> tuple[Form, ...]:
+        """A flexible rig without clearance."""
+        return (series_flexibility.Linear(),)
 
 
 class GapAside(Gap):
@@ -85,6 +88,30 @@ class GapSeated(Gap):
 
     def series(self, p: Values) -> Series:
         return Series(p["stiffness"], play=p["play"], within=2.0 * p["F_c"] / p["play"])
+
+
+class Closing(series_flexibility.Closing):
+    """A clearance with dirt or soft liners in it: it closes under a force F_c and is then far stiffer."""
+
+    name: ClassVar[str] = "play"
+    title: ClassVar[str] = "clearance of the pins that closes under a force, in series with the specimen"
+    signature: ClassVar[str] = "a soft part of one length where the force changes its sign"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        stiffness, closes, ratio = super().unknowns(sizes)
+        return (
+            replace(stiffness, lower=0.1 * sizes.stiffness),
+            closes,
+            replace(ratio, lower=CLEARANCE, upper=1e3, size=20.0),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        k, force = sizes.stiffness, sizes.force
+        return tuple((soft * k, share * force, 20.0) for soft, share in ((10.0, 0.1), (3.0, 0.1), (10.0, 0.3)))
+
+    def simpler(self) -> tuple[Form, ...]:
+        """A flexible rig without clearance."""
+        return (series_flexibility.Linear(),)
 
 
 class Backlash(_Play):
@@ -129,4 +156,4 @@ def follow(displacement: np.ndarray, play: float) -> np.ndarray:
     return found
 
 
-FORMS = (Gap, GapAside, GapSeated, Backlash)
+FORMS = (Gap, GapAside, GapSeated, Closing, Backlash)

@@ -5,10 +5,14 @@ from __future__ import annotations
 from typing import ClassVar
 
 from edesign.calibrate.dampers.effect import Form, Series
-from edesign.calibrate.dampers.effects.play import CLOSES
 from edesign.calibrate.dampers.trial import Sizes, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+
+CLOSES = 0.03
+"""Share of the largest force that closes a joint: below it is a clearance that is crossed, above it a soft part."""
+CLEARANCE = 5.0
+"""Times as stiff as before is a joint that has closed: what is stiffer yet has had a clearance."""
 
 
 class Linear(Form):
@@ -61,9 +65,7 @@ class Stiffening(Linear):
 
 
 class Closing(Linear):
-    """A joint that closes: stiffness up to a force F_c, `ratio` times as stiff beyond, as where shims or clearances
-    close.
-    """
+    """A joint that closes: stiffness up to a force F_c, `ratio` times as stiff beyond, as where shims bed in."""
 
     form: ClassVar[str] = "closing"
     title: ClassVar[str] = "a joint of the rig in series with the specimen that closes under a force"
@@ -75,7 +77,7 @@ class Closing(Linear):
         return (
             *super().unknowns(sizes),
             Unknown("F_c", "N", CLOSES * force, 1.5 * force, 0.3 * force, logarithmic=True),
-            Unknown("ratio", "", 1.0, 100.0, 2.0, logarithmic=True),
+            Unknown("ratio", "", 1.0, CLEARANCE, 2.0, logarithmic=True),
         )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
