@@ -369,9 +369,8 @@ def test_play_without_a_clearance_is_a_flexible_rig(clearance: float, found: str
     random, k, rig = np.random.default_rng(5), 1e7, 4e7
     trials = []
     for order, share in enumerate((1.0, 0.5, 0.2, 0.8)):
-        motion = replace(
-            _irregular(), displacement=share * _irregular().displacement, velocity=share * _irregular().velocity
-        )
+        whole = _irregular()
+        motion = replace(whole, displacement=share * whole.displacement, velocity=share * whole.velocity)
         one = np.ones_like(motion.time)
         force, _ = CoreDamper("kelvin_voigt", (k, 0.0)).force_in_series(
             motion.time, motion.displacement, motion.velocity, rig, clearance, one
