@@ -307,12 +307,13 @@ int ed_damper_step(const ed_damper *damper, int method, double tolerance, const 
 int ed_damper_history(const ed_damper *damper, int method, double tolerance, int n, const double *time, const double *u,
                       const double *v, double *force, int *done);
 /* The same in series with a rig of a stiffness (> 0) whose pins have play (>= 0, end to end): u = u_d + e, and factor F(u_d) +
- * added + spring u_d = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond play/2, either way; bend, within >= 0. factor
- * (>= 0), added, spring (>= 0): n, or NULL for 1, 0 and 0. force: n, through rig and damper; own: n, deformation u_d of the
- * damper. e is linear between samples, or over quarters of a step in which it comes to an end of the play. */
+ * added + spring u_d = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond play/2, either way; bend, within >= 0. With another
+ * power than 1 (at least that) it is stiffness * z |sqrt(bend) z|^(power - 1) beyond the play, bend > 0. factor (>= 0), added, spring
+ * (>= 0): n, or NULL for 1, 0 and 0. force: n, through rig and damper; own: n, deformation u_d of the damper. e is a parabola between
+ * samples, and linear over parts of a step in which it comes to an end of the play. */
 int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
                                 const double *factor, const double *added, const double *spring, double stiffness, double bend,
-                                double within, double play, double *force, double *own, int *done);
+                                double power, double within, double play, double *force, double *own, int *done);
 
 /* q_0 = before, q_i = decay_(i-1) q_(i-1) + made_(i-1). q: n >= 1; decay, made: n - 1. What is not finite is passed on. */
 int ed_fading(int n, const double *decay, const double *made, double before, double *q);

@@ -139,6 +139,7 @@ class CoreDamper:
         bend: float = 0.0,
         within: float = 0.0,
         spring: ArrayLike | None = None,
+        power: float = 1.0,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Force history in series with a rig whose pins have play and whose parts are flexible.
 
@@ -159,6 +160,8 @@ class CoreDamper:
             bend: by which the rig stiffens, 1/m2, at least 0.
             within: stiffness within the play, N/m, at least 0.
             spring: (n,) N/m beside the damper's force, at least 0; None: 0.
+            power: above 1, of a rig that carries stiffness z |sqrt(bend) z|^(power - 1), as bodies in contact do:
+                with a bend above 0, without play.
 
         Returns:
             Force through rig and damper (n,) N, and the damper's own deformation (n,) m.
@@ -181,6 +184,9 @@ class CoreDamper:
         if not (stiffness > 0.0 and np.isfinite(stiffness)):
             text = f"stiffness = {stiffness:g} is not allowed: finite and above 0"
             raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
+        if not (power >= 1.0 and np.isfinite(power)) or (power > 1.0 and not (bend > 0.0 and play == 0.0)):
+            text = f"power = {power:g} is not allowed: 1, or above with bend > 0 and without play"
+            raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
         for name, value in (("play", play), ("bend", bend), ("within", within)):
             if not (value >= 0.0 and np.isfinite(value)):
                 text = f"{name} = {value:g} is not allowed: finite, at least 0"
@@ -195,6 +201,7 @@ class CoreDamper:
             *given,
             stiffness,
             bend,
+            power,
             within,
             play,
             ffi.from_buffer("double[]", force),

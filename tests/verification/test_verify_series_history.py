@@ -218,3 +218,41 @@ def test_a_rig_that_stiffens_balances_and_closes_on_a_spring() -> None:
     # balances are kept to 1e-8 of the largest force, 12 kN; the dashpot that the law needs, 1e-3 N s/m, gives 1e-5 N
     assert force == pytest.approx(expected, abs=1e-3)
     assert force == pytest.approx(k * own, abs=1e-3)
+
+
+@pytest.mark.parametrize("power", [1.5, 4.0])
+def test_bodies_in_contact_before_a_dashpot_and_a_spring(power: float) -> None:
+    # k u_d + c u_d' = K e |e/e_r|^(n-1), e = u - u_d: a differential equation for the stretch by SciPy (Radau)
+    k, c, stiffness, reached = 4e6, 4e5, 2e7, 5e-4
+    frequency, amplitude = 2.0 * np.pi * 0.7, 6e-3
+
+    def moves(time: np.ndarray | float) -> tuple[np.ndarray | float, np.ndarray | float]:
+        return amplitude * np.sin(frequency * time), amplitude * frequency * np.cos(frequency * time)
+
+    def carried(e: np.ndarray | float) -> np.ndarray | float:
+        return stiffness * e * np.abs(e / reached) ** (power - 1.0)
+
+    def rate(time: float, own: np.ndarray) -> np.ndarray:
+        return np.asarray((carried(moves(time)[0] - own) - k * own) / c)
+
+    t = np.linspace(0.0, 3.0, 1201)
+    known = solve_ivp(rate, (0.0, 3.0), [0.0], method="Radau", t_eval=t, rtol=1e-10, atol=1e-13)
+    expected = carried(moves(t)[0] - known.y[0])
+    worst = []
+    for every in (2, 1):
+        u, v = moves(t[::every])
+        force, own = CoreDamper("kelvin_voigt", (k, c)).force_in_series(
+            t[::every], u, v, stiffness, bend=1.0 / reached**2, power=power
+        )
+        np.testing.assert_allclose(force, carried(u - own), rtol=1e-9, atol=1e-6)
+        later = t[::every] > 0.5  # at first the velocity jumps
+        worst.append(float(np.max(np.abs(force - expected[::every])[later]) / np.max(np.abs(expected))))
+    assert worst[1] < 1.5e-3
+    assert worst[0] > 3.0 * worst[1]  # second order, as before a bare dashpot: a quarter
+
+
+@pytest.mark.parametrize("given", [{"power": 0.9}, {"power": 1.5}, {"power": 1.5, "bend": 1.0, "play": 1e-3}])
+def test_a_power_is_one_or_more_and_has_a_bend_and_no_play(given: dict[str, float]) -> None:
+    spring = CoreDamper("kelvin_voigt", (1e6, 0.0))
+    with pytest.raises(CoreError, match="power = "):
+        spring.force_in_series([0.0, 1.0], [0.0, 1e-3], [1e-3, 1e-3], 1e7, **given)

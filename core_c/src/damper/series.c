@@ -1,6 +1,8 @@
 /* A damper in a test rig whose pins have play and whose parts are flexible: u = u_d + e, and
  *
- *   factor F(u_d) + added + spring u_d = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond half the play, either way.
+ *   factor F(u_d) + added + spring u_d = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond half the play, either way,
+ *
+ * or stiffness * z |sqrt(bend) z|^(power - 1) beyond it, as of bodies in contact.
  *
  * The stretch e of the rig balances at the end of a step, over which it is a parabola in time through its ends and the sample before:
  * its rate at the end is that of the second backward difference. It is linear over the first step, over parts of a step in which it
@@ -26,7 +28,7 @@ static const double TOLERANCE = 1e-8, ODE_TOLERANCE = 1e-7;
 typedef struct {
   const ed_damper *damper;
   ed_ode_system *system; /* for laws without exact step */
-  double stiffness, bend, within, gap; /* of the rig; half the play */
+  double stiffness, bend, power, within, gap; /* of the rig; half the play */
   double tolerance, largest;
 } series;
 
@@ -40,18 +42,34 @@ static double beyond(const series *in, double stretch)
   return fmax(fabs(stretch) - in->gap, 0.0);
 }
 
+/* How many times as stiff as at first, by the secant, parts are at a stretch z. */
+static double stiffer(const series *in, double z)
+{
+  return in->power > 1.0 ? pow(in->bend * z * z, 0.5 * (in->power - 1.0)) : 1.0 + in->bend * z * z;
+}
+
 static double carried(const series *in, double stretch)
 {
   const double z = beyond(in, stretch), closing = in->within * fmin(fabs(stretch), in->gap);
-  return copysign(closing + in->stiffness * z * (1.0 + in->bend * z * z), stretch);
+  return copysign(closing + in->stiffness * z * stiffer(in, z), stretch);
+}
+
+/* Stretch at which parts carry a force, if they stiffen with a power and no play stands before them. */
+static double stretched(const series *in, double force)
+{
+  return copysign(pow(fabs(force) / (in->stiffness * pow(in->bend, 0.5 * (in->power - 1.0))), 1.0 / in->power), force);
 }
 
 /* Where a force that falls by `slope` (>= 0) from `force` at a stretch meets that of the rig, straight from this stretch on. */
 static double meet(const series *in, double stretch, double force, double slope)
 {
   const double z = beyond(in, stretch);
+  if (in->power > 1.0 && (z == 0.0 || force * stretch < 0.0)) { /* no tangent there, or that of the other side */
+    const double soft = slope * fabs(stretched(in, force));
+    return stretched(in, force) / (1.0 + (soft > 0.0 ? soft / (soft + fabs(force)) : 0.0));
+  }
   if (z > 0.0 && in->bend > 0.0) {
-    const double tangent = in->stiffness * (1.0 + 3.0 * in->bend * z * z);
+    const double tangent = in->stiffness * (in->power > 1.0 ? in->power * stiffer(in, z) : 1.0 + 3.0 * in->bend * z * z);
     const double next = stretch + (force - carried(in, stretch)) / (tangent + slope);
     if (next * stretch > 0.0 && fabs(next) >= in->gap)
       return next;
@@ -225,15 +243,16 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
 
 int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
                                 const double *factor, const double *added, const double *spring, double stiffness, double bend,
-                                double within, double play, double *force, double *own, int *done)
+                                double power, double within, double play, double *force, double *own, int *done)
 {
   *done = 0;
-  if (!(stiffness > 0.0) || !(bend >= 0.0) || !(within >= 0.0) || !(play >= 0.0) || !isfinite(stiffness + bend + within + play))
+  if (!(stiffness > 0.0) || !(bend >= 0.0) || !(power >= 1.0) || !(within >= 0.0) || !(play >= 0.0) ||
+      !isfinite(stiffness + bend + power + within + play) || (power > 1.0 && !(bend > 0.0 && play == 0.0)))
     return ED_E_ARGUMENT;
   int status = check(n, time, u, v, factor, added, spring, done);
   if (status != ED_OK)
     return status;
-  series in = {.damper = damper, .stiffness = stiffness, .bend = bend, .within = within, .gap = 0.5 * play, .tolerance = TOLERANCE};
+  series in = {.damper = damper, .stiffness = stiffness, .bend = bend, .power = power, .within = within, .gap = 0.5 * play, .tolerance = TOLERANCE};
   if (!ed_damper_has_exact_step(damper)) {
     in.tolerance = ODE_TOLERANCE;
     in.system = ed_ode_system_new(1, &damper, 0.1 * ODE_TOLERANCE, &status);

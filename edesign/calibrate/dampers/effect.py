@@ -26,7 +26,7 @@ import numpy as np
 
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
-from edesign.calibrate.problem import Described, Kind
+from edesign.calibrate.problem import Described, Kind, PredictionError
 from edesign.calibrate.unknown import Unknown
 
 _LEAST = 1e-6  # factor of which a negative power is taken
@@ -44,12 +44,14 @@ class Series(NamedTuple):
         stiffness: N/m.
         bend: by which it stiffens, 1/m2.
         play: end to end, m, across which the stiffness is `within`, N/m.
+        power: with which the force goes, if none of the above: stiffness z |sqrt(bend) z|^(power - 1), z the stretch.
     """
 
     stiffness: float
     bend: float = 0.0
     play: float = 0.0
     within: float = 0.0
+    power: float = 1.0
 
     @property
     def soft(self) -> float:
@@ -58,7 +60,15 @@ class Series(NamedTuple):
 
     @staticmethod
     def together(each: Sequence[Series]) -> Series:
-        """One behind the other: compliances add, plays too; ends of soft parts are where the same force closes them."""
+        """One behind the other: compliances add, plays too; ends of soft parts are where the same force closes them.
+
+        Raises:
+            PredictionError: the force of one goes with a power of its stretch, and there is another one.
+        """
+        if len(each) == 1:
+            return each[0]
+        if any(one.power > 1.0 for one in each):
+            raise PredictionError("a rig that stiffens with a power has no other one in series")
         stiffness = 1.0 / sum(1.0 / one.stiffness for one in each)
         # e = F/s - b (F/s)^3 of each, for a little bend
         bend = sum(one.bend * (stiffness / one.stiffness) ** 3 for one in each)

@@ -335,6 +335,7 @@ class DamperProblem:
                     rig.bend,
                     rig.within,
                     springs,
+                    rig.power,
                 )
             except CoreError as error:
                 raise PredictionError(str(error)) from error

@@ -16,7 +16,7 @@ from edesign.calibrate.dampers.effects.one_sided import ContactPositive
 from edesign.calibrate.dampers.effects.payne import Whole
 from edesign.calibrate.dampers.effects.play import Backlash, Gap, GapAside, GapSeated, follow
 from edesign.calibrate.dampers.effects.relaxation_branch import Maxwell
-from edesign.calibrate.dampers.effects.series_flexibility import CLEARANCE, CLOSES, Closing, Linear
+from edesign.calibrate.dampers.effects.series_flexibility import CLEARANCE, CLOSES, Closing, Linear, Power
 from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
@@ -25,6 +25,7 @@ from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.dampers.turning_points import with_turning_points
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.search.effect_forms import EffectForms
 from edesign.calibrate.search.screening import screen
 from edesign.calibrate.search.workbench import Workbench
@@ -403,6 +404,10 @@ def test_parts_in_series_share_their_force() -> None:
 
     for force in (5e3, 20e3, 50e3):
         assert stretch(whole, force) == pytest.approx(sum(stretch(part, force) for part in parts), rel=1e-12)
+    hertz = Series(4e7, bend=1e6, power=1.5)
+    assert Series.together((hertz,)) is hertz
+    with pytest.raises(PredictionError, match="no other one in series"):
+        Series.together((hertz, parts[0]))
     plays = Series.together((Series(4e7, play=1e-3), Series(6e7, play=2e-3)))
     assert (plays.play, plays.within) == (pytest.approx(3e-3), 0.0)
 
@@ -463,3 +468,17 @@ def test_a_test_of_a_few_samples_is_predicted_behind_a_rig(samples: int) -> None
         parts.append((candidate, np.array(values)))
     (force,) = problem.predict(problem.declared, parts, ("fit",))
     np.testing.assert_allclose(force, 4e6 * trial.motion.displacement, atol=1.0)  # 8 beside 8 kN/mm in series
+
+
+def test_contacts_carry_half_the_largest_force_at_their_stiffness() -> None:
+    sizes = Sizes.of([_trial(_irregular())])
+    form = Power()
+    p = {"stiffness": 5e7, "n": 1.5, **form.fixed(sizes)}
+    rig = form.series(p)
+    assert rig is not None and rig.play == 0.0
+    stretch = p["F_r"] / p["stiffness"]
+    for share in (0.25, 1.0, 2.0):  # F = F_r (e/e_r)^n
+        e = share * stretch
+        carried = rig.stiffness * e * (np.sqrt(rig.bend) * e) ** (rig.power - 1.0)
+        assert carried == pytest.approx(p["F_r"] * share**1.5, rel=1e-12)
+    assert p["F_r"] == 0.5 * sizes.force

@@ -64,6 +64,31 @@ class Stiffening(Linear):
         return Series(p["stiffness"], bend=1.0 / p["e0"] ** 2)
 
 
+class Power(Linear):
+    """Bodies in contact: the force goes with a power of their approach, 3/2 as of spheres (Hertz), or more: F = F_r
+    (e/e_r)^n, e_r = F_r/stiffness, F_r half the largest force.
+    """
+
+    form: ClassVar[str] = "power"
+    title: ClassVar[str] = "contacts of the rig in series with the specimen that stiffen with a power of their approach"
+    signature: ClassVar[str] = "as series_flexibility.linear, and ever more of it at small forces"
+    source: ClassVar[str] = (
+        "Johnson (1985), Contact Mechanics, section 4.2 (Hertz); rough surfaces: Greenwood & Williamson (1966)"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), Unknown("n", "", 1.05, 12.0, 1.5, logarithmic=True))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((20.0 * sizes.stiffness, n) for n in (1.5, 4.0))
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"F_r": 0.5 * sizes.force}
+
+    def series(self, p: Values) -> Series:
+        return Series(p["stiffness"], bend=(p["stiffness"] / p["F_r"]) ** 2, power=p["n"])
+
+
 class Closing(Linear):
     """A joint that closes: stiffness up to a force F_c, `ratio` times as stiff beyond, as where shims bed in."""
 
@@ -88,4 +113,4 @@ class Closing(Linear):
         return Series(p["ratio"] * k, play=2.0 * p["F_c"] / k, within=k)
 
 
-FORMS = (Linear, Stiffening, Closing)
+FORMS = (Linear, Stiffening, Power, Closing)
