@@ -37,7 +37,7 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
-        return lawful(t, u, v, a, order) + 1.5e10 * u**3
+        return lawful(t, u, v, a, order) + 3e10 * u**3
 
     def interrupt(*_: object) -> Judged:
         raise KeyboardInterrupt
@@ -63,7 +63,7 @@ def test_look_alikes_that_were_not_asked_for_are_none(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
-        return lawful(t, u, v, a, order) + 1.5e10 * u**3
+        return lawful(t, u, v, a, order) + 3e10 * u**3
 
     def interrupt(*_: object) -> list[Judged]:
         raise KeyboardInterrupt
@@ -79,7 +79,7 @@ def test_look_alikes_that_were_not_asked_for_are_none(
 
 def test_files_and_their_contents(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
-        return lawful(t, u, v, a, order) + 1.5e10 * u**3
+        return lawful(t, u, v, a, order) + 3e10 * u**3
 
     campaign(tmp_path / "c", hidden)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 0
