@@ -101,10 +101,10 @@ def blas_threads(**_: Any) -> list[int]:
     return [library["num_threads"] for library in threadpool_info() if library["user_api"] == "blas"]
 
 
-def await_file(path: Path) -> None:
-    """Wait until there is a file."""
+def await_file(path: Path, least: int = 0) -> None:
+    """Wait until there is a file, of so many bytes at least."""
     end = time.monotonic() + WAIT
-    while not path.exists():
+    while not (path.exists() and path.stat().st_size >= least):
         assert time.monotonic() < end, f"{path.name} never came"
         time.sleep(0.01)
 
