@@ -124,7 +124,7 @@ def test_a_scheduler_elsewhere(
     place = tmp_path / "scheduler.json"
     waits = Work("never", toy_works.until_stopped, (tmp_path, "never"))
     with _process(tmp_path, ROOT, "dask_scheduler", "--port", "0", "--scheduler-file", place) as scheduler:
-        await_file(place)
+        await_file(place, least=1)  # it is there before it is written
         address = json.loads(place.read_text(encoding="utf-8"))["address"]
         with monkeypatch.context() as patched, pytest.raises(InputError, match=f"{address} has no workers; start some"):
             patched.setattr(dask_cluster, "JOIN", 0.2)
