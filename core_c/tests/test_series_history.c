@@ -314,12 +314,37 @@ static void check_refusals(void)
   ed_damper_free(damper);
 }
 
+/* A spring k behind a contact of Hertz: k (u - e) = K e |sqrt(b) e|^(1/2), that force, at every sample. */
+static void check_contact(void)
+{
+  enum { N = 500 };
+  const double k = 8e6, K = 30e6, bend = 1e8, spring[] = {k, 0.0};
+  int done, both = 0;
+  sine(N, 0.01, 6e-3, 5.0, 1.0);
+  ed_damper *damper = make(ED_LAW_KELVIN_VOIGT, 2, spring, 0.0);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, K, bend, 1.5, 0.0, 0.0, force, own, &done), ED_OK);
+  for (int i = 0; i <= N; i++) {
+    const double e = u[i] - own[i];
+    CHECK_NEAR(force[i], K * e * sqrt(sqrt(bend) * fabs(e)), 1e-9 * 6e-3 * k);
+    CHECK_NEAR(force[i], k * own[i], 1e-7 * 6e-3 * k); /* the balance is kept to 1e-8 */
+    both |= force[i] > 1e4 ? 1 : force[i] < -1e4 ? 2 : 0;
+  }
+  CHECK_INT(both, 3);
+  static const double wrong[][3] = {{0.9, 1e8, 0.0}, {NAN, 1e8, 0.0}, {1.5, 0.0, 0.0}, {1.5, 1e8, 1e-3}}; /* power, bend, play */
+  for (int i = 0; i < 4; i++)
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, K, wrong[i][1], wrong[i][0], 0.0, wrong[i][2], force,
+                                             own, &done),
+                 ED_E_ARGUMENT);
+  ed_damper_free(damper);
+}
+
 int main(void)
 {
   check_complex_stiffness();
   check_braces();
   check_elastic();
   check_closing_joint();
+  check_contact();
   check_energy();
   check_play();
   check_rest();

@@ -14,6 +14,9 @@ from edesign.report.table import Table
 REFIT = "refit"
 """Name of a rival that is no effect: the law alone, fitted again."""
 
+NOT_ASKED = "not all others were asked: the search ended before"
+"""In the place of look-alikes, where none were found in a search that did not come to its own end."""
+
 _NAMES = {REFIT: "the same model with other parameters"}
 
 
@@ -28,11 +31,12 @@ def effects_table(calibration: Calibration) -> Table:
     columns = ("effect", "name", "kind", "validation NRMS without it [%]", "reduction [%]", "of the excess [%]")
     table = Table("Effects found", (*columns, "cannot be told from"), left=3)
     with_it = calibration.errors["corrected"].validate
+    none = "nothing known" if calibration.ending == "complete" else NOT_ASKED
     for effect in calibration.effects:
         errors = [percent(with_it + effect.delta_validate), percent(effect.delta_validate)]
         alike = ", ".join(effect_name(name) for name in effect.indistinguishable_from)
         name = f"{effect.name}.{effect.form}"
-        table.rows.append([effect.title, name, effect.kind, *errors, percent(effect.share), alike or "nothing known"])
+        table.rows.append([effect.title, name, effect.kind, *errors, percent(effect.share), alike or none])
         table.notes.append(f"{effect.name}: {effect.evidence}")
     if calibration.effects:
         table.notes.append(

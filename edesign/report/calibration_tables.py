@@ -27,7 +27,7 @@ NRMS_NOTES: dict[Subject, str] = {
 ENDED = {
     "complete": [],
     "interrupted": ["The search was interrupted: there may be more effects, and others like these."],
-    "out_of_time": ["The search ended with its time (`--seconds`): there may be more effects, and others like these."],
+    "out_of_time": ["The search ended with its time (--seconds): there may be more effects, and others like these."],
 }
 """What is to be said of how a search came to its end."""
 

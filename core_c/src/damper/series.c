@@ -64,10 +64,8 @@ static double stretched(const series *in, double force)
 static double meet(const series *in, double stretch, double force, double slope)
 {
   const double z = beyond(in, stretch);
-  if (in->power > 1.0 && (z == 0.0 || force * stretch < 0.0)) { /* no tangent there, or that of the other side */
-    const double soft = slope * fabs(stretched(in, force));
-    return stretched(in, force) / (1.0 + (soft > 0.0 ? soft / (soft + fabs(force)) : 0.0));
-  }
+  if (in->power > 1.0 && (z == 0.0 || force * stretch < 0.0)) /* no tangent there, or that of the other side: a bracket */
+    return stretched(in, force);
   if (z > 0.0 && in->bend > 0.0) {
     const double tangent = in->stiffness * (in->power > 1.0 ? in->power * stiffer(in, z) : 1.0 + 3.0 * in->bend * z * z);
     const double next = stretch + (force - carried(in, stretch)) / (tangent + slope);
@@ -252,7 +250,8 @@ int ed_damper_history_in_series(const ed_damper *damper, int n, const double *ti
   int status = check(n, time, u, v, factor, added, spring, done);
   if (status != ED_OK)
     return status;
-  series in = {.damper = damper, .stiffness = stiffness, .bend = bend, .power = power, .within = within, .gap = 0.5 * play, .tolerance = TOLERANCE};
+  series in = {.damper = damper, .stiffness = stiffness, .bend = bend, .power = power, .within = within, .gap = 0.5 * play};
+  in.tolerance = TOLERANCE;
   if (!ed_damper_has_exact_step(damper)) {
     in.tolerance = ODE_TOLERANCE;
     in.system = ed_ode_system_new(1, &damper, 0.1 * ODE_TOLERANCE, &status);

@@ -16,7 +16,7 @@ from edesign.calibrate.search.selection import Selection
 from edesign.calibrate.side_by_side import side_by_side
 from edesign.damper.history import spline_velocity
 
-_RATE, _PER_CYCLE = 60.0, 40  # samples of the tests thought of, per second and per cycle, as fits have at least
+_RATE, _PER_CYCLE = 60.0, 40  # samples of the tests thought of, per second and per cycle
 _FREQUENCIES = (0.1, 0.5, 2.0, 5.0)  # Hz
 _SHARES = (0.1, 0.5, 1.0, 1.3)  # of the largest displacement so far
 _CYCLES = 12

@@ -35,7 +35,7 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 """Times what the refit leaves: an effect beside the declared law that leaves no more does about as much, and perhaps as
 much together with another one.
 """
-_TELLING = 10.0  # s of processor time in which an effect is told apart from others
+_TELLING = 10.0  # s of processor time in which an effect is told apart from others, where time is limited
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 
 
@@ -214,7 +214,7 @@ class Loop:
     def _alternatives_unless_stopped(self, current: Judged, effect: Candidate) -> list[Judged]:
         if self.ending == "interrupted":
             return []
-        self.allowance.renew(_TELLING)
+        self.allowance.renew(_TELLING if math.isfinite(self.seconds) else math.inf)
         try:
             return self.alternatives.others(current, effect)
         except KeyboardInterrupt:

@@ -125,6 +125,16 @@ def test_an_effect_is_told_with_kind_reduction_and_look_alikes() -> None:
     ]
 
 
+def test_look_alikes_that_were_not_asked_for_are_not_said_to_be_none() -> None:
+    found = example.calibration((replace(example.payne(), indistinguishable_from=()),))
+    for ending, cell in (("complete", "nothing known"), ("out_of_time", "not all others"), ("interrupted", "not all")):
+        table = effects_table(replace(found, ending=ending))
+        assert table.rows[0][-1].startswith(cell)
+        page = text_of(calibration_page_text(replace(found, ending=ending)))
+        assert ("no other known effect explains" in page) == (ending == "complete")
+        assert ("there may be more effects" in page) == (ending != "complete")
+
+
 def test_law_parameters_stand_with_their_errors_or_as_held() -> None:
     table = law_parameters_table(example.calibration())
     assert row(table, "k") == ["k", "kN/mm", "2", "2.0800", "0.0030", "2", "held"]

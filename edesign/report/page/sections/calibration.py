@@ -10,7 +10,13 @@ from edesign._version import __version__
 from edesign.calibrate.result import Calibration
 from edesign.calibrate.side_by_side import side_by_side
 from edesign.report.calibration_effect_figures import effect_figures
-from edesign.report.calibration_effect_tables import effect_name, effect_parameters_table, effects_table, refused_table
+from edesign.report.calibration_effect_tables import (
+    NOT_ASKED,
+    effect_name,
+    effect_parameters_table,
+    effects_table,
+    refused_table,
+)
 from edesign.report.calibration_figures import Figures
 from edesign.report.calibration_history_figures import error_figures, loop_figures, residual_figures
 from edesign.report.calibration_residual_figures import dependence_figures, harmonic_figures, map_figures
@@ -118,12 +124,8 @@ def open_questions(view: View) -> Section:
             )
         )
     if not rows:
-        rows.append(
-            (
-                "Look-alikes",
-                "no other known effect explains the tests as well" if found.effects else "no effect was adopted",
-            )
-        )
+        none = "no other known effect explains the tests as well" if found.ending == "complete" else NOT_ASKED
+        rows.append(("Look-alikes", none if found.effects else "no effect was adopted"))
     return Section("open", "What the data cannot tell, and the next test", (), (Facts(tuple(rows)),))
 
 
