@@ -120,6 +120,7 @@ def worked(
     forgets: float = math.inf,
     quick: tuple[float, float] = (0.0, math.inf),
     beside: np.ndarray | float = 0.0,
+    sized: float = 0.0,
 ) -> tuple[np.ndarray, float]:
     """A factor of e that follows the work done on a specimen: e' = gain F v - e / forgets, F = factor F_law + beside.
 
@@ -135,6 +136,7 @@ def worked(
         forgets: s.
         quick: gain and s of a second e, zero at the beginning, that counts as much.
         beside: force (n,) N in the specimen beside the law's.
+        sized: share of the work that counts by its size, done or given back: (1 - sized) F v + sized |F v| for F v.
 
     Returns:
         The factor (n,); e at the end.
@@ -148,6 +150,7 @@ def worked(
         phi = np.concatenate((factor(e[:1]), factor(e[:-1])))
         softened = phi * force + beside
         done = way * (softened[1:] + softened[:-1])
+        done += sized * (np.abs(done) - done)
         after = sum((fading(decay, each * done, first) for each, decay, first in kinds), start=np.zeros_like(e))
         moved = float(np.max(np.abs(after - e)))
         e = after

@@ -212,6 +212,20 @@ def test_work_that_springs_give_back_is_evened_out() -> None:
     assert soft(np.full(t.size, 0.2)) == pytest.approx(math.exp(-0.2), rel=1e-12)
 
 
+@pytest.mark.parametrize("counted", [0.0, 0.5, 1.0])
+def test_work_counted_by_its_size(counted: float) -> None:
+    # a spring of a cosine: no work stays over a period, k U^2/2 is done and given back twice in it
+    form = next(other for other in degradation.Work().finer() if other.form == "work_sized")
+    t = np.linspace(0.0, 2.0, 4001)
+    u = U * np.sin(2.0 * np.pi * t)
+    of = Motion(t, u, np.gradient(u, t), np.zeros_like(t))
+    d, p = 1e-9, {"d": 1e-9, "p": 1.0, "W": 1.0, "sized": counted}  # too little to soften the spring
+    phi = form.factor(p, trial(of), of, STIFFNESS * u, {})
+    assert phi is not None
+    # the factor is of the beginning of a step, whose work is U k U w / 4000 at most
+    assert (1.0 - np.asarray(phi)[-1]) / d == pytest.approx(counted * 4.0 * STIFFNESS * U**2, rel=1e-3, abs=1e-2)
+
+
 @pytest.mark.parametrize(
     ("form", "values", "core"),
     [

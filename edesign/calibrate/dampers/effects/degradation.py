@@ -7,7 +7,8 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.drivers import weighted_path, worked
-from edesign.calibrate.dampers.effect import BESIDE, Form, Memory
+from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.sized_work import how_counted, sized
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -19,11 +20,19 @@ class _Degradation(Form):
     remembers: ClassVar[bool] = True
 
 
-class Energy(_Degradation):
-    """The force falls with the work done in its life: F = (1 - d (1 - exp(-max(E, 0)/E0))) F_law."""
-
+class _ByWork(_Degradation):
     counts_work: ClassVar[bool] = True
     may_spare_loss: ClassVar[bool] = True
+    sized = False
+
+    def finer(self) -> tuple[Form, ...]:
+        """With a share of the work that springs give back counted as if it were done."""
+        return () if self.sized else (sized(self),)
+
+
+class Energy(_ByWork):
+    """The force falls with the work done in its life: F = (1 - d (1 - exp(-max(E, 0)/E0))) F_law."""
+
     form: ClassVar[str] = "energy"
     title: ClassVar[str] = "lasting degradation by dissipated energy"
     signature: ClassVar[str] = (
@@ -47,17 +56,14 @@ class Energy(_Degradation):
         def left(energy: np.ndarray) -> np.ndarray:
             return np.asarray(1.0 + d * np.expm1(scale * np.maximum(energy, 0.0)))
 
-        before, beside = memory.get("energy", 0.0), memory.get(BESIDE, 0.0)
-        phi, memory["energy"] = worked(motion, force, left, before, beside=beside)
+        phi, memory["energy"] = worked(motion, force, left, memory.get("energy", 0.0), **how_counted(p, memory))
         return phi
 
 
-class Work(_Degradation):
+class Work(_ByWork):
     """The force falls with a power of the work done in its life, without end: F = (1 - d (max(E, 0)/W)^p) F_law."""
 
     form: ClassVar[str] = "work"
-    counts_work: ClassVar[bool] = True
-    may_spare_loss: ClassVar[bool] = True
     title: ClassVar[str] = "lasting degradation by dissipated energy, without end"
     signature: ClassVar[str] = Energy.signature
     source: ClassVar[str] = (
@@ -78,8 +84,7 @@ class Work(_Degradation):
         def left(energy: np.ndarray) -> np.ndarray:
             return np.asarray(1.0 - p["d"] * (np.maximum(energy, 0.0) / p["W"]) ** p["p"])
 
-        before, beside = memory.get("energy", 0.0), memory.get(BESIDE, 0.0)
-        phi, memory["energy"] = worked(motion, force, left, before, beside=beside)
+        phi, memory["energy"] = worked(motion, force, left, memory.get("energy", 0.0), **how_counted(p, memory))
         return phi
 
 

@@ -8,7 +8,8 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.drivers import worked
-from edesign.calibrate.dampers.effect import BEGUN, BESIDE, Form, Memory
+from edesign.calibrate.dampers.effect import BEGUN, Form, Memory
+from edesign.calibrate.dampers.sized_work import how_counted, sized
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -44,6 +45,7 @@ class Rate(Form):
     )
     amendment: ClassVar[bool] = True
     evened = False
+    sized = False
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         each = sizes.tests / sizes.work  # q = 1 by the work of one test
@@ -58,14 +60,16 @@ class Rate(Form):
         return (0.2 * each, quick), *((0.1 * each, t * sizes.duration) for t in (1.0, 3.0, _LONGEST))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        before, beside = memory.get(BEGUN, 0.0), memory.get(BESIDE, 0.0)
-        return worked(motion, force, self._of_heat(p, motion), before, p["beta"], p["tau_h"], beside=beside)[0]
+        before, soft = memory.get(BEGUN, 0.0), self._of_heat(p, motion)
+        return worked(motion, force, soft, before, p["beta"], p["tau_h"], **how_counted(p, memory))[0]
 
     def finer(self) -> tuple[Form, ...]:
-        """Heat left from before a test, another one in each, as pauses between tests are not recorded: q(0) = q_i. And
-        without the work that springs give back within a cycle, which is no heat: q behind by a time tau_w.
+        """Heat left from before a test, another one in each, as pauses between tests are not recorded: q(0) = q_i.
+        Without the work that springs give back within a cycle, which is no heat: q behind by a time tau_w. Or with a
+        share of it counted as if it were done.
         """
-        return (*(() if self.begins else (self._begun_warm(),)), *(() if self.evened else (self._evened(),)))
+        begun = () if self.begins else (self._begun_warm(),)
+        return (*begun, *(() if self.evened or self.sized else (self._evened(), sized(self))))
 
     def _begun_warm(self) -> Form:
         return self.variant("begun_warm", "each test begun as warm as it shows", begins=True, may_be_shaped=False)
@@ -131,7 +135,7 @@ class Core(Rate):
             p["beta"],
             p["tau_h"],
             (p["beta_c"], p["tau_c"]),
-            memory.get(BESIDE, 0.0),
+            **how_counted(p, memory),
         )[0]
 
 
@@ -154,8 +158,8 @@ class Carried(Rate):
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
-        soft, beside = self._of_heat(p, motion), memory.get(BESIDE, 0.0)
-        phi, memory["heat"] = worked(motion, force, soft, before, p["beta"], p["tau_h"], beside=beside)
+        soft = self._of_heat(p, motion)
+        phi, memory["heat"] = worked(motion, force, soft, before, p["beta"], p["tau_h"], **how_counted(p, memory))
         return phi
 
 
@@ -185,8 +189,8 @@ class Levelling(Carried):
             return np.asarray((1.0 + np.maximum(q, 0.0) / m) ** -m)
 
         before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
-        soft, beside = self._of_heat(p, motion, left), memory.get(BESIDE, 0.0)
-        phi, memory["heat"] = worked(motion, force, soft, before, p["beta"], p["tau_h"], beside=beside)
+        soft = self._of_heat(p, motion, left)
+        phi, memory["heat"] = worked(motion, force, soft, before, p["beta"], p["tau_h"], **how_counted(p, memory))
         return phi
 
 
