@@ -293,6 +293,9 @@ enum {
  * the amended damper; laws without exact step refuse amendments with a brace. `message` (size bytes) says why it is refused, and then
  * nothing has changed. */
 int ed_damper_amend(ed_damper *damper, int kind, int inside, int n_parameters, const double *parameters, char *message, int size);
+/* What a damper went through before it starts, for laws that extremes soften (ED_LAW_MGMM; others do not mind): largest deformation
+ * and velocity (>= 0), smallest ones (<= 0), in the order largest u, smallest u, largest v, smallest v. ED_E_ARGUMENT: they are not so. */
+int ed_damper_been(ed_damper *damper, const double extremes[4]);
 int ed_damper_state_size(const ed_damper *damper);            /* doubles */
 void ed_damper_start(const ed_damper *damper, double *state); /* at rest */
 

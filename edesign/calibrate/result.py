@@ -183,6 +183,7 @@ class Calibration:
         carried: the corrected law as a law file can carry it; None: the subject has no law file.
         subject: what was calibrated.
         ending: how the search for effects came to its end.
+        lasting: whether the law remembers extremes from test to test.
     """
 
     title: str
@@ -203,6 +204,7 @@ class Calibration:
     carried: CarriedLaw | None = None
     subject: Subject = "damper"
     ending: Ending = "complete"
+    lasting: bool = False
 
     @property
     def verdict_words(self) -> str:

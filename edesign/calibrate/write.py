@@ -50,6 +50,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         },
         "refused": [{"effect": label, "evidence": evidence} for label, evidence in found.refused],
         "law_held": found.law_held,
+        "extremes": "lasting" if found.lasting else "fresh",
         "law_file": None if found.carried is None else _carried(found.carried),
         "parameters": {
             stage: {name: _estimate(value) for name, value in found.parameters[stage].items()} for stage in _STAGES

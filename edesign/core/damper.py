@@ -60,9 +60,11 @@ class CoreDamper:
         parameters: in the order of the core, SI units.
         brace: stiffness in series, N/m; 0: rigid.
         amendments: effects that the law has not; they act together.
+        been: largest and smallest deformation, m, largest and smallest velocity, m/s, that the damper went through
+            before; the MGMM alone minds.
 
     Raises:
-        CoreError: a parameter is not allowed, or the law takes no amendments with a brace, or none inside.
+        CoreError: a parameter or extreme is not allowed, or the law takes no amendments with a brace, or none inside.
     """
 
     def __init__(
@@ -71,6 +73,7 @@ class CoreDamper:
         parameters: Sequence[float],
         brace: float = 0.0,
         amendments: Sequence[AmendmentValues] = (),
+        been: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0),
     ) -> None:
         status, message = ffi.new("int *"), ffi.new("char[256]")
         values = [float(value) for value in parameters]
@@ -78,6 +81,9 @@ class CoreDamper:
         if handle == ffi.NULL:
             raise CoreError(status_name(status[0]), ffi.string(message).decode(errors="replace"))
         self._handle = ffi.gc(handle, lib.ed_damper_free)
+        if lib.ed_damper_been(handle, been) != lib.ED_OK:
+            text = f"extremes {been} are not allowed: largest at least 0, smallest at most 0, finite"
+            raise CoreError("ED_E_ARGUMENT", text)
         for amendment in amendments:
             number, values = amendment_number(amendment.kind), [float(value) for value in amendment.values]
             refused = lib.ed_damper_amend(handle, number, amendment.inside, len(values), values, message, 256)

@@ -14,8 +14,8 @@ from edesign.archive.files import make_folder, write_text
 from edesign.damper.read_test import read_test, write_test
 from edesign.damper.specimen import Specimen
 from edesign.damper.test_files import (
+    CampaignLaw,
     Celsius,
-    LawBlock,
     LawChoice,
     SpecimenBlock,
     Text,
@@ -60,7 +60,7 @@ class CampaignFile(Model):
 
     title: str = ""
     specimen: SpecimenBlock
-    law: LawBlock | None = None
+    law: CampaignLaw | None = None
     tests: Annotated[tuple[TestEntry, ...], Field(min_length=1)]
 
 
@@ -191,6 +191,8 @@ def _text(specimen: Specimen, tests: Sequence[DamperTest], law: LawChoice | None
             data["law"]["parameters"] = law.parameters if isinstance(law.parameters, str) else dict(law.parameters)
         if not law.refit:
             data["law"]["refit"] = False
+        if law.extremes is not None:
+            data["law"]["extremes"] = law.extremes
     data["tests"] = [
         {
             "file": f"{test.name}.csv",

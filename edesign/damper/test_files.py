@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Annotated, Any
+from dataclasses import dataclass, replace
+from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
@@ -67,6 +67,10 @@ class SpecimenBlock(Model):
         return Specimen(self.name, self.layers, area, thickness)
 
 
+Extremes = Literal["fresh", "lasting"]
+"""Whether each test finds a law that extremes soften as if nothing had gone before it, or softened by what had."""
+
+
 class LawBlock(Model):
     """A law with its parameters: the name of a set, or values by name (text with units)."""
 
@@ -80,6 +84,17 @@ class LawBlock(Model):
         return LawChoice(self.type, self.parameters, self.refit)
 
 
+class CampaignLaw(LawBlock):
+    """The law thought of in a campaign, whose specimen may remember."""
+
+    extremes: Extremes | None = None
+
+    @property
+    def choice(self) -> LawChoice:
+        """The law as it was chosen."""
+        return replace(super().choice, extremes=self.extremes)
+
+
 @dataclass(frozen=True)
 class LawChoice:
     """A law as a file names it.
@@ -89,11 +104,13 @@ class LawChoice:
         parameters: name of a set, or values by name as written; `read_parameters` makes numbers of them. None: not
             given.
         refit: whether they are only a first guess.
+        extremes: whether those of one test soften the law in the next; None: not said.
     """
 
     type: str
     parameters: Mapping[str, Any] | str | None = None
     refit: bool = True
+    extremes: Extremes | None = None
 
 
 def check_specimen(block: SpecimenBlock, problems: Problems) -> None:

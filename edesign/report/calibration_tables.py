@@ -164,6 +164,11 @@ def _errors(calibration: Calibration) -> str:
 
 def _doubts(calibration: Calibration) -> list[str]:
     texts = [*ENDED[calibration.ending]]
+    if calibration.lasting:
+        texts.append(
+            "The softening of the law by its largest deformation and velocity lasts from test to test: so it predicts "
+            "them better than with a fresh specimen in each, or the campaign says so."
+        )
     if calibration.verdict in ("partly_explained", "unexplained"):
         share, model = percent(calibration.unexplained_share, 2), MODELS[calibration.subject]
         texts.append(

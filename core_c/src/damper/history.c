@@ -29,6 +29,15 @@ int ed_damper_amend(ed_damper *damper, int kind, int inside, int n_parameters, c
   return status;
 }
 
+int ed_damper_been(ed_damper *damper, const double extremes[4])
+{
+  for (int i = 0; i < 4; i++)
+    if (!isfinite(extremes[i]) || (i % 2 ? extremes[i] > 0.0 : extremes[i] < 0.0))
+      return ED_E_ARGUMENT;
+  memcpy(damper->been, extremes, sizeof damper->been);
+  return ED_OK;
+}
+
 void ed_damper_free(ed_damper *damper)
 {
   if (!damper)

@@ -348,6 +348,11 @@ static void remember(const ed_damper *damper, double u, double v, const double *
   memory[SMALLEST_V] = of_v.smallest;
 }
 
+static void start(const ed_damper *damper, double *state)
+{
+  memcpy(state + 1, damper->been, sizeof damper->been);
+}
+
 /* At most 5 of the deformation and 3 of the velocity, which is quadratic. */
 static int events(const ed_damper *damper, const ed_path *path, const double *memory, double at[8])
 {
@@ -368,5 +373,5 @@ static double relaxation_time(const ed_damper *damper)
   return constants_of(damper)->tau;
 }
 
-const ed_law ed_mgmm = {.name = "mgmm", .least_parameters = 12, .most_parameters = 12, .prepare = prepare, .step = step,
-                        .rate = rate, .remember = remember, .events = events, .relaxation_time = relaxation_time};
+const ed_law ed_mgmm = {.name = "mgmm", .least_parameters = 12, .most_parameters = 12, .prepare = prepare, .start = start,
+                        .step = step, .rate = rate, .remember = remember, .events = events, .relaxation_time = relaxation_time};

@@ -48,7 +48,9 @@ def next_test(problem: DamperProblem, found: Selection, workers: int = 1) -> Nex
 def _best_test(
     problem: DamperProblem, one: Judged, other: Judged, names: tuple[str, str], workers: int
 ) -> NextTest | None:
-    remembers = any(part[0].effect[0].remembers for judged in (one, other) for part in judged.fitted.parts)
+    remembers = problem.lasting or any(
+        part[0].effect[0].remembers for judged in (one, other) for part in judged.fitted.parts
+    )
     before = problem.trials if remembers else ()
     so_far = max(_differences(problem, one, other), default=0.0)
 

@@ -14,6 +14,7 @@ from scipy.linalg import qr
 from edesign.calibrate.dampers.acting import Acting, Changed, changed_by, spring_beside
 from edesign.calibrate.dampers.band import band_power
 from edesign.calibrate.dampers.effect import BEGUN, Form, Series
+from edesign.calibrate.dampers.extremes import extremes_after
 from edesign.calibrate.dampers.finer import finer
 from edesign.calibrate.dampers.inside import (
     relaxation_time,
@@ -24,7 +25,7 @@ from edesign.calibrate.dampers.inside import (
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
-from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
+from edesign.calibrate.dampers.trial import NONE, Extremes, Motion, Sizes, Trial, after
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
 from edesign.calibrate.unknown import Unknown
 from edesign.core import CoreError
@@ -54,6 +55,7 @@ class DamperProblem:
         trials: at the rate of a fit, or at full rate.
         sizes: of the campaign.
         thermometer: standard deviation of its error, K; 0 where temperatures do not matter.
+        lasting: whether the law remembers extremes from test to test; otherwise each test has a fresh specimen.
     """
 
     law: Law
@@ -61,6 +63,7 @@ class DamperProblem:
     trials: tuple[Trial, ...]
     sizes: Sizes
     thermometer: float = 0.0
+    lasting: bool = False
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -123,10 +126,13 @@ class DamperProblem:
         acting = [Acting.of(part) for part in parts]
         values = self.law_values(base)
         wanted = [trial.use in uses for trial in self.trials]
-        remembers = any(part.form.remembers for part in acting)
+        remembers = self.lasting or any(part.form.remembers for part in acting)
         found: list[np.ndarray | None] = []
+        been = NONE
         for trial, asked in zip(self.trials, wanted, strict=True):
-            force = self._force(trial, values, acting) if asked or remembers else None
+            force = None
+            if asked or remembers:
+                force, been = self._run(after(been, trial), values, acting)
             found.append(force if asked else None)
         return found
 
@@ -153,12 +159,14 @@ class DamperProblem:
             acting = [Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
             values = self.law_values(np.array(base))
             found = []
+            been = NONE
             for trial in self.trials:
                 more = [
                     replace(part, memory={**part.memory, **({BEGUN: _BEGUN} if part.form.begins else {})})
                     for part in acting
                 ]
-                warm, cold = (self._force(trial, values, own) for own in (more, acting))  # `acting` remembers
+                warm, _ = self._run(after(been, trial), values, more)
+                cold, been = self._run(after(been, trial), values, acting)  # `acting` remembers
                 found.append((warm - cold) / _BEGUN)
             return tuple(found)
 
@@ -200,10 +208,12 @@ class DamperProblem:
         def kept(parts: tuple[_KeptPart, ...]) -> tuple[np.ndarray, ...]:
             acting = [Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
             found = []
+            been = NONE
             for trial in self.trials:
-                warmer = replace(trial, temperature=trial.temperature + _WARMER)
-                forces = [self._force(one, {**self.start}, acting) for one in (warmer, trial)]
-                found.append((forces[0] - forces[1]) / _WARMER)
+                cold = after(been, trial)
+                warm = replace(cold, temperature=trial.temperature + _WARMER)
+                (warmer, _), (colder, been) = (self._run(one, {**self.start}, acting) for one in (warm, cold))
+                found.append((warmer - colder) / _WARMER)
             return tuple(found)
 
         return kept
@@ -236,14 +246,16 @@ class DamperProblem:
             whole += residual.size
         return max(inside / expected, sum(float(r @ r) for r in residuals) / whole)
 
-    def _force(self, trial: Trial, values: dict[str, float], acting: Sequence[Acting]) -> np.ndarray:
+    def _run(self, trial: Trial, values: dict[str, float], acting: Sequence[Acting]) -> tuple[np.ndarray, Extremes]:
+        """Force (n,) N that is recorded, and what the law remembers after the test."""
         parts_of_step = max((part.form.refined for part in acting), default=1)
         with np.errstate(all="ignore"):  # a search may ask for anything; a force that is not finite is refused
             fine = trial.finer(parts_of_step) if parts_of_step > 1 else trial
-            return self._recorded(fine, values, acting)[::parts_of_step]
+            force, own = self._recorded(fine, values, acting)
+        return force[::parts_of_step], extremes_after(trial.been, own) if self.lasting else NONE
 
-    def _recorded(self, trial: Trial, values: dict[str, float], acting: Sequence[Acting]) -> np.ndarray:
-        """Force (n,) N that the load cell records."""
+    def _recorded(self, trial: Trial, values: dict[str, float], acting: Sequence[Acting]) -> tuple[np.ndarray, Motion]:
+        """Force (n,) N that the load cell records, and the motion of the elastomer."""
         motion = trial.motion
         for part in acting:
             motion = part.form.actuator(part.p, trial, motion)
@@ -254,7 +266,7 @@ class DamperProblem:
             values = part.form.law(part.p, trial, values)
         series = [s for s in (part.form.series(part.p) for part in acting) if s is not None]
         if series:
-            force = self._in_series(trial, own, values, acting, Series.together(series))
+            force, own = self._in_series(trial, own, values, acting, Series.together(series))
         else:
             law_force, changed = self._changed_force(trial, own, values, acting)
             force = np.asarray(changed.factor * law_force + changed.parallel)
@@ -264,7 +276,7 @@ class DamperProblem:
             force = part.form.channel(part.p, trial, force)
         if not np.all(np.isfinite(force)):
             raise PredictionError("the force is not finite")
-        return force
+        return force, own
 
     def _changed_force(
         self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[Acting]
@@ -303,14 +315,14 @@ class DamperProblem:
 
     def _in_series(
         self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[Acting], rig: Series
-    ) -> np.ndarray:
-        """Force (n,) N with the rig in series.
+    ) -> tuple[np.ndarray, Motion]:
+        """Force (n,) N with the rig in series, and the motion that it leaves.
 
         What parts make of the law's force goes with the motion that the rig leaves to the specimen, and this with the
         force: a round at fewer samples finds that motion, the second one the force. Springs move with the specimen
         within each round.
         """
-        damper = _damper(self.law.name, self._at(trial, values))
+        damper = _damper(self.law.name, self._at(trial, values), trial.been)
         remembered = [dict(part.memory) for part in acting]
         left, driven = motion, motion.thinned(_COARSE)
         while True:
@@ -340,15 +352,15 @@ class DamperProblem:
             except CoreError as error:
                 raise PredictionError(str(error)) from error
             if driven is motion:
-                return force
+                return force, motion.moved(own) if self.lasting else left
             left = motion.moved(motion.displacement - _between(driven, driven.displacement - own, motion.time))
             driven = motion
 
     def _law_force(self, trial: Trial, motion: Motion, values: dict[str, float]) -> np.ndarray:
         law = self._at(trial, values)
         if motion is trial.motion:
-            return _kept_force(self.law.name, law, _Same(motion))
-        return _force(self.law.name, law, motion)
+            return _kept_force(self.law.name, law, _Same(motion), trial.been)
+        return _force(self.law.name, law, motion, trial.been)
 
     def _at(self, trial: Trial, values: dict[str, float]) -> tuple[float, ...]:
         """Parameters of the law at the temperature of a test, in the order of the core."""
@@ -417,22 +429,22 @@ def _orthonormal(columns: Sequence[np.ndarray]) -> np.ndarray:
 _KeptPart = tuple[_Same[Candidate], tuple[float, ...]]
 
 
-def _damper(law: str, values: tuple[float, ...]) -> CoreDamper:
+def _damper(law: str, values: tuple[float, ...], been: Extremes) -> CoreDamper:
     try:
-        return CoreDamper(law, values)
+        return CoreDamper(law, values, been=been)
     except CoreError as error:
         raise PredictionError(str(error)) from error
 
 
-def _force(law: str, values: tuple[float, ...], motion: Motion) -> np.ndarray:
+def _force(law: str, values: tuple[float, ...], motion: Motion, been: Extremes) -> np.ndarray:
     try:
-        return _damper(law, values).force(motion.time, motion.displacement, motion.velocity)
+        return _damper(law, values, been).force(motion.time, motion.displacement, motion.velocity)
     except CoreError as error:
         raise PredictionError(str(error)) from error
 
 
 @lru_cache(maxsize=_KEPT)
-def _kept_force(law: str, values: tuple[float, ...], motion: _Same[Motion]) -> np.ndarray:
-    force = _force(law, values, motion.thing)
+def _kept_force(law: str, values: tuple[float, ...], motion: _Same[Motion], been: Extremes) -> np.ndarray:
+    force = _force(law, values, motion.thing, been)
     force.setflags(write=False)
     return force

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, lru_cache
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
@@ -63,6 +63,13 @@ class Motion:
         return Motion(self.time, displacement, self.velocity + rate, self.acceleration + np.gradient(rate, self.time))
 
 
+Extremes = tuple[float, float, float, float]
+"""Largest and smallest deformation, m, largest and smallest velocity, m/s."""
+NONE: Extremes = (0.0, 0.0, 0.0, 0.0)
+"""Of a specimen that has not moved."""
+_KEPT = 256  # tests with what went before them
+
+
 @dataclass(frozen=True, eq=False)
 class Trial:
     """A test at one rate.
@@ -77,6 +84,7 @@ class Trial:
         motion_noise: standard deviation of the force that noise of the displacement makes through the law, N.
         weight: (n,) factors of a residual that make its noise as strong at all times; None: it is.
         whole: the test at full rate, if this is not.
+        been: what the specimen went through before, and its law remembers.
     """
 
     name: str
@@ -88,6 +96,7 @@ class Trial:
     motion_noise: float = 0.0
     weight: np.ndarray | None = None
     whole: Trial | None = None
+    been: Extremes = NONE
 
     def thinned(self) -> Trial:
         """With no more samples than a fit needs."""
@@ -133,6 +142,12 @@ class Trial:
             force, temperature = (np.interp(fine, time, values) for values in (self.force, self.temperature))
             self._finer[parts] = replace(self, motion=motion, force=force, temperature=temperature)
         return self._finer[parts]
+
+
+@lru_cache(maxsize=_KEPT)
+def after(been: Extremes, trial: Trial) -> Trial:
+    """A test of a specimen that went through something; kept, with what the test keeps itself."""
+    return trial if been == trial.been else replace(trial, been=been)
 
 
 @dataclass(frozen=True)

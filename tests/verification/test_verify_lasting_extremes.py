@@ -1,0 +1,108 @@
+"""Softening of the MGMM by extremes that lasts from test to test, against one long history with rests between tests."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.calibrate.dampers.extremes import extremes_after
+from edesign.calibrate.dampers.lasting import remembered
+from edesign.calibrate.dampers.prepare import damper_problem, thinned
+from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.calibrate.dampers.trial import NONE, Motion
+from edesign.calibrate.run import noise_of
+from edesign.damper.campaign import load_campaign, write_campaign
+from edesign.damper.damper import Damper
+from edesign.damper.laws import law
+from edesign.damper.parameters import read_parameters
+from edesign.damper.specimen import Specimen
+from edesign.damper.test_files import Extremes, LawChoice
+from edesign.damper.test_record import DamperTest
+from edesign.errors import InputError
+
+MGMM = law("mgmm")
+TABLE_4_2 = read_parameters(MGMM, "thesis_table_4_2")
+T = np.arange(0.0, 6.0, 1.0 / 200.0)
+REST = 400  # samples of 5 ms: 68 relaxation times
+NOISE = 20.0  # N
+
+
+def motions() -> list[np.ndarray]:
+    """Of five tests that begin and end at rest; a small one after the largest."""
+    grow = np.clip(2.0 * np.minimum(T, T[-1] - T), 0.0, 1.0)
+    smooth = grow**3 * (10.0 - 15.0 * grow + 6.0 * grow**2)
+    return [
+        1e-3 * a * smooth * np.sin(2.0 * np.pi * f * T)
+        for a, f in ((3.0, 1.0), (6.0, 0.5), (2.0, 2.0), (4.0, 1.0), (5.0, 0.7))
+    ]
+
+
+def one_history() -> list[np.ndarray]:
+    """Forces of the tests cut from one history."""
+    each = motions()
+    long = np.concatenate([part for u in each for part in (u, np.zeros(REST))])
+    time = np.arange(long.size) / 200.0
+    force = Damper(MGMM, TABLE_4_2).force(time, long)
+    return [force[i * (T.size + REST) :][: T.size] for i in range(len(each))]
+
+
+def problem(folder: Path, forces: list[np.ndarray], extremes: Extremes | None = None) -> DamperProblem:
+    random = np.random.default_rng(5)
+    tests = [
+        DamperTest(
+            f"test_{i}", T, u, f + NOISE * random.standard_normal(T.size), 20.0, use="validate" if i == 3 else "fit"
+        )
+        for i, (u, f) in enumerate(zip(motions(), forces, strict=True))
+    ]
+    choice = LawChoice("mgmm", "thesis_table_4_2", extremes=extremes)
+    return damper_problem(write_campaign(folder, Specimen("S", 2, 0.0414, 0.012), tests, choice))
+
+
+def test_lasting_extremes_are_those_of_one_history(tmp_path: Path) -> None:
+    forces = one_history()
+    fresh = problem(tmp_path, forces)
+    lasting = replace(fresh, lasting=True)
+    peak = max(float(np.max(np.abs(force))) for force in forces)
+    left = []
+    for one in (fresh, lasting):
+        predicted = one.predict(one.declared, (), ("fit", "validate"))
+        left.append([float(np.max(np.abs(p - f))) for p, f in zip(predicted, forces, strict=True) if p is not None])
+    # motion that is freed from (no) noise, splines of each test by themselves
+    assert max(left[1]) < 1e-3 * peak
+    assert left[0][2] > 0.05 * peak  # the small test after the large one
+    # those asked for alone are the same: tests between are run through
+    (only,) = [p for p in lasting.predict(lasting.declared, (), ("validate",)) if p is not None]
+    assert only == pytest.approx(forces[3], abs=1e-3 * peak)
+
+
+def test_what_predicts_the_tests_better_is_found(tmp_path: Path) -> None:
+    fresh_forces = [Damper(MGMM, TABLE_4_2).force(T, u) for u in motions()]
+    for name, forces, lasting in (("one", one_history(), True), ("each", fresh_forces, False)):
+        given = problem(tmp_path / name, forces)
+        found = remembered(thinned(given), [noise_of(trial) for trial in given.trials], refit=True)
+        assert found.lasting is lasting
+
+
+def test_extremes_between_samples_are_those_of_the_cubics() -> None:
+    # a sine at 8 samples a cycle, whose peaks lie between them: cubics meet its peak to (pi/4)^4 / 384 = 1e-3, and their
+    # velocity that of the sine, at the sample, exactly
+    t = (np.arange(25) + 0.5) / 8.0
+    w = 2.0 * np.pi
+    motion = Motion(t, np.sin(w * t), w * np.cos(w * t), -(w**2) * np.sin(w * t))
+    found = extremes_after(NONE, motion)
+    assert found == pytest.approx((1.0, -1.0, w, -w), rel=2e-2)
+    assert found[0] > np.max(motion.displacement) * 1.05 and found[2] > np.max(motion.velocity) * 1.05
+    assert extremes_after((2.0, -2.0, 9.0, -9.0), motion) == (2.0, -2.0, 9.0, -9.0)
+
+
+def test_a_campaign_says_whether_extremes_last(tmp_path: Path) -> None:
+    problem(tmp_path, [0.0 * T + u for u in motions()], extremes="lasting")
+    path = tmp_path / "campaign.yaml"
+    campaign = load_campaign(path)
+    assert campaign.law is not None and campaign.law.extremes == "lasting"
+    path.write_text(path.read_text(encoding="utf-8").replace("lasting", "for ever"), encoding="utf-8")
+    with pytest.raises(InputError, match="fresh"):
+        load_campaign(path)
