@@ -10,6 +10,7 @@ import numpy as np
 
 from edesign.calibrate.problem import Kind, Use
 from edesign.damper.amendments import Amendment
+from edesign.damper.temperature import GammaOf
 
 Verdict = Literal["none", "explained", "partly_explained", "unexplained"]
 Subject = Literal["damper", "structure"]
@@ -184,6 +185,7 @@ class Calibration:
         subject: what was calibrated.
         ending: how the search for effects came to its end.
         lasting: whether the law remembers extremes from test to test.
+        gamma_of: what gamma_T of an MGMM multiplies.
     """
 
     title: str
@@ -205,6 +207,7 @@ class Calibration:
     subject: Subject = "damper"
     ending: Ending = "complete"
     lasting: bool = False
+    gamma_of: GammaOf = "parameters"
 
     @property
     def verdict_words(self) -> str:

@@ -10,9 +10,9 @@ import numpy as np
 
 from edesign.calibrate.dampers.carried import carried_law, described
 from edesign.calibrate.dampers.full_rate import at_full_rate
-from edesign.calibrate.dampers.lasting import remembered
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
+from edesign.calibrate.dampers.readings import best_read
 from edesign.calibrate.dampers.trial import Trial
 from edesign.calibrate.noise import least_noise, white_noise
 from edesign.calibrate.outcome import Outcome, residual_of
@@ -41,9 +41,8 @@ def calibrate(
     assert campaign.law is not None
     noise = tuple(noise_of(trial) for trial in problem.trials)
     fast = thinned(problem)
-    extremes = campaign.law.extremes
-    lasting = remembered(fast, noise, campaign.law.refit).lasting if extremes is None else extremes == "lasting"
-    problem, fast = (replace(one, lasting=lasting) for one in (problem, fast))
+    fast = best_read(fast, campaign.law, noise)
+    problem = replace(problem, lasting=fast.lasting, gamma_of=fast.gamma_of)
     found = Loop(fast, noise, campaign.law.refit, workers, progress, seconds).run()
     progress("fitting all samples")
     found = at_full_rate(found, problem)
@@ -77,7 +76,7 @@ def calibrate(
         series,
         clock.perf_counter() - begin,
     )
-    return replace(calibration, carried=carried, lasting=lasting)
+    return replace(calibration, carried=carried, lasting=fast.lasting, gamma_of=fast.gamma_of)
 
 
 def noise_of(trial: Trial) -> float:

@@ -50,13 +50,17 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         },
         "refused": [{"effect": label, "evidence": evidence} for label, evidence in found.refused],
         "law_held": found.law_held,
-        "extremes": "lasting" if found.lasting else "fresh",
+        **({"extremes": _extremes(found), "gamma_T_of": found.gamma_of} if found.subject == "damper" else {}),
         "law_file": None if found.carried is None else _carried(found.carried),
         "parameters": {
             stage: {name: _estimate(value) for name, value in found.parameters[stage].items()} for stage in _STAGES
         },
         "seconds": round(found.seconds, 2),
     }
+
+
+def _extremes(found: Calibration) -> str:
+    return "lasting" if found.lasting else "fresh"
 
 
 def _carried(law: CarriedLaw) -> dict[str, Any]:
@@ -117,6 +121,8 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
     if found.law in GammaT().laws and any(_mean_C(series) != REFERENCE_C for series in found.series):
         # as the loop takes it
         data["temperature_law"] = {"gamma_T": {f"{t:g} degC": gamma for t, gamma in GammaT().table}}
+        if found.gamma_of != "parameters":
+            data["temperature_law"]["of"] = found.gamma_of
     specimen = campaign.specimen
     data["prototype"] = {
         "layers": specimen.layers,

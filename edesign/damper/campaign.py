@@ -193,6 +193,8 @@ def _text(specimen: Specimen, tests: Sequence[DamperTest], law: LawChoice | None
             data["law"]["refit"] = False
         if law.extremes is not None:
             data["law"]["extremes"] = law.extremes
+        if law.gamma_T_of is not None:
+            data["law"]["gamma_T_of"] = law.gamma_T_of
     data["tests"] = [
         {
             "file": f"{test.name}.csv",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Protocol
+from typing import Literal, Protocol
 
 from edesign.damper.law import Law
 from edesign.damper.laws import LAWS
@@ -37,6 +37,12 @@ class TemperatureModel(Protocol):
         """Parameters at a temperature, and warnings; the law is one of `laws`, the values are complete."""
 
 
+GammaOf = Literal["parameters", "force", "by_the_letter"]
+"""What gamma_T multiplies, see `GammaT`."""
+
+SHAPES = ("alpha", "u_ref", "v_ref")
+"""Parameters of the MGMM with which its force does not go in proportion."""
+
 CHANGING = ("k1", "c1", "k0", "c_NL", "alpha", "k_a", "k_b", "u_ref", "c_a", "c_b", "v_ref")
 """Parameters of the MGMM that gamma_T multiplies."""
 
@@ -47,8 +53,9 @@ class GammaT:
 
     Attributes:
         table: temperature in degC and gamma_T, ascending; without one Table 4.4. One gamma_T is 1: the reference.
-        squared: take Eq. 4.34 by the letter, in which k_mod,T of Eq. 4.36 is multiplied by gamma_T once more. Without
-            it "all parameters change at the same rate", as the text of section 4.5 has it.
+        of: `parameters`: "all parameters change at the same rate", as the text of section 4.5 has it; `by_the_letter`:
+            of Eq. 4.34, in which k_mod,T of Eq. 4.36 is multiplied by gamma_T once more; `force`: the force alone, as
+            by others, so that alpha, u_ref and v_ref stay.
 
     Raises:
         InputError: a table that is not ascending, not positive, or without a reference.
@@ -57,7 +64,7 @@ class GammaT:
     """
 
     table: tuple[tuple[float, float], ...] = ((20.0, 1.0), (25.0, 0.935), (30.0, 0.875), (35.0, 0.820))
-    squared: bool = False
+    of: GammaOf = "parameters"
 
     def __post_init__(self) -> None:
         temperatures = [temperature for temperature, _ in self.table]
@@ -116,8 +123,11 @@ class GammaT:
                 f"gamma_T at {temperature_C:g} degC is {gamma:.3g} on a straight line beyond its table, which goes "
                 f"from {low:g} to {high:g} degC"
             )
+        if self.of == "force":
+            found = {name: v * gamma if name in CHANGING and name not in SHAPES else v for name, v in values.items()}
+            return found, tuple(warnings)
         found = at_one_rate(values, gamma)
-        if self.squared:
+        if self.of == "by_the_letter":
             found["k_a"] *= gamma
             found["k_b"] *= gamma
         return found, tuple(warnings)

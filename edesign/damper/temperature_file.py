@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field, model_validator
 
-from edesign.damper.temperature import FerryShift, GammaT
+from edesign.damper.temperature import FerryShift, GammaOf, GammaT
 from edesign.errors import InputError
 from edesign.project.base import Model, refuse
 from edesign.project.temperature import Temperature
@@ -36,12 +36,15 @@ class TemperatureLaw(Model):
     """How the parameters of a law change with temperature; one of the two."""
 
     gamma_T: dict[Temperature, PositiveFactor] | None = Field(default=None)
+    of: GammaOf = "parameters"
     ferry: Ferry | None = None
 
     @model_validator(mode="after")
     def _one(self) -> TemperatureLaw:
         if (self.gamma_T is None) == (self.ferry is None):
             raise refuse("one of `gamma_T` and `ferry` is needed")
+        if self.ferry is not None and "of" in self.model_fields_set:
+            raise refuse("`of` is what gamma_T multiplies; leave it out beside `ferry`", "of")
         try:
             self.model()
         except InputError as error:
@@ -53,4 +56,4 @@ class TemperatureLaw(Model):
         if self.ferry is not None:
             return FerryShift(self.ferry.p1, self.ferry.p2, self.ferry.reference)
         assert self.gamma_T is not None
-        return GammaT(tuple(sorted(self.gamma_T.items())))
+        return GammaT(tuple(sorted(self.gamma_T.items())), self.of)

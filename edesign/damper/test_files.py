@@ -13,6 +13,7 @@ from edesign.core.damper import CoreDamper
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import ParameterError, read_parameters
 from edesign.damper.specimen import Specimen
+from edesign.damper.temperature import GammaOf
 from edesign.errors import InputError
 from edesign.project.base import Model, refuse
 from edesign.project.problems import Keys, Problems, did_you_mean, listed
@@ -88,11 +89,12 @@ class CampaignLaw(LawBlock):
     """The law thought of in a campaign, whose specimen may remember."""
 
     extremes: Extremes | None = None
+    gamma_T_of: GammaOf | None = None
 
     @property
     def choice(self) -> LawChoice:
         """The law as it was chosen."""
-        return replace(super().choice, extremes=self.extremes)
+        return replace(super().choice, extremes=self.extremes, gamma_T_of=self.gamma_T_of)
 
 
 @dataclass(frozen=True)
@@ -105,12 +107,14 @@ class LawChoice:
             given.
         refit: whether they are only a first guess.
         extremes: whether those of one test soften the law in the next; None: not said.
+        gamma_T_of: what gamma_T multiplies; None: not said.
     """
 
     type: str
     parameters: Mapping[str, Any] | str | None = None
     refit: bool = True
     extremes: Extremes | None = None
+    gamma_T_of: GammaOf | None = None
 
 
 def check_specimen(block: SpecimenBlock, problems: Problems) -> None:

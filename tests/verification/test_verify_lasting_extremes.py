@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from edesign.calibrate.dampers.extremes import extremes_after
-from edesign.calibrate.dampers.lasting import remembered
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.calibrate.dampers.readings import best_read
 from edesign.calibrate.dampers.trial import NONE, Motion
 from edesign.calibrate.run import noise_of
 from edesign.damper.campaign import load_campaign, write_campaign
@@ -82,7 +82,8 @@ def test_what_predicts_the_tests_better_is_found(tmp_path: Path) -> None:
     fresh_forces = [Damper(MGMM, TABLE_4_2).force(T, u) for u in motions()]
     for name, forces, lasting in (("one", one_history(), True), ("each", fresh_forces, False)):
         given = problem(tmp_path / name, forces)
-        found = remembered(thinned(given), [noise_of(trial) for trial in given.trials], refit=True)
+        choice = LawChoice("mgmm", "thesis_table_4_2")
+        found = best_read(thinned(given), choice, [noise_of(trial) for trial in given.trials])
         assert found.lasting is lasting
 
 

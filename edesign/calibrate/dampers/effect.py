@@ -96,6 +96,7 @@ class Form:
         loss_start: exponent of the dashpots from which a search goes.
         spares_loss: whether it does, see `dashpot_factor`.
         of_mgmm: whether it is one of its own only for the MGMM, whose springs soften and which has gamma_T.
+        in_place_of_gamma: whether the law's own gamma_T does not act where it does.
         spares_springs: whether it changes dashpots alone.
         may_be_of_power: whether its factor may act on the law's dashpot of a power of the velocity alone.
         of_power: whether it does.
@@ -129,6 +130,7 @@ class Form:
     spares_loss: bool = False
     spares_springs: bool = False
     of_mgmm: bool = False
+    in_place_of_gamma: bool = False
     may_be_of_power: ClassVar[bool] = False
     of_power: bool = False
     has_columns: bool = False

@@ -31,7 +31,7 @@ from edesign.calibrate.unknown import Unknown
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.law import Law
-from edesign.damper.temperature import at
+from edesign.damper.temperature import GammaOf, GammaT, at
 from edesign.errors import InputError
 
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
@@ -56,6 +56,7 @@ class DamperProblem:
         sizes: of the campaign.
         thermometer: standard deviation of its error, K; 0 where temperatures do not matter.
         lasting: whether the law remembers extremes from test to test; otherwise each test has a fresh specimen.
+        gamma_of: what gamma_T of an MGMM multiplies.
     """
 
     law: Law
@@ -64,6 +65,7 @@ class DamperProblem:
     sizes: Sizes
     thermometer: float = 0.0
     lasting: bool = False
+    gamma_of: GammaOf = "parameters"
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -264,6 +266,8 @@ class DamperProblem:
             own = part.form.specimen(part.p, trial, own)
         for part in acting:
             values = part.form.law(part.p, trial, values)
+        own_gamma = not any(part.form.in_place_of_gamma for part in acting)
+        values = self._at(trial, values) if own_gamma else self.law.complete(values)
         series = [s for s in (part.form.series(part.p) for part in acting) if s is not None]
         if series:
             force, own = self._in_series(trial, own, values, acting, Series.together(series))
@@ -322,7 +326,7 @@ class DamperProblem:
         force: a round at fewer samples finds that motion, the second one the force. Springs move with the specimen
         within each round.
         """
-        damper = _damper(self.law.name, self._at(trial, values), trial.been)
+        damper = _damper(self.law.name, tuple(values.values()), trial.been)
         remembered = [dict(part.memory) for part in acting]
         left, driven = motion, motion.thinned(_COARSE)
         while True:
@@ -357,26 +361,27 @@ class DamperProblem:
             driven = motion
 
     def _law_force(self, trial: Trial, motion: Motion, values: dict[str, float]) -> np.ndarray:
-        law = self._at(trial, values)
+        law = tuple(values.values())
         if motion is trial.motion:
             return _kept_force(self.law.name, law, _Same(motion), trial.been)
         return _force(self.law.name, law, motion, trial.been)
 
-    def _at(self, trial: Trial, values: dict[str, float]) -> tuple[float, ...]:
+    def _at(self, trial: Trial, values: dict[str, float]) -> dict[str, float]:
         """Parameters of the law at the temperature of a test, in the order of the core."""
-        return self._kept_at(tuple(values.items()), trial.mean_temperature)
+        return dict(self._kept_at(tuple(values.items()), trial.mean_temperature))
 
     @cached_property
-    def _kept_at(self) -> Callable[[tuple[tuple[str, float], ...], float], tuple[float, ...]]:
+    def _kept_at(self) -> Callable[[tuple[tuple[str, float], ...], float], tuple[tuple[str, float], ...]]:
         """Kept for the sets of parameters last used: most tests have one temperature."""
 
         @lru_cache(maxsize=_KEPT)
-        def kept(values: tuple[tuple[str, float], ...], temperature_C: float) -> tuple[float, ...]:
+        def kept(values: tuple[tuple[str, float], ...], temperature_C: float) -> tuple[tuple[str, float], ...]:
+            model = GammaT(of=self.gamma_of) if self.law.name in GammaT().laws else None
             try:
-                found, _ = at(self.law, dict(values), temperature_C)
+                found, _ = at(self.law, dict(values), temperature_C, model)
             except InputError as error:
                 raise PredictionError(str(error)) from error
-            return tuple(found.values())
+            return tuple(found.items())
 
         return kept
 

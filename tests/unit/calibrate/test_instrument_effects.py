@@ -81,6 +81,16 @@ def test_a_delay_is_that_of_a_sine() -> None:
     np.testing.assert_allclose(late[1:], 1e5 * np.sin(W * (time[1:] - 0.0123)), atol=1e5 * 5e-6)
 
 
+def test_a_delay_that_grows_is_later_in_later_tests_and_seconds() -> None:
+    values = {"lag": 0.004, "grown": 0.006, "skew": 2e-4, "N": 9.0}
+    for order in (0, 3):
+        trial = replace(_trial(60.0, 5.0), order=order)
+        late = lag.Growing().channel(values, trial, trial.force)
+        time = trial.motion.time - trial.motion.time[0]
+        exact = 1e5 * np.sin(W * (time * (1.0 - 2e-4) - 0.004 - 0.006 * order / 9.0))
+        np.testing.assert_allclose(late[1:], exact[1:], atol=1e5 * 5e-6)  # as of a plain delay
+
+
 def test_a_filter_has_the_gain_and_phase_of_first_order() -> None:
     # H = 1 / (1 + i w tau) once the start has died out; linear between 100 samples in a cycle: (w h)^2 / 12 = 3e-4
     trial, tau = _trial(100.0, 10.0), 0.03

@@ -55,7 +55,7 @@ def test_equations_4_34_to_4_36_term_by_term(temperature: float) -> None:
 def test_letter_of_equation_4_34() -> None:
     """gamma_T before the bracket with k_mod,T: gamma_T squared at k_a and k_b, and nowhere else."""
     once, _ = at(MGMM, EXAMPLES["mgmm"], 30.0, GammaT())
-    twice, _ = at(MGMM, EXAMPLES["mgmm"], 30.0, GammaT(squared=True))
+    twice, _ = at(MGMM, EXAMPLES["mgmm"], 30.0, GammaT(of="by_the_letter"))
     changed = {name: twice[name] / once[name] for name in once if twice[name] != once[name]}
     assert changed == pytest.approx({"k_a": 0.875, "k_b": 0.875})
 

@@ -92,6 +92,7 @@ class Path(_Degradation):
     """The force falls with a power of the path travelled in its life, without end: F = (1 - d (s/S)^p) F_law."""
 
     form: ClassVar[str] = "path"
+    may_spare_loss: ClassVar[bool] = True
     title: ClassVar[str] = "lasting degradation by the path travelled"
     signature: ClassVar[str] = (
         "the force falls from test to test with the path travelled, small amplitudes counting as much as large ones"

@@ -44,6 +44,39 @@ class Delay(_Lag):
         return trial.motion.spline.at(force, np.clip(time - p["lag"], time[0], time[-1]))
 
 
+class Growing(_Lag):
+    """A lag that changes by as much from test to test and from second to second of a test, as two recorders' clocks do.
+
+    F(t) = F_true(t - lag - grown n/N - skew t): n tests before, N before the last one, t since the test began.
+    """
+
+    form: ClassVar[str] = "growing"
+    title: ClassVar[str] = "lag between the channels that changes within tests and over the campaign"
+    signature: ClassVar[str] = "proportional to the rate of the force, more and more so as time goes on"
+    source: ClassVar[str] = "skew of clocks: Mills (1991), IEEE Trans. Commun. 39, 1482-1493; as `delay`"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        longest = _LONGEST * sizes.period
+        most = longest / sizes.duration
+        return (
+            Unknown("lag", "s", -longest, longest, 0.1 * longest),
+            Unknown("grown", "s", -longest, longest, 0.1 * longest),
+            Unknown("skew", "", -most, most, 0.1 * most),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        own = _STARTS[0] * sizes.period
+        return (own, own, 0.0), (own, 0.0, own / sizes.duration)
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"N": max(sizes.tests - 1.0, 1.0)}
+
+    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
+        time = trial.motion.time
+        lag = p["lag"] + p["grown"] * trial.order / p["N"] + p["skew"] * (time - time[0])
+        return trial.motion.spline.at(force, np.clip(time - lag, time[0], time[-1]))
+
+
 class Filter(_Lag):
     """A first-order filter in the force channel: tau F' + F = F_true."""
 
@@ -102,4 +135,4 @@ class DisplacementFilter(Filter):
         return force
 
 
-FORMS = (Delay, Filter, SecondOrder, DisplacementFilter)
+FORMS = (Delay, Growing, Filter, SecondOrder, DisplacementFilter)

@@ -325,6 +325,7 @@ class Scragging(_ByMaximum):
     """
 
     may_be_inside: ClassVar[bool] = False
+    may_spare_loss: ClassVar[bool] = True
     amendment: ClassVar[bool] = False
     form: ClassVar[str] = "scragging"
     title: ClassVar[str] = "softening in the first cycles at each new largest deformation"

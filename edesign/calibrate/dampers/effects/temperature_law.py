@@ -10,13 +10,12 @@ from scipy.special import expit
 
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
-from edesign.calibrate.problem import Kind, PredictionError
+from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
-from edesign.damper.temperature import CHANGING, REFERENCE_C, GammaT, at_one_rate
-from edesign.errors import InputError
+from edesign.damper.temperature import CHANGING, REFERENCE_C, at_one_rate
 
 _LEAST_SPAN = 2.0  # K: tests at one temperature tell nothing of it, and readings of one, 0.2 K off, span up to 1 K
 _SHARPEST = 1.0  # K, of a transition: no rubber has a sharper one, and readings may be off by 0.2 K
@@ -193,16 +192,7 @@ class Transition(_Temperature):
 
 def _in_place(form: _Temperature) -> Form:
     """The same in the place of the MGMM's own gamma_T, which is that of another elastomer."""
-    with_gamma = form.law
-
-    def law(p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
-        own = with_gamma(p, trial, values)
-        try:
-            return at_one_rate(own, 1.0 / GammaT().gamma(trial.mean_temperature))
-        except InputError as error:
-            raise PredictionError(str(error)) from error
-
-    changes = {"law": law, "of_mgmm": True, "may_be_shaped": False}
+    changes = {"in_place_of_gamma": True, "of_mgmm": True, "may_be_shaped": False}
     return form.variant("in_place", "in the place of the law's own", **changes)
 
 

@@ -1,0 +1,57 @@
+"""How the MGMM is read where a campaign does not say: whether extremes last between tests, what gamma_T multiplies."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from itertools import product
+
+from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.problem import PredictionError
+from edesign.damper.temperature import REFERENCE_C, GammaOf, GammaT
+from edesign.damper.test_files import Extremes, LawChoice
+
+_EXTREMES: tuple[Extremes, ...] = ("fresh", "lasting")
+_GAMMAS: tuple[GammaOf, ...] = ("parameters", "force", "by_the_letter")
+_FAR = 10.0  # times what the best reading of the declared law leaves: beyond, a refit does not make up for it
+_CLEAR = 0.5  # of the sum of squares: an effect that the law lacks may go with another reading in part
+
+
+def read(problem: DamperProblem, choice: LawChoice) -> DamperProblem:
+    """The problem with the law read as the campaign says, and else as usual."""
+    return replace(problem, lasting=choice.extremes == "lasting", gamma_of=choice.gamma_T_of or "parameters")
+
+
+def best_read(problem: DamperProblem, choice: LawChoice, noise: Sequence[float]) -> DamperProblem:
+    """The problem with the law read as the campaign says, and what it does not say as the tests do: as usual unless
+    another reading leaves much less, of the law as declared or fitted again. Effects that it may lack come later.
+
+    Args:
+        problem: at the rate of a fit.
+        choice: the law as the campaign names it.
+        noise: (tests,) standard deviation of each test's noise, N.
+    """
+    usual = read(problem, choice)
+    if problem.law.name not in GammaT().laws:
+        return usual
+    extremes = _EXTREMES if choice.extremes is None else (choice.extremes,)
+    warm = any(trial.mean_temperature != REFERENCE_C for trial in problem.trials)
+    gammas = (usual.gamma_of,) if choice.gamma_T_of or not warm else _GAMMAS
+    readings = [replace(usual, lasting=e == "lasting", gamma_of=g) for e, g in product(extremes, gammas)]
+    left = [_left(one, noise, refit=False) for one in readings]
+    near = [i for i in range(len(left)) if i == 0 or left[i] < _FAR * min(left)]
+    if choice.refit and len(near) > 1:
+        for i in near:
+            left[i] = min(left[i], _left(readings[i], noise, refit=True))
+    best = min(near, key=lambda i: left[i])
+    return readings[best] if left[best] < _CLEAR * left[0] else usual
+
+
+def _left(problem: DamperProblem, noise: Sequence[float], refit: bool) -> float:
+    """Sum of squares in units of noise."""
+    model = Model(problem, tuple(noise), (), held=not refit)
+    try:
+        return fit(model, model.coordinates()).chi2
+    except PredictionError:
+        return float("inf")
