@@ -38,7 +38,8 @@ _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show 
 _WELL_APART = 1e-6  # ratio of eigenvalues with which squares of columns make a basis that is exact to 1e-10
 _BEGUN = 1e-3  # change of a state, a number, by which differences are taken
 _WARMER = 0.2  # K, likewise
-_KEPT = 64  # force histories of the law alone: those of one set of parameters
+_KEPT = 64  # results of the parameters last used
+_FORCES = 256  # force histories of the law alone: of some sets of parameters, or of motions that a search moves
 _COARSE = 3  # samples of a first round with a rig in series, that finds about what it takes of the motion
 _FEWEST = 4  # of them; a shorter test has the second round alone
 
@@ -361,10 +362,7 @@ class DamperProblem:
             driven = motion
 
     def _law_force(self, trial: Trial, motion: Motion, values: dict[str, float]) -> np.ndarray:
-        law = tuple(values.values())
-        if motion is trial.motion:
-            return _kept_force(self.law.name, law, _Same(motion), trial.been)
-        return _force(self.law.name, law, motion, trial.been)
+        return _kept_force(self.law.name, tuple(values.values()), _Same(motion), trial.been)
 
     def _at(self, trial: Trial, values: dict[str, float]) -> dict[str, float]:
         """Parameters of the law at the temperature of a test, in the order of the core."""
@@ -441,15 +439,12 @@ def _damper(law: str, values: tuple[float, ...], been: Extremes) -> CoreDamper:
         raise PredictionError(str(error)) from error
 
 
-def _force(law: str, values: tuple[float, ...], motion: Motion, been: Extremes) -> np.ndarray:
+@lru_cache(maxsize=_FORCES)
+def _kept_force(law: str, values: tuple[float, ...], motion: _Same[Motion], been: Extremes) -> np.ndarray:
+    damper, of = _damper(law, values, been), motion.thing
     try:
-        return _damper(law, values, been).force(motion.time, motion.displacement, motion.velocity)
+        force = damper.force(of.time, of.displacement, of.velocity)
     except CoreError as error:
         raise PredictionError(str(error)) from error
-
-
-@lru_cache(maxsize=_KEPT)
-def _kept_force(law: str, values: tuple[float, ...], motion: _Same[Motion], been: Extremes) -> np.ndarray:
-    force = _force(law, values, motion.thing, been)
     force.setflags(write=False)
     return force

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import product
@@ -25,7 +26,8 @@ def read(problem: DamperProblem, choice: LawChoice) -> DamperProblem:
 
 def best_read(problem: DamperProblem, choice: LawChoice, noise: Sequence[float]) -> DamperProblem:
     """The problem with the law read as the campaign says, and what it does not say as the tests do: as usual unless
-    another reading leaves much less, of the law as declared or fitted again. Effects that it may lack come later.
+    another reading leaves much less, of the law as declared and of the law fitted again (geometric mean). A law that is
+    not as declared says little by the first, one that lacks an effect, for which a refit makes up, by the second.
 
     Args:
         problem: at the rate of a fit.
@@ -43,7 +45,7 @@ def best_read(problem: DamperProblem, choice: LawChoice, noise: Sequence[float])
     near = [i for i in range(len(left)) if i == 0 or left[i] < _FAR * min(left)]
     if choice.refit and len(near) > 1:
         for i in near:
-            left[i] = min(left[i], _left(readings[i], noise, refit=True))
+            left[i] = math.sqrt(left[i] * _left(readings[i], noise, refit=True))
     best = min(near, key=lambda i: left[i])
     return readings[best] if left[best] < _CLEAR * left[0] else usual
 

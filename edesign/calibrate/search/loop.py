@@ -35,6 +35,7 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 """Times what the refit leaves: an effect beside the declared law that leaves no more does about as much, and perhaps as
 much together with another one.
 """
+_LITTLE = 20.0  # times noise: what an effect beside the declared law leaves where that law may be right
 _TELLING = 10.0  # s of processor time in which an effect is told apart from others, where time is limited
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 
@@ -189,6 +190,10 @@ class Loop:
         if alone.at_floor:
             if alone.fitted.model.held and compare(alone, rival).adopts:
                 return simplest([alone, *held]), (), None  # nothing is left for others
+            if best.fitted.reduced <= _LITTLE:  # a second effect for which the law was fitted again, say
+                two = self.declared.two(best, refit, freed)
+                if two is not None and two.at_floor and two.fitted.model.held:
+                    return two, (), None
             return *self.rounds.one_more(refit, rival, [*held, alone]), None
         two = self.declared.two(best, refit, freed)
         if two is not None and not more_than_misses(alone, self.bench.left):

@@ -15,7 +15,8 @@ _SMALL, _MISSED = 0.01, 5e-4
 """Shares of all that the refitted law leaves over noise, and of what the effects found before do to the force: below
 the larger stands what the equations of these effects miss.
 """
-_NEARLY_ALL = 0.85  # of what is left over noise
+_NEARLY_ALL = 0.8  # of what is left over noise
+_TOLD = 0.25  # of the noise: of less that is left a share says little
 
 
 def more_than_misses(current: Judged, left: Sequence[np.ndarray]) -> bool:
@@ -50,6 +51,6 @@ def matters(judged: Judged, current: Judged, left: Sequence[np.ndarray]) -> bool
 
 
 def nearly_all(current: Judged) -> float:
-    """Sum of squares that is nearly all that is left; none is where that is less than noise."""
+    """Sum of squares that is nearly all that is left; none is where that is far less than noise."""
     excess = current.fitted.chi2 - current.fitted.samples
-    return _NEARLY_ALL * excess if excess > current.fitted.samples else math.inf
+    return _NEARLY_ALL * excess if excess > _TOLD * current.fitted.samples else math.inf

@@ -20,6 +20,7 @@ from edesign.calibrate.search.workbench import FEW, HOPELESS, RIVALS, Workbench,
 
 _PAIRS = 4  # pairs fitted in a round
 _ELSEWHERE = 8  # forms fitted from the law as declared
+_HOPED = 0.7  # of what a fit must remove: so much by a linear estimate
 _FAR = 0.5  # coordinates: factors of e
 
 
@@ -74,7 +75,8 @@ class Rounds:
         ]
         self.bench.tell(f"effect {number}: screening {len(pool)} forms of effects")
         signatures = screen(current.fitted, pool)
-        short = shortlist([s for s in signatures if more or s.candidate.name in names or s.gain >= almost_all])
+        likely = _HOPED * almost_all
+        short = shortlist([s for s in signatures if more or s.candidate.name in names or s.gain >= likely])
         if short:
             self.bench.tell(f"effect {number}: fitting {', '.join(dict.fromkeys(s.candidate.name for s in short))}")
         elsewhere = []

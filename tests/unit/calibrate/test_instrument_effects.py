@@ -19,7 +19,9 @@ from edesign.calibrate.dampers.peaks import common_tones
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.problem import Part, PredictionError, Use
+from edesign.damper.damper import Damper
 from edesign.damper.laws import law
+from edesign.damper.parameters import read_parameters
 
 ROUNDING = 1e-9
 W = 2.0 * np.pi
@@ -65,7 +67,8 @@ def test_no_amplitude_leaves_the_force_unchanged() -> None:
     ):
         np.testing.assert_array_equal(form.channel(p, trial, trial.force), trial.force)
     # a spline at its own knots: rounding
-    np.testing.assert_allclose(lag.Delay().channel({"lag": 0.0}, trial, trial.force), trial.force, atol=1e-12 * 1e5)
+    unmoved = lag.Delay().actuator({"lag": 0.0}, trial, trial.motion)
+    np.testing.assert_allclose(unmoved.displacement, trial.motion.displacement, atol=1e-14)
     same = gain.Displacement().actuator({"g": 0.0}, trial, trial.motion)
     np.testing.assert_array_equal(same.velocity, trial.motion.velocity)
     np.testing.assert_array_equal(same.displacement, trial.motion.displacement)
@@ -76,16 +79,39 @@ def test_no_amplitude_leaves_the_force_unchanged() -> None:
 def test_a_delay_is_that_of_a_sine() -> None:
     # not-a-knot cubics of 60 samples in a cycle: (w h)^4 / 384 = 3e-7 inside, ten times that at the ends
     trial = _trial(60.0, 5.0)
-    late = lag.Delay().channel({"lag": 0.0123}, trial, trial.force)
+    late = lag.Delay().actuator({"lag": 0.0123}, trial, trial.motion)
     time = trial.motion.time - trial.motion.time[0]
-    np.testing.assert_allclose(late[1:], 1e5 * np.sin(W * (time[1:] - 0.0123)), atol=1e5 * 5e-6)
+    np.testing.assert_allclose(late.displacement[1:], 0.01 * np.sin(W * (time[1:] - 0.0123)), atol=0.01 * 5e-6)
+    np.testing.assert_allclose(late.velocity[1:], 0.01 * W * np.cos(W * (time[1:] - 0.0123)), atol=0.01 * W * 5e-6)
+    assert late.displacement[0] == pytest.approx(-0.0123 * trial.motion.velocity[0])  # as it began, before the record
+
+
+def test_a_late_motion_makes_a_late_force() -> None:
+    # at the rate of a fit the force of the MGMM has cusps between samples; that of a late motion is exact
+    mgmm = law("mgmm")
+    values = read_parameters(mgmm, "thesis_table_4_2")
+    sizes, late = 4, 0.0063
+    fine = _trial(2000.0, 5.0)
+    force = Damper(mgmm, values).force(fine.motion.time, fine.motion.displacement, fine.motion.velocity)
+    coarse = replace(fine, motion=fine.motion.thinned(80), force=force[::80], temperature=fine.temperature[::80])
+    problem = DamperProblem(mgmm, values, (coarse,), Sizes.of([coarse] * sizes))
+    candidate = candidate_of(lag.Delay(), problem.sizes, Left())
+    assert candidate is not None
+    (found,) = problem.predict(problem.declared, [(candidate, np.array([late]))], ("fit",))
+    exact = np.interp(coarse.motion.time - late, fine.motion.time, force)
+    assert found is not None
+    # motion to 6e-6 of it at 25 samples a cycle; the first second has another beginning
+    settled, peak = slice(25, None), np.max(np.abs(exact))
+    missed = coarse.motion.spline.at(force[::80], coarse.motion.time - late) - exact
+    np.testing.assert_allclose(found[settled], exact[settled], atol=2e-3 * peak)
+    assert np.max(np.abs(missed[settled])) > 5e-3 * peak
 
 
 def test_a_delay_that_grows_is_later_in_later_tests_and_seconds() -> None:
     values = {"lag": 0.004, "grown": 0.006, "skew": 2e-4, "N": 9.0}
     for order in (0, 3):
         trial = replace(_trial(60.0, 5.0), order=order)
-        late = lag.Growing().channel(values, trial, trial.force)
+        late = 1e7 * lag.Growing().actuator(values, trial, trial.motion).displacement
         time = trial.motion.time - trial.motion.time[0]
         exact = 1e5 * np.sin(W * (time * (1.0 - 2e-4) - 0.004 - 0.006 * order / 9.0))
         np.testing.assert_allclose(late[1:], exact[1:], atol=1e5 * 5e-6)  # as of a plain delay

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from typing import ClassVar
 
 import numpy as np
@@ -12,8 +13,23 @@ from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
+_KEPT = 64  # motions
 _LONGEST = 0.05  # of the slowest period: more is another test, not a lag
 _STARTS = (0.002, 0.02)  # of it: what a long lag does is not linear in it where tests are fast
+
+
+@lru_cache(maxsize=_KEPT)
+def _later(motion: Motion, lag: float, skew: float = 0.0) -> Motion:
+    """A motion late by a time, s, and a share of the time since its beginning: what it makes of force is as late.
+
+    The force itself has cusps at reversals, that no interpolation between its samples follows. Kept, as most searches
+    move other parameters.
+    """
+    time = motion.time
+    then = time - lag - skew * (time - time[0])
+    known = np.clip(then, time[0], time[-1])
+    u, v, a = (motion.spline.at(one, known) for one in (motion.displacement, motion.velocity, motion.acceleration))
+    return Motion(time, u + v * (then - known), v, np.where(then == known, a, 0.0))  # on as it was, beyond the record
 
 
 class _Lag(Form):
@@ -39,9 +55,8 @@ class Delay(_Lag):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((share * sizes.period,) for share in _STARTS)
 
-    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
-        time = trial.motion.time
-        return trial.motion.spline.at(force, np.clip(time - p["lag"], time[0], time[-1]))
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        return _later(motion, p["lag"])
 
 
 class Growing(_Lag):
@@ -71,10 +86,8 @@ class Growing(_Lag):
     def fixed(self, sizes: Sizes) -> dict[str, float]:
         return {"N": max(sizes.tests - 1.0, 1.0)}
 
-    def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
-        time = trial.motion.time
-        lag = p["lag"] + p["grown"] * trial.order / p["N"] + p["skew"] * (time - time[0])
-        return trial.motion.spline.at(force, np.clip(time - lag, time[0], time[-1]))
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        return _later(motion, p["lag"] + p["grown"] * trial.order / p["N"], p["skew"])
 
 
 class Filter(_Lag):
