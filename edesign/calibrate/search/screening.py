@@ -14,6 +14,7 @@ from edesign.calibrate.problem import Candidate, PredictionError
 from edesign.calibrate.side_by_side import side_by_side
 
 _STARTS = 2  # of a form that are looked at with the slopes to all of its parameters
+_FAR_LESS = 0.5  # of the size of a start
 _FAR = 1.5  # a linear step is not believed farther, in logarithmic coordinates
 
 
@@ -80,7 +81,9 @@ class Screen:
         return best
 
     def _likely(self, model: Model, candidate: Candidate) -> list[tuple[np.ndarray, np.ndarray]]:
-        """Coordinates and residual (N,) of the starts that alone, at whatever size, would explain most."""
+        """Coordinates and residual (N,) of the starts that alone, at whatever size, would explain most; at a size that
+        the residual has, where that is far smaller than the start's, as few effects are linear in their size.
+        """
         found = []
         for start in candidate.starts:
             own = [u.coordinate(float(v)) for u, v in zip(candidate.unknowns, start, strict=True)]
@@ -91,9 +94,25 @@ class Screen:
                 continue
             change = self.free(here - self.residual)
             size = float(change @ change)
-            found.append((float(change @ self.residual) ** 2 / size if size > 0.0 else 0.0, x, here))
+            share = -float(change @ self.residual) / size if size > 0.0 else 0.0
+            found.append((share**2 * size, share, x, here))
         found.sort(key=lambda item: -item[0])
-        return [(x, here) for _, x, here in found[:_STARTS]]
+        return [self._sized(model, candidate, share, x, here) for _, share, x, here in found[:_STARTS]]
+
+    def _sized(
+        self, model: Model, candidate: Candidate, share: float, x: np.ndarray, here: np.ndarray
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """A start with the share of its size that would explain most; itself where that is not far less."""
+        first = self.fitted.x.size
+        if not candidate.unknowns or candidate.unknowns[0].logarithmic or not 0.0 < abs(share) < _FAR_LESS:
+            return x, here
+        low, high = candidate.unknowns[0].span
+        smaller = x.copy()
+        smaller[first] = min(max(share * x[first], low), high)
+        try:
+            return smaller, self._residual(model, candidate, smaller)
+        except PredictionError:
+            return x, here
 
     def _residual(self, model: Model, candidate: Candidate, x: np.ndarray) -> np.ndarray:
         """Residual (N,) with a candidate; what a quick one changes is taken beside the quick effects alone."""

@@ -39,7 +39,7 @@ class Gap(_Play):
         return (self._play(sizes), Unknown("stiffness", "N/m", 2.0 * k, 1e4 * k, 100.0 * k, logarithmic=True))
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        clearances = ((0.02, 1000.0), (0.02, 30.0), (0.1, 100.0), (0.004, 300.0))
+        clearances = ((0.02, 1000.0), (0.02, 30.0), (0.1, 100.0), (0.004, 300.0), (0.0005, 3000.0))
         return tuple((play * sizes.displacement, k * sizes.stiffness) for play, k in clearances)
 
     def series(self, p: Values) -> Series:
@@ -61,7 +61,7 @@ class GapAside(Gap):
         return (*super().unknowns(sizes), Unknown("aside", "", -1.0, 1.0, 0.5))
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((*row, side) for row in super().starts(sizes) for side in (0.8, -0.8))
+        return tuple((*row, side) for row in super().starts(sizes)[:-1] for side in (0.8, -0.8))
 
     def specimen(self, p: Values, trial: Trial, motion: Motion) -> Motion:
         return replace(motion, displacement=motion.displacement - 0.5 * p["aside"] * p["play"])
@@ -84,7 +84,8 @@ class GapSeated(Gap):
         )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((*row, share * CLOSES * sizes.force) for row in super().starts(sizes) for share in (0.05, 0.4))
+        rows = super().starts(sizes)[:-1]
+        return tuple((*row, share * CLOSES * sizes.force) for row in rows for share in (0.05, 0.4))
 
     def series(self, p: Values) -> Series:
         return Series(p["stiffness"], play=p["play"], within=2.0 * p["F_c"] / p["play"])
@@ -127,7 +128,7 @@ class Backlash(_Play):
         return (self._play(sizes),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((play * sizes.displacement,) for play in (0.02, 0.1, 0.004))
+        return tuple((play * sizes.displacement,) for play in (0.02, 0.1, 0.004, 0.0005))
 
     def specimen(self, p: Values, trial: Trial, motion: Motion) -> Motion:
         points, index = with_turning_points(motion)
