@@ -204,3 +204,14 @@ def test_mean_square_forgets_a_held_deformation_exponentially() -> None:
     (phi,) = factor(payne.MeanSquare(), p | {"tau_a": 1.0}, (trial(cycles),))  # 200 cycles in 10 s
     # of the beginning exp(-10) is left, and a^2 swings by 1/(2 w tau) = 0.4 %
     assert np.mean(phi[-100:]) == pytest.approx(0.5, rel=5e-3)
+
+
+def test_a_mean_of_the_rate_comes_up_exponentially() -> None:
+    """q = |v|/V (1 - exp(-t/tau)) at one speed, whatever its sign."""
+    p = {"d": 0.7, "tau": 3.0, "V": 0.1}
+    to_and_fro = shaken(1e-3 * np.abs(np.arange(400) % 40 - 20.0))
+    speed = np.abs(to_and_fro.ways[0] / to_and_fro.steps[0])
+    (phi,) = factor(payne.Intrinsic(), p, (trial(to_and_fro),))
+    q = speed / 0.1 * -np.expm1(-(to_and_fro.time - to_and_fro.time[0]) / 3.0)
+    assert q[-1] > 0.5
+    np.testing.assert_allclose(phi, 1.0 / (1.0 + 0.7 * q), rtol=ROUNDING)

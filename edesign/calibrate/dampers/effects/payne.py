@@ -154,4 +154,36 @@ class Network(Form):
         return np.asarray(1.0 - p["d"] * fading(decay, breaking / both * (1.0 - decay), 0.0))
 
 
-FORMS = (Whole, MeanSquare, Elastic, Network, Kraus)
+class Intrinsic(Form):
+    """Moduli over a fading mean of the rate: F = F_law / (1 + d q), q' = (|v|/V - q)/tau."""
+
+    name: ClassVar[str] = "payne"
+    may_be_inside: ClassVar[bool] = True
+    may_spare_loss: ClassVar[bool] = True
+    form: ClassVar[str] = "intrinsic"
+    kind: ClassVar[Kind] = "damper"
+    title: ClassVar[str] = "softening by the fading mean of the deformation's rate"
+    signature: ClassVar[str] = Network.signature
+    source: ClassVar[str] = (
+        "Lion (1998), Rubber Chem. Technol. 71, 410-429; Hoefer & Lion (2009), J. Mech. Phys. Solids 57, 500-520"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (
+            Unknown("d", "", -0.3, 20.0, 0.5),
+            Unknown("tau", "s", 0.1 * sizes.period, 30.0 * sizes.duration, sizes.period, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.1, t * sizes.period) for t in (0.5, 2.0, 10.0))
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {"V": sizes.velocity}
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        decay = np.exp(-motion.steps / p["tau"])
+        mean = np.abs(motion.ways) / motion.steps / p["V"]
+        return np.asarray(1.0 / (1.0 + p["d"] * fading(decay, (1.0 - decay) * mean, 0.0)))
+
+
+FORMS = (Whole, MeanSquare, Elastic, Network, Intrinsic, Kraus)
