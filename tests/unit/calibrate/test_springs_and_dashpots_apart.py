@@ -213,5 +213,5 @@ def test_a_mean_of_the_rate_comes_up_exponentially() -> None:
     speed = np.abs(to_and_fro.ways[0] / to_and_fro.steps[0])
     (phi,) = factor(payne.Intrinsic(), p, (trial(to_and_fro),))
     q = speed / 0.1 * -np.expm1(-(to_and_fro.time - to_and_fro.time[0]) / 3.0)
-    assert q[-1] > 0.5
+    assert q[-1] > 0.3
     np.testing.assert_allclose(phi, 1.0 / (1.0 + 0.7 * q), rtol=ROUNDING)
