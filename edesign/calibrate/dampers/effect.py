@@ -226,9 +226,8 @@ class Form:
         def more_starts(sizes: Sizes) -> tuple[tuple[float, ...], ...]:
             return tuple((*row, self.loss_start) for row in starts(sizes))
 
-        return self.variant(
-            "loss", "springs and dashpots apart", spares_loss=True, unknowns=more_unknowns, starts=more_starts
-        )
+        sides = {"spares_loss": True, "unknowns": more_unknowns, "starts": more_starts, "simpler": lambda: (self,)}
+        return self.variant("loss", "springs and dashpots apart", **sides)
 
     def of_loss(self) -> Form:
         """The same for the dashpots alone."""
@@ -250,7 +249,7 @@ class Form:
         return ()
 
     def simpler(self) -> tuple[Form, ...]:
-        """Forms of other effects that do the same where some parameters are at an end; each has the other ones."""
+        """Forms, of other effects too, that do the same where some parameters are at an end; each has the others."""
         return ()
 
     def elsewhere(self, sizes: Sizes) -> tuple[Form, ...]:

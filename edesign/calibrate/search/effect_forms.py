@@ -80,11 +80,15 @@ class EffectForms:
     def plainer(self, current: Judged) -> Judged:
         """Each effect as a simpler one, where that does the same: play without a clearance is a flexible rig."""
         for i in range(len(current.fitted.parts)):
-            known = current.fitted.parts[i]
-            others = [begun_at(other, known) for other in self.bench.problem.simpler(known)]
-            parts = [part for part in others if part is not None and part[0].label not in current.labels]
-            current = simplest([current, *self.bench.with_parts(current, i, parts)])
+            current = simplest([current, *self.with_plainer(current, i)])
         return current
+
+    def with_plainer(self, current: Judged, i: int) -> list[Judged]:
+        """Models with simpler ones in the place of the effect i."""
+        known = current.fitted.parts[i]
+        others = [begun_at(other, known) for other in self.bench.problem.simpler(known)]
+        parts = [part for part in others if part is not None and part[0].label not in current.labels]
+        return self.bench.with_parts(current, i, parts)
 
     def finer(self, current: Judged) -> Judged:
         """Each effect in a finer form, where more than noise is left and that form is better: with nothing in doubt, as

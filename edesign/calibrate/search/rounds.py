@@ -87,6 +87,8 @@ class Rounds:
         tried = [*self.bench.fit_best([*short, *elsewhere]), *further]
         tried = [*dict.fromkeys((*tried, *self.forms.other_forms_of_likely(tried)))]  # some forms are likely twice
         tried += self._simpler_to_the_end(tried)
+        if tried and (ahead := min(tried, key=of_left_out)).at_floor:
+            tried += self.forms.with_plainer(ahead, len(known))
         self.bench.rivals[labels_of(known), current.fitted.model.held] = tried
         if not tried:
             return None, ()

@@ -169,13 +169,15 @@ class Intrinsic(Form):
     )
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        period = sizes.period
+        longest = max(sizes.duration, 4.0 * period)  # a longer one is worn or warmed
         return (
             Unknown("d", "", -0.3, 20.0, 0.5),
-            Unknown("tau", "s", 0.1 * sizes.period, 30.0 * sizes.duration, sizes.period, logarithmic=True),
+            Unknown("tau", "s", 0.1 * period, longest, period, logarithmic=True),
         )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((0.1, t * sizes.period) for t in (0.5, 2.0, 10.0))
+        return tuple((0.1, t * sizes.period) for t in (0.3, 1.0, 3.0))
 
     def fixed(self, sizes: Sizes) -> dict[str, float]:
         return {"V": sizes.velocity}
