@@ -45,6 +45,12 @@ class Motion:
         return np.diff(self.displacement)
 
     @cached_property
+    def frequency(self) -> float:
+        """Of a sine with the root mean squares of velocity and acceleration, Hz."""
+        ratio = np.mean(self.acceleration**2) / max(np.mean(self.velocity**2), 1e-300)
+        return float(np.sqrt(ratio) / (2.0 * np.pi))
+
+    @cached_property
     def spline(self) -> Spline:
         """Through histories on its samples."""
         return Spline(self.time)
@@ -101,11 +107,7 @@ class Trial:
     def thinned(self) -> Trial:
         """With no more samples than a fit needs."""
         step = float(np.median(self.motion.steps))
-        fastest = float(
-            np.sqrt(np.mean(self.motion.acceleration**2) / max(np.mean(self.motion.velocity**2), 1e-300))
-            / (2.0 * np.pi)
-        )
-        stride = max(1, int(1.0 / (max(_RATE, _PER_CYCLE * fastest) * step)))
+        stride = max(1, int(1.0 / (max(_RATE, _PER_CYCLE * self.motion.frequency) * step)))
         return replace(
             self,
             motion=self.motion.thinned(stride),
