@@ -123,7 +123,7 @@ def test_scragging_follows_the_path_towards_what_the_largest_deformation_allows(
 
 def test_a_single_test_has_no_recovery() -> None:
     single = Sizes.of((trial(motion(1)),))
-    for form in (kind() for kind in mullins.FORMS):
+    for form in (kind() for kind in mullins.FORMS if kind is not mullins.Begun):  # which needs none
         assert "recovery" not in [u.name for u in form.unknowns(single)]
         assert form.fixed(single)["recovery"] == 0.0
         assert "recovery" not in form.fixed(sizes())

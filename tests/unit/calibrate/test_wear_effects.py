@@ -201,6 +201,20 @@ def test_heat_from_before_a_test_is_each_tests_own() -> None:
         assert np.linalg.norm(left - column * (column @ left)) < 1e-6 * np.linalg.norm(law_force)
 
 
+def test_what_a_virgin_specimen_has_regained_is_each_tests_own() -> None:
+    tests = two_tests()
+    s0, size = 0.4 * float(tests[0].motion.path[-1]), sizes()
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, tests, size)
+    forces = [f for f in solid.predict(solid.declared, (), ("fit", "validate")) if f is not None]
+    candidate = candidate_of(mullins.Begun(), size, Left())
+    assert candidate is not None
+    for i, (t, x, force) in enumerate(zip(tests, (0.3, -0.1), forces, strict=True)):
+        (column,) = solid.nuisance(solid.declared, [(candidate, np.array([s0]))], i).T  # type: ignore[union-attr]
+        more = x * np.exp(-t.motion.path / s0) * force
+        # linear in x: a difference is exact but for rounding, 1e-16 of the force over its step of 1e-3
+        assert np.linalg.norm(more - column * (column @ more)) < 1e-11 * np.linalg.norm(more)
+
+
 def test_work_that_springs_give_back_is_evened_out() -> None:
     # q = a t acts as a (t - tau_w (1 - exp(-t/tau_w))), and a swing of q is smaller by 1/sqrt(1 + (w tau_w)^2)
     form = next(other for other in self_heating.Rate().finer() if other.form == "rate_evened")

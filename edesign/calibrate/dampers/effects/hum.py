@@ -116,8 +116,8 @@ class Unsteady(_Hum):
         return np.hstack([waves * slow[:, [i]] for i in range(rows)])
 
     def _rows(self, frequency: float, trial: Trial) -> int:
-        """Half cycles, and none, of the changes: no more than leave the peak, which samples of a fit may fold, above the
-        harmonics of the motion.
+        """Half cycles, and none, of the changes: no more than leave the peak, which samples of a fit may fold, above
+        the harmonics of the motion.
         """
         motion = trial.motion
         rate = 1.0 / float(np.median(motion.steps))

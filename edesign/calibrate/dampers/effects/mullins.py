@@ -8,7 +8,7 @@ import numpy as np
 from scipy.special import erf
 
 from edesign.calibrate.dampers.drivers import cycles, equivalent_cycles, largest, weighted_path
-from edesign.calibrate.dampers.effect import Form, Memory
+from edesign.calibrate.dampers.effect import BEGUN, Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -110,6 +110,34 @@ class ForgottenPath(_Forgets, Path):
         own = sizes.path / sizes.tests
         rows = tuple((0.15, s0, share) for share in (0.4, 0.8) for s0 in (0.1 * own, 0.4 * own, 1.5 * own))
         return rows if sizes.tests > 1 else ()
+
+
+class Begun(_ByPath):
+    """As `path`, each test begun as virgin as it shows, as pauses between tests are not recorded: F = (1 + x_i
+    exp(-s/s0)) F_law.
+    """
+
+    begins: bool = True
+    may_be_inside: ClassVar[bool] = False
+    amendment: ClassVar[bool] = False
+    remembers: ClassVar[bool] = False
+    may_be_shaped: bool = False
+    form: ClassVar[str] = "begun"
+    title: ClassVar[str] = "softening with the path travelled, each test begun as virgin as it shows"
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {}
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        _, s0 = self._unknowns(Unknown("x", "", -1.0, 1.0, 0.5), sizes)[:2]
+        return (s0,)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        own = sizes.path / sizes.tests
+        return (0.02 * own,), (0.1 * own,), (0.4 * own,)
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        return np.asarray(1.0 + memory.get(BEGUN, 0.0) * np.exp(-motion.path / p["s0"]))
 
 
 class Work(Path):
@@ -360,4 +388,5 @@ class Scragging(_ByMaximum):
         return np.asarray(1.0 - p["m"] * damage)
 
 
-FORMS = (Path, Work, Maximum, Elastic, Damage, PseudoElastic, Cycles, Forgotten, Equivalent, ForgottenPath, Scragging)
+_BY_MAXIMUM = (Maximum, PseudoElastic, Damage, Scragging)
+FORMS = (Path, ForgottenPath, Begun, Work, Elastic, Cycles, Forgotten, Equivalent, *_BY_MAXIMUM)
