@@ -309,14 +309,18 @@ int ed_damper_step(const ed_damper *damper, int method, double tolerance, const 
  * *done: samples that were reached when it fails. */
 int ed_damper_history(const ed_damper *damper, int method, double tolerance, int n, const double *time, const double *u,
                       const double *v, double *force, int *done);
-/* The same in series with a rig of a stiffness (> 0) whose pins have play (>= 0, end to end): u = u_d + e, and factor F(u_d) +
- * added + spring u_d = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond play/2, either way; bend, within >= 0. With another
- * power than 1 (at least that) it is stiffness * z |sqrt(bend) z|^(power - 1) beyond the play, bend > 0. factor (>= 0), added, spring
- * (>= 0): n, or NULL for 1, 0 and 0. force: n, through rig and damper; own: n, deformation u_d of the damper. e is a parabola between
- * samples, and linear over parts of a step in which it comes to an end of the play. */
+/* What stands in series with a damper. It carries within (e - z) + stiffness * side * z (1 + bend z^2) at a stretch e, z: e beyond play/2,
+ * either way; side: 1, or `back` where e < 0. With another power than 1 (at least that) it is stiffness * side * z |sqrt(bend) z|^(power
+ * - 1) beyond the play, bend > 0, play = 0. stiffness, back > 0; bend, within, play >= 0, play from end to end. */
+typedef struct {
+  double stiffness, back, bend, power, within, play;
+} ed_rig;
+/* The same as ed_damper_history in series with a rig: u = u_d + e, and factor F(u_d) + added + spring u_d is what the rig carries.
+ * factor (>= 0), added, spring (>= 0): n, or NULL for 1, 0 and 0. force: n, through rig and damper; own: n, deformation u_d of the
+ * damper. e is a parabola between samples, and linear over parts of a step in which it comes to an end of the play. */
 int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
-                                const double *factor, const double *added, const double *spring, double stiffness, double bend,
-                                double power, double within, double play, double *force, double *own, int *done);
+                                const double *factor, const double *added, const double *spring, const ed_rig *rig, double *force,
+                                double *own, int *done);
 
 /* q_0 = before, q_i = decay_(i-1) q_(i-1) + made_(i-1). q: n >= 1; decay, made: n - 1. What is not finite is passed on. */
 int ed_fading(int n, const double *decay, const double *made, double before, double *q);

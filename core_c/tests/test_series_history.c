@@ -35,7 +35,7 @@ static void run(int law, int n_parameters, const double *parameters, int n, cons
 {
   int done;
   ed_damper *damper = make(law, n_parameters, parameters, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, n + 1, t, u, v, factor, added, NULL, stiffness, 0.0, 1.0, within, play, force, own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, n + 1, t, u, v, factor, added, NULL, &(ed_rig){stiffness, 1.0, 0.0, 1.0, within, play}, force, own, &done), ED_OK);
   CHECK_INT(done, n + 1);
   ed_damper_free(damper);
 }
@@ -244,8 +244,8 @@ static void check_spring_beside(void)
   ed_damper *damper = make(ED_LAW_ZENER, 3, zener, 0.0), *other = make(ED_LAW_ZENER, 3, stiffer, 0.0);
   for (int i = 0; i < 3; i++) {
     const double play = i == 1 ? 1e-3 : 0.0, within = i == 2 ? 1e6 : 0.0, bend = i == 2 ? 1e6 : 0.0;
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, spring, 2e7, bend, 1.0, within, play, force, own, &done), ED_OK);
-    CHECK_STATUS(ed_damper_history_in_series(other, N + 1, t, u, v, NULL, NULL, NULL, 2e7, bend, 1.0, within, play, expected, expected_own, &done),
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, spring, &(ed_rig){2e7, 1.0, bend, 1.0, within, play}, force, own, &done), ED_OK);
+    CHECK_STATUS(ed_damper_history_in_series(other, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){2e7, 1.0, bend, 1.0, within, play}, expected, expected_own, &done),
                  ED_OK);
     for (int j = 0; j <= N; j++) {
       CHECK_NEAR(force[j], expected[j], 1e-7 * 3e4);
@@ -286,30 +286,30 @@ static void check_refusals(void)
     added[i] = spring[i] = 0.0;
   }
   ed_damper *damper = make(ED_LAW_MGMM, 12, MGMM, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, NULL, 4e7, 0.0, 1.0, 0.0, 1e-3, before, before_own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3}, before, before_own, &done), ED_OK);
   static const double wrong[][3] = {{0.0, 0.0, 0.0},   {-1.0, 0.0, 0.0}, {NAN, 0.0, 0.0},      {INFINITY, 0.0, 0.0}, {1e7, -1e-9, 0.0},
                                     {1e7, NAN, 0.0},   {1e7, INFINITY, 0.0}, {1e7, 0.0, -1.0}, {1e7, 0.0, NAN}};
   force[0] = own[0] = 77.0;
   for (int i = 0; i < 9; i++)
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, wrong[i][0], 0.0, 1.0, wrong[i][2], wrong[i][1], force, own, &done),
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){wrong[i][0], 1.0, 0.0, 1.0, wrong[i][2], wrong[i][1]}, force, own, &done),
                  ED_E_ARGUMENT);
-  CHECK_STATUS(ed_damper_history_in_series(damper, 0, t, u, v, NULL, NULL, NULL, 1e7, 0.0, 1.0, 0.0, 0.0, force, own, &done), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_damper_history_in_series(damper, 0, t, u, v, NULL, NULL, NULL, &(ed_rig){1e7, 1.0, 0.0, 1.0, 0.0, 0.0}, force, own, &done), ED_E_ARGUMENT);
   double *const place[] = {&t[7], &u[8], &v[9], &factor[10], &added[11], &spring[12], &factor[13], &t[14], &spring[15]};
   const double bad[] = {NAN, INFINITY, NAN, NAN, NAN, NAN, -0.1, t[13], -1.0};
   for (int i = 0; i < 9; i++) {
     const double good = *place[i];
     *place[i] = bad[i];
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, spring, 1e7, 0.0, 1.0, 0.0, 0.0, force, own, &done),
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, spring, &(ed_rig){1e7, 1.0, 0.0, 1.0, 0.0, 0.0}, force, own, &done),
                  i < 6 ? ED_E_NOT_FINITE : ED_E_ARGUMENT);
     CHECK_INT(done, 7 + i);
     *place[i] = good;
   }
   CHECK(force[0] == 77.0 && own[0] == 77.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, 4e7, 0.0, 1.0, 0.0, 1e-3, force, own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3}, force, own, &done), ED_OK);
   CHECK_SAME(force, before, N + 1);
   CHECK_SAME(own, before_own, N + 1);
   u[20] = 1e308; /* overflows on the way */
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, 4e7, 0.0, 1.0, 0.0, 1e-3, force, own, &done), ED_E_NOT_FINITE);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3}, force, own, &done), ED_E_NOT_FINITE);
   CHECK_INT(done, 20);
   ed_damper_free(damper);
 }
@@ -322,7 +322,7 @@ static void check_contact(void)
   int done, both = 0;
   sine(N, 0.01, 6e-3, 5.0, 1.0);
   ed_damper *damper = make(ED_LAW_KELVIN_VOIGT, 2, spring, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, K, bend, 1.5, 0.0, 0.0, force, own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, bend, 1.5, 0.0, 0.0}, force, own, &done), ED_OK);
   for (int i = 0; i <= N; i++) {
     const double e = u[i] - own[i];
     CHECK_NEAR(force[i], K * e * sqrt(sqrt(bend) * fabs(e)), 1e-9 * 6e-3 * k);
@@ -332,9 +332,33 @@ static void check_contact(void)
   CHECK_INT(both, 3);
   static const double wrong[][3] = {{0.9, 1e8, 0.0}, {NAN, 1e8, 0.0}, {1.5, 0.0, 0.0}, {1.5, 1e8, 1e-3}}; /* power, bend, play */
   for (int i = 0; i < 4; i++)
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, K, wrong[i][1], wrong[i][0], 0.0, wrong[i][2], force,
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, wrong[i][1], wrong[i][0], 0.0, wrong[i][2]}, force,
                                              own, &done),
                  ED_E_ARGUMENT);
+  ed_damper_free(damper);
+}
+
+/* A spring k behind a rig of K that is `back` times as stiff where it is pushed together: two springs in series to each side. */
+static void check_sides(void)
+{
+  enum { N = 500 };
+  const double k = 8e6, K = 30e6, back = 0.4, spring[] = {k, 0.0};
+  int done, both = 0;
+  sine(N, 0.01, 6e-3, 5.0, 1.0);
+  ed_damper *damper = make(ED_LAW_KELVIN_VOIGT, 2, spring, 0.0);
+  ed_rig rig = {K, back, 0.0, 1.0, 0.0, 0.0};
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &rig, force, own, &done), ED_OK);
+  for (int i = 0; i <= N; i++) {
+    const double side = u[i] < 0.0 ? back * K : K;
+    CHECK_NEAR(force[i], k * side / (k + side) * u[i], 1e-7 * 6e-3 * k); /* the balance is kept to 1e-8 */
+    both |= force[i] > 1e4 ? 1 : force[i] < -1e4 ? 2 : 0;
+  }
+  CHECK_INT(both, 3);
+  static const double wrong[] = {0.0, -1.0, NAN, INFINITY};
+  for (int i = 0; i < 4; i++) {
+    rig.back = wrong[i];
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &rig, force, own, &done), ED_E_ARGUMENT);
+  }
   ed_damper_free(damper);
 }
 
@@ -345,6 +369,7 @@ int main(void)
   check_elastic();
   check_closing_joint();
   check_contact();
+  check_sides();
   check_energy();
   check_play();
   check_rest();

@@ -146,6 +146,7 @@ class CoreDamper:
         within: float = 0.0,
         spring: ArrayLike | None = None,
         power: float = 1.0,
+        back: float = 1.0,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Force history in series with a rig whose pins have play and whose parts are flexible.
 
@@ -168,6 +169,7 @@ class CoreDamper:
             spring: (n,) N/m beside the damper's force, at least 0; None: 0.
             power: above 1, of a rig that carries stiffness z |sqrt(bend) z|^(power - 1), as bodies in contact do:
                 with a bend above 0, without play.
+            back: times as stiff where it is pushed together (e < 0), above 0.
 
         Returns:
             Force through rig and damper (n,) N, and the damper's own deformation (n,) m.
@@ -193,6 +195,9 @@ class CoreDamper:
         if not (power >= 1.0 and np.isfinite(power)) or (power > 1.0 and not (bend > 0.0 and play == 0.0)):
             text = f"power = {power:g} is not allowed: 1, or above with bend > 0 and without play"
             raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
+        if not (back > 0.0 and np.isfinite(back)):
+            text = f"back = {back:g} is not allowed: finite and above 0"
+            raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
         for name, value in (("play", play), ("bend", bend), ("within", within)):
             if not (value >= 0.0 and np.isfinite(value)):
                 text = f"{name} = {value:g} is not allowed: finite, at least 0"
@@ -205,11 +210,7 @@ class CoreDamper:
             ffi.from_buffer("double[]", u),
             ffi.from_buffer("double[]", v),
             *given,
-            stiffness,
-            bend,
-            power,
-            within,
-            play,
+            ffi.new("ed_rig *", (stiffness, back, bend, power, within, play)),
             ffi.from_buffer("double[]", force),
             ffi.from_buffer("double[]", own),
             done,

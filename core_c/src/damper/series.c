@@ -1,8 +1,8 @@
 /* A damper in a test rig whose pins have play and whose parts are flexible: u = u_d + e, and
  *
- *   factor F(u_d) + added + spring u_d = within (e - z) + stiffness * z (1 + bend z^2), z: e beyond half the play, either way,
+ *   factor F(u_d) + added + spring u_d = within (e - z) + stiffness * side * z (1 + bend z^2), z: e beyond half the play, either way,
  *
- * or stiffness * z |sqrt(bend) z|^(power - 1) beyond it, as of bodies in contact.
+ * or stiffness * side * z |sqrt(bend) z|^(power - 1) beyond it, as of bodies in contact; side: `back` where e < 0, else 1.
  *
  * The stretch e of the rig balances at the end of a step, over which it is a parabola in time through its ends and the sample before:
  * its rate at the end is that of the second backward difference. It is linear over the first step, over parts of a step in which it
@@ -28,7 +28,7 @@ static const double TOLERANCE = 1e-8, ODE_TOLERANCE = 1e-7;
 typedef struct {
   const ed_damper *damper;
   ed_ode_system *system; /* for laws without exact step */
-  double stiffness, bend, power, within, gap; /* of the rig; half the play */
+  double stiffness, back, bend, power, within, gap; /* of the rig; half the play */
   double tolerance, largest;
 } series;
 
@@ -42,6 +42,12 @@ static double beyond(const series *in, double stretch)
   return fmax(fabs(stretch) - in->gap, 0.0);
 }
 
+/* Stiffness at small stretches of the side on which a stretch or a force is. */
+static double of_side(const series *in, double sign)
+{
+  return sign < 0.0 ? in->back * in->stiffness : in->stiffness;
+}
+
 /* How many times as stiff as at first, by the secant, parts are at a stretch z. */
 static double stiffer(const series *in, double z)
 {
@@ -51,13 +57,13 @@ static double stiffer(const series *in, double z)
 static double carried(const series *in, double stretch)
 {
   const double z = beyond(in, stretch), closing = in->within * fmin(fabs(stretch), in->gap);
-  return copysign(closing + in->stiffness * z * stiffer(in, z), stretch);
+  return copysign(closing + of_side(in, stretch) * z * stiffer(in, z), stretch);
 }
 
 /* Stretch at which parts carry a force, if they stiffen with a power and no play stands before them. */
 static double stretched(const series *in, double force)
 {
-  return copysign(pow(fabs(force) / (in->stiffness * pow(in->bend, 0.5 * (in->power - 1.0))), 1.0 / in->power), force);
+  return copysign(pow(fabs(force) / (of_side(in, force) * pow(in->bend, 0.5 * (in->power - 1.0))), 1.0 / in->power), force);
 }
 
 /* Where a force that falls by `slope` (>= 0) from `force` at a stretch meets that of the rig, straight from this stretch on. */
@@ -67,7 +73,7 @@ static double meet(const series *in, double stretch, double force, double slope)
   if (in->power > 1.0 && (z == 0.0 || force * stretch < 0.0)) /* no tangent there, or that of the other side: a bracket */
     return stretched(in, force);
   if (z > 0.0 && in->bend > 0.0) {
-    const double tangent = in->stiffness * (in->power > 1.0 ? in->power * stiffer(in, z) : 1.0 + 3.0 * in->bend * z * z);
+    const double tangent = of_side(in, stretch) * (in->power > 1.0 ? in->power * stiffer(in, z) : 1.0 + 3.0 * in->bend * z * z);
     const double next = stretch + (force - carried(in, stretch)) / (tangent + slope);
     if (next * stretch > 0.0 && fabs(next) >= in->gap)
       return next;
@@ -75,9 +81,9 @@ static double meet(const series *in, double stretch, double force, double slope)
   const double closed = in->within * in->gap;
   const double at_high = force - slope * (in->gap - stretch), at_low = force + slope * (in->gap + stretch);
   if (at_high > closed)
-    return in->gap + (at_high - closed) / (in->stiffness + slope);
+    return in->gap + (at_high - closed) / (of_side(in, 1.0) + slope);
   if (at_low < -closed)
-    return (at_low + closed) / (in->stiffness + slope) - in->gap;
+    return (at_low + closed) / (of_side(in, -1.0) + slope) - in->gap;
   return in->within + slope > 0.0 ? (force + slope * stretch) / (in->within + slope) : fmax(-in->gap, fmin(in->gap, stretch));
 }
 
@@ -164,7 +170,9 @@ static int advance(series *in, const double *committed, double *trial, const ed_
 
 static int turns_corner(const series *in, double from, double stretch)
 {
-  return in->gap > 0.0 && (fabs(from) < in->gap || fabs(stretch) < in->gap || from * stretch < 0.0) &&
+  if (in->gap == 0.0)
+    return in->back != 1.0 && from * stretch < 0.0;
+  return (fabs(from) < in->gap || fabs(stretch) < in->gap || from * stretch < 0.0) &&
          (fabs(from) > in->gap || fabs(stretch) > in->gap);
 }
 
@@ -239,18 +247,25 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
   return status;
 }
 
+static int allowed(const ed_rig *rig)
+{
+  const double all = rig->stiffness + rig->back + rig->bend + rig->power + rig->within + rig->play;
+  return isfinite(all) && rig->stiffness > 0.0 && rig->back > 0.0 && rig->bend >= 0.0 && rig->power >= 1.0 && rig->within >= 0.0 &&
+         rig->play >= 0.0 && (rig->power == 1.0 || (rig->bend > 0.0 && rig->play == 0.0));
+}
+
 int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
-                                const double *factor, const double *added, const double *spring, double stiffness, double bend,
-                                double power, double within, double play, double *force, double *own, int *done)
+                                const double *factor, const double *added, const double *spring, const ed_rig *rig, double *force,
+                                double *own, int *done)
 {
   *done = 0;
-  if (!(stiffness > 0.0) || !(bend >= 0.0) || !(power >= 1.0) || !(within >= 0.0) || !(play >= 0.0) ||
-      !isfinite(stiffness + bend + power + within + play) || (power > 1.0 && !(bend > 0.0 && play == 0.0)))
+  if (!allowed(rig))
     return ED_E_ARGUMENT;
   int status = check(n, time, u, v, factor, added, spring, done);
   if (status != ED_OK)
     return status;
-  series in = {.damper = damper, .stiffness = stiffness, .bend = bend, .power = power, .within = within, .gap = 0.5 * play};
+  series in = {.damper = damper, .stiffness = rig->stiffness, .back = rig->back, .bend = rig->bend, .power = rig->power,
+               .within = rig->within, .gap = 0.5 * rig->play};
   in.tolerance = TOLERANCE;
   if (!ed_damper_has_exact_step(damper)) {
     in.tolerance = ODE_TOLERANCE;

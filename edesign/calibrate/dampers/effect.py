@@ -45,6 +45,7 @@ class Series(NamedTuple):
         bend: by which it stiffens, 1/m2.
         play: end to end, m, across which the stiffness is `within`, N/m.
         power: with which the force goes, if none of the above: stiffness z |sqrt(bend) z|^(power - 1), z the stretch.
+        back: times as stiff where it is pushed together.
     """
 
     stiffness: float
@@ -52,6 +53,7 @@ class Series(NamedTuple):
     play: float = 0.0
     within: float = 0.0
     power: float = 1.0
+    back: float = 1.0
 
     @property
     def soft(self) -> float:
@@ -63,12 +65,12 @@ class Series(NamedTuple):
         """One behind the other: compliances add, plays too; ends of soft parts are where the same force closes them.
 
         Raises:
-            PredictionError: the force of one goes with a power of its stretch, and there is another one.
+            PredictionError: one stiffens with a power of its stretch, or is stiffer to one side, and there is another.
         """
         if len(each) == 1:
             return each[0]
-        if any(one.power > 1.0 for one in each):
-            raise PredictionError("a rig that stiffens with a power has no other one in series")
+        if any(one.power > 1.0 or one.back != 1.0 for one in each):
+            raise PredictionError("a rig that stiffens with a power, or is lopsided, has no other one in series")
         stiffness = 1.0 / sum(1.0 / one.stiffness for one in each)
         # e = F/s - b (F/s)^3 of each, for a little bend
         bend = sum(one.bend * (stiffness / one.stiffness) ** 3 for one in each)

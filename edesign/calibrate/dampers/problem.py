@@ -353,6 +353,7 @@ class DamperProblem:
                     rig.within,
                     springs,
                     rig.power,
+                    rig.back,
                 )
             except CoreError as error:
                 raise PredictionError(str(error)) from error

@@ -113,4 +113,22 @@ class Closing(Linear):
         return Series(p["ratio"] * k, play=2.0 * p["F_c"] / k, within=k)
 
 
-FORMS = (Linear, Stiffening, Power, Closing)
+class Lopsided(Linear):
+    """A spring in series that is `back` times as stiff where it is pushed together, as a bolted joint that gapes."""
+
+    form: ClassVar[str] = "lopsided"
+    title: ClassVar[str] = "flexible parts of the rig in series with the specimen, stiffer to one side"
+    signature: ClassVar[str] = "as series_flexibility.linear, on one side of the loops more than on the other"
+    source: ClassVar[str] = "piecewise linear joints: Ibrahim & Pettit (2005), J. Sound Vib. 279, 857-936"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), Unknown("back", "", 0.02, 50.0, 1.0, logarithmic=True))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((20.0 * sizes.stiffness, back) for back in (3.0, 1.0 / 3.0))
+
+    def series(self, p: Values) -> Series:
+        return Series(p["stiffness"], back=p["back"])
+
+
+FORMS = (Linear, Stiffening, Power, Closing, Lopsided)
