@@ -58,6 +58,11 @@ def test_kraus_softens_springs_and_gives_dashpots_a_hump() -> None:
     [
         ("hardening.springs", {"b": 0.4, "p": 2.5}, lambda x: 1.0 + 0.4 * np.abs(x) ** 2.5),
         ("hardening.springs_gent", {"b": 1.0, "u_m": 1.6}, lambda x: 1.0 / (1.0 - (x / 1.6) ** 2)),
+        (
+            "hardening.springs_beyond",
+            {"b": 3.0, "u0": 0.4, "n": 1.7},
+            lambda x: 1.0 + 3.0 * np.maximum(np.abs(x) - 0.4, 0.0) ** 1.7,
+        ),
         ("one_sided.even_springs", {"b": -0.3}, lambda x: 1.0 - 0.3 * x),
     ],
 )
@@ -71,7 +76,7 @@ def test_springs_stiffen_and_dashpots_stay(
     # springs that do not soften have the springs beside them for it
     assert not [c for c in candidates(size, Left((test,), rest), False, True) if c.label == label]
     solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, (test,), size)
-    values = {**p, **({"u_m": p["u_m"] * size.displacement} if "u_m" in p else {})}
+    values = {name: value * (size.displacement if name in ("u_m", "u0") else 1.0) for name, value in p.items()}
     (found,) = solid.predict(solid.declared, [(form, np.array([values[u.name] for u in form.unknowns]))], ("fit",))
     u, v = test.motion.displacement, test.motion.velocity
     expected = STIFFNESS * springs(u / size.displacement) * u + 2e4 * v

@@ -211,6 +211,24 @@ class SpringsToTheEnd(Springs):
         return np.asarray(1.0 + p["b"] * square / (1.0 - square))
 
 
+class SpringsBeyond(Springs):
+    """The law's springs stiffen beyond a deformation: k (1 + b (x/r)^n) u, x = max(|u| - u0, 0)."""
+
+    form: ClassVar[str] = "springs_beyond"
+    title: ClassVar[str] = "hardening of the law's springs beyond a deformation"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        _, begins, power = contact_unknowns(sizes)
+        return Unknown("b", "", -0.9, 50.0, 0.3), begins, power
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.3, share * sizes.displacement, 2.0) for share in (0.3, 0.6))
+
+    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
+        beyond = np.maximum(np.abs(motion.displacement) - p["u0"], 0.0)
+        return np.asarray(1.0 + p["b"] * (beyond / p["r"]) ** p["n"])
+
+
 class Inside(_FromLargest):
     """The whole law stiffens, its relaxing forces too: it sees u (1 + b (|u|/r)^p)."""
 
@@ -247,4 +265,4 @@ def contact_unknowns(sizes: Sizes) -> tuple[Unknown, ...]:
     )
 
 
-FORMS = (Power, Threshold, Soft, Contact, Exponential, Gent, Springs, SpringsToTheEnd, Inside)
+FORMS = (Power, Threshold, Soft, Contact, Exponential, Gent, Springs, SpringsToTheEnd, SpringsBeyond, Inside)
