@@ -16,7 +16,7 @@ from edesign.damper.test_files import Extremes, LawChoice
 _EXTREMES: tuple[Extremes, ...] = ("fresh", "lasting")
 _GAMMAS: tuple[GammaOf, ...] = ("parameters", "force", "by_the_letter")
 _FAR = 10.0  # times what the best reading of the declared law leaves: beyond, a refit does not make up for it
-_CLEAR = 0.5  # of the sum of squares: an effect that the law lacks may go with another reading in part
+_CLEAR = 0.85  # of the sum of squares: an effect that the law lacks may go with another reading in part
 
 
 def read(problem: DamperProblem, choice: LawChoice) -> DamperProblem:
