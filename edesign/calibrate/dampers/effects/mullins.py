@@ -129,12 +129,13 @@ class Begun(_ByPath):
         return {}
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        _, s0 = self._unknowns(Unknown("x", "", -1.0, 1.0, 0.5), sizes)[:2]
-        return (s0,)
+        own = sizes.path / sizes.tests
+        # over a longer path it would be a gain of each test
+        return (Unknown("s0", "m", 0.1 * sizes.displacement, 0.5 * own, 0.1 * own, logarithmic=True),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         own = sizes.path / sizes.tests
-        return (0.02 * own,), (0.1 * own,), (0.4 * own,)
+        return (0.02 * own,), (0.1 * own,), (0.3 * own,)
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         return np.asarray(1.0 + memory.get(BEGUN, 0.0) * np.exp(-motion.path / p["s0"]))
