@@ -76,6 +76,15 @@ def test_no_amplitude_leaves_the_force_unchanged() -> None:
     np.testing.assert_array_equal(inertia.Mass().carriage({"mass": 0.0}, trial, trial.motion, trial.force), 0.0)
 
 
+def test_a_displacement_that_drifts_is_set_right() -> None:
+    trial, rate = _trial(60.0, 5.0), 1e-4
+    time = trial.motion.time - trial.motion.time[0]
+    u, v = trial.motion.displacement + rate * time, trial.motion.velocity + rate
+    made = drift.Displacement().actuator({"rate": rate}, trial, replace(trial.motion, displacement=u, velocity=v))
+    np.testing.assert_allclose(made.displacement, trial.motion.displacement, atol=1e-16)
+    np.testing.assert_allclose(made.velocity, trial.motion.velocity, atol=1e-14)
+
+
 def test_a_delay_is_that_of_a_sine() -> None:
     # not-a-knot cubics of 60 samples in a cycle: (w h)^4 / 384 = 3e-7 inside, ten times that at the ends
     trial = _trial(60.0, 5.0)

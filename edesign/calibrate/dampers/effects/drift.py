@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import ClassVar
 
 import numpy as np
@@ -60,6 +61,25 @@ class Campaign(_Drift):
         since = before + motion.time - motion.time[0]
         memory["elapsed"] = float(since[-1])
         return np.asarray(p["rate"] * since)
+
+
+class Displacement(_Drift):
+    """The zero of the displacement channel runs away at one rate in every test: u_true = u - rate t."""
+
+    form: ClassVar[str] = "displacement"
+    title: ClassVar[str] = "drift of the displacement channel within each test"
+    signature: ClassVar[str] = "the force of a shear that grows in proportion to time, the same in every test"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        rate = sizes.displacement / sizes.duration
+        return (Unknown("rate", "m/s", -rate, rate, 0.1 * rate),)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((0.05 * sizes.displacement / sizes.duration,),)
+
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        gone = p["rate"] * (motion.time - motion.time[0])
+        return replace(motion, displacement=motion.displacement - gone, velocity=motion.velocity - p["rate"])
 
 
 class _Own(_Drift):
@@ -154,4 +174,4 @@ def slowest_frequency(motion: Motion) -> float:
     return at / float(motion.time[-1] - motion.time[0])
 
 
-FORMS = (PerTestLine, Campaign, EachOwn, Warming, Swinging, Wandering)
+FORMS = (PerTestLine, Campaign, Displacement, EachOwn, Warming, Swinging, Wandering)
