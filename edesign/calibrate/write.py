@@ -135,6 +135,10 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
         f"# {law.title}, calibrated by {len(found.series)} tests of {found.title}: {found.verdict_words}",
         f"# NRMS (thesis Eq. 4.28) of the validation tests {100 * carried.validate:.3g} %{best}, as declared "
         f"{100 * found.errors['declared'].validate:.3g} %, noise {100 * found.noise_floor:.3g} %",
+        *(
+            ["# extremes soften it from test to test for good: the parameters are those of a virgin damper"]
+            * found.lasting
+        ),
         *(f"# not carried: {text}" for text in left_out),
     ]
     return "\n".join(head) + "\n" + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
