@@ -50,7 +50,7 @@ class Sprung(Mass):
         return (
             *super().unknowns(sizes),
             Unknown("f", "Hz", f, 100.0 * f, 10.0 * f, logarithmic=True),
-            Unknown("zeta", "", 0.01, 0.95, 0.1, logarithmic=True),
+            Unknown("zeta", "", 0.01, 0.5, 0.1, logarithmic=True),  # more is a filter
         )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
