@@ -16,7 +16,10 @@ from edesign.damper.test_files import Extremes, LawChoice
 _EXTREMES: tuple[Extremes, ...] = ("fresh", "lasting")
 _GAMMAS: tuple[GammaOf, ...] = ("parameters", "force", "by_the_letter")
 _FAR = 10.0  # times what the best reading of the declared law leaves: beyond, a refit does not make up for it
-_CLEAR = 0.85  # of the sum of squares: an effect that the law lacks may go with another reading in part
+_SURE, _CLEAR, _PERHAPS = 0.25, 0.5, 0.9
+"""Of the sum of squares that the usual reading leaves: another one that leaves less is the only one, the first, or the
+second to be searched, as an effect that the law lacks may go with another reading in part.
+"""
 
 
 def read(problem: DamperProblem, choice: LawChoice) -> DamperProblem:
@@ -24,10 +27,11 @@ def read(problem: DamperProblem, choice: LawChoice) -> DamperProblem:
     return replace(problem, lasting=choice.extremes == "lasting", gamma_of=choice.gamma_T_of or "parameters")
 
 
-def best_read(problem: DamperProblem, choice: LawChoice, noise: Sequence[float]) -> DamperProblem:
-    """The problem with the law read as the campaign says, and what it does not say as the tests do: as usual unless
-    another reading leaves much less, of the law as declared and of the law fitted again (geometric mean). A law that is
-    not as declared says little by the first, one that lacks an effect, for which a refit makes up, by the second.
+def likely_readings(problem: DamperProblem, choice: LawChoice, noise: Sequence[float]) -> tuple[DamperProblem, ...]:
+    """The problem with the law read as the campaign says, and what it does not say as the tests do: one reading, or
+    two, the likelier one first. Another one than the usual is likely if it leaves less of the law as declared and of
+    the law fitted again (geometric mean): a law that is not as declared says little by the first, one that lacks an
+    effect, for which a refit makes up, by the second.
 
     Args:
         problem: at the rate of a fit.
@@ -36,7 +40,7 @@ def best_read(problem: DamperProblem, choice: LawChoice, noise: Sequence[float])
     """
     usual = read(problem, choice)
     if problem.law.name not in GammaT().laws:
-        return usual
+        return (usual,)
     extremes = _EXTREMES if choice.extremes is None else (choice.extremes,)
     warm = any(trial.mean_temperature != REFERENCE_C for trial in problem.trials)
     gammas = (usual.gamma_of,) if choice.gamma_T_of or not warm else _GAMMAS
@@ -47,7 +51,12 @@ def best_read(problem: DamperProblem, choice: LawChoice, noise: Sequence[float])
         for i in near:
             left[i] = math.sqrt(left[i] * _left(readings[i], noise, refit=True))
     best = min(near, key=lambda i: left[i])
-    return readings[best] if left[best] < _CLEAR * left[0] else usual
+    other, share = readings[best], left[best] / left[0] if left[0] > 0.0 else 1.0
+    if share >= _PERHAPS:
+        return (usual,)
+    if share < _SURE:
+        return (other,)
+    return (other, usual) if share < _CLEAR else (usual, other)
 
 
 def _left(problem: DamperProblem, noise: Sequence[float], refit: bool) -> float:
