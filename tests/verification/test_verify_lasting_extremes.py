@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from edesign.calibrate.dampers import readings
 from edesign.calibrate.dampers.extremes import extremes_after
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.problem import DamperProblem
@@ -85,6 +86,20 @@ def test_what_predicts_the_tests_better_is_found(tmp_path: Path) -> None:
         choice = LawChoice("mgmm", "thesis_table_4_2")
         found = likely_readings(thinned(given), choice, [noise_of(trial) for trial in given.trials])
         assert [one.lasting for one in found] == [lasting]  # and no doubt about it
+
+
+@pytest.mark.parametrize(
+    ("share", "lasting"), [(0.1, [True]), (0.4, [True, False]), (0.7, [False, True]), (0.95, [False]), (3.0, [False])]
+)
+def test_a_reading_that_is_near_is_searched_too(
+    share: float, lasting: list[bool], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    given = thinned(problem(tmp_path, one_history()))
+    monkeypatch.setattr(readings, "_left", lambda one, noise, refit: 1e3 * (share if one.lasting else 1.0))
+    found = likely_readings(given, LawChoice("mgmm", "thesis_table_4_2"), (1.0,) * len(given.trials))
+    assert [one.lasting for one in found] == lasting
+    said = likely_readings(given, LawChoice("mgmm", "thesis_table_4_2", extremes="fresh"), (1.0,) * len(given.trials))
+    assert [one.lasting for one in said] == [False]
 
 
 def test_extremes_between_samples_are_those_of_the_cubics() -> None:
