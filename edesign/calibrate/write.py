@@ -50,7 +50,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         },
         "refused": [{"effect": label, "evidence": evidence} for label, evidence in found.refused],
         "law_held": found.law_held,
-        **({"extremes": _extremes(found), "gamma_T_of": found.gamma_of} if found.subject == "damper" else {}),
+        **(_reading(found) if found.subject == "damper" else {}),
         "law_file": None if found.carried is None else _carried(found.carried),
         "parameters": {
             stage: {name: _estimate(value) for name, value in found.parameters[stage].items()} for stage in _STAGES
@@ -59,8 +59,8 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
     }
 
 
-def _extremes(found: Calibration) -> str:
-    return "lasting" if found.lasting else "fresh"
+def _reading(found: Calibration) -> dict[str, str]:
+    return {"extremes": "lasting" if found.lasting else "fresh", "gamma_T_of": found.gamma_of}
 
 
 def _carried(law: CarriedLaw) -> dict[str, Any]:
@@ -135,12 +135,10 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
         f"# {law.title}, calibrated by {len(found.series)} tests of {found.title}: {found.verdict_words}",
         f"# NRMS (thesis Eq. 4.28) of the validation tests {100 * carried.validate:.3g} %{best}, as declared "
         f"{100 * found.errors['declared'].validate:.3g} %, noise {100 * found.noise_floor:.3g} %",
-        *(
-            ["# extremes soften it from test to test for good: the parameters are those of a virgin damper"]
-            * found.lasting
-        ),
-        *(f"# not carried: {text}" for text in left_out),
     ]
+    if found.lasting:
+        head.append("# extremes soften it from test to test for good: the parameters are those of a virgin damper")
+    head += [f"# not carried: {text}" for text in left_out]
     return "\n".join(head) + "\n" + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
 
 

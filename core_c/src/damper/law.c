@@ -84,7 +84,6 @@ void ed_damper_clear(ed_damper *damper)
   free(damper->amendments);
   damper->derived = NULL;
   damper->amendments = NULL;
-  memset(damper->been, 0, sizeof damper->been);
   damper->n_amendments = damper->n_amended = 0;
 }
 

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.ndimage import uniform_filter1d
 
 from edesign.calibrate.dampers.problem import DamperProblem
+from edesign.calibrate.dampers.readings import read
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.noise import least_noise, smooth, white_noise
 from edesign.calibrate.problem import PredictionError
@@ -44,7 +45,7 @@ def damper_problem(campaign: Campaign) -> DamperProblem:
     start = read_parameters(chosen, campaign.law.parameters)
     prepared = [_trial(test, order) for order, test in enumerate(campaign.tests)]
     trials = tuple(trial for trial, _ in prepared)
-    problem = DamperProblem(chosen, start, trials, Sizes.of(trials))
+    problem = read(DamperProblem(chosen, start, trials, Sizes.of(trials)), campaign.law)
     _check_law(problem, campaign)
     _check_forces(problem, campaign)
     noisy = _with_motion_noise(problem, [noise for _, noise in prepared])
