@@ -15,6 +15,9 @@ from edesign.calibrate.fit import Fitted, correlation_length
 AT_FLOOR = 1.2
 """Power left where the tests move, over that of the noise there, up to which a residual is at the noise floor."""
 
+_ALL_NOISE = 1.05
+"""The same, up to which no other form of an effect could do better: the estimate of the noise may be off by as much."""
+
 SHARE = 0.25
 """Least share of the excess over noise that an effect must remove: less is a symptom of something else."""
 
@@ -62,6 +65,11 @@ class Judged:
     def at_floor(self) -> bool:
         """Whether nothing but noise is left."""
         return self.left <= AT_FLOOR
+
+    @property
+    def all_noise(self) -> bool:
+        """Whether so little is left that no other form of an effect could do better."""
+        return self.left <= _ALL_NOISE
 
     @cached_property
     def left(self) -> float:

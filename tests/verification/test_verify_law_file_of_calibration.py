@@ -57,7 +57,7 @@ def problem(dt: float = 0.01) -> DamperProblem:
         tests.append(
             Trial(f"t{order}", "validate" if order == 1 else "fit", order, motion, force, np.full(t.size, warm))
         )
-    return DamperProblem(law("mgmm"), MGMM, tuple(tests), Sizes.of(tests))
+    return DamperProblem(law("mgmm"), MGMM, tuple(tests), Sizes.of(tests), between=False)
 
 
 def predicted(of: DamperProblem, parts: list[tuple[Candidate, np.ndarray]], order: int) -> np.ndarray:
@@ -113,8 +113,7 @@ def difference(form: Form, folder: Path, of: DamperProblem) -> tuple[float, floa
     found = resolve(*read_law_file(path), float(trial.temperature[0]))
     assert [one.kind.name for one in found.amendments] == [f"{form.name}.{getattr(form, 'amendment_form', form.form)}"]
     damper = Damper(found.law, found.values, amendments=found.amendments, temperature_C=found.temperature_C)
-    motion = trial.finer(form.refined).motion if form.refined > 1 else trial.motion  # the steps that the loop takes
-    force = damper.force(motion.time, motion.displacement, motion.velocity)[:: form.refined]
+    force = damper.force(trial.motion.time, trial.motion.displacement, trial.motion.velocity)
     expected = predicted(of, [(candidate, np.array(values))], order)
     peak = np.max(np.abs(expected))
     plain = predicted(of, [], order)

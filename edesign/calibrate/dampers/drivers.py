@@ -14,6 +14,7 @@ from edesign.core.fading import fading
 
 _SWEEPS = 40
 _STILL = 1e-6  # relative
+_FINER = 4  # steps into which one between samples is cut, for a derivative that remembers all of them
 _KEPT = 32  # motions whose cycles have been counted
 
 
@@ -67,8 +68,7 @@ def equivalent_cycles(motion: Motion, least: float) -> np.ndarray:
     """Number of cycles (n,) since the beginning of the test: path over four times the largest displacement so far, at
     least `least` m.
     """
-    amplitude = np.maximum(largest(motion, least)[1:], least)
-    found = np.concatenate(([0.0], np.cumsum(np.abs(motion.ways) / (4.0 * amplitude))))
+    found = weighted_path(motion, 0.25 / largest(motion, least))
     found.setflags(write=False)
     return found
 
@@ -101,9 +101,10 @@ def fractional_rate(motion: Motion, order: float) -> np.ndarray:
 
     Source: scheme L1, exact for a displacement linear between samples: Oldham & Spanier (1974), section 8.2.
     """
-    time, n = motion.time, motion.time.size
+    time = motion.time
+    n = _FINER * (time.size - 1) + 1
     even = np.linspace(time[0], time[-1], n)
-    change = np.diff(np.interp(even, time, motion.displacement))
+    change = np.diff(motion.spline.at(motion.displacement, even))
     power = np.arange(n) ** (1.0 - order)
     size = 1 << (2 * n).bit_length()
     summed = np.fft.irfft(np.fft.rfft(change, size) * np.fft.rfft(np.diff(power), size), size)[: n - 1]

@@ -25,7 +25,7 @@ from typing import Any, ClassVar, NamedTuple
 import numpy as np
 
 from edesign.calibrate.dampers.left import Left
-from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.dampers.trial import REFINED, Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Described, Kind, PredictionError
 from edesign.calibrate.unknown import Unknown
 
@@ -111,7 +111,8 @@ class Form:
         may_be_shaped: whether a finer form of it has a curve of its own (`edesign.calibrate.dampers.finer`).
         begins: whether its state at the beginning of a test is that test's own, by `BEGUN` more than what is left from
             before.
-        refined: steps into which one between samples is cut, for motions that bend or turn between samples.
+        refined: times the samples of a fit at which it is predicted: more for motions and forces that bend or turn
+            between them.
         amendment: whether a law file can carry it (edesign.damper.amendments has this name and form, or
             `amendment_form` where there is one).
     """
@@ -124,7 +125,7 @@ class Form:
     source: ClassVar[str]
     amendment: ClassVar[bool] = False
     remembers: ClassVar[bool] = False
-    refined: ClassVar[int] = 1
+    refined: int = REFINED
     may_be_inside: ClassVar[bool] = False
     inside = False
     may_spare_loss: ClassVar[bool] = False

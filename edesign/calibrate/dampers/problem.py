@@ -25,7 +25,7 @@ from edesign.calibrate.dampers.inside import (
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
-from edesign.calibrate.dampers.trial import NONE, Extremes, Motion, Sizes, Trial, after
+from edesign.calibrate.dampers.trial import NONE, REFINED, Extremes, Motion, Sizes, Trial, after
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
 from edesign.calibrate.unknown import Unknown
 from edesign.core import CoreError
@@ -58,6 +58,7 @@ class DamperProblem:
         thermometer: standard deviation of its error, K; 0 where temperatures do not matter.
         lasting: whether the law remembers extremes from test to test; otherwise each test has a fresh specimen.
         gamma_of: what gamma_T of an MGMM multiplies.
+        between: whether tests are predicted between their samples too, where these are fewer than effects ask for.
     """
 
     law: Law
@@ -67,6 +68,7 @@ class DamperProblem:
     thermometer: float = 0.0
     lasting: bool = False
     gamma_of: GammaOf = "parameters"
+    between: bool = True
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -251,7 +253,8 @@ class DamperProblem:
 
     def _run(self, trial: Trial, values: dict[str, float], acting: Sequence[Acting]) -> tuple[np.ndarray, Extremes]:
         """Force (n,) N that is recorded, and what the law remembers after the test."""
-        parts_of_step = max((part.form.refined for part in acting), default=1)
+        refined = max((part.form.refined for part in acting), default=REFINED)
+        parts_of_step = trial.parts(refined) if self.between else 1
         with np.errstate(all="ignore"):  # a search may ask for anything; a force that is not finite is refused
             fine = trial.finer(parts_of_step) if parts_of_step > 1 else trial
             force, own = self._recorded(fine, values, acting)

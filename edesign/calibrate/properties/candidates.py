@@ -56,7 +56,6 @@ def _forms(relaxes: bool, temperatures: list[float]) -> Iterator[Form]:
     for module in _MODULES:
         for kind in module.FORMS:
             form = kind()
-            vars(form).update(refined=1)  # the samples of a simulated cycle are as many as are needed
             yield form
             if relaxes and form.may_be_inside:
                 yield form.within()

@@ -190,7 +190,8 @@ def property_problem(
     use = {int(row): group.use for group in campaign.groups for row in group.rows}
     rows = range(len(campaign.table))
     trials = tuple(_trial(campaign.table, campaign.specimen, row, use[row], cycles[1], samples) for row in rows)
-    inner = DamperProblem(law, start, trials, Sizes.of(trials))
+    # the samples of a simulated cycle are as many as are needed
+    inner = DamperProblem(law, start, trials, Sizes.of(trials), between=False)
     return PropertyProblem(campaign.table, campaign.specimen, campaign.groups, inner, cycles, samples)
 
 

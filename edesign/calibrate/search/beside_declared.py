@@ -2,12 +2,18 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from edesign.calibrate.evidence import CLEAR, Judged, compare, simplest
+from edesign.calibrate.fit import fit
 from edesign.calibrate.search.begun import may_join
 from edesign.calibrate.search.contest import shortlist
 from edesign.calibrate.search.effect_forms import LIKELY, EffectForms
+from edesign.calibrate.search.misses import matters
 from edesign.calibrate.search.screening import screen
-from edesign.calibrate.search.workbench import NONE, Workbench, of_left_out
+from edesign.calibrate.search.workbench import NONE, Workbench, of_left_out, worse
+
+_HOPED = 0.7  # of what is left over noise, all of which must go: so much by a linear estimate
 
 
 class BesideDeclared:
@@ -54,3 +60,20 @@ class BesideDeclared:
             likely = [self.bench.freed(judged) for judged in sorted(found, key=of_left_out)[:LIKELY]]
             clear = [judged for judged in likely if all(compare(judged, rival).clear for rival in rivals)]
         return simplest(clear) if clear else None
+
+    def instead_of_refit(self, current: Judged) -> Judged:
+        """The law as declared with a second effect, where that leaves noise alone as the law fitted again does: one
+        effect has not so many parameters as a law.
+        """
+        model = current.fitted.model
+        if model.held or not self.bench.may_refit or len(model.effects) != 1 or not current.at_floor:
+            return current
+        held = replace(model, held=True)
+        alone = Judged(fit(held, held.coordinates(None, current.fitted.parts)))
+        self.bench.tell(f"an effect beside {model.effects[0].name} in the place of the law fitted again")
+        pool = [c for c in self.bench.candidates(alone) if c.name != model.effects[0].name]
+        hoped = _HOPED * (alone.fitted.chi2 - alone.fitted.samples)
+        likely = [one for one in self.bench.screened(alone.fitted, pool, roughly=True) if one.gain >= hoped]
+        found = self.bench.fit_best(shortlist(likely))
+        as_good = [judged for judged in found if judged.at_floor and not worse(judged, current)]
+        return simplest([current, *(judged for judged in as_good if matters(judged, alone, self.bench.left))])

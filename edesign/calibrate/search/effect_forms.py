@@ -64,7 +64,7 @@ class EffectForms:
         found: list[Judged] = []
         least = min((judged.fitted.chi2 for judged in tried), default=0.0)
         for judged in likely.values():
-            if judged.fitted.chi2 <= BEHIND * least and not judged.at_floor:
+            if judged.fitted.chi2 <= BEHIND * least and not judged.all_noise:
                 found += self.other_forms(judged, judged.fitted.model.effects[-1])
         return found
 
@@ -72,7 +72,7 @@ class EffectForms:
         """Each effect in the form that suits best, now that the others are there."""
         effects = current.fitted.model.effects
         for effect in effects if 1 < len(effects) <= FEW else ():  # forms of a single one have just been compared
-            if current.at_floor:
+            if current.all_noise:
                 break
             current = simplest([current, *self.other_forms(current, effect)])
         return current
@@ -95,12 +95,12 @@ class EffectForms:
         what is in doubt may have made up for the coarser one.
         """
         best = first = self.bench.certain(current)
-        if first is not current and not best.at_floor and best.last_is_new:
+        if first is not current and not best.all_noise and best.last_is_new:
             best = self._in_other_forms(best)
         for i in range(len(current.fitted.model.effects)):
             best = self.as_fine_as_needed(best, i)
         for other in self._near_forms(current) if current.last_is_new else ():
-            if not best.at_floor:  # a coarser form behind this one may have finer ones before it
+            if not best.all_noise:  # a coarser form behind this one may have finer ones before it
                 near = other if current.fitted.model.held else self.bench.freed(other)
                 best = simplest([best, self.as_fine_as_needed(self.bench.certain(near), -1)])
         if best is first:
@@ -112,7 +112,7 @@ class EffectForms:
         form, as a coarser one that does as well may have it before it again.
         """
         been: set[str] = set()
-        while not best.at_floor and (label := best.fitted.model.effects[i].label) not in been:
+        while not best.all_noise and (label := best.fitted.model.effects[i].label) not in been:
             been.add(label)
             best = self._in_finer_form(best, i)
         return best

@@ -13,7 +13,8 @@ from edesign.calibrate.problem import Candidate, PredictionError, Problem
 from edesign.calibrate.result import Ending
 from edesign.calibrate.search.alternatives import Alternatives
 from edesign.calibrate.search.beside_declared import BesideDeclared
-from edesign.calibrate.search.effect_forms import EffectForms
+from edesign.calibrate.search.contest import BEHIND
+from edesign.calibrate.search.effect_forms import LIKELY, EffectForms
 from edesign.calibrate.search.misses import more_than_misses, nearly_all
 from edesign.calibrate.search.rounds import Rounds
 from edesign.calibrate.search.second_look import SecondLook
@@ -166,7 +167,7 @@ class Loop:
                 break
             current = found
         final = self.forms.plainer(self._prune(self.bench.held_again(current)))
-        return self.alternatives.against_others(final), refused
+        return self.declared.instead_of_refit(self.alternatives.against_others(final)), refused
 
     def _first(
         self, refit: Judged, rival: Judged, held: Sequence[Judged]
@@ -184,8 +185,7 @@ class Loop:
             perhaps = best is not None and best.fitted.chi2 <= _PERHAPS * refit.fitted.chi2
             return *self.rounds.one_more(refit, rival, held), best if perhaps else None
         held = [*held, *self.forms.other_forms(best, best.fitted.model.effects[0])]
-        best = min(held, key=of_left_out)
-        freed = self.bench.freed(best)
+        best, freed = self._freed_best(held)
         alone = self.forms.finer(freed)
         if alone.at_floor:
             if alone.fitted.model.held and compare(alone, rival).adopts:
@@ -205,6 +205,22 @@ class Loop:
             return two, (), None
         one, refused = self.rounds.one_more(refit, rival, held)  # or one beside the law fitted again
         return two if one is None else simplest([two, one]), refused, None
+
+    def _freed_best(self, held: Sequence[Judged]) -> tuple[Judged, Judged]:
+        """The best model with one effect beside the law as declared, and that with the law fitted; another one that
+        came near, if it leaves noise alone then and the best does not: as declared, the law may favour what is wrong.
+        """
+        ordered = sorted(held, key=of_left_out)
+        best: dict[str, Judged] = {}
+        for judged in ordered:
+            best.setdefault(judged.fitted.model.effects[0].name, judged)
+        first, *others = best.values()
+        freed = self.bench.freed(first)
+        if freed.at_floor:
+            return first, freed
+        near = [judged for judged in others if judged.fitted.chi2 <= BEHIND * first.fitted.chi2][:LIKELY]
+        pairs = [(judged, self.bench.freed(judged)) for judged in near]
+        return next(((one, free) for one, free in pairs if free.at_floor), (first, freed))
 
     def _last_alone(self, current: Judged) -> Judged:
         """The last effect beside the law fitted again, if that leaves noise alone: the first one has made up for a law

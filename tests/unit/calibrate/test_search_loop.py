@@ -57,6 +57,23 @@ def test_a_second_effect_is_sought_beside_the_law_as_declared(second: float, fou
     assert any("beside x and the law as declared" in line for line in told) == (second > 0.0)
 
 
+@pytest.mark.parametrize("off", [0.0, 0.4])
+def test_a_second_effect_is_sought_in_the_place_of_the_law_fitted_again(off: float) -> None:
+    # y is all but what the law can do, x is nothing of it: x and the law fitted again leave noise, as do x and y beside
+    # the law as declared if that is right; it is off by another direction than y's otherwise
+    problem = linear(seed=9)
+    random = np.random.default_rng(10)
+    problem.columns["y"] = [m @ [1.0, -1.0, 0.5] + 0.01 * random.standard_normal(200) for m in problem.matrices]
+    problem.measured = tuple(
+        m @ [1.0 + off, 1.0, 1.0] + 3.0 * x + 2.0 * y + random.standard_normal(200)
+        for m, x, y in zip(problem.matrices, problem.columns["x"], problem.columns["y"], strict=True)
+    )
+    selection = Loop(problem, (1.0,) * 6, workers=1).run()
+    assert sorted(a.candidate.name for a in selection.adopted) == (["x"] if off else ["x", "y"])
+    assert selection.final.fitted.model.held == (not off)
+    assert selection.final.at_floor
+
+
 def test_two_effects_are_sought_where_one_makes_other_tests_worse() -> None:
     # both are seen in two tests alone, and the law fitted again makes up for the one that is missing: three tests that
     # the declared law explains suffer, so that what x removes, nine tenths, may be chance

@@ -204,7 +204,7 @@ def test_heat_from_before_a_test_is_each_tests_own() -> None:
 def test_what_a_virgin_specimen_has_regained_is_each_tests_own() -> None:
     tests = two_tests()
     s0, size = 0.4 * float(tests[0].motion.path[-1]), sizes()
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, tests, size)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, tests, size, between=False)
     forces = [f for f in solid.predict(solid.declared, (), ("fit", "validate")) if f is not None]
     candidate = candidate_of(mullins.Begun(), size, Left())
     assert candidate is not None
@@ -253,7 +253,7 @@ def test_what_stands_beside_the_law_works_too(
     # a branch beside a Zener law and a path that softens it, by the core, which steps through the same definitions
     test = trial(motion(11))
     zener = {"k0": STIFFNESS, "k1": 0.5 * STIFFNESS, "c1": 0.1 * STIFFNESS}
-    problem = DamperProblem(LAWS["zener"], zener, (test,), sizes())
+    problem = DamperProblem(LAWS["zener"], zener, (test,), sizes(), between=False)
     parts, branch = [], {"k": 0.8 * STIFFNESS, "tau": 0.2}
     for one, own in (
         (form, values),

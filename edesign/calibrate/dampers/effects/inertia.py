@@ -41,6 +41,7 @@ class Mass(Form):
 class Sprung(Mass):
     """The mass is held by a fixture that gives: F = F_true + m b, b'' + 2 zeta w b' + w^2 b = w^2 a, w = 2 pi f."""
 
+    refined: int = 4  # it swings between samples of a fit
     form: ClassVar[str] = "sprung"
     title: ClassVar[str] = "inertia of moving mass on a fixture that gives, in the force channel"
     source: ClassVar[str] = "Chopra, Dynamics of Structures, section 1.7 (motion of the support)"

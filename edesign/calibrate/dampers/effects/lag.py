@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.inside import relaxed_force, swung_force
-from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.dampers.trial import REFINED, Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
@@ -93,6 +93,7 @@ class Growing(_Lag):
 class Filter(_Lag):
     """A first-order filter in the force channel: tau F' + F = F_true."""
 
+    refined: int = 4  # the force bends between samples of a fit more than a filter is long
     form: ClassVar[str] = "filter"
     title: ClassVar[str] = "analogue filter in the force channel alone"
     source: ClassVar[str] = "first-order low-pass; Doebelin, Measurement Systems, section 3.3"
@@ -111,6 +112,7 @@ class Filter(_Lag):
 class SecondOrder(_Lag):
     """A second-order filter in the force channel: F + 2 zeta F'/w + F''/w^2 = F_true, w = 2 pi f; late by 2 zeta/w."""
 
+    refined: int = 4
     form: ClassVar[str] = "second_order"
     title: ClassVar[str] = "analogue filter of second order in the force channel alone"
     source: ClassVar[str] = "second-order low-pass; Doebelin, Measurement Systems, section 3.3"
@@ -132,6 +134,7 @@ class SecondOrder(_Lag):
 class DisplacementFilter(Filter):
     """A first-order filter in the displacement channel: the specimen has moved by u + tau u'."""
 
+    refined: int = REFINED
     form: ClassVar[str] = "displacement_filter"
     title: ClassVar[str] = "analogue filter in the displacement channel alone"
 

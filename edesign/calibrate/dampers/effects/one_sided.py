@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.effects.hardening import contact_unknowns
-from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
+from edesign.calibrate.dampers.trial import REFINED, Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
@@ -103,6 +103,7 @@ class ContactNegative(_Contact):
 
 
 class _Factor(_OneSided):
+    refined: int = 4  # it changes at once, within a step
     signature: ClassVar[str] = "loops larger on one side than on the other by a share of the force, at all amplitudes"
     source: ClassVar[str] = (
         "phenomenological: a law with a stiffness for each side, as for cracked or partly debonded layers"
@@ -136,6 +137,7 @@ class FactorNegative(_Factor):
 
 
 class _Soft(_Factor):
+    refined: int = REFINED
     may_be_inside: ClassVar[bool] = False  # with springs and dashpots apart it is inside
     may_spare_loss: ClassVar[bool] = True
     amendment: ClassVar[bool] = False

@@ -29,7 +29,6 @@ class Gap(_Play):
     """Pins with a clearance, in series with the specimen: no force while they cross it, a stiff rig beyond it."""
 
     form: ClassVar[str] = "gap"
-    refined: ClassVar[int] = 2
     title: ClassVar[str] = "clearance of the pins in series with the specimen"
     signature: ClassVar[str] = "a step of no force where the force changes its sign; the same length at all amplitudes"
     source: ClassVar[str] = "Nordin & Gutman (2002), Automatica 38, 1633-1649, section 2.1 (dead zone)"
@@ -119,7 +118,7 @@ class Backlash(_Play):
     """The specimen follows through a play: it rests until the clearance is crossed, whatever its force."""
 
     form: ClassVar[str] = "backlash"
-    refined: ClassVar[int] = 3
+    refined: int = 6  # it rests and goes along within a step
     title: ClassVar[str] = "backlash between the measured motion and the specimen"
     signature: ClassVar[str] = "the force rests after every reversal of the motion, over one length at all amplitudes"
     source: ClassVar[str] = "Krasnosel'skii & Pokrovskii (1989), Systems with Hysteresis, section 2.1 (play operator)"

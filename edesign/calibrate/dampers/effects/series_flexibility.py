@@ -20,7 +20,6 @@ class Linear(Form):
 
     name: ClassVar[str] = "series_flexibility"
     form: ClassVar[str] = "linear"
-    refined: ClassVar[int] = 2  # the specimen's own motion bends more than that of the actuator
     kind: ClassVar[Kind] = "rig"
     title: ClassVar[str] = "flexible parts of the rig in series with the specimen"
     signature: ClassVar[str] = (

@@ -28,6 +28,7 @@ class _Velocity(Form):
 class Dashpot(_Velocity):
     """A dashpot with a power of the velocity beside the law: c |v|^alpha sgn v."""
 
+    refined: int = 4  # its force may jump where the velocity changes its sign
     form: ClassVar[str] = "dashpot"
     title: ClassVar[str] = "viscous force with a power of the velocity that the law lacks"
     source: ClassVar[str] = "Constantinou & Symans (1993), Struct. Des. Tall Build. 2, 93-132; thesis Eq. 2.24"
