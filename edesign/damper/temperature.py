@@ -123,14 +123,17 @@ class GammaT:
                 f"gamma_T at {temperature_C:g} degC is {gamma:.3g} on a straight line beyond its table, which goes "
                 f"from {low:g} to {high:g} degC"
             )
+        return self.at_rate(values, gamma), tuple(warnings)
+
+    def at_rate(self, values: Mapping[str, float], gamma: float) -> Values:
+        """MGMM parameters with a gamma_T that is so many times as large."""
         if self.of == "force":
-            found = {name: v * gamma if name in CHANGING and name not in SHAPES else v for name, v in values.items()}
-            return found, tuple(warnings)
+            return {name: v * gamma if name in CHANGING and name not in SHAPES else v for name, v in values.items()}
         found = at_one_rate(values, gamma)
         if self.of == "by_the_letter":
             found["k_a"] *= gamma
             found["k_b"] *= gamma
-        return found, tuple(warnings)
+        return found
 
 
 def at_one_rate(values: Mapping[str, float], gamma: float) -> dict[str, float]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -53,10 +53,16 @@ class Changed:
 
 
 def changed_by(
-    acting: Sequence[Acting], trial: Trial, motion: Motion, law_force: np.ndarray, relaxes: float | None
+    acting: Sequence[Acting],
+    trial: Trial,
+    motion: Motion,
+    law_force: np.ndarray,
+    relaxes: float | None,
+    at_rate: Callable[[float], np.ndarray],
 ) -> Changed:
     """What parts make of the law's force (n,) N. What acts inside the law comes through its relaxation (s; None: it has
-    none); what counts work counts that of the whole specimen.
+    none); what counts work counts that of the whole specimen. `at_rate` is the law's force with a gamma_T that is so
+    many times as large.
     """
     found = Changed()
     inside: np.ndarray | float | None = None
@@ -77,6 +83,8 @@ def changed_by(
             part.memory[BESIDE] = found.parallel
             factor = part.form.factor(part.p, trial, motion, found.factor * law_force, part.memory)
             _multiply(found, part, motion, law_force, factor, relaxes)
+            heated = part.form.heated(part.p, motion, at_rate, part.memory)
+            found.parallel = found.parallel if heated is None else found.parallel + heated
     return found
 
 

@@ -131,7 +131,7 @@ def worked(
     Args:
         motion: of the specimen.
         force: of the law (n,) N.
-        factor: of e (n,).
+        factor: of e (n,), those of the beginnings of the steps, the first one twice.
         before: e at the beginning.
         gain: 1 for e in J.
         forgets: s.
@@ -148,7 +148,7 @@ def worked(
         kinds.append((quick[0], np.exp(-motion.steps / quick[1]), 0.0))
     e = np.full(force.size, before)
     for _ in range(_SWEEPS):
-        phi = np.concatenate((factor(e[:1]), factor(e[:-1])))
+        phi = factor(np.concatenate((e[:1], e[:-1])))
         softened = phi * force + beside
         done = way * (softened[1:] + softened[:-1])
         done += sized * (np.abs(done) - done)

@@ -7,6 +7,7 @@ The prediction of a test runs through these stages; a form of an effect override
                     -> `law`       parameters of the law in this test (temperature)
                     -> force of the law, in series with the rig if a part gives `series`
                     -> `factor`    factors of the law's force (softening, damage, heat)
+                    -> `heated`    the law's force with parameters that change within a test
                     -> `parallel`  forces beside it (springs, branches)
                     -> `carriage`  forces of what moves with the actuator (guides, masses): a rig that gives stands
                                    between them and the specimen
@@ -18,7 +19,7 @@ carries what the specimen remembers from one test to the next."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from typing import Any, ClassVar, NamedTuple
 
@@ -189,6 +190,22 @@ class Form:
     def dashpot_factor(self, p: Values, motion: Motion, factor: np.ndarray | float) -> np.ndarray | float:
         """Factor of the law's dashpots where the form spares loss or springs, of its factor: factor^loss, or itself."""
         return factor if self.spares_springs else np.asarray(np.maximum(factor, _LEAST) ** p["loss"])
+
+    def heated(
+        self, p: Values, motion: Motion, at_rate: Callable[[float], np.ndarray], memory: Memory
+    ) -> np.ndarray | None:
+        """Force (n,) N beside that of the law where all of the law's parameters change in a test as with temperature.
+
+        Args:
+            p: parameters.
+            motion: of the specimen.
+            at_rate: force (n,) N of the law with a gamma_T that is so many times as large.
+            memory: of the part.
+
+        Returns:
+            None: the form does not change them.
+        """
+        return None
 
     def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray | float | None:
         """Force (n,) N beside that of the law; None: the form is none."""

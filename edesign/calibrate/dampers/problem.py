@@ -293,7 +293,13 @@ class DamperProblem:
         beside.
         """
         law_force = self._law_force(trial, motion, values)
-        changed = changed_by(acting, trial, motion, law_force, relaxation_time(self.law, values))
+
+        def at_rate(gamma: float) -> np.ndarray:
+            if self.law.name not in GammaT().laws:
+                return gamma * law_force
+            return self._law_force(trial, motion, GammaT(of=self.gamma_of).at_rate(values, gamma))
+
+        changed = changed_by(acting, trial, motion, law_force, relaxation_time(self.law, values), at_rate)
         changed.parallel = changed.parallel + changed.factor * self._split(trial, motion, values, law_force, changed)
         return law_force, changed
 

@@ -8,8 +8,9 @@ from dataclasses import replace
 from itertools import product
 
 from edesign.calibrate.dampers.problem import DamperProblem
-from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import PredictionError
+from edesign.calibrate.search.screening import Signature, screen, screen_again
 from edesign.damper.temperature import REFERENCE_C, GammaOf, GammaT
 from edesign.damper.test_files import Extremes, LawChoice
 
@@ -31,7 +32,8 @@ def likely_readings(problem: DamperProblem, choice: LawChoice, noise: Sequence[f
     """The problem with the law read as the campaign says, and what it does not say as the tests do: one reading, or
     two, the likelier one first. Another one than the usual is likely if it leaves less of the law as declared and of
     the law fitted again (geometric mean): a law that is not as declared says little by the first, one that lacks an
-    effect, for which a refit makes up, by the second.
+    effect, for which a refit makes up, by the second. It must leave less beside the effect that explains most, too, to
+    come first: an effect may do to the usual reading what makes it another one, as a mass takes stiffness away.
 
     Args:
         problem: at the rate of a fit.
@@ -51,18 +53,49 @@ def likely_readings(problem: DamperProblem, choice: LawChoice, noise: Sequence[f
         for i in near:
             left[i] = math.sqrt(left[i] * _left(readings[i], noise, refit=True))
     best = min(near, key=lambda i: left[i])
-    other, share = readings[best], left[best] / left[0] if left[0] > 0.0 else 1.0
+    other, share = readings[best], _share(left[best], left[0])
     if share >= _PERHAPS:
         return (usual,)
+    if share < _CLEAR:
+        share = max(share, _share(*(_left_beside_one(one, noise, choice.refit) for one in (other, usual))))
     if share < _SURE:
         return (other,)
     return (other, usual) if share < _CLEAR else (usual, other)
 
 
+def _share(left: float, usual: float) -> float:
+    """Of what the usual reading leaves."""
+    return left / usual if usual > 0.0 else 1.0
+
+
 def _left(problem: DamperProblem, noise: Sequence[float], refit: bool) -> float:
     """Sum of squares in units of noise."""
-    model = Model(problem, tuple(noise), (), held=not refit)
     try:
-        return fit(model, model.coordinates()).chi2
+        return _fitted(problem, noise, refit).chi2
     except PredictionError:
         return float("inf")
+
+
+def _left_beside_one(problem: DamperProblem, noise: Sequence[float], refit: bool) -> float:
+    """The same beside the effect that explains most by a linear estimate, the law as declared or fitted again."""
+    try:
+        declared = _fitted(problem, noise, refit=False)
+        fitted = [s for s, use in zip(noise, problem.uses, strict=True) if use == "fit"]
+        left = [size * r for size, r in zip(fitted, declared.residuals, strict=True)]
+        signatures = screen(declared, problem.candidates(left))
+        found = [declared.chi2 - _most(signatures)]
+        if refit:
+            free = _fitted(problem, noise, refit=True)
+            found.append(free.chi2 - _most(screen_again(free, signatures)))
+    except PredictionError:
+        return float("inf")
+    return max(min(found), float(declared.samples))
+
+
+def _most(signatures: Sequence[Signature]) -> float:
+    return max((signature.gain for signature in signatures), default=0.0)
+
+
+def _fitted(problem: DamperProblem, noise: Sequence[float], refit: bool) -> Fitted:
+    model = Model(problem, tuple(noise), (), held=not refit)
+    return fit(model, model.coordinates())

@@ -50,7 +50,7 @@ class BesideDeclared:
         known = best.fitted.model.effects
         self.bench.tell(f"screening effects beside {known[0].name} and the law as declared")
         pool = [c for c in self.bench.candidates(best) if may_join(c, known)]
-        found = self.bench.fit_best(shortlist(screen(best.fitted, pool)))
+        found = self.bench.fit_best(shortlist(self.bench.screened(best.fitted, pool)))
         rivals = (free, best, freed)
         least = min(rival.fitted.chi2 for rival in rivals)
         if any(judged.fitted.chi2 <= CLEAR * least for judged in found):

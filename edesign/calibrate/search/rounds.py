@@ -14,7 +14,7 @@ from edesign.calibrate.search.contest import FITTED, both, shortlist
 from edesign.calibrate.search.effect_forms import EffectForms
 from edesign.calibrate.search.misses import matters, more_than_misses, nearly_all
 from edesign.calibrate.search.pairs import likely_pairs
-from edesign.calibrate.search.screening import Signature, screen, screen_again
+from edesign.calibrate.search.screening import Signature, screen_again
 from edesign.calibrate.search.selection import Refused
 from edesign.calibrate.search.workbench import FEW, HOPELESS, RIVALS, Workbench, labels_of, of_left_out
 
@@ -45,7 +45,7 @@ class Rounds:
             return None
         without = self.bench.without(current, effects[0])
         self.bench.tell(f"two effects in the place of {effects[0].name}")
-        signatures = screen(without.fitted, self.bench.candidates(without))
+        signatures = self.bench.screened(without.fitted, self.bench.candidates(without))
         pair = self._pair(without, shortlist(signatures), signatures)
         if pair is None or not matters(pair, current, self.bench.left):
             return None
@@ -74,7 +74,7 @@ class Rounds:
             if may_join(c, known) and (others or c.name in names) and c.name not in shaped
         ]
         self.bench.tell(f"effect {number}: screening {len(pool)} forms of effects")
-        signatures = screen(current.fitted, pool)
+        signatures = self.bench.screened(current.fitted, pool)
         likely = _HOPED * almost_all
         short = shortlist([s for s in signatures if more or s.candidate.name in names or s.gain >= likely])
         if short:

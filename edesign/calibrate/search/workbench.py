@@ -22,6 +22,8 @@ LONG = 40
 """Steps of a search along the valleys between a shape and the rest, or of a law far from its tests."""
 RIVALS = 5
 """Forms that are tried in the place of one."""
+_SCREENED = 24
+"""Forms that are screened beside a model with effects, of those that were beside the declared law."""
 FAR_BEHIND, HOPELESS = 60.0, 20.0
 """Times what a model leaves, beyond which others after a rough fit are no rivals, and smaller ones never suffice."""
 NONE: frozenset[str] = frozenset()
@@ -140,15 +142,20 @@ class Workbench:
 
     def screened(self, fitted: Fitted, pool: Sequence[Candidate], roughly: bool = False) -> list[Signature]:
         """Signatures of effects beside a model, those that explain most first. What was screened beside the declared
-        law is not screened again, nor, roughly, beside that law with effects: all do about the same there.
+        law is not screened again, nor, roughly, beside that law with effects: all do about the same there. Beside
+        other models with effects those that do little if they do the same there are not screened again either.
         """
-        model, known = fitted.model, {}
-        if model.held and model.problem is self.problem and (roughly or not model.effects):
-            known = {signature.candidate.label: signature for signature in self.beside_declared}
+        model = fitted.model
+        known = {signature.candidate.label: signature for signature in self.beside_declared}
         again = [known[c.label] for c in pool if c.label in known and begin_alike(known[c.label].candidate, c)]
-        labels = {signature.candidate.label for signature in again}
-        new = [candidate for candidate in pool if candidate.label not in labels]
-        return ordered([*screen_again(fitted, again), *screen(fitted, new)])
+        if model.held and model.problem is self.problem and (roughly or not model.effects):
+            same = screen_again(fitted, again)
+        elif model.effects and len(pool) > _SCREENED:
+            same = screen_again(fitted, again)[_SCREENED:]
+        else:
+            same = []
+        labels = {signature.candidate.label for signature in same}
+        return ordered([*same, *screen(fitted, [candidate for candidate in pool if candidate.label not in labels])])
 
     @staticmethod
     def unfitted(refit: Judged) -> Fitted:

@@ -16,6 +16,7 @@ from edesign.calibrate.unknown import Unknown
 from edesign.core.fading import fading
 
 _LONGEST = 100.0  # tests: heat that stays longer does not change within one
+_NODES = np.array([0.0, 0.2, 0.4, 0.7, 1.0])  # of q, at which the law is predicted
 
 
 Factor = Callable[[np.ndarray], np.ndarray]
@@ -92,14 +93,15 @@ class Rate(Form):
         )
 
     def _of_heat(self, p: Values, motion: Motion, soft: Factor = _softened) -> Factor:
-        """The factor of q (m,) from the beginning of a test on, of the one of the q that acts."""
+        """The factor of q (n,) of the beginnings of the steps, of the one of the q that acts."""
         if not self.evened:
             return soft
-        decay = np.exp(-motion.steps / p["tau_w"])
+        fade = np.exp(-motion.steps[:-1] / p["tau_w"])
 
-        def softened(q: np.ndarray) -> np.ndarray:
-            fade = decay[: q.size - 1]
-            return soft(fading(fade, (1.0 - fade) * q[:-1], float(q[0])) if q.size > 1 else q)
+        def softened(q: np.ndarray) -> np.ndarray:  # the first of q is there twice
+            if q.size < 3:
+                return soft(q)
+            return soft(np.concatenate((q[:1], fading(fade, (1.0 - fade) * q[1:-1], float(q[1])))))
 
         return softened
 
@@ -195,4 +197,50 @@ class Levelling(Carried):
         return phi
 
 
-FORMS = (Rate, Carried, Levelling, Core)
+class Gamma(Carried):
+    """As `carried`, but heat acts as the temperature of the tests does in the MGMM: gamma_T falls with exp(-q), and all
+    of the law's parameters with it. q is as good as still within the relaxation time of the law.
+    """
+
+    form: ClassVar[str] = "gamma"
+    of_mgmm: bool = True
+    may_spare_loss: ClassVar[bool] = False
+    may_be_shaped: bool = False
+    title: ClassVar[str] = "self-heating that acts as the law's own gamma_T does"
+    signature: ClassVar[str] = "as self_heating.carried, and warm the damper softens sooner with amplitude"
+    source: ClassVar[str] = "heat balance as of rate; gamma_T of all parameters: thesis section 4.5, Eqs. 4.34-4.36"
+
+    def factor(  # type: ignore[override]
+        self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory
+    ) -> None:
+        return None
+
+    def heated(
+        self, p: Values, motion: Motion, at_rate: Callable[[float], np.ndarray], memory: Memory
+    ) -> np.ndarray | None:
+        family = np.stack([at_rate(float(np.exp(-q))) for q in _NODES])
+        before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
+        soft = self._of_heat(p, motion, _between_nodes(family))
+        ones = np.ones_like(motion.time)
+        warm, memory["heat"] = worked(motion, ones, soft, before, p["beta"], p["tau_h"], **how_counted(p, memory))
+        return np.asarray(warm - family[0])
+
+
+def _between_nodes(family: np.ndarray) -> Factor:
+    """Values (n,) at q (n,) of the polynomials through a family (nodes, n) of histories (Newton's)."""
+    differences = family.copy()
+    for order in range(1, len(_NODES)):
+        spans = (_NODES[order:] - _NODES[:-order])[:, np.newaxis]
+        differences[order:] = (differences[order:] - differences[order - 1 : -1]) / spans
+
+    def between(q: np.ndarray) -> np.ndarray:
+        q = np.clip(q, -_NODES[1], _NODES[-1])
+        found = differences[-1]
+        for node, difference in zip(_NODES[-2::-1], differences[-2::-1], strict=True):
+            found = difference + (q - node) * found
+        return np.asarray(found)
+
+    return between
+
+
+FORMS = (Rate, Carried, Levelling, Core, Gamma)
