@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from scipy.interpolate import CubicSpline
 
 from edesign.calibrate.residual.motion import Motion
-from edesign.calibrate.residual.plateau import noise_power
+from edesign.calibrate.residual.plateau import noise_level
 from edesign.calibrate.residual.repeatability import repeatability
 from edesign.calibrate.residual.sampling import even, evenly, rounding, step
 from edesign.calibrate.residual.smoothing import smoothed
@@ -28,12 +29,13 @@ def least_noise(force: np.ndarray) -> float:
 def white_noise(values: np.ndarray, time: np.ndarray) -> float:
     """Standard deviation of the broadband noise in a channel.
 
-    Spectra of short segments of second differences (Kaiser window), the median over segments, without narrow peaks;
-    among bands of 1/16 of the Nyquist frequency the first four or more that are flat, above 20 Hz (or 0.4 of the
-    Nyquist frequency where sampling is slow). The density there is taken for all frequencies up to the plateau's end,
-    so noise that a logger's filter has cut keeps its true deviation. Without a plateau it is the median of the upper
-    half. Unevenly sampled channels, and those below 64 samples: fourth divided differences, which end all cubics.
-    Where all values are multiples of a step the noise is at least that of rounding to it, step / sqrt(12).
+    Spectra of short segments of second differences (Kaiser window), the median over segments, without narrow peaks: the
+    first part that is flat over half an octave, above 20 Hz (or 15 % of the Nyquist frequency where sampling is slow).
+    The density there is taken for all frequencies up to its end, so noise that a logger's filter has cut keeps its true
+    deviation; what falls as noise does that is correlated from sample to sample counts as that. Without a flat part it
+    is the median of the upper half. Unevenly sampled channels, and those below 64 samples: fourth divided differences,
+    which end all cubics. Where all values are multiples of a step the noise is at least that of rounding to it,
+    step / sqrt(12).
 
     Args:
         values: (n,) in any unit.
@@ -42,13 +44,21 @@ def white_noise(values: np.ndarray, time: np.ndarray) -> float:
     Returns:
         In the unit of the values; 0 if the channel has none.
     """
+    return _noise(values, time)[0]
+
+
+def _noise(values: np.ndarray, time: np.ndarray) -> tuple[float, float]:
+    """Standard deviation of the noise, and that of white noise that is as strong next to the motion."""
     values, time = np.asarray(values, dtype=float), np.asarray(time, dtype=float)
     if values.size < 8 or np.ptp(values) == 0.0:
-        return 0.0
-    power = noise_power(values, step(time)) if values.size >= _FEWEST and evenly(time) else None
-    found = _from_differences(values, time) if power is None else float(np.sqrt(power))
-    found = max(found, rounding(values))
-    return found if found > NONE * float(np.ptp(values)) else 0.0
+        return 0.0, 0.0
+    level = noise_level(values, step(time)) if values.size >= _FEWEST and evenly(time) else None
+    both = (
+        (_from_differences(values, time),) * 2 if level is None else (math.sqrt(level.power), math.sqrt(level.density))
+    )
+    least, none = rounding(values), NONE * float(np.ptp(values))
+    all_of_it, near = (max(one, least) if max(one, least) > none else 0.0 for one in both)
+    return all_of_it, near
 
 
 def _from_differences(values: np.ndarray, time: np.ndarray, order: int = 4) -> float:
@@ -74,8 +84,8 @@ def smooth(time: np.ndarray, displacement: np.ndarray) -> tuple[np.ndarray, np.n
         displacement: (n,) m.
 
     Returns:
-        Displacement (n,) m, velocity (n,) m/s, acceleration (n,) m/s^2, and the standard deviation of the noise in the
-        channel, m.
+        Displacement (n,) m, velocity (n,) m/s, acceleration (n,) m/s^2, and the standard deviation of white noise that
+        is as strong next to the motion as that of the channel, m.
     """
     time, displacement = np.asarray(time, dtype=float), np.asarray(displacement, dtype=float)
     found, noise, _ = _without_noise(time, displacement)
@@ -87,8 +97,10 @@ def smooth(time: np.ndarray, displacement: np.ndarray) -> tuple[np.ndarray, np.n
 
 
 def _without_noise(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, float, float]:
-    """The values without noise, its standard deviation before, and what is left of it."""
-    noise = white_noise(values, time)
+    """The values without noise, the standard deviation of white noise that is as strong next to the motion as that
+    was, and what is left of it.
+    """
+    noise = _noise(values, time)[1]
     if noise == 0.0 or time.size < _FEWEST:
         return values.copy(), noise, noise
     grid, resampled = even(time, values)

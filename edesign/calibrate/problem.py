@@ -108,6 +108,10 @@ class Problem(Protocol):
     def certain(self) -> Problem:
         """The same with nothing in doubt; itself if nothing is."""
 
+    @property
+    def coarse(self) -> Problem:
+        """The same predicted as coarsely as will do for what effects change; itself if it is always so."""
+
     def finer(self, part: Part) -> tuple[Part, ...]:
         """Finer forms of an effect that was found, with the values at which they do what it does."""
 

@@ -16,7 +16,6 @@ from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.readings import likely_readings
 from edesign.calibrate.dampers.trial import Trial
 from edesign.calibrate.evidence import simplest
-from edesign.calibrate.noise import least_noise, white_noise
 from edesign.calibrate.outcome import Outcome, residual_of
 from edesign.calibrate.residual.analysis import analyse
 from edesign.calibrate.result import Calibration, Series
@@ -110,5 +109,4 @@ def _searched(
 
 def noise_of(trial: Trial) -> float:
     """Standard deviation of what cannot be predicted in a test, N: noise of the force, and of the motion by the law."""
-    channel = white_noise(trial.force, trial.motion.time)
-    return max(float(np.hypot(channel, trial.motion_noise)), least_noise(trial.force))
+    return float(np.hypot(trial.channel_noise, trial.motion_noise))

@@ -21,6 +21,7 @@ from edesign.errors import InputError
 
 _AGAIN = 6  # times that noise is added
 _EVENED = 0.1  # s, over which its effect is evened out
+_MOST_TIMES = 4.0  # its power over that by the declared law
 _THERMOMETER = 0.2  # K: tolerance of a platinum resistor of class A near room temperature, IEC 60751
 _ABSURD = 30.0  # ratio of measured to predicted force beyond which a unit is wrong, not a law
 _OPPOSITE = -0.3
@@ -48,7 +49,7 @@ def damper_problem(campaign: Campaign) -> DamperProblem:
     problem = read(DamperProblem(chosen, start, trials, Sizes.of(trials)), campaign.law)
     _check_law(problem, campaign)
     _check_forces(problem, campaign)
-    noisy = _with_motion_noise(problem, [noise for _, noise in prepared])
+    noisy = _with_noise(problem, [noise for _, noise in prepared])
     means = [trial.mean_temperature for trial in trials]
     return replace(noisy, thermometer=_THERMOMETER) if max(means) - min(means) > _THERMOMETER else noisy
 
@@ -83,11 +84,14 @@ def _trial(test: DamperTest, order: int) -> tuple[Trial, float]:
     return Trial(test.name, test.use, order, motion, test.measured_force(), temperature), noise
 
 
-def _with_motion_noise(problem: DamperProblem, noise: Sequence[float]) -> DamperProblem:
-    """What noise of the displacement (m, of each test) makes of force: such noise added and taken off again. It makes
-    most where the damper is slow and its force steep over the velocity.
+def _with_noise(problem: DamperProblem, noise: Sequence[float]) -> DamperProblem:
+    """With the noise of each test: that of the force channel, in what the declared law leaves of the force, too, as the
+    law takes the harmonics away; and what noise of the displacement (m, of each test) makes of force: such noise added
+    and taken off again. That is most where the damper is slow and its force steep over the velocity, and as many times
+    larger as the force is than the law's.
     """
     random = np.random.default_rng(len(noise))
+    plain = _predicted(problem, problem.trials)
     power = [np.zeros(trial.motion.time.size) for trial in problem.trials]
     for _ in range(_AGAIN if any(noise) else 0):
         again = []
@@ -97,31 +101,32 @@ def _with_motion_noise(problem: DamperProblem, noise: Sequence[float]) -> Damper
                 noisy = motion.displacement + size * random.standard_normal(motion.time.size)
                 motion = Motion(motion.time, *smooth(motion.time, noisy)[:3])
             again.append(replace(trial, motion=motion))
-        for own, change in zip(power, _changes(problem, again), strict=True):
-            own += change**2 / _AGAIN
-    return replace(problem, trials=tuple(map(_weighted, problem.trials, power)))
+        for own, force, moved in zip(power, plain, _predicted(problem, again), strict=True):
+            own += (moved - force) ** 2 / _AGAIN
+    return replace(problem, trials=tuple(map(_noisy, problem.trials, plain, power)))
 
 
-def _weighted(trial: Trial, power: np.ndarray) -> Trial:
-    """With the noise of the motion, whose force has the power (n,) N^2, evened out."""
+def _noisy(trial: Trial, predicted: np.ndarray, power: np.ndarray) -> Trial:
+    """With the noise of force and motion, of which the latter makes of the predicted force (n,) N the power (n,) N^2,
+    evened out.
+    """
+    time, force = trial.motion.time, trial.force
+    channel = min(white_noise(force, time), white_noise(force - predicted, time))
+    channel = max(channel, least_noise(force))
     if not np.any(power):
-        return trial
-    time = trial.motion.time
+        return replace(trial, channel_noise=channel)
     wide = min(max(int(_EVENED / float(np.median(np.diff(time)))), 1), time.size)
-    power = uniform_filter1d(power, wide, mode="nearest")
-    all_of_it = power + max(white_noise(trial.force, time), least_noise(trial.force)) ** 2
+    times = float(force @ force) / max(float(predicted @ predicted), 1e-300)
+    power = min(max(times, 1.0 / _MOST_TIMES), _MOST_TIMES) * uniform_filter1d(power, wide, mode="nearest")
+    all_of_it = power + channel**2
     weight = np.sqrt(np.mean(all_of_it) / all_of_it)
-    return replace(trial, motion_noise=float(np.sqrt(np.mean(power))), weight=weight)
+    return replace(trial, channel_noise=channel, motion_noise=float(np.sqrt(np.mean(power))), weight=weight)
 
 
-def _changes(problem: DamperProblem, trials: Sequence[Trial]) -> list[np.ndarray]:
-    """What changed trials make of the declared law's force (n,) N, in each."""
-    both = (problem, replace(problem, trials=tuple(trials)))
-    found = []
-    for one, other in zip(*(p.predict(p.declared, (), ("fit", "validate")) for p in both), strict=True):
-        assert one is not None and other is not None
-        found.append(other - one)
-    return found
+def _predicted(problem: DamperProblem, trials: Sequence[Trial]) -> list[np.ndarray]:
+    """Force (n,) N of the declared law in trials."""
+    found = replace(problem, trials=tuple(trials)).predict(problem.declared, (), ("fit", "validate"))
+    return [force for force in found if force is not None]
 
 
 def _check_law(problem: DamperProblem, campaign: Campaign) -> None:

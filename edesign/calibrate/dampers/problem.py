@@ -228,6 +228,11 @@ class DamperProblem:
         """The same with temperatures as they were read."""
         return self.doubting(0.0)
 
+    @cached_property
+    def coarse(self) -> DamperProblem:
+        """The same at the samples of the tests alone."""
+        return replace(self, between=False) if self.between else self
+
     def doubting(self, share: float) -> DamperProblem:
         """The same with a share of the thermometer's error; itself where that is no other."""
         error = share * self.thermometer

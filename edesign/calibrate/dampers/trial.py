@@ -91,6 +91,7 @@ class Trial:
         motion: measured, freed from noise.
         force: measured (n,) N.
         temperature: (n,) degC: measured, or ambient.
+        channel_noise: standard deviation of the noise of the force channel, N.
         motion_noise: standard deviation of the force that noise of the displacement makes through the law, N.
         weight: (n,) factors of a residual that make its noise as strong at all times; None: it is.
         whole: the test at full rate, if this is not.
@@ -103,6 +104,7 @@ class Trial:
     motion: Motion
     force: np.ndarray
     temperature: np.ndarray
+    channel_noise: float = 0.0
     motion_noise: float = 0.0
     weight: np.ndarray | None = None
     whole: Trial | None = None

@@ -95,6 +95,11 @@ class PropertyProblem:
         """Nothing is in doubt."""
         return self
 
+    @property
+    def coarse(self) -> Problem:
+        """It is always as fine."""
+        return self
+
     def finer(self, part: Part) -> tuple[Part, ...]:
         """There are none."""
         return ()

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import math
+from typing import NamedTuple
+
 import numpy as np
-from scipy.ndimage import median_filter
+from scipy.ndimage import median_filter, uniform_filter1d
 
 from edesign.calibrate.residual.sampling import rounding
 
@@ -12,63 +15,98 @@ MOTION = 20.0
 
 _BETA = 24.0  # of the window: leakage below 1e-8 of the amplitude
 _LONGEST, _SHORTEST, _SEGMENTS = 256, 32, 24  # samples of a segment; their number, if the history is long enough
-_BANDS = 16  # to the Nyquist frequency
-_WIDTH = 4  # bands of a plateau at least
+_EVENED = 5  # bins over which a spectrum is evened
+_OCTAVE = math.sqrt(2.0)  # last over first frequency of a plateau at least
 _FLAT = 1.5  # largest over smallest level of a plateau
+_FEWEST = 8  # bins without tones
+_PHI = np.linspace(0.0, 0.9, 46)  # correlations from sample to sample
+_HIGH = 0.25  # of the Nyquist frequency, above which a motion has no share in what a correlation is told by
+_ALIKE = 0.2  # mean difference of logarithms of spectra that are the same
 _TONE = 3.0  # times the level about it
 _MOTION_SHARE = 0.15  # of the Nyquist frequency, that the motion takes at most if the sampling is slow
 _CORNER, _GAIN = 3.5, np.sqrt(70.0)  # standard deviations of a fourth difference; that of unit white noise
 _LAST = 0.9  # of the Nyquist frequency: filters of a logger fall beyond it
 
 
-def noise_power(values: np.ndarray, dt: float) -> float | None:
-    """Mean square of the broadband noise in an evenly sampled channel.
+class Level(NamedTuple):
+    """Noise of a channel.
+
+    Attributes:
+        power: its mean square.
+        density: mean square of white noise that is as strong next to the motion.
+    """
+
+    power: float
+    density: float
+
+
+def noise_level(values: np.ndarray, dt: float) -> Level | None:
+    """Broadband noise in an evenly sampled channel.
 
     Args:
         values: (n,), n of at least 32.
         dt: s.
 
     Returns:
-        The level of the plateau times the band up to its end, and what is measured beyond it; None if there are no
-        segments without corners in which anything changes.
+        The level of the plateau up to its end, and what is measured beyond it; where the noise falls from there as
+        noise with a correlation from sample to sample does, the level of that. None if there are no segments without
+        corners in which anything changes.
     """
     segments = _segments(values)
     if segments.size == 0:
         return None
-    power = _spectra(segments)
-    at = np.arange(power.shape[1]) / (power.shape[1] - 1.0)  # of the Nyquist frequency
-    typical = np.median(power, axis=0)
-    width = max(power.shape[1] // 6, 3)
-    tone = typical > _TONE * median_filter(typical, size=width, mode="nearest")
-    start = min(MOTION * 2.0 * dt, _MOTION_SHARE)
-    band = np.minimum((at * _BANDS).astype(int), _BANDS - 1)
-    levels = np.full(_BANDS, np.nan)
-    for j in range(_BANDS):
-        inside = (band == j) & (at < 1.0)
-        inside = inside & ~tone if np.any(inside & ~tone) and j >= int(start * _BANDS) else inside
-        if np.any(inside):
-            levels[j] = np.median(power[:, inside]) / np.log(2.0)  # the median of an exponential distribution
-    known = np.flatnonzero(~np.isnan(levels))
-    levels = np.interp(np.arange(_BANDS), known, levels[known])
-    scatter = 1.0 + 3.0 * 1.44 / np.sqrt(max(power.size / _BANDS / 12.0, 1.0))
-    first, last = _plateau(levels, int(np.ceil(start * _BANDS)), _FLAT * scatter)
-    chosen = (band >= first) & (band <= last) & (at < 1.0) & ~tone
-    level = float(np.median(power[:, chosen])) / np.log(2.0) if np.any(chosen) else float(levels[first])
-    below = (last + 1.0) / _BANDS
-    return level * below + float(np.sum(np.minimum(levels[last + 1 :], level))) / _BANDS
+    spectra = _spectra(segments)
+    at = np.arange(spectra.shape[1]) / (spectra.shape[1] - 1.0)  # of the Nyquist frequency
+    typical = np.median(spectra, axis=0) / np.log(2.0)  # the median of an exponential distribution
+    tone = typical > _TONE * median_filter(typical, size=max(at.size // 6, 3), mode="nearest")
+    tone[[0, -1]] = True  # of a spectrum that ends there
+    if np.count_nonzero(~tone) < _FEWEST:
+        tone[1:-1] = False
+    power = np.exp(np.interp(at, at[~tone], np.log(np.maximum(typical[~tone], 1e-300))))
+    even = np.exp(uniform_filter1d(np.log(power), _EVENED, mode="nearest"))
+    flat = _FLAT * (1.0 + 3.0 * 1.44 / np.sqrt(max(_EVENED * len(spectra) / 4.0, 1.0)))
+    first, last = _plateau(even, at, min(MOTION * 2.0 * dt, _MOTION_SHARE), flat)
+    level = float(np.median(spectra[:, first : last + 1][:, ~tone[first : last + 1]])) / np.log(2.0)
+    if not math.isfinite(level):
+        level = float(even[first])
+    beyond = np.minimum(power[last:], level) if at[last] < _LAST else np.array([level])
+    found = Level(level * at[last] + float(np.mean(beyond)) * (1.0 - at[last]), level)
+    high = max(first, int(_HIGH * at.size))
+    coloured = _coloured(power[high:-1], at[high:-1]) if at[last] < _LAST else None
+    return coloured or found
 
 
-def _plateau(levels: np.ndarray, start: int, flat: float) -> tuple[int, int]:
-    """First and last band of the lowest-frequency run of flat levels, that with nothing flat is the upper half."""
-    end = int(_LAST * _BANDS)
-    for first in range(start, end - _WIDTH + 1):
-        last = first + _WIDTH - 1
-        if np.max(levels[first : last + 1]) > flat * np.min(levels[first : last + 1]):
+def _plateau(even: np.ndarray, at: np.ndarray, start: float, flat: float) -> tuple[int, int]:
+    """First and last bin of the first flat part of an evened spectrum that is half an octave wide or more; that with
+    nothing flat is the upper half.
+    """
+    for first in range(int(np.searchsorted(at, start)), at.size):
+        last = max(int(np.searchsorted(at, _OCTAVE * at[first])), first + _EVENED)
+        if last >= at.size:
+            break
+        low, high = float(np.min(even[first : last + 1])), float(np.max(even[first : last + 1]))
+        if high > flat * low:
             continue
-        while last + 1 < _BANDS and np.max(levels[first : last + 2]) <= flat * np.min(levels[first : last + 2]):
+        while last + 1 < at.size and max(high, even[last + 1]) <= flat * min(low, even[last + 1]):
             last += 1
-        return first, last if last < end - 1 else _BANDS - 1
-    return _BANDS // 2, _BANDS - 1
+            low, high = min(low, float(even[last])), max(high, float(even[last]))
+        return first, last
+    return at.size // 2, at.size - 1
+
+
+def _coloured(power: np.ndarray, at: np.ndarray) -> Level | None:
+    """Noise that is correlated from sample to sample, x_i = phi x_(i-1) + e_i, with this spectrum (n,) at frequencies
+    (n,) of the Nyquist frequency; None if it is another one.
+    """
+    logarithm, turn = np.log(power), np.cos(np.pi * at)
+    left = []
+    for phi in _PHI:
+        own = logarithm + np.log(1.0 - 2.0 * phi * turn + phi**2)
+        left.append((float(np.mean(np.abs(own - np.median(own)))), phi, float(np.exp(np.median(own)))))
+    misfit, phi, drive = min(left)
+    if misfit > _ALIKE:
+        return None
+    return Level(drive / (1.0 - phi**2), drive / (1.0 - phi) ** 2)
 
 
 def _segments(values: np.ndarray) -> np.ndarray:

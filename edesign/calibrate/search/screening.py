@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
@@ -56,11 +57,23 @@ class Screen:
         self.slopes = np.vstack(fitted.slopes) if fitted.x.size else np.empty((self.residual.size, 0))
         self.basis = np.linalg.qr(self.slopes)[0] if fitted.x.size else self.slopes
         self.inverse = np.linalg.pinv(fitted.hessian)
-        self.quick = replace(fitted.model, effects=tuple(e for e in fitted.model.effects if not e.slow))
+        self.whole = replace(fitted.model, problem=fitted.model.problem.coarse)
+        self.quick = replace(self.whole, effects=tuple(e for e in fitted.model.effects if not e.slow))
         self.quick_x = self.quick.coordinates(fitted.base, [part for part in fitted.parts if not part[0].slow])
-        self.quick_residual = self.residual
-        if len(self.quick.effects) < len(fitted.model.effects):
-            self.quick_residual = np.concatenate(self.quick.residuals(self.quick_x))
+
+    @cached_property
+    def whole_residual(self) -> np.ndarray:
+        """Of the model, coarse."""
+        if self.whole.problem is self.fitted.model.problem:
+            return self.residual
+        return np.concatenate(self.whole.residuals(self.fitted.x))
+
+    @cached_property
+    def quick_residual(self) -> np.ndarray:
+        """Of its quick effects alone, coarse."""
+        if len(self.quick.effects) == len(self.whole.effects):
+            return self.whole_residual
+        return np.concatenate(self.quick.residuals(self.quick_x))
 
     def free(self, values: np.ndarray) -> np.ndarray:
         """Values (N,) or (N, k) without what the model's own parameters can make of them."""
@@ -115,9 +128,12 @@ class Screen:
             return x, here
 
     def _residual(self, model: Model, candidate: Candidate, x: np.ndarray) -> np.ndarray:
-        """Residual (N,) with a candidate; what a quick one changes is taken beside the quick effects alone."""
-        if candidate.slow or len(self.quick.effects) + 1 == len(model.effects):
-            return np.concatenate(model.residuals(x))
+        """Residual (N,) with a candidate, of which the change is a coarse one; what a quick one changes is taken beside
+        the quick effects alone.
+        """
+        if candidate.slow:
+            whole = replace(self.whole, effects=model.effects)
+            return self.residual + np.concatenate(whole.residuals(x)) - self.whole_residual
         quick = replace(self.quick, effects=(*self.quick.effects, candidate))
         own = np.concatenate((self.quick_x, x[self.fitted.x.size :]))
         return self.residual + np.concatenate(quick.residuals(own)) - self.quick_residual
@@ -192,6 +208,7 @@ def screen(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:
 def _signatures(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:
     """Signatures of candidates that can be predicted."""
     whole = Screen(fitted)
+    _ = whole.quick_residual  # before processes begin
     model = fitted.model
     known = (*model.given, *fitted.slopes, *candidates)
     signatures = side_by_side(whole.signature, candidates, model.workers, known)

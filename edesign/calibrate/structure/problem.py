@@ -231,6 +231,11 @@ class StructureProblem:
         """Nothing is in doubt."""
         return self
 
+    @property
+    def coarse(self) -> Problem:
+        """It is always as fine."""
+        return self
+
     def finer(self, part: Part) -> tuple[Part, ...]:
         """There are none."""
         return ()

@@ -60,6 +60,10 @@ class LinearProblem:
     def certain(self) -> LinearProblem:
         return replace(self, doubts=()) if self.doubts else self
 
+    @property
+    def coarse(self) -> LinearProblem:
+        return self
+
     def finer(self, part: Part) -> tuple[Part, ...]:
         candidate, values = part
         keys = [key for key in self.fine if key.split(".")[0] == candidate.name and key != candidate.effect]

@@ -13,6 +13,7 @@ from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
 _LEAST, _MOST = 0.1, 3.0  # below it is friction; above it there is no damper
+_EXPONENTS = 0.01, 2.0  # of the MGMM
 
 
 class _Velocity(Form):
@@ -136,4 +137,30 @@ class Bend(Exponent):
         return np.exp(p["n"] / p["a"] * np.logaddexp(0.0, over))
 
 
-FORMS = (Dashpot, Flow, Carreau, Exponent, Bend)
+class OwnExponent(_Velocity):
+    """The MGMM's own exponent is another one: alpha + n, with the same force of that dashpot at a velocity v0. It does
+    nothing to other laws.
+    """
+
+    may_be_inside: ClassVar[bool] = False
+    of_mgmm: bool = True
+    form: ClassVar[str] = "own_exponent"
+    title: ClassVar[str] = "another exponent of the law's dashpot of a power of the velocity"
+    source: ClassVar[str] = "thesis Eq. 4.29: alpha and c_NL of another compound"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        v = sizes.velocity
+        return Unknown("n", "", -1.5, 1.5, 0.2), Unknown("v0", "m/s", 1e-4 * v, 1e2 * v, 0.2 * v, logarithmic=True)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((0.1, share * sizes.velocity) for share in (0.01, 0.1, 0.5))
+
+    def law(self, p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
+        if not {"alpha", "c_NL"} <= values.keys():
+            return values
+        low, high = _EXPONENTS
+        n = min(max(p["n"], low - values["alpha"]), high - values["alpha"])
+        return {**values, "alpha": values["alpha"] + n, "c_NL": values["c_NL"] * p["v0"] ** -n}
+
+
+FORMS = (Dashpot, Flow, Carreau, Exponent, Bend, OwnExponent)
