@@ -40,6 +40,18 @@ class Alternatives:
             current = simplest([current, *self.others(current, effect)])
         return current
 
+    def settled(self, current: Judged) -> Judged:
+        """The same in the end, where the last effects may have come in the place of others that were not begun beside
+        them: each, the last one too, against what could stand in its place, until none does better.
+        """
+        been: set[frozenset[str]] = set()
+        while 1 < len(current.fitted.model.effects) <= FEW and current.labels not in been:
+            been.add(current.labels)
+            for effect in current.fitted.model.effects:
+                if effect in current.fitted.model.effects:
+                    current = simplest([current, *self.others(current, effect)])
+        return current
+
     def others(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models in which another effect, or another form, stands in the place of one."""
         others = [e for e in current.fitted.model.effects if e is not effect]

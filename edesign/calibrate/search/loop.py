@@ -167,7 +167,8 @@ class Loop:
                 break
             current = found
         final = self.forms.plainer(self._prune(self.bench.held_again(current)))
-        return self.declared.instead_of_refit(self.alternatives.against_others(final)), refused
+        final = self.alternatives.settled(self.alternatives.against_others(final))
+        return self.declared.instead_of_refit(final), refused
 
     def _first(
         self, refit: Judged, rival: Judged, held: Sequence[Judged]
