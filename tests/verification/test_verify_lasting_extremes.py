@@ -20,6 +20,7 @@ from edesign.damper.damper import Damper
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
 from edesign.damper.specimen import Specimen
+from edesign.damper.temperature import GammaOf, GammaT
 from edesign.damper.test_files import Extremes, LawChoice
 from edesign.damper.test_record import DamperTest
 from edesign.errors import InputError
@@ -29,6 +30,7 @@ TABLE_4_2 = read_parameters(MGMM, "thesis_table_4_2")
 T = np.arange(0.0, 6.0, 1.0 / 200.0)
 REST = 400  # samples of 5 ms: 68 relaxation times
 NOISE = 20.0  # N
+GAMMAS: tuple[GammaOf, ...] = ("parameters", "by_the_letter")
 
 
 def motions() -> list[np.ndarray]:
@@ -121,3 +123,23 @@ def test_a_campaign_says_whether_extremes_last(tmp_path: Path) -> None:
     path.write_text(path.read_text(encoding="utf-8").replace("lasting", "for ever"), encoding="utf-8")
     with pytest.raises(InputError, match="fresh"):
         load_campaign(path)
+
+
+def test_a_mass_does_not_make_another_reading_of_gamma_likely(tmp_path: Path) -> None:
+    """At 23 degC the letter of Eq. 4.34 makes springs softer by 4 %, as a mass of two tonnes does at 2 Hz."""
+    warm, _ = GammaT().shifted(MGMM, TABLE_4_2, 23.0)
+    random = np.random.default_rng(6)
+    grow = np.clip(2.0 * np.minimum(T, T[-1] - T), 0.0, 1.0)
+    tests = []
+    for i, size in enumerate((2.0, 3.0, 4.0, 5.0, 6.0)):
+        u = 1e-3 * size * grow**3 * (10.0 - 15.0 * grow + 6.0 * grow**2) * np.sin(4.0 * np.pi * T)
+        force = Damper(MGMM, warm).force(T, u) + 2e3 * np.gradient(np.gradient(u, T), T)
+        noisy = force + NOISE * random.standard_normal(T.size)
+        tests.append(DamperTest(f"test_{i}", T, u, noisy, 23.0, use="validate" if i == 3 else "fit"))
+    choice = LawChoice("mgmm", "thesis_table_4_2", refit=False)
+    given = damper_problem(write_campaign(tmp_path, Specimen("S", 2, 0.0414, 0.012), tests, choice))
+    noise = [noise_of(trial) for trial in given.trials]
+    fast = thinned(given)
+    usual, letter = (readings._left(replace(fast, gamma_of=of), noise, False) for of in GAMMAS)
+    assert letter < 0.5 * usual  # by the declared law alone it would be the letter
+    assert likely_readings(fast, choice, noise)[0].gamma_of == "parameters"

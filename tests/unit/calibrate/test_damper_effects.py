@@ -345,3 +345,27 @@ def test_a_law_file_carries_the_same_effect_into_the_core(form: Form) -> None:
     # independent code in C that takes step by step: but for effects by work, rounding
     np.testing.assert_allclose(found, expected, rtol=0.0, atol=SWEPT * np.max(np.abs(law)))
     assert np.max(np.abs(found - law)) > 1e-3 * np.max(np.abs(law))
+
+
+def test_softening_that_goes_exponentially_with_amplitude() -> None:
+    t = trial(motion(6))
+    p = {"d": 0.3, "a0": 4e-3, "m": 1.4, "tau_a": 1e9}  # an envelope that does not fade: the largest so far
+    largest = np.maximum.accumulate(np.abs(t.motion.displacement))
+    expected = [1.0 - 0.3 * (1.0 - math.exp(-((a / 4e-3) ** 1.4))) for a in largest]
+    (found,) = factor(payne.Exponential(), p, (t,))
+    np.testing.assert_allclose(found, expected, rtol=1e-6)  # 4 s of 1e9 s, as a share of the amplitude
+
+
+def test_the_law_with_another_exponent_of_its_own_is_that_law() -> None:
+    mgmm, values = LAWS["mgmm"], read_parameters(LAWS["mgmm"], "thesis_table_4_2")
+    of = motion(9)
+    warm = replace(trial(of), temperature=np.full(of.time.size, 31.0))  # gamma_T takes alpha + n
+    damper = DamperProblem(mgmm, values, (warm,), sizes())
+    candidate = candidate_of(velocity_exponent.OwnExponent(), sizes(), Left())
+    assert candidate is not None
+    n, v0 = -0.1, 0.04
+    (found,) = damper.predict(damper.declared, [(candidate, np.array([n, v0]))], ("fit",))
+    other = {**values, "c_NL": values["c_NL"] * v0**-n, "alpha": values["alpha"] + n}
+    again = DamperProblem(mgmm, other, (warm,), sizes())
+    (expected,) = again.predict(again.declared, (), ("fit",))
+    np.testing.assert_array_equal(found, expected)

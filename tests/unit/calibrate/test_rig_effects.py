@@ -17,7 +17,7 @@ from edesign.calibrate.dampers.effects.payne import Whole
 from edesign.calibrate.dampers.effects.play import Backlash, Gap, GapAside, GapSeated, follow
 from edesign.calibrate.dampers.effects.relaxation_branch import Maxwell
 from edesign.calibrate.dampers.effects.series_flexibility import CLEARANCE, CLOSES, Closing, Linear, Power
-from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear
+from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear, Tared
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
@@ -482,3 +482,12 @@ def test_contacts_carry_half_the_largest_force_at_their_stiffness() -> None:
         carried = rig.stiffness * e * (np.sqrt(rig.bend) * e) ** (rig.power - 1.0)
         assert carried == pytest.approx(p["F_r"] * share**1.5, rel=1e-12)
     assert p["F_r"] == 0.5 * sizes.force
+
+
+def test_a_zero_set_by_hand_is_each_tests_own_beside_the_pre_shear() -> None:
+    (finer,) = Tared().finer()
+    motion = _irregular()
+    assert finer.has_columns and finer.form == "pre_shear_tared_by_hand" and finer.finer() == ()
+    own = finer.specimen({"offset": 1e-3}, _trial(motion), motion)
+    np.testing.assert_array_equal(own.displacement, motion.displacement + 1e-3)
+    np.testing.assert_array_equal(finer.columns({}, _trial(motion)), np.ones((motion.time.size, 1)))

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from linear_problem import linear, model_of
+from linear_problem import linear, model_of, of_labels
 
-from edesign.calibrate.fit import fit
+from edesign.calibrate.fit import Fitted, fit
+from edesign.calibrate.problem import Candidate
+from edesign.calibrate.search import workbench
 from edesign.calibrate.search.contest import likely_forms, shortlist
+from edesign.calibrate.search.loop import Loop
 from edesign.calibrate.search.pairs import joint_gains, likely_pairs
 from edesign.calibrate.search.screening import Screen, Signature, screen, screen_again
 
@@ -80,3 +84,24 @@ def test_likely_forms_are_the_best_and_the_simplest_that_is_nearly_as_good() -> 
     assert [s.candidate.form for s in likely_forms(forms, 2)] == ["rich", "simple"]
     assert [s.candidate.form for s in likely_forms(forms, 4)] == ["rich", "richer", "simple", "poor"]
     assert [s.candidate.form for s in shortlist(forms)] == ["rich", "simple"]
+
+
+def test_what_could_explain_little_beside_an_effect_is_not_screened_again(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = linear(hidden={"x": 2.0, "y": 0.5})
+    bench = Loop(problem, (1.0,) * 6, workers=1).bench
+    held = replace(model_of(problem), held=True)
+    bench.beside_declared = screen(fit(held, held.coordinates()), problem.candidates([]))
+    one = of_labels(problem, "x.only").fitted
+    pool = [candidate for candidate in problem.candidates([]) if candidate.name != "x"]
+    every = {s.candidate.name: s.gain for s in bench.screened(one, pool)}
+    asked: list[int] = []
+
+    def counted(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:
+        asked.append(len(candidates))
+        return screen(fitted, candidates)
+
+    monkeypatch.setattr(workbench, "_SCREENED", 1)
+    monkeypatch.setattr(workbench, "screen", counted)
+    some = {s.candidate.name: s.gain for s in bench.screened(one, pool)}
+    assert asked == [1] and max(some, key=lambda name: some[name]) == "y"
+    assert some == pytest.approx(every, rel=1e-3, abs=1e-3 * max(every.values()))  # all is linear here

@@ -118,3 +118,13 @@ def test_two_effects_are_begun_with_one_that_was_not_the_best_alone() -> None:
     assert found is not None and {e.name for e in found.fitted.model.effects} == {"x", "y"} and found.at_floor
     assert "two effects, x one of them" in told
     assert loop.second._begun_with_another(current) is None  # once
+
+
+def test_the_last_of_two_effects_too_is_held_against_others_in_the_end() -> None:
+    # z came in when something else was missing; y was never begun beside x
+    problem = linear(seed=20, hidden={"x": 2.0, "y": 2.0})
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    wrong = of_labels(problem, "x.only", "z.only")
+    assert loop.alternatives.settled(wrong).names == ("x", "y")
+    one = of_labels(problem, "x.only")
+    assert loop.alternatives.settled(one) is one

@@ -65,6 +65,18 @@ class Whole(_Payne):
         return np.asarray(1.0 - p["d"] * self._broken(p, motion))
 
 
+class Exponential(Whole):
+    """As `whole`, with g = 1 - exp(-(a/a0)^m)."""
+
+    form: ClassVar[str] = "exponential"
+    title: ClassVar[str] = "softening of the whole force that goes exponentially with amplitude"
+    source: ClassVar[str] = "Payne (1962), J. Appl. Polym. Sci. 6, 57-63; the course with amplitude: phenomenological"
+    amendment: ClassVar[bool] = False
+
+    def _broken(self, p: Values, motion: Motion) -> np.ndarray:
+        return np.asarray(-np.expm1(-((self._amplitude(p, motion) / p["a0"]) ** p["m"])))
+
+
 class MeanSquare(Whole):
     """As `whole`, of the fading mean square of the deformation: a^2' = (2 u^2 - a^2)/tau_a."""
 
@@ -188,4 +200,4 @@ class Intrinsic(Form):
         return np.asarray(1.0 / (1.0 + p["d"] * fading(decay, (1.0 - decay) * mean, 0.0)))
 
 
-FORMS = (Whole, MeanSquare, Elastic, Network, Intrinsic, Kraus)
+FORMS = (Whole, Exponential, MeanSquare, Elastic, Network, Intrinsic, Kraus)

@@ -52,6 +52,26 @@ class Tared(PreShear):
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
         return np.asarray(force - force[0])
 
+    def finer(self) -> tuple[Form, ...]:
+        """With a zero of each test's own."""
+        return (TaredByHand(),)
+
+
+class TaredByHand(Tared):
+    """As `pre_shear_tared`, but each test's zero is its own: it was set on another reading than the first sample."""
+
+    form: ClassVar[str] = "pre_shear_tared_by_hand"
+    title: ClassVar[str] = (
+        "shear of the specimen before displacement and force were set to zero, the force in each test"
+    )
+    has_columns: bool = True
+
+    def finer(self) -> tuple[Form, ...]:
+        return ()
+
+    def columns(self, p: Values, trial: Trial) -> np.ndarray:
+        return np.ones((trial.force.size, 1))
+
 
 class ConstantForce(_StaticOffset):
     """A dead load beside the specimen: F + P."""
