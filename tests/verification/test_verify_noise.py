@@ -225,7 +225,7 @@ def test_noise_that_is_correlated_from_sample_to_sample_keeps_its_deviation(phi:
     rng = np.random.default_rng(4)
     for motion in (sine, sweep, earthquake):
         noise = lfilter([np.sqrt(1.0 - phi**2)], [1.0, -phi], rng.standard_normal(t.size)) * 5e-6
-        # twelve draws scatter by 2 % (0.3) to 6 % (0.7) about 1.02; by the density high up it would be too small by 27 %
+        # twelve draws scatter by 2 % (0.3) to 6 % (0.7) about 1.02; by the density high up it would be less by 27 %
         # to 58 %
         assert white_noise(motion(t)[0] + noise, t) == pytest.approx(5e-6, rel=0.15)
 
