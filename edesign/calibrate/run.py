@@ -24,6 +24,8 @@ from edesign.calibrate.search.selection import Selection
 from edesign.damper.campaign import Campaign
 from edesign.damper.test_files import LawChoice
 
+_FIRST = 2.0 / 3.0  # of the time, for the likelier one of two readings
+
 
 def calibrate(
     campaign: Campaign, workers: int = 2, progress: Progress = lambda _: None, seconds: float = math.inf
@@ -90,16 +92,17 @@ def _searched(
     seconds: float,
 ) -> tuple[Selection, DamperProblem]:
     """What the loop finds with the likeliest reading of the law, and that reading; with a second one if more than noise
-    is left then, in half of the time.
+    is left then, in a third of the time.
     """
     first, *others = likely_readings(problem, law, noise)
-    found = Loop(first, noise, law.refit, workers, progress, seconds).run()
+    share = _FIRST if others else 1.0
+    found = Loop(first, noise, law.refit, workers, progress, share * seconds).run()
     for other in others if found.ending != "interrupted" else ():
         if found.final.at_floor:
             break
         progress("searching with the law read another way")
         try:
-            again = Loop(other, noise, law.refit, workers, progress, 0.5 * seconds).run()
+            again = Loop(other, noise, law.refit, workers, progress, (1.0 - share) * seconds).run()
         except KeyboardInterrupt:
             return replace(found, ending="interrupted"), first
         if again.final is simplest([found.final, again.final]):
