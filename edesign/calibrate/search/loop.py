@@ -146,6 +146,7 @@ class Loop:
             if current.last_is_new:
                 current = self.forms.reformed(self.alternatives.reconsider(self._last_alone(current)))
             current = self.forms.finer(refitted(self.bench.freed(self._prune(self.forms.plainer(current)))))
+            current = self.bench.freed(current)  # in another form it may be the law that is off
             self.standing = current
             self.bench.known.clear()  # of another belief in the declared parameters: not asked for again
             labels = current.labels
@@ -167,7 +168,7 @@ class Loop:
                 break
             current = found
         final = self.forms.plainer(self._prune(self.bench.held_again(current)))
-        final = self.alternatives.settled(self.alternatives.against_others(final))
+        final = self.bench.freed(self.alternatives.settled(self.alternatives.against_others(final)))
         return self.declared.instead_of_refit(final), refused
 
     def _first(
