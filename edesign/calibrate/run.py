@@ -11,12 +11,14 @@ import numpy as np
 from edesign.calibrate.dampers.carried import carried_law, described
 from edesign.calibrate.dampers.full_rate import at_full_rate
 from edesign.calibrate.dampers.next_test import next_test
-from edesign.calibrate.dampers.prepare import damper_problem, thinned
+from edesign.calibrate.dampers.prepare import damper_problem, thinned, with_noise
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.readings import likely_readings
 from edesign.calibrate.dampers.trial import Trial
 from edesign.calibrate.evidence import simplest
+from edesign.calibrate.fit import Fitted
 from edesign.calibrate.outcome import Outcome, residual_of
+from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.residual.analysis import analyse
 from edesign.calibrate.result import Calibration, Series
 from edesign.calibrate.search.loop import Loop, Progress
@@ -49,7 +51,9 @@ def calibrate(
     found, fast = _searched(fast, campaign.law, noise, workers, progress, seconds)
     problem = replace(problem, lasting=fast.lasting, gamma_of=fast.gamma_of)
     progress("fitting all samples")
-    found = at_full_rate(found, problem)
+    problem = noisy_beside(problem, found.final.fitted)
+    noise = tuple(noise_of(trial) for trial in problem.trials)
+    found = at_full_rate(found, problem, noise)
     progress("predicting all tests")
     outcome = Outcome.of(problem, noise, found)
     series = tuple(
@@ -108,6 +112,14 @@ def _searched(
         if again.final is simplest([found.final, again.final]):
             found, first = again, other
     return found, first
+
+
+def noisy_beside(problem: DamperProblem, final: Fitted) -> DamperProblem:
+    """With what noise of the motion makes in a final model: friction is as steep at rest as the law is, or steeper."""
+    try:
+        return with_noise(problem, final.base, final.parts) if final.parts else problem
+    except PredictionError:
+        return problem
 
 
 def noise_of(trial: Trial) -> float:

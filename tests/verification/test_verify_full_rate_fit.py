@@ -47,7 +47,7 @@ def _found(folder: Path, thermometer: float) -> tuple[Selection, Outcome]:
     noise = (NOISE,) * len(tests)
     model = Model(thinned(problem), noise)
     refit = Judged(fit(model, model.coordinates()))
-    found = at_full_rate(Selection(refit, refit, refit, ()), problem)
+    found = at_full_rate(Selection(refit, refit, refit, ()), problem, refit.fitted.model.noise)
     return found, Outcome.of(problem, noise, found)
 
 

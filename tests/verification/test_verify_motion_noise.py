@@ -7,8 +7,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from edesign.calibrate.dampers.effects import friction
+from edesign.calibrate.dampers.left import Left
+from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.prepare import damper_problem
-from edesign.calibrate.run import noise_of
+from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.run import noise_of, noisy_beside
 from edesign.damper.campaign import write_campaign
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
@@ -50,3 +54,37 @@ def test_noise_is_as_strong_at_rest_as_in_motion_once_weighted(tmp_path: Path) -
     # six repetitions tell a power within a tenth of a second, some ten independent values each, to 2 / sqrt(120) = 0.2;
     # noise on top of noise, which is all that a program has, is stronger by at most the two together: sqrt(2)
     assert np.mean(weighted, axis=0) == pytest.approx([1.0, 1.0], rel=0.35)
+
+
+def test_noise_through_an_effect_counts_where_the_effect_is_known(tmp_path: Path) -> None:
+    """Friction of 4 kN that turns within 1 mm/s makes of a micrometre at 500 Hz more than the law does; eight micrometres here."""
+    mgmm = law("mgmm")
+    damper = Damper(mgmm, read_parameters(mgmm, "thesis_table_4_2"))
+    random = np.random.default_rng(12)
+    t = np.arange(0.0, 12.0, 1.0 / 500.0)
+    tests = []
+    for i in range(6):
+        size, w = (2.0 + 0.4 * i) * 1e-3, 2.0 * np.pi * (0.5 + 0.3 * i)
+        grow = (1.0 - np.exp(-2.0 * t)) ** 2
+        u = size * grow * np.sin(w * t)
+        v = np.gradient(u, t)
+        force = damper.force(t, u) + 4e3 * np.tanh(v / 1e-3) + FORCE_NOISE * random.standard_normal(t.size)
+        noisy = u + 8e-6 * random.standard_normal(t.size)
+        tests.append(DamperTest(f"test_{i + 1:02d}", t, noisy, force, 20.0, use="fit" if i % 3 else "validate"))
+    choice = LawChoice("mgmm", "thesis_table_4_2")
+    problem = damper_problem(write_campaign(tmp_path, Specimen("S", 2, 0.0414, 0.012), tests, choice))
+    tanh = candidate_of(friction.Tanh(), problem.sizes, Left())
+    assert tanh is not None
+    model = Model(problem, tuple(noise_of(trial) for trial in problem.trials), (tanh,), held=True)
+    p = {"F_c": 4e3, "v0": 1e-3}
+    true = fit(model, model.coordinates(None, [(tanh, np.array([p[u.name] for u in tanh.unknowns]))]), most_steps=0)
+    known = noisy_beside(problem, true)
+    found = problem.predict(true.base, true.parts, ("fit", "validate"))
+    ratios, louder = [], []
+    for before, after, values in zip(problem.trials, known.trials, found, strict=True):
+        assert values is not None
+        louder.append(noise_of(after) / noise_of(before))
+        ratios.append(float(np.mean((after.force - values) ** 2)) / noise_of(after) ** 2)
+    assert np.mean(louder) > 1.2
+    # noise on top of noise where friction turns is the least that a program can add: between half and all of it
+    assert 0.6 < float(np.mean(ratios)) < 1.35

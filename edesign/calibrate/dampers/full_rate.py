@@ -17,16 +17,17 @@ _ENOUGH = 1e-6  # of the sum of squares of some ten thousand samples: a tenth of
 _DOUBTS = (0.0, 0.1, 0.3, 1.0)  # shares of the doubt about conditions of the tests
 
 
-def at_full_rate(found: Selection, problem: DamperProblem) -> Selection:
+def at_full_rate(found: Selection, problem: DamperProblem, noise: tuple[float, ...]) -> Selection:
     """The final model and its rival fitted to all samples: larger steps have errors of their own, with a rig in series
     above all, for which parameters have made up.
 
     Args:
         found: by the loop.
         problem: of the same tests at full rate.
+        noise: (tests,) standard deviation of each test's noise there.
     """
     whole = problem.doubting(likeliest_doubt(found.final.fitted))
-    final, refit = _fitted(found.final.fitted, whole), _fitted(found.refit.fitted, whole)
+    final, refit = (_fitted(judged.fitted, whole, noise) for judged in (found.final, found.refit))
     if final is None:
         return found
     adopted = tuple(replace(one, values=values) for one, (_, values) in zip(found.adopted, final.parts, strict=True))
@@ -67,9 +68,9 @@ def likeliest_doubt(final: Fitted) -> float:
     return min(_DOUBTS, key=unlikely)
 
 
-def _fitted(begun: Fitted, problem: DamperProblem) -> Fitted | None:
-    """The model fitted to another problem; None: it cannot predict that."""
-    model = replace(begun.model, problem=problem)
+def _fitted(begun: Fitted, problem: DamperProblem, noise: tuple[float, ...]) -> Fitted | None:
+    """The model fitted to another problem with noise (tests,); None: it cannot predict that."""
+    model = replace(begun.model, problem=problem, noise=noise)
     try:
         return fit(model, begun.x, enough=_ENOUGH)
     except PredictionError:

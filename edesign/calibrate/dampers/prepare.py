@@ -12,7 +12,7 @@ from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.readings import read
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.noise import least_noise, smooth, white_noise
-from edesign.calibrate.problem import PredictionError
+from edesign.calibrate.problem import Part, PredictionError
 from edesign.damper.campaign import Campaign
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
@@ -21,7 +21,7 @@ from edesign.errors import InputError
 
 _AGAIN = 6  # times that noise is added
 _EVENED = 0.1  # s, over which its effect is evened out
-_MOST_TIMES = 4.0  # its power over that by the declared law
+_MOST_TIMES = 4.0  # its power over that by a model
 _THERMOMETER = 0.2  # K: tolerance of a platinum resistor of class A near room temperature, IEC 60751
 _ABSURD = 30.0  # ratio of measured to predicted force beyond which a unit is wrong, not a law
 _OPPOSITE = -0.3
@@ -44,12 +44,11 @@ def damper_problem(campaign: Campaign) -> DamperProblem:
     _check_tests(campaign)
     chosen = law_of(campaign.law.type)
     start = read_parameters(chosen, campaign.law.parameters)
-    prepared = [_trial(test, order) for order, test in enumerate(campaign.tests)]
-    trials = tuple(trial for trial, _ in prepared)
+    trials = tuple(_trial(test, order) for order, test in enumerate(campaign.tests))
     problem = read(DamperProblem(chosen, start, trials, Sizes.of(trials)), campaign.law)
     _check_law(problem, campaign)
     _check_forces(problem, campaign)
-    noisy = _with_noise(problem, [noise for _, noise in prepared])
+    noisy = with_noise(problem)
     means = [trial.mean_temperature for trial in trials]
     return replace(noisy, thermometer=_THERMOMETER) if max(means) - min(means) > _THERMOMETER else noisy
 
@@ -75,33 +74,43 @@ def _check_tests(campaign: Campaign) -> None:
         test.varying_force()
 
 
-def _trial(test: DamperTest, order: int) -> tuple[Trial, float]:
-    """The test, and the noise of its displacement, m."""
+def _trial(test: DamperTest, order: int) -> Trial:
     displacement, velocity, acceleration, noise = smooth(test.time, test.displacement)
     history = test.temperature_history
     temperature = np.full(test.time.size, test.temperature_C) if history is None else history
     motion = Motion(test.time, displacement, velocity, acceleration)
-    return Trial(test.name, test.use, order, motion, test.measured_force(), temperature), noise
+    return Trial(test.name, test.use, order, motion, test.measured_force(), temperature, noise)
 
 
-def _with_noise(problem: DamperProblem, noise: Sequence[float]) -> DamperProblem:
-    """With the noise of each test: that of the force channel, in what the declared law leaves of the force, too, as the
-    law takes the harmonics away; and what noise of the displacement (m, of each test) makes of force: such noise added
-    and taken off again. That is most where the damper is slow and its force steep over the velocity, and as many times
-    larger as the force is than the law's.
+def with_noise(problem: DamperProblem, base: np.ndarray | None = None, parts: Sequence[Part] = ()) -> DamperProblem:
+    """With the noise of each test: that of the force channel, in what a model leaves of the force, too, as the model
+    takes the harmonics away; and what noise of the displacement makes of force: such noise added and taken off again.
+    That is most where the damper is slow and its force steep over the velocity, and as many times larger as the force
+    is than the model's.
+
+    Args:
+        problem: at full rate.
+        base: values of the law's parameters, SI; None: as declared.
+        parts: effects.
     """
-    random = np.random.default_rng(len(noise))
-    plain = _predicted(problem, problem.trials)
+    values = problem.declared if base is None else base
+
+    def predicted(trials: Sequence[Trial]) -> list[np.ndarray]:
+        found = replace(problem, trials=tuple(trials)).predict(values, parts, ("fit", "validate"))
+        return [force for force in found if force is not None]
+
+    random = np.random.default_rng(len(problem.trials))
+    plain = predicted(problem.trials)
     power = [np.zeros(trial.motion.time.size) for trial in problem.trials]
-    for _ in range(_AGAIN if any(noise) else 0):
+    for _ in range(_AGAIN if any(trial.displacement_noise for trial in problem.trials) else 0):
         again = []
-        for trial, size in zip(problem.trials, noise, strict=True):
+        for trial in problem.trials:
             motion = trial.motion
-            if size > 0.0:
-                noisy = motion.displacement + size * random.standard_normal(motion.time.size)
+            if trial.displacement_noise > 0.0:
+                noisy = motion.displacement + trial.displacement_noise * random.standard_normal(motion.time.size)
                 motion = Motion(motion.time, *smooth(motion.time, noisy)[:3])
             again.append(replace(trial, motion=motion))
-        for own, force, moved in zip(power, plain, _predicted(problem, again), strict=True):
+        for own, force, moved in zip(power, plain, predicted(again), strict=True):
             own += (moved - force) ** 2 / _AGAIN
     return replace(problem, trials=tuple(map(_noisy, problem.trials, plain, power)))
 
@@ -121,12 +130,6 @@ def _noisy(trial: Trial, predicted: np.ndarray, power: np.ndarray) -> Trial:
     all_of_it = power + channel**2
     weight = np.sqrt(np.mean(all_of_it) / all_of_it)
     return replace(trial, channel_noise=channel, motion_noise=float(np.sqrt(np.mean(power))), weight=weight)
-
-
-def _predicted(problem: DamperProblem, trials: Sequence[Trial]) -> list[np.ndarray]:
-    """Force (n,) N of the declared law in trials."""
-    found = replace(problem, trials=tuple(trials)).predict(problem.declared, (), ("fit", "validate"))
-    return [force for force in found if force is not None]
 
 
 def _check_law(problem: DamperProblem, campaign: Campaign) -> None:

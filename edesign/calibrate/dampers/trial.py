@@ -91,6 +91,8 @@ class Trial:
         motion: measured, freed from noise.
         force: measured (n,) N.
         temperature: (n,) degC: measured, or ambient.
+        displacement_noise: standard deviation of white noise as strong next to the motion as that of the displacement
+            was, m.
         channel_noise: standard deviation of the noise of the force channel, N.
         motion_noise: standard deviation of the force that noise of the displacement makes through the law, N.
         weight: (n,) factors of a residual that make its noise as strong at all times; None: it is.
@@ -104,6 +106,7 @@ class Trial:
     motion: Motion
     force: np.ndarray
     temperature: np.ndarray
+    displacement_noise: float = 0.0
     channel_noise: float = 0.0
     motion_noise: float = 0.0
     weight: np.ndarray | None = None
