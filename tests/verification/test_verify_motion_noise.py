@@ -57,7 +57,7 @@ def test_noise_is_as_strong_at_rest_as_in_motion_once_weighted(tmp_path: Path) -
 
 
 def test_noise_through_an_effect_counts_where_the_effect_is_known(tmp_path: Path) -> None:
-    """Friction of 4 kN that turns within 1 mm/s makes of a micrometre at 500 Hz more than the law does; eight micrometres here."""
+    """Friction of 4 kN that turns within 1 mm/s makes more of eight micrometres than the law does."""
     mgmm = law("mgmm")
     damper = Damper(mgmm, read_parameters(mgmm, "thesis_table_4_2"))
     random = np.random.default_rng(12)
