@@ -364,6 +364,19 @@ def test_a_joint_is_either_a_seated_gap_or_closes() -> None:
     assert forms[1].series(p) == forms[2].series(p)
 
 
+def test_a_joint_that_opens_is_softer_beyond_its_force() -> None:
+    # on a monotone way from rest: two springs in series up to F_c, from there on with the softer one
+    time = np.linspace(0.0, 1.0, 81)
+    u, k, rig, opens, ratio = 0.01 * time, 1e7, 4e7, 3e4, 0.3
+    part = Closing().series({"stiffness": rig, "F_c": opens, "ratio": ratio})
+    damper = CoreDamper("kelvin_voigt", (k, 0.0))
+    force, _ = damper.force_in_series(time, u, np.full(81, 0.01), part.stiffness, part.play, within=part.within)
+    shut = u / (1.0 / k + 1.0 / rig)
+    beyond = (u + opens * (1.0 / (ratio * rig) - 1.0 / rig)) / (1.0 / k + 1.0 / (ratio * rig))
+    np.testing.assert_allclose(force, np.where(shut <= opens, shut, beyond), atol=1e-6 * k * 0.01)
+    assert shut[-1] > 2.0 * opens
+
+
 @pytest.mark.parametrize(("clearance", "found"), [(0.0, "series_flexibility.linear"), (2e-4, "play.gap")])
 def test_play_without_a_clearance_is_a_flexible_rig(clearance: float, found: str) -> None:
     # a spring in a rig, as the core has it, beside noise; the form with the clearance was found

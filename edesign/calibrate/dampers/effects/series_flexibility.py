@@ -13,6 +13,7 @@ CLOSES = 0.03
 """Share of the largest force that closes a joint: below it is a clearance that is crossed, above it a soft part."""
 CLEARANCE = 5.0
 """Times as stiff as before is a joint that has closed: what is stiffer yet has had a clearance."""
+_OPENS = 0.05  # of the stiffness before is left in a joint that opens: with less the damper would stand still
 
 
 class Linear(Form):
@@ -89,11 +90,13 @@ class Power(Linear):
 
 
 class Closing(Linear):
-    """A joint that closes: stiffness up to a force F_c, `ratio` times as stiff beyond, as where shims bed in."""
+    """A joint that closes: stiffness up to a force F_c, `ratio` times as stiff beyond, as where shims bed in; below 1
+    it opens or slips there, as a bolted one.
+    """
 
     form: ClassVar[str] = "closing"
-    title: ClassVar[str] = "a joint of the rig in series with the specimen that closes under a force"
-    signature: ClassVar[str] = "as series_flexibility.linear up to a force, and less of it beyond"
+    title: ClassVar[str] = "a joint of the rig in series with the specimen that closes or opens under a force"
+    signature: ClassVar[str] = "as series_flexibility.linear up to a force, and less of it beyond, or more"
     source: ClassVar[str] = "piecewise linear joints: Ibrahim & Pettit (2005), J. Sound Vib. 279, 857-936"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
@@ -101,11 +104,12 @@ class Closing(Linear):
         return (
             *super().unknowns(sizes),
             Unknown("F_c", "N", CLOSES * force, 1.5 * force, 0.3 * force, logarithmic=True),
-            Unknown("ratio", "", 1.0, CLEARANCE, 2.0, logarithmic=True),
+            Unknown("ratio", "", _OPENS, CLEARANCE, 2.0, logarithmic=True),
         )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((20.0 * sizes.stiffness, share * sizes.force, 2.0) for share in (0.15, 0.4, 0.75))
+        own = ((0.15, 2.0), (0.4, 2.0), (0.75, 2.0), (0.3, 0.4))
+        return tuple((20.0 * sizes.stiffness, share * sizes.force, ratio) for share, ratio in own)
 
     def series(self, p: Values) -> Series:
         k = p["stiffness"]
