@@ -175,6 +175,7 @@ def test_another_gamma_multiplies_every_parameter_in_the_units_of_the_thesis() -
     for form, p, gamma in (
         (temperature_law.Gamma(), {"b": b, "T0": 20.0}, math.exp(-b * 9.0)),
         (temperature_law.GammaWlf(), {"b": b, "c": c, "T0": 20.0}, math.exp(-b * 9.0 / (1.0 + c * 9.0))),
+        (temperature_law.GammaLine(), {"b": b, "T0": 20.0}, 1.0 - b * 9.0),
     ):
         found = form.law(p, trial(of, 0, 29.0), values)
         assert found.keys() == values.keys()

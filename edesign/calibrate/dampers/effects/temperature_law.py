@@ -20,6 +20,7 @@ from edesign.damper.temperature import CHANGING, REFERENCE_C, at_one_rate
 _LEAST_SPAN = 2.0  # K: tests at one temperature tell nothing of it, and readings of one, 0.2 K off, span up to 1 K
 _SHARPEST = 1.0  # K, of a transition: no rubber has a sharper one, and readings may be off by 0.2 K
 _SLOWING = -0.015, 0.024  # 1/K: from -20 to 80 degC no fall is endless
+_LEAST_GAMMA = 0.05  # of a straight line, which ends at none
 _NEAREST = 0.05  # of 1 + c w: T0 - C2, where the fall ends, comes no nearer
 
 
@@ -157,6 +158,20 @@ class GammaWlf(Gamma):
         return Wlf().starts(sizes)
 
 
+class GammaLine(Gamma):
+    """A gamma_T that falls in a straight line, 1 - b (T - T0), in the place of the MGMM's own."""
+
+    in_place_of_gamma: bool = True
+    of_mgmm: bool = True
+    form: ClassVar[str] = "gamma_line"
+    title: ClassVar[str] = "a gamma_T of all of the law's parameters that falls in a straight line"
+    source: ClassVar[str] = "thesis section 4.5: gamma_T falls by as much for each degree"
+
+    def law(self, p: Values, trial: Trial, values: dict[str, float]) -> dict[str, float]:
+        gamma = 1.0 - p["b"] * (float(np.mean(trial.temperature)) - p["T0"])
+        return _at_rate(values, -math.log(max(gamma, _LEAST_GAMMA)))
+
+
 class Transition(_Temperature):
     """The fall over a transition: F = (1 - d (S(T) - S(T0))) F_law, S(T) = 1/(1 + exp(-(T - Tc)/w))."""
 
@@ -222,4 +237,4 @@ def _parameters(values: Values) -> tuple[Parameter, ...]:
     return next(own for own in every if {parameter.name for parameter in own} == set(values))
 
 
-FORMS = (Exponential, Wlf, Transition, Shift, ShiftWlf, ShiftOfForces, Gamma, GammaWlf)
+FORMS = (Exponential, Wlf, Transition, Shift, ShiftWlf, ShiftOfForces, Gamma, GammaWlf, GammaLine)
