@@ -276,7 +276,7 @@ class DamperProblem:
         for part in acting:
             values = part.form.law(part.p, trial, values)
         own_gamma = not any(part.form.in_place_of_gamma for part in acting)
-        values = self._at(trial, values) if own_gamma else self.law.complete(values)
+        values = self._at(trial, values) if own_gamma else self._complete(values)
         series = [s for s in (part.form.series(part.p) for part in acting) if s is not None]
         if series:
             force, own = self._in_series(trial, own, values, acting, Series.together(series))
@@ -378,6 +378,13 @@ class DamperProblem:
 
     def _law_force(self, trial: Trial, motion: Motion, values: dict[str, float]) -> np.ndarray:
         return _kept_force(self.law.name, tuple(values.values()), _Same(motion), trial.been)
+
+    def _complete(self, values: dict[str, float]) -> dict[str, float]:
+        """Parameters of the law as parts have made them, in the order of the core."""
+        try:
+            return self.law.complete(values)
+        except InputError as error:
+            raise PredictionError(str(error)) from error
 
     def _at(self, trial: Trial, values: dict[str, float]) -> dict[str, float]:
         """Parameters of the law at the temperature of a test, in the order of the core."""

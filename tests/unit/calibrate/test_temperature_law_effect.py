@@ -25,6 +25,7 @@ from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Sizes
 from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.search.screening import screen
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import LAWS
@@ -243,3 +244,17 @@ def test_laws_of_the_temperature_are_screened_with_nothing_in_doubt() -> None:
     assert found[1].gain == pytest.approx(found[0].gain, rel=1e-12)
     np.testing.assert_allclose(found[1].start, found[0].start, rtol=1e-12)
     assert falls.unknowns[0].value(float(found[0].start[-1])) == pytest.approx(0.02, rel=0.2)  # one linear step
+
+
+def test_parameters_that_no_law_has_are_no_prediction() -> None:
+    # gamma_T of 8 makes alpha 3; beside a form in the place of the law's own gamma_T nothing else asks for it
+    mgmm, of = LAWS["mgmm"], motion(4)
+    warm = trial(of, 0, 29.0)
+    damper = DamperProblem(mgmm, read_parameters(mgmm, "thesis_table_4_2"), (warm,), Sizes.of((trial(of), warm)))
+    parts = [
+        candidate_of(form, damper.sizes, Left()) for form in (temperature_law.Gamma(), temperature_law.GammaLine())
+    ]
+    given = [(part, np.array([value])) for part, value in zip(parts, (-math.log(8.0) / 9.0, 0.0), strict=True) if part]
+    assert len(given) == 2
+    with pytest.raises(PredictionError, match="alpha"):
+        damper.predict(damper.declared, given, ("fit",))
