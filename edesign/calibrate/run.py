@@ -26,7 +26,7 @@ from edesign.calibrate.search.selection import Selection
 from edesign.damper.campaign import Campaign
 from edesign.damper.test_files import LawChoice
 
-_FIRST = 2.0 / 3.0  # of the time, for the likelier one of two readings
+_SECOND = 1.0 / 3.0  # of the time once more, for the second one of two readings
 
 
 def calibrate(
@@ -96,17 +96,16 @@ def _searched(
     seconds: float,
 ) -> tuple[Selection, DamperProblem]:
     """What the loop finds with the likeliest reading of the law, and that reading; with a second one if more than noise
-    is left then, in a third of the time.
+    is left then, in a third of the time more.
     """
     first, *others = likely_readings(problem, law, noise)
-    share = _FIRST if others else 1.0
-    found = Loop(first, noise, law.refit, workers, progress, share * seconds).run()
+    found = Loop(first, noise, law.refit, workers, progress, seconds).run()
     for other in others if found.ending != "interrupted" else ():
         if found.final.at_floor:
             break
         progress("searching with the law read another way")
         try:
-            again = Loop(other, noise, law.refit, workers, progress, (1.0 - share) * seconds).run()
+            again = Loop(other, noise, law.refit, workers, progress, _SECOND * seconds).run()
         except KeyboardInterrupt:
             return replace(found, ending="interrupted"), first
         if again.final is simplest([found.final, again.final]):
