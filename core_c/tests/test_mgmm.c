@@ -85,6 +85,27 @@ static void check_slow_motion(void)
   free_rig(&r);
 }
 
+/* Constant acceleration through and beside rest, from velocities that the rounding spans to some far above, so slowly relaxing that the
+ * force is the integral over tau: of v (v^2 + v_rest^2)^((alpha - 1)/2) it is (v^2 + v_rest^2)^((alpha + 1)/2) / (alpha + 1). */
+static void check_slow_reversal(void)
+{
+  static const double share[] = {-1.0, -0.5, -1e-3, 0.0, 1e-3, 0.3};
+  const double tau = 1e8, h = 0.01, v_rest = 1e-7 * 13.468;
+  const double p[N_PARAMETERS] = {0.0151 / tau, 0.0151, 0.0, 1.585, 0.374, 0.0, 0.0, 7.966, 0.0, 0.0, 13.468, 0.0};
+  rig r = new_rig(ED_LAW_MGMM, N_PARAMETERS, p, 0.0);
+  for (double v = 0.1 * v_rest; v < 1e6 * v_rest; v *= 1.7)
+    for (int i = 0; i < 6; i++) {
+      const double from = share[i] * v, a = (v - from) / h, size = fmax(v, v_rest);
+      const double done = pow(v * v + v_rest * v_rest, 0.687) - pow(from * from + v_rest * v_rest, 0.687);
+      const double expected = (1.585 * done / 1.374 / a + 0.0151 * 0.5 * (v + from) * h) / tau;
+      memset(r.state, 0, sizeof r.state);
+      r.u = 0.0, r.v = from;
+      check_slopes(&r, h, 0.5 * (v + from) * h, v, 1e-4 * v * h, 1e-4 * v, 1e-3 * 1.585 * pow(size, -0.626) / tau);
+      CHECK_NEAR(move(&r, h, 0.5 * (v + from) * h, v), expected, 3e-6 * 1.585 * pow(size, 0.374) * h / tau);
+    }
+  free_rig(&r);
+}
+
 /* Constant velocity from rest: u_max = v t / 2 grows, v_max = v / 2. */
 static void check_growing_deformation(void)
 {
@@ -341,6 +362,7 @@ int main(void)
 {
   check_power_through_reversal();
   check_slow_motion();
+  check_slow_reversal();
   check_growing_deformation();
   check_growing_velocity();
   for (int consistent = 0; consistent < 2; consistent++) {

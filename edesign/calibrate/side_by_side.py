@@ -22,7 +22,7 @@ T = TypeVar("T")
 S = TypeVar("S")
 
 _NUMBER = 4  # bytes
-_WORTH = 0.2  # s of work for which processes are begun
+_WORTH = 0.04  # s of work for which processes are begun
 
 _busy = False  # items are at work: functions of an item that come here have this process alone
 

@@ -164,18 +164,19 @@ static int moves(const ed_path direction[2])
   return 0;
 }
 
-/* How many points Gauss' rule needs over a step in which nothing happens: no reversal, near neither, and no extreme grows, so that both
- * moduli are constant. 0: something happens, or the step is long. */
-static int quiet_points(const constants *law, const double *memory, const ed_path *path)
+/* What the chord of the power has more than its tangent, if it has: where the power is below 1. */
+static double softer(const constants *law, double slope, double chord)
 {
-  enum { MEAN = 3, FAR = 10 };
-  const double h = path->h, v0 = path->c[1], v1 = ed_path_v(path, h), bend = 0.75 * fabs(path->c[3]) * h * h;
-  const double low = fmin(v0, v1) - bend, high = fmax(v0, v1) + bend, both = fabs(v0 + v1), change = high - low;
-  const double u0 = path->c[0], u1 = ed_path_u(path, h);
-  if (h > 0.5 * law->tau || both < MEAN * change || both < 2e4 * law->power.rest || low < memory[SMALLEST_V] ||
-      high > memory[LARGEST_V] || fmin(u0, u1) < memory[SMALLEST_U] || fmax(u0, u1) > memory[LARGEST_U])
-    return 0;
-  return both >= FAR * change ? ED_POWER_FEW : ED_POWER_MANY;
+  return law->alpha < 1.0 ? law->c_nl * (chord - slope) : 0.0;
+}
+
+/* Whether no extreme grows over a step, so that both moduli are constant: by bounds of the cubic and its derivative. */
+static int still(const double *memory, const ed_path *path)
+{
+  const double h = path->h, u0 = path->c[0], u1 = ed_path_u(path, h), v0 = path->c[1], v1 = ed_path_v(path, h);
+  const double over = 4.0 / 27.0 * h * (fabs(v0) + fabs(v1)), bend = 0.75 * fabs(path->c[3]) * h * h;
+  return (v0 > v1 ? v0 : v1) + bend <= memory[LARGEST_V] && (v0 < v1 ? v0 : v1) - bend >= memory[SMALLEST_V] &&
+         (u0 > u1 ? u0 : u1) + over <= memory[LARGEST_U] && (u0 < u1 ? u0 : u1) - over >= memory[SMALLEST_U];
 }
 
 static double constant_modulus(const ed_softening *law, double largest, double smallest)
@@ -183,33 +184,55 @@ static double constant_modulus(const ed_softening *law, double largest, double s
   return law->a * exp(-ed_extremes_mean((ed_running){largest, smallest}) / law->reference) + law->b;
 }
 
-static int quiet_step(const constants *law, int points, const double *committed, const ed_path *path, const ed_path direction[2],
-                      int wanted, double *trial, ed_damper_force *out)
+/* 1/tau integral over a step of exp(-(h - s)/tau) (s/h)^m for m = 0..3, time = h/tau. From one to the next by parts, in the way in
+ * which errors die out; over short steps the last one by its series, 3! time sum of (-time)^k / (k + 4)!. */
+static void moments(double time, double moment[4])
+{
+  static const double SHORT = 0.3; /* the first term left out is 1e-16 of the first */
+  if (time >= SHORT) {
+    moment[0] = -expm1(-time);
+    for (int m = 1; m < 4; m++)
+      moment[m] = 1.0 - m / time * moment[m - 1];
+    return;
+  }
+  const double t2 = time * time, t4 = t2 * t2, t8 = t4 * t4;
+  const double low = 1.0 / 4.0 - time * (1.0 / 20.0) + t2 * (1.0 / 120.0 - time * (1.0 / 840.0));
+  const double high = 1.0 / 6720.0 - time * (1.0 / 60480.0) + t2 * (1.0 / 604800.0 - time * (1.0 / 6652800.0));
+  moment[3] = time * (low + t4 * high + t8 * (1.0 / 79833600.0 - time * (1.0 / 1037836800.0)));
+  moment[2] = time * (1.0 - moment[3]) * (1.0 / 3.0);
+  moment[1] = time * (1.0 - moment[2]) * 0.5;
+  moment[0] = time * (1.0 - moment[1]);
+}
+
+/* The same integral of stiffness u + damping v. */
+static double relaxed(const ed_path *path, const double moment[4], double stiffness, double damping)
+{
+  const double h = path->h, *c = path->c;
+  const double u = c[0] * moment[0] + h * (c[1] * moment[1] + h * (c[2] * moment[2] + h * c[3] * moment[3]));
+  const double v = c[1] * moment[0] + h * (2.0 * c[2] * moment[1] + h * 3.0 * c[3] * moment[2]);
+  return stiffness * u + damping * v;
+}
+
+static int still_step(const constants *law, const double *committed, const ed_path *path, const ed_path direction[2], int wanted,
+                      double *trial, ed_damper_force *out)
 {
   const double *memory = committed + 1;
-  const double *point = points == ED_POWER_FEW ? law->power.few : law->power.many;
-  const double *weight = points == ED_POWER_FEW ? law->power.few_weight : law->power.many_weight;
-  const double h = path->h, time = h / law->tau, exponent = law->alpha - 1.0;
-  const double k = constant_modulus(&law->k_mod, memory[LARGEST_U], memory[SMALLEST_U]);
+  const double h = path->h, k = constant_modulus(&law->k_mod, memory[LARGEST_U], memory[SMALLEST_U]);
   const double stiffness = law->relaxing * k, spring = law->k0 + (1.0 - law->relaxing) * k;
   const double damping = law->c1 + constant_modulus(&law->c_mod, memory[LARGEST_V], memory[SMALLEST_V]);
-  double relaxing = committed[0] * exp(-time), slope[2] = {0.0}, chord[2] = {0.0};
-  for (int i = 0; i < points; i++) {
-    const double s = h * point[i], share = weight[i] * time * exp((point[i] - 1.0) * time);
-    const double v = ed_path_v(path, s), power = law->c_nl * pow(fabs(v), exponent);
-    relaxing += share * (stiffness * ed_path_u(path, s) + (damping + power) * v);
-    for (int j = 0; wanted && j < 2; j++) {
-      const double along = share * ed_path_v(&direction[j], s);
-      slope[j] += share * stiffness * ed_path_u(&direction[j], s) + (damping + law->alpha * power) * along;
-      chord[j] += power * along;
-    }
-  }
+  double moment[4], slope[2] = {0.0}, chord[2] = {0.0};
+  moments(h / law->tau, moment);
+  double relaxing = committed[0] * (1.0 - moment[0]) + relaxed(path, moment, stiffness, damping);
+  if (law->c_nl > 0.0)
+    relaxing += law->c_nl * ed_power_integral(&law->power, path, wanted ? direction : NULL, slope, chord);
   trial[0] = relaxing;
   memcpy(trial + 1, memory, MEMORY * sizeof *trial);
   out->force = spring * ed_path_u(path, h) + relaxing;
   for (int j = 0; j < 2; j++) {
-    out->slope[j] = spring * (wanted ? ed_path_u(&direction[j], h) : 0.0) + slope[j];
-    out->chord[j] = exponent < 0.0 ? -exponent * chord[j] : 0.0;
+    out->slope[j] = law->c_nl * slope[j];
+    if (wanted)
+      out->slope[j] += spring * ed_path_u(&direction[j], h) + relaxed(&direction[j], moment, stiffness, damping);
+    out->chord[j] = softer(law, slope[j], chord[j]);
   }
   return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
 }
@@ -254,9 +277,9 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
     return ED_E_NOT_FINITE;
   if (law->tau < INSTANT * h)
     return instant_step(law, memory, path, direction, trial, out);
-  const int wanted = moves(direction), points = quiet_points(law, memory, path);
-  if (points > 0)
-    return quiet_step(law, points, committed, path, direction, wanted, trial, out);
+  const int wanted = moves(direction);
+  if (length == h && still(memory, path))
+    return still_step(law, committed, path, direction, wanted, trial, out);
   ed_path velocity, along[2], velocity_along[2];
   step_sums sum = {.path = *path};
   ed_path_of_velocity(path, &velocity);
@@ -302,7 +325,7 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   out->force = stiffness * u + relaxing;
   for (int j = 0; j < 2; j++) {
     out->slope[j] = stiffness * along_u[j] + spring * k.slope[j] * u + sum.slope[j] + law->c_nl * slope[j];
-    out->chord[j] = law->c_nl * fmax(chord[j] - slope[j], 0.0);
+    out->chord[j] = softer(law, slope[j], chord[j]);
   }
   return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
 }

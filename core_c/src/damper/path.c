@@ -63,22 +63,8 @@ int ed_path_reversals(const ed_path *path, double at[2])
   return quadratic(path->c[1], 2.0 * path->c[2], 3.0 * path->c[3], path->h, at);
 }
 
-int ed_path_velocity_extremes(const ed_path *path, double at[1])
-{
-  double both[2];
-  const int n = quadratic(2.0 * path->c[2], 6.0 * path->c[3], 0.0, path->h, both);
-  if (n)
-    at[0] = both[0];
-  return n;
-}
-
-int ed_path_velocity_crossings(const ed_path *path, double v, double at[2])
-{
-  return quadratic(path->c[1] - v, 2.0 * path->c[2], 3.0 * path->c[3], path->h, at);
-}
-
-/* The root of u(s) = level in [low, high], where u is monotone and the ends lie on both sides: Newton kept in its bracket. */
-static double cross(const ed_path *path, double level, double low, double high)
+/* Newton's method kept in its bracket. */
+double ed_path_crossing(const ed_path *path, double level, double low, double high)
 {
   const double sign = ed_path_u(path, high) > ed_path_u(path, low) ? 1.0 : -1.0;
   double s = 0.5 * (low + high);
@@ -96,20 +82,4 @@ static double cross(const ed_path *path, double level, double low, double high)
     s = next;
   }
   return s;
-}
-
-int ed_path_crossings(const ed_path *path, double level, double at[3])
-{
-  double ends[4] = {0.0}, turn[2];
-  const int turns = ed_path_reversals(path, turn);
-  for (int i = 0; i < turns; i++)
-    ends[i + 1] = turn[i];
-  ends[turns + 1] = path->h;
-  int n = 0;
-  for (int i = 0; i <= turns; i++) {
-    const double from = ed_path_u(path, ends[i]) - level, to = ed_path_u(path, ends[i + 1]) - level;
-    if (from * to < 0.0)
-      at[n++] = cross(path, level, ends[i], ends[i + 1]);
-  }
-  return n;
 }

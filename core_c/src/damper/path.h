@@ -31,8 +31,8 @@ void ed_path_piece(const ed_path *path, double s0, double s1, ed_path *piece);
 /* All places in the open interval (0, h), ascending, in `at` (room for those named); each returns how many there are.
  * Touching without crossing does not count. */
 int ed_path_reversals(const ed_path *path, double at[2]);                   /* v changes sign */
-int ed_path_velocity_extremes(const ed_path *path, double at[1]);           /* dv/ds changes sign */
-int ed_path_crossings(const ed_path *path, double u, double at[3]);         /* u(s) crosses a level */
-int ed_path_velocity_crossings(const ed_path *path, double v, double at[2]); /* v(s) crosses a level */
+
+/* Where u(s) is at a level, between two places from one to the other of which it is monotone and passes the level. */
+double ed_path_crossing(const ed_path *path, double u, double from, double to);
 
 #endif

@@ -1,5 +1,6 @@
 #include "damper/power_integral.h"
 
+#include "base/power_exp.h"
 #include "damper/gauss_jacobi.h"
 
 #include <complex.h>
@@ -7,8 +8,10 @@
 
 /* All in x = s/h. v = a + b x + c x^2 has two roots, real or a conjugate pair. |v|^alpha is smooth on pieces well away from both;
  * it is t^alpha times something smooth on pieces that end at one (t: distance from it) and are well away from the other.
- * Where the whole path is slow, the rounding of the power at rest counts: v (v^2 + rest^2)^((alpha - 1)/2) is smooth on pieces well
- * away from the places where v = +-i rest. */
+ * Where the whole path is slow, the rounding of the power at rest counts. What it takes from the power beside a reversal is a closed
+ * form as long as v is a line there; else v (v^2 + rest^2)^((alpha - 1)/2) is smooth on pieces well away from the places where
+ * v = +-i rest. */
+enum { GATHERED = 24 };
 typedef struct {
   const ed_power_rule *rule;
   const ed_path *direction;
@@ -17,15 +20,22 @@ typedef struct {
   double root[2], imaginary[2];
   double h, time; /* time = h / tau */
   double rest;    /* 0: the path is fast */
+  int complex_roots; /* the roots are those of v = +-i rest */
+  double power;   /* of the base of each place */
   double value, slope[2], chord[2];
+  /* Places that are still to be added: the chord of the power, |v|^(alpha - 1), is base^power. */
+  int n;
+  double x[GATHERED], v[GATHERED], weight[GATHERED], tangent[GATHERED], base[GATHERED], fading[GATHERED];
 } sums;
 
 /* Multiples of the speed of rest from which on a path is fast: rounding the power changes its integral by less than 1e-5 of it. */
 static const double FAST = 1e4;
+/* Likewise of the path and of its extreme, from which on v is a line beside a reversal as far as the rounding reaches. */
+static const double STRAIGHT = 1000.0;
 /* Roots this close to an end of the path are taken to lie there: far below what matters. */
 static const double AT_END = 1e-12;
 /* Pieces beside two roots close together that are not halved any more: what they hold is too little to matter. */
-static const double SHORTEST = 1e-10;
+static const double SHORTEST = 1e-6;
 /* A root is well away from a piece if its distances to the two ends add up to so many lengths of the piece: it is then outside an
  * ellipse about the ends, which gives the error of Gauss' rule. For 3 points and for 5. */
 static const double WELL_AWAY_FEW = 10.0, WELL_AWAY = 2.5;
@@ -93,7 +103,7 @@ static void find_slow_roots(sums *sum)
 /* The end of the longest piece from `from` on that the path allows: the next reversal, or the end. */
 static double next_reversal(const sums *sum, double from)
 {
-  for (int i = 0; sum->rest == 0.0 && i < sum->n_roots; i++)
+  for (int i = 0; !sum->complex_roots && i < sum->n_roots; i++)
     if (sum->imaginary[i] == 0.0 && sum->root[i] > from && sum->root[i] < 1.0)
       return sum->root[i];
   return 1.0;
@@ -107,22 +117,43 @@ static double distance(const sums *sum, int root, double from, double to)
   return both / (to - from);
 }
 
-/* Adds the value at x, given the chord of the power, |v|^(alpha - 1), times the weight, and tangent / chord. */
-static inline void add(sums *sum, double x, double v, double weight, double tangent)
+static void add_gathered(sums *sum)
 {
-  const double share = weight * exp(-(1.0 - x) * sum->time) * sum->time;
-  sum->value += share * v;
-  for (int j = 0; sum->direction && j < 2; j++) {
-    const double along = share * ed_path_v(&sum->direction[j], x * sum->h);
-    sum->slope[j] += tangent * along;
-    sum->chord[j] += along;
+  double share[GATHERED];
+  for (int i = sum->n; i % ED_POWER_BLOCK; i++)
+    sum->base[i] = 1.0, sum->fading[i] = 0.0;
+  ed_power_exp(sum->n, sum->power, sum->base, sum->fading, share);
+  for (int i = 0; i < sum->n; i++) {
+    share[i] *= sum->weight[i] * sum->time;
+    sum->value += share[i] * sum->v[i];
+    for (int j = 0; sum->direction && j < 2; j++) {
+      const double along = share[i] * ed_path_v(&sum->direction[j], sum->x[i] * sum->h);
+      sum->slope[j] += sum->tangent[i] * along;
+      sum->chord[j] += along;
+    }
   }
+  sum->n = 0;
 }
 
-/* |v|^(alpha - 1); the least speed is far below any that counts and keeps it finite at 0. */
-static inline double power_of(const sums *sum, double speed)
+/* tangent: over the chord. */
+static inline void gather(sums *sum, double x, double v, double weight, double base, double tangent)
 {
-  return pow(fmax(speed, 1e-30 * sum->rule->rest), sum->rule->alpha - 1.0);
+  const int i = sum->n++;
+  sum->x[i] = x;
+  sum->v[i] = v;
+  sum->weight[i] = weight;
+  sum->base[i] = base;
+  sum->tangent[i] = tangent;
+  sum->fading[i] = -(1.0 - x) * sum->time;
+  if (sum->n == GATHERED)
+    add_gathered(sum);
+}
+
+/* The least speed is far below any that counts and keeps the chord finite at 0. */
+static inline double some(const sums *sum, double speed)
+{
+  const double least = 1e-30 * sum->rule->rest;
+  return speed > least ? speed : least;
 }
 
 static inline double velocity(const sums *sum, double x)
@@ -135,12 +166,25 @@ static void regular_piece(sums *sum, double from, double to, int n, const double
   for (int i = 0; i < n; i++) {
     const double x = from + (to - from) * point[i], v = velocity(sum, x), length = weight[i] * (to - from);
     if (sum->rest == 0.0) {
-      add(sum, x, v, length * power_of(sum, fabs(v)), sum->rule->alpha);
+      gather(sum, x, v, length, some(sum, fabs(v)), sum->rule->alpha);
       continue;
     }
     const double rounded = v * v + sum->rest * sum->rest;
-    add(sum, x, v, length * pow(rounded, 0.5 * (sum->rule->alpha - 1.0)), 1.0 + (sum->rule->alpha - 1.0) * v * v / rounded);
+    gather(sum, x, v, length, rounded, 1.0 + (sum->rule->alpha - 1.0) * v * v / rounded);
   }
+}
+
+/* Takes away what the rounding takes from the power between a reversal and another place, where v is a line: with V = |v| at the other
+ * place the integral over v from 0 to V of v^alpha - v (v^2 + rest^2)^((alpha - 1)/2), and of the derivatives of both. */
+static void round_turn(sums *sum, double turn, double other)
+{
+  const double alpha = sum->rule->alpha, v = velocity(sum, other), size = fabs(v);
+  const double share = sum->time * exp(-(1.0 - turn) * sum->time) / fabs(sum->b + 2.0 * turn * sum->c);
+  const double squares = size * size + sum->rest * sum->rest, power = pow(size, alpha), rounded = pow(squares, 0.5 * (alpha + 1.0));
+  const double less = (size * power - rounded + pow(sum->rest, alpha + 1.0)) / (alpha + 1.0);
+  sum->value -= copysign(share * less, v);
+  for (int j = 0; sum->direction && j < 2; j++)
+    sum->slope[j] -= share * ed_path_v(&sum->direction[j], turn * sum->h) * (power - size * rounded / squares);
 }
 
 /* Between a reversal and another place: |v|^(alpha - 1) = (|v| / t)^(alpha - 1) t^(alpha - 1), the last factor in the rule. */
@@ -148,9 +192,11 @@ static void turning_piece(sums *sum, double turn, double other)
 {
   const ed_power_rule *rule = sum->rule;
   for (int i = 0; i < ED_POWER_MANY; i++) {
-    const double t = rule->turn[i], x = turn + (other - turn) * t, v = velocity(sum, x);
-    add(sum, x, v, rule->turn_weight[i] * fabs(other - turn) * power_of(sum, fabs(v) / t), rule->alpha);
+    const double t = rule->turn[i], x = turn + (other - turn) * t, v = velocity(sum, x), speed = some(sum, fabs(v) / t);
+    gather(sum, x, v, rule->turn_weight[i] * fabs(other - turn), sum->rest == 0.0 ? speed : speed * speed, rule->alpha);
   }
+  if (sum->rest > 0.0)
+    round_turn(sum, turn, other);
 }
 
 /* Adds the piece if some rule suits it; 0 if none does. */
@@ -163,7 +209,7 @@ static int add_piece(sums *sum, double from, double to)
   int turn = -1;
   double nearest = 1e300;
   for (int i = 0; i < sum->n_roots; i++) {
-    if (turn < 0 && sum->imaginary[i] == 0.0 && (sum->root[i] == from || sum->root[i] == to))
+    if (turn < 0 && !sum->complex_roots && sum->imaginary[i] == 0.0 && (sum->root[i] == from || sum->root[i] == to))
       turn = i;
     else
       nearest = fmin(nearest, distance(sum, i, from, to));
@@ -180,23 +226,65 @@ static int add_piece(sums *sum, double from, double to)
   return 1;
 }
 
+/* How many points Gauss' rule needs over a whole path that is short and well away from reversals; 0: it is not. */
+static int plain_points(const sums *sum)
+{
+  enum { MEAN = 3, FAR = 10 };
+  const double slow = 2e4 * sum->rule->rest, first = sum->a, last = sum->a + sum->b + sum->c;
+  const double both = fabs(first + last), change = fabs(last - first) + 0.5 * fabs(sum->c);
+  if (sum->time > 0.5 || both < MEAN * change || both < slow)
+    return 0;
+  return both >= FAR * change ? ED_POWER_FEW : ED_POWER_MANY;
+}
+
+/* Whether v is a line beside its reversals as far as the rounding reaches. */
+static int straight(const sums *sum)
+{
+  const double a = sum->a, b = sum->b, c = sum->c, far = STRAIGHT * sum->rest;
+  return fabs(a) + fabs(b) + fabs(c) >= far && fabs(4.0 * a * c - b * b) >= 4.0 * fabs(c) * far;
+}
+
+static void add_pieces(sums *sum)
+{
+  const ed_power_rule *rule = sum->rule;
+  if (rule->alpha < 1.0 && fabs(sum->a) + fabs(sum->b) + fabs(sum->c) < FAST * rule->rest) {
+    sum->rest = rule->rest;
+    sum->power *= 0.5; /* of the square of a speed */
+    sum->complex_roots = !straight(sum);
+  }
+  if (sum->complex_roots)
+    find_slow_roots(sum);
+  else
+    find_roots(sum);
+  for (double from = 0.0; from < 1.0;) {
+    double to = next_reversal(sum, from);
+    while (!add_piece(sum, from, to))
+      to = 0.5 * (from + to);
+    from = to;
+  }
+}
+
 double ed_power_integral(const ed_power_rule *rule, const ed_path *path, const ed_path *direction, double slope[2],
                          double chord[2])
 {
   const double h = path->h;
-  sums sum = {.rule = rule, .direction = direction, .a = path->c[1], .b = 2.0 * path->c[2] * h, .c = 3.0 * path->c[3] * h * h,
-              .h = h, .time = h / rule->tau};
-  if (rule->alpha < 1.0 && fabs(sum.a) + fabs(sum.b) + fabs(sum.c) < FAST * rule->rest) {
-    sum.rest = rule->rest;
-    find_slow_roots(&sum);
-  } else
-    find_roots(&sum);
-  for (double from = 0.0; from < 1.0;) {
-    double to = next_reversal(&sum, from);
-    while (!add_piece(&sum, from, to))
-      to = 0.5 * (from + to);
-    from = to;
-  }
+  sums sum;
+  sum.rule = rule;
+  sum.direction = direction;
+  sum.a = path->c[1], sum.b = 2.0 * path->c[2] * h, sum.c = 3.0 * path->c[3] * h * h;
+  sum.h = h, sum.time = h / rule->tau;
+  sum.rest = 0.0, sum.complex_roots = 0;
+  sum.power = rule->alpha - 1.0;
+  sum.value = sum.slope[0] = sum.slope[1] = sum.chord[0] = sum.chord[1] = 0.0;
+  sum.n = 0;
+  const int points = plain_points(&sum);
+  if (points == 0)
+    add_pieces(&sum);
+  else if (points == ED_POWER_FEW)
+    regular_piece(&sum, 0.0, 1.0, points, rule->few, rule->few_weight);
+  else
+    regular_piece(&sum, 0.0, 1.0, points, rule->many, rule->many_weight);
+  add_gathered(&sum);
   for (int j = 0; direction && j < 2; j++) {
     slope[j] = sum.slope[j];
     chord[j] = sum.chord[j];

@@ -1,5 +1,7 @@
 #include "damper/running_extremes.h"
 
+#include <math.h>
+
 /* Adds the part up to `to` behind the pieces there are; a resting part is joined to a resting one. */
 static int add(ed_extremes_piece *piece, int n, ed_extremes_piece part, double to, int growing)
 {
@@ -14,15 +16,14 @@ static int add(ed_extremes_piece *piece, int n, ed_extremes_piece part, double t
   return n + 1;
 }
 
+/* Rounding of a level that the path before this one has reached at its end, where this one begins. */
+static const double REACHED = 1e-14;
+
 /* Where the path, monotone between the two places and beyond the level at the second, leaves it; the first where it never was inside. */
 static double leaves(const ed_path *path, double level, double from, double to)
 {
-  double at[3];
-  const int n = ed_path_crossings(path, level, at);
-  for (int i = 0; i < n; i++)
-    if (at[i] >= from && at[i] <= to)
-      return at[i];
-  return from;
+  const double inside = (level - ed_path_u(path, from)) * (level < ed_path_u(path, to) ? 1.0 : -1.0);
+  return inside > REACHED * fabs(level) ? ed_path_crossing(path, level, from, to) : from;
 }
 
 int ed_extremes_pieces(ed_running start, const ed_path *path, ed_extremes_piece piece[ED_EXTREMES_PIECES])

@@ -25,7 +25,7 @@ from edesign.calibrate.dampers.inside import (
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
-from edesign.calibrate.dampers.trial import NONE, REFINED, Extremes, Motion, Sizes, Trial, after
+from edesign.calibrate.dampers.trial import NONE, REFINED, WARMER, Extremes, Motion, Sizes, Trial, after
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
 from edesign.calibrate.unknown import Unknown
 from edesign.core import CoreError
@@ -37,7 +37,6 @@ from edesign.errors import InputError
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
 _WELL_APART = 1e-6  # ratio of eigenvalues with which squares of columns make a basis that is exact to 1e-10
 _BEGUN = 1e-3  # change of a state, a number, by which differences are taken
-_WARMER = 0.2  # K, likewise
 _KEPT = 64  # results of the parameters last used
 _FORCES = 256  # force histories of the law alone: of some sets of parameters, or of motions that a search moves
 _COARSE = 3  # samples of a first round with a rig in series, that finds about what it takes of the motion
@@ -216,9 +215,8 @@ class DamperProblem:
             been = NONE
             for trial in self.trials:
                 cold = after(been, trial)
-                warm = replace(cold, temperature=trial.temperature + _WARMER)
-                (warmer, _), (colder, been) = (self._run(one, {**self.start}, acting) for one in (warm, cold))
-                found.append((warmer - colder) / _WARMER)
+                (warmer, _), (colder, been) = (self._run(one, {**self.start}, acting) for one in (cold.warmer, cold))
+                found.append((warmer - colder) / WARMER)
             return tuple(found)
 
         return kept

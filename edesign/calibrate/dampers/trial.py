@@ -16,6 +16,8 @@ _RATE = 40.0  # samples per second that a fit needs at least
 _PER_CYCLE = 25  # and in a cycle of the fastest motion
 REFINED = 2
 """Times as many samples, at which tests are predicted: the MGMM exact to 3e-5, what most effects do to a few 1e-3."""
+WARMER = 0.2
+"""K, by which differences are taken."""
 
 _ROUNDED = 0.1  # parts of a step
 
@@ -63,6 +65,21 @@ class Motion:
     def path(self) -> np.ndarray:
         """Path length (n,) since the beginning of the test, m."""
         return np.concatenate(([0.0], np.cumsum(np.abs(self.ways))))
+
+    @cached_property
+    def _finer(self) -> dict[int, Motion]:
+        return {}
+
+    def finer(self, parts: int, known: Motion) -> Motion:
+        """With every step cut into so many, along cubics through samples of the same motion, all that are known; kept,
+        as models ask for it again and again, whatever else their tests are.
+        """
+        if parts not in self._finer:
+            time = self.time
+            fine = np.interp(np.arange((time.size - 1) * parts + 1) / parts, np.arange(time.size), time)
+            between = (known.spline.at(a, fine) for a in (known.displacement, known.velocity, known.acceleration))
+            self._finer[parts] = Motion(fine, *between)
+        return self._finer[parts]
 
     def moved(self, displacement: np.ndarray) -> Motion:
         """Another displacement (n,) at the same times, with its velocity and acceleration by differences of the
@@ -149,18 +166,18 @@ class Trial:
         return max(1, math.ceil(refined * self._coarseness - _ROUNDED))
 
     def finer(self, parts: int) -> Trial:
-        """With every step cut into so many, along cubics through the samples, those between too if it was thinned;
-        kept, as models ask for it again and again.
-        """
+        """With every step cut into so many; kept, as models ask for it again and again."""
         if parts not in self._finer:
-            time = self.motion.time
-            fine = np.interp(np.arange((time.size - 1) * parts + 1) / parts, np.arange(time.size), time)
             known = self.motion if self.whole is None else self.whole.motion
-            between = (known.spline.at(a, fine) for a in (known.displacement, known.velocity, known.acceleration))
-            motion = Motion(fine, *between)
-            force, temperature = (np.interp(fine, time, values) for values in (self.force, self.temperature))
+            motion, time = self.motion.finer(parts, known), self.motion.time
+            force, temperature = (np.interp(motion.time, time, values) for values in (self.force, self.temperature))
             self._finer[parts] = replace(self, motion=motion, force=force, temperature=temperature)
         return self._finer[parts]
+
+    @cached_property
+    def warmer(self) -> Trial:
+        """By WARMER."""
+        return replace(self, temperature=self.temperature + WARMER)
 
 
 @lru_cache(maxsize=_KEPT)
