@@ -101,9 +101,16 @@ class Model:
             at += len(effect.unknowns)
         return tuple(found)
 
-    def residuals(self, x: np.ndarray, uses: Sequence[Use] = ("fit",)) -> list[np.ndarray]:
+    def residuals(
+        self, x: np.ndarray, uses: Sequence[Use] = ("fit",), doubts: Sequence[np.ndarray | None] | None = None
+    ) -> list[np.ndarray]:
         """Residuals (n_i,) of the tests used so, in units of the noise at each time, freed from what is each test's
         own, and whitened where a condition of a test is in doubt.
+
+        Args:
+            x: (p,) coordinates.
+            uses: of the tests.
+            doubts: (n_i,) of each test; None: those at x.
 
         Raises:
             OutOfTime: the allowance is used up.
@@ -112,7 +119,7 @@ class Model:
         parts = self.parts(x)
         base = self.base_values(x)
         predicted = self.problem.predict(base, parts, uses)
-        found = []
+        found: list[np.ndarray] = []
         for i, values in enumerate(predicted):
             if values is None:
                 continue
@@ -120,7 +127,7 @@ class Model:
             columns = self.problem.nuisance(base, parts, i) if parts else None
             if columns is not None:
                 residual = residual - columns @ (columns.T @ residual)
-            doubt = self._doubt(parts, i, columns)
+            doubt = self._doubt(parts, i, columns) if doubts is None else doubts[len(found)]
             found.append(residual if doubt is None else whitened(residual, doubt))
         return found
 
@@ -354,20 +361,27 @@ def slopes_at(
         for own, given in zip(slopes, frozen, strict=True):
             own[:, :known] = given
     wanted = range(known, x.size)
-    found = brief_side_by_side(lambda j: _slope(model, x, j, residuals), wanted, model.workers)
+    doubts = model.doubts(x)
+    found = brief_side_by_side(lambda j: _slope(model, x, j, residuals, doubts), wanted, model.workers)
     for j, column in zip(wanted, found, strict=True):
         for own, values in zip(slopes, column, strict=True):
             own[:, j] = values
     return slopes
 
 
-def _slope(model: Model, x: np.ndarray, j: int, residuals: Sequence[np.ndarray]) -> list[np.ndarray]:
-    """Slopes (n_i,) of the residuals to one coordinate."""
-    step, after = _moved(model, x, j, model.unknowns[j].step(float(x[j])))
+def _slope(
+    model: Model, x: np.ndarray, j: int, residuals: Sequence[np.ndarray], doubts: Sequence[np.ndarray | None]
+) -> list[np.ndarray]:
+    """Slopes (n_i,) of the residuals to one coordinate, the doubt about conditions as it is: how that changes is a
+    term of second order, as in least squares that are weighted anew with each step.
+    """
+    step, after = _moved(model, x, j, model.unknowns[j].step(float(x[j])), doubts)
     return [(moved - here) / step for moved, here in zip(after, residuals, strict=True)]
 
 
-def _moved(model: Model, x: np.ndarray, j: int, step: float) -> tuple[float, list[np.ndarray]]:
+def _moved(
+    model: Model, x: np.ndarray, j: int, step: float, doubts: Sequence[np.ndarray | None]
+) -> tuple[float, list[np.ndarray]]:
     """Step of a coordinate, and the residuals after it; where the model has no prediction, of the other way.
 
     Raises:
@@ -377,7 +391,7 @@ def _moved(model: Model, x: np.ndarray, j: int, step: float) -> tuple[float, lis
         moved = x.copy()
         moved[j] += share * step
         try:
-            return share * step, model.residuals(moved)
+            return share * step, model.residuals(moved, doubts=doubts)
         except PredictionError as error:
             last = error
     raise last

@@ -44,6 +44,7 @@ def calibrate(
     from edesign.archive.files import check_folder
     from edesign.calibrate.files import check_names
     from edesign.errors import Interrupted
+    from edesign.ground_motion.matching.one_thread import one_thread
     from edesign.report.text import print_tables
 
     folder = campaign.parent if output is None else output
@@ -56,7 +57,8 @@ def calibrate(
             typer.echo(f"{time.monotonic() - begin:6.1f} s  {what}", err=True)
 
     tell("reading the tests")
-    found = _run(campaign, _Search(workers, tell, math.inf if seconds == 0.0 else seconds))
+    with one_thread():
+        found = _run(campaign, _Search(workers, tell, math.inf if seconds == 0.0 else seconds))
     written = found.write(folder)
     if page:
         tell("drawing the report")

@@ -31,11 +31,13 @@ typedef struct {
 /* Multiples of the speed of rest from which on a path is fast: rounding the power changes its integral by less than 1e-5 of it. */
 static const double FAST = 1e4;
 /* Likewise of the path and of its extreme, from which on v is a line beside a reversal as far as the rounding reaches. */
-static const double STRAIGHT = 1000.0;
+static const double STRAIGHT = 100.0;
 /* Roots this close to an end of the path are taken to lie there: far below what matters. */
 static const double AT_END = 1e-12;
 /* Pieces beside two roots close together that are not halved any more: what they hold is too little to matter. */
 static const double SHORTEST = 1e-6;
+/* Times the last piece, up to which the next one is tried. */
+static const double LONGER = 4.0;
 /* A root is well away from a piece if its distances to the two ends add up to so many lengths of the piece: it is then outside an
  * ellipse about the ends, which gives the error of Gauss' rule. For 3 points and for 5. */
 static const double WELL_AWAY_FEW = 10.0, WELL_AWAY = 2.5;
@@ -175,16 +177,20 @@ static void regular_piece(sums *sum, double from, double to, int n, const double
 }
 
 /* Takes away what the rounding takes from the power between a reversal and another place, where v is a line: with V = |v| at the other
- * place the integral over v from 0 to V of v^alpha - v (v^2 + rest^2)^((alpha - 1)/2), and of the derivatives of both. */
+ * place the integral over v from 0 to V of v^alpha - v (v^2 + rest^2)^((alpha - 1)/2), and that of the derivatives of both, times a line
+ * along the path. */
 static void round_turn(sums *sum, double turn, double other)
 {
-  const double alpha = sum->rule->alpha, v = velocity(sum, other), size = fabs(v);
-  const double share = sum->time * exp(-(1.0 - turn) * sum->time) / fabs(sum->b + 2.0 * turn * sum->c);
+  const double alpha = sum->rule->alpha, v = velocity(sum, other), size = fabs(v), steep = fabs(sum->b + 2.0 * turn * sum->c);
+  const double share = sum->time * exp(-(1.0 - turn) * sum->time) / steep;
   const double squares = size * size + sum->rest * sum->rest, power = pow(size, alpha), rounded = pow(squares, 0.5 * (alpha + 1.0));
-  const double less = (size * power - rounded + pow(sum->rest, alpha + 1.0)) / (alpha + 1.0);
+  const double less = (size * power - rounded + pow(sum->rest, alpha + 1.0)) / (alpha + 1.0), last = power - size * rounded / squares;
+  const double moment = (other > turn ? size * last - less : less - size * last) / steep;
   sum->value -= copysign(share * less, v);
-  for (int j = 0; sum->direction && j < 2; j++)
-    sum->slope[j] -= share * ed_path_v(&sum->direction[j], turn * sum->h) * (power - size * rounded / squares);
+  for (int j = 0; sum->direction && j < 2; j++) {
+    const double s = turn * sum->h, *c = sum->direction[j].c, speeding = sum->h * (2.0 * c[2] + 6.0 * c[3] * s);
+    sum->slope[j] -= share * (ed_path_v(&sum->direction[j], s) * last + speeding * moment);
+  }
 }
 
 /* Between a reversal and another place: |v|^(alpha - 1) = (|v| / t)^(alpha - 1) t^(alpha - 1), the last factor in the rule. */
@@ -256,10 +262,12 @@ static void add_pieces(sums *sum)
     find_slow_roots(sum);
   else
     find_roots(sum);
-  for (double from = 0.0; from < 1.0;) {
-    double to = next_reversal(sum, from);
+  for (double from = 0.0, longest = 1.0; from < 1.0;) {
+    const double end = next_reversal(sum, from);
+    double to = end - from > longest ? from + longest : end;
     while (!add_piece(sum, from, to))
       to = 0.5 * (from + to);
+    longest = LONGER * (to - from);
     from = to;
   }
 }

@@ -259,6 +259,11 @@ class Form:
         return self.variant("of_power", "that of the power of the velocity alone", **sides)
 
     @property
+    def needs_force(self) -> bool:
+        """Whether what it does beside a factor of the law's force goes with that force itself."""
+        return self.counts_work or self.inside or self.spares_loss or self.of_power
+
+    @property
     def described(self) -> Described:
         """What people and files are told of the form, without the numbers that a campaign fixes."""
         amendment = getattr(self, "amendment_form", self.form) if self.amendment else ""

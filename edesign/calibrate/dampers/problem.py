@@ -279,7 +279,8 @@ class DamperProblem:
         if series:
             force, own = self._in_series(trial, own, values, acting, Series.together(series))
         else:
-            law_force, changed = self._changed_force(trial, own, values, acting)
+            law_force = self._law_force(trial, own, values)
+            changed = self._changed(trial, own, values, acting, law_force)
             force = np.asarray(changed.factor * law_force + changed.parallel)
         carried = [part.form.carriage(part.p, trial, motion, force) for part in acting]
         force = sum((own for own in carried if own is not None), start=force)
@@ -289,22 +290,25 @@ class DamperProblem:
             raise PredictionError("the force is not finite")
         return force, own
 
-    def _changed_force(
-        self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[Acting]
-    ) -> tuple[np.ndarray, Changed]:
-        """Force (n,) N of the law, and what parts make of it; what they do to its springs and dashpots apart stands
-        beside.
-        """
-        law_force = self._law_force(trial, motion, values)
+    def _changed(
+        self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[Acting], law_force: np.ndarray
+    ) -> Changed:
+        """What parts make of the law's force (n,) N; what they do to its springs and dashpots apart stands beside."""
 
         def at_rate(gamma: float) -> np.ndarray:
-            if self.law.name not in GammaT().laws:
+            if self._gamma is None:
                 return gamma * law_force
-            return self._law_force(trial, motion, GammaT(of=self.gamma_of).at_rate(values, gamma))
+            return self._law_force(trial, motion, self._gamma.at_rate(values, gamma))
 
         changed = changed_by(acting, trial, motion, law_force, relaxation_time(self.law, values), at_rate)
         changed.parallel = changed.parallel + changed.factor * self._split(trial, motion, values, law_force, changed)
-        return law_force, changed
+        return changed
+
+    @cached_property
+    def _gamma(self) -> GammaT | None:
+        """Temperature law of the law; None: it has none of its own."""
+        gamma = GammaT(of=self.gamma_of)
+        return gamma if self.law.name in gamma.laws else None
 
     def _split(
         self, trial: Trial, motion: Motion, values: dict[str, float], force: np.ndarray, changed: Changed
@@ -341,11 +345,13 @@ class DamperProblem:
         """
         damper = _damper(self.law.name, tuple(values.values()), trial.been)
         remembered = [dict(part.memory) for part in acting]
+        needs_force = any(part.form.needs_force for part in acting)
         left, driven = motion, motion.thinned(_COARSE)
         while True:
             for part, memory in zip(acting, remembered, strict=True):
                 part.memory = dict(memory)
-            _, changed = self._changed_force(trial, left, values, acting)
+            law_force = self._law_force(trial, left, values) if needs_force else np.zeros_like(left.time)
+            changed = self._changed(trial, left, values, acting, law_force)
             if changed.still or driven.time.size < _FEWEST:
                 driven = motion
             every = 1 if driven is motion else _COARSE
@@ -394,9 +400,8 @@ class DamperProblem:
 
         @lru_cache(maxsize=_KEPT)
         def kept(values: tuple[tuple[str, float], ...], temperature_C: float) -> tuple[tuple[str, float], ...]:
-            model = GammaT(of=self.gamma_of) if self.law.name in GammaT().laws else None
             try:
-                found, _ = at(self.law, dict(values), temperature_C, model)
+                found, _ = at(self.law, dict(values), temperature_C, self._gamma)
             except InputError as error:
                 raise PredictionError(str(error)) from error
             return tuple(found.items())

@@ -45,13 +45,19 @@ def fit_best(signatures: Sequence[Signature], most: float = math.inf) -> list[Ju
         return [found for found in side_by_side(function, items, workers, known) if found is not None]
 
     best: dict[tuple[str, ...], Fitted] = {}
-    for found in side(_roughly, signatures):
+    for found in side(_roughly, sorted(signatures, key=_quick)):
         key = tuple(effect.label for effect in found.model.effects)
         best[key] = min(best.get(key, found), found, key=lambda f: f.chi2)
     promising = [fitted for fitted in _promising(best.values(), _HOPELESS) if fitted.chi2 <= most]
     if len(promising) <= _WELL_FITTED:
-        return side(_well, promising)
-    return side(_on, _promising(side(_nearer, promising), BEHIND)[:_WELL_FITTED])
+        return side(_well, sorted(promising, key=_quick))
+    nearer = _promising(side(_nearer, sorted(promising, key=_quick)), BEHIND)[:_WELL_FITTED]
+    return side(_on, sorted(nearer, key=_quick))
+
+
+def _quick(one: Signature | Fitted) -> tuple[int, int]:
+    """Key by which what takes longest goes first, lest all wait for it in the end."""
+    return -sum(effect.slow for effect in one.model.effects), -len(one.model.unknowns)
 
 
 def _roughly(signature: Signature) -> Fitted | None:
