@@ -21,7 +21,7 @@ class Allowance:
     def __init__(self, seconds: float = math.inf, workers: int = 1) -> None:
         self.workers = workers
         self._process = os.getpid()
-        self._started, self._given, self._left = _taken(), seconds, seconds
+        self._started, self._given, self._left = taken(), seconds, seconds
 
     def check(self) -> None:
         """Go on.
@@ -32,16 +32,16 @@ class Allowance:
         if os.getpid() != self._process:  # forked: what it has taken is counted anew
             self._process, self._started = os.getpid(), 0.0
             self._given = self._left / self.workers
-        self._left = self._given - (_taken() - self._started)
+        self._left = self._given - (taken() - self._started)
         if self._left < 0.0:
             raise OutOfTime
 
     def renew(self, seconds: float = math.inf) -> None:
         """So much from now on."""
-        self._started, self._given, self._left = _taken(), seconds, seconds
+        self._started, self._given, self._left = taken(), seconds, seconds
 
 
-def _taken() -> float:
+def taken() -> float:
     """Processor time of this process and of its children that have ended, s."""
     times = os.times()
     return times.user + times.system + times.children_user + times.children_system

@@ -6,15 +6,13 @@ import math
 import time as clock
 from dataclasses import replace
 
-import numpy as np
-
+from edesign.calibrate.allowance import taken
 from edesign.calibrate.dampers.carried import carried_law, described
 from edesign.calibrate.dampers.full_rate import at_full_rate
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned, with_noise
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.readings import likely_readings
-from edesign.calibrate.dampers.trial import Trial
 from edesign.calibrate.evidence import simplest
 from edesign.calibrate.fit import Fitted
 from edesign.calibrate.outcome import Outcome, residual_of
@@ -26,7 +24,7 @@ from edesign.calibrate.search.selection import Selection
 from edesign.damper.campaign import Campaign
 from edesign.damper.test_files import LawChoice
 
-_SECOND = 1.0 / 3.0  # of the time once more, for the second one of two readings
+_SECOND = 0.25  # of the time, that the second one of two readings has at least
 
 
 def calibrate(
@@ -46,13 +44,13 @@ def calibrate(
     begin = clock.perf_counter()
     problem = damper_problem(campaign)  # that there is a law
     assert campaign.law is not None
-    noise = tuple(noise_of(trial) for trial in problem.trials)
+    noise = tuple(trial.noise for trial in problem.trials)
     fast = thinned(problem)
     found, fast = _searched(fast, campaign.law, noise, workers, progress, seconds)
     problem = replace(problem, lasting=fast.lasting, gamma_of=fast.gamma_of)
     progress("fitting all samples")
     problem = noisy_beside(problem, found.final.fitted)
-    noise = tuple(noise_of(trial) for trial in problem.trials)
+    noise = tuple(trial.noise for trial in problem.trials)
     found = at_full_rate(found, problem, noise)
     progress("predicting all tests")
     outcome = Outcome.of(problem, noise, found)
@@ -95,17 +93,19 @@ def _searched(
     progress: Progress,
     seconds: float,
 ) -> tuple[Selection, DamperProblem]:
-    """What the loop finds with the likeliest reading of the law, and that reading; with a second one if more than noise
-    is left then, in a third of the time more.
+    """What the loop finds with the likeliest reading of the law, and that reading; with a second one in the rest of the
+    time if more than noise is left then.
     """
     first, *others = likely_readings(problem, law, noise)
-    found = Loop(first, noise, law.refit, workers, progress, seconds).run()
+    begun = taken()
+    found = Loop(first, noise, law.refit, workers, progress, (1.0 - _SECOND) * seconds if others else seconds).run()
     for other in others if found.ending != "interrupted" else ():
         if found.final.at_floor:
             break
         progress("searching with the law read another way")
         try:
-            again = Loop(other, noise, law.refit, workers, progress, _SECOND * seconds).run()
+            left = max(seconds - (taken() - begun), _SECOND * seconds)
+            again = Loop(other, noise, law.refit, workers, progress, left).run()
         except KeyboardInterrupt:
             return replace(found, ending="interrupted"), first
         if again.final is simplest([found.final, again.final]):
@@ -119,8 +119,3 @@ def noisy_beside(problem: DamperProblem, final: Fitted) -> DamperProblem:
         return with_noise(problem, final.base, final.parts) if final.parts else problem
     except PredictionError:
         return problem
-
-
-def noise_of(trial: Trial) -> float:
-    """Standard deviation of what cannot be predicted in a test, N: noise of the force, and of the motion by the law."""
-    return float(np.hypot(trial.channel_noise, trial.motion_noise))

@@ -14,7 +14,6 @@ from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.readings import likely_readings
 from edesign.calibrate.dampers.trial import NONE, Motion
-from edesign.calibrate.run import noise_of
 from edesign.damper.campaign import load_campaign, write_campaign
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
@@ -86,7 +85,7 @@ def test_what_predicts_the_tests_better_is_found(tmp_path: Path) -> None:
     for name, forces, lasting in (("one", one_history(), True), ("each", fresh_forces, False)):
         given = problem(tmp_path / name, forces)
         choice = LawChoice("mgmm", "thesis_table_4_2")
-        found = likely_readings(thinned(given), choice, [noise_of(trial) for trial in given.trials])
+        found = likely_readings(thinned(given), choice, [trial.noise for trial in given.trials])
         assert [one.lasting for one in found] == [lasting]  # and no doubt about it
 
 
@@ -138,7 +137,7 @@ def test_a_mass_does_not_make_another_reading_of_gamma_likely(tmp_path: Path) ->
         tests.append(DamperTest(f"test_{i}", T, u, noisy, 23.0, use="validate" if i == 3 else "fit"))
     choice = LawChoice("mgmm", "thesis_table_4_2", refit=False)
     given = damper_problem(write_campaign(tmp_path, Specimen("S", 2, 0.0414, 0.012), tests, choice))
-    noise = [noise_of(trial) for trial in given.trials]
+    noise = [trial.noise for trial in given.trials]
     fast = thinned(given)
     usual, letter = (readings._left(replace(fast, gamma_of=of), noise, False) for of in GAMMAS)
     assert letter < 0.5 * usual  # by the declared law alone it would be the letter

@@ -13,7 +13,7 @@ from edesign.calibrate.fit import Fitted, belief, fit, whitened
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.search.selection import Selection
 
-_ENOUGH = 1e-6  # of the sum of squares of some ten thousand samples: a tenth of what chance makes
+_ENOUGH = 1e-5  # of the sum of squares of some ten thousand samples: less than chance makes
 _DOUBTS = (0.0, 0.1, 0.3, 1.0)  # shares of the doubt about conditions of the tests
 
 

@@ -147,6 +147,11 @@ class Trial:
         """Steps over those that a fit needs."""
         return float(np.median(self.motion.steps)) * max(_RATE, _PER_CYCLE * self.motion.frequency)
 
+    @property
+    def noise(self) -> float:
+        """Standard deviation of what cannot be predicted, N: noise of the force, and of the motion by the law."""
+        return math.hypot(self.channel_noise, self.motion_noise)
+
     @cached_property
     def mean_temperature(self) -> float:
         """degC."""

@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
-from edesign.calibrate.allowance import Allowance, OutOfTime
+from edesign.calibrate.allowance import Allowance, OutOfTime, taken
 from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.problem import Candidate, PredictionError, Problem
@@ -37,7 +37,7 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 much together with another one.
 """
 _LITTLE = 20.0  # times noise: what an effect beside the declared law leaves where that law may be right
-_TELLING = 10.0  # s of processor time in which an effect is told apart from others, where time is limited
+_TELLING = 0.15  # of the time once more, in which effects are told apart from others
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 
 
@@ -63,6 +63,7 @@ class Loop:
         seconds: float = math.inf,
     ) -> None:
         self.seconds = seconds
+        self.telling = _TELLING * seconds
         self.allowance = Allowance(workers=workers)
         self.bench = Workbench(problem, noise, refit, workers, progress)
         self.forms = EffectForms(self.bench)
@@ -122,12 +123,11 @@ class Loop:
         self.bench.tell("out of time: going on with the effects found so far")
 
     def _so_far(self, rival: Judged) -> Judged:
-        """The best model with effects so far; the rival: there is none."""
-        if self.standing is not None:
-            return self.standing
+        """The best model with effects so far, of a round that was not finished too; the rival: there is none."""
         self.allowance.renew()
+        best = rival if self.standing is None else self.standing
         tried = [*self.bench.known.values(), *(one for models in self.bench.rivals.values() for one in models)]
-        return simplest([judged for judged in tried if compare(judged, rival).adopts] or [rival])
+        return simplest([judged for judged in tried if compare(judged, best).adopts] or [best])
 
     def _search(self, declared: Judged, refit: Judged, rival: Judged) -> tuple[Judged, Refused]:
         """The final model, and what came near it in the last round; `rival` is the model to beat."""
@@ -237,7 +237,8 @@ class Loop:
     def _alternatives_unless_stopped(self, current: Judged, effect: Candidate) -> list[Judged]:
         if self.ending == "interrupted":
             return []
-        self.allowance.renew(_TELLING if math.isfinite(self.seconds) else math.inf)
+        self.allowance.renew(self.telling)
+        before = taken()
         try:
             return self.alternatives.others(current, effect)
         except KeyboardInterrupt:
@@ -245,6 +246,7 @@ class Loop:
         except OutOfTime:
             self._out_of_time()
         finally:
+            self.telling = max(self.telling - (taken() - before), 0.0)
             self.allowance.renew()
         return []
 

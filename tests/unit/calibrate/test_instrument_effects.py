@@ -226,6 +226,14 @@ def test_own_columns_take_out_what_is_each_tests_own() -> None:
     assert _left(drift.EachOwn().columns({}, trial), 3.0 - 8.0 * np.exp(-since / 0.7)) > 0.1
 
 
+def test_a_course_of_its_own_is_not_told_in_fewer_than_four_tests() -> None:
+    # of fewer tests quarters are left out, and a line through the rest of a relaxing test goes on in them
+    own = (drift.EachOwn(), drift.Warming(), drift.Swinging(), drift.Wandering())
+    for few, offered in (((True,) * 3 + (False,), False), ((True,) * 4 + (False,), True)):
+        sizes = replace(_sizes(len(few)), fitted=few)
+        assert all(bool(form.starts(sizes)) == offered for form in own)
+
+
 def test_wandering_leaves_the_motion_alone() -> None:
     # a sine of 12 cycles: slowest frequency 1 Hz less the Hann window's width of 2 / duration
     trial = _trial(100.0, 12.0)
@@ -434,7 +442,7 @@ def test_harmonics_start_from_the_lowest_peak() -> None:
 
 def _nuisance(trial: Trial, parts: list[tuple[Form, tuple[float, ...]]]) -> tuple[np.ndarray, np.ndarray]:
     """Columns of a problem with these parts, and those of the forms side by side."""
-    sizes, rest = Sizes.of((trial,)), [np.sin(W * 50.0 * trial.motion.time)]
+    sizes, rest = Sizes.of((trial,) * 4), [np.sin(W * 50.0 * trial.motion.time)]
     problem = DamperProblem(law("kelvin_voigt"), {"k": 1e7, "c": 0.0}, (trial,), sizes)
     given: list[Part] = []
     columns = []

@@ -13,7 +13,10 @@ from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
 _MOST_COSINES = 8
-_FEWEST = 4  # tests of which a common period is told: in fewer any slow course is a part of a sine
+_FEWEST = 4
+"""Tests in which a course of each one's own is told: of fewer, parts are left out in turn, and a slow course in the
+rest of the same test goes on in them, whatever made it.
+"""
 _SLOW = 0.01  # share of a motion's power below what is called its slowest frequency
 
 
@@ -91,6 +94,10 @@ class _Own(_Drift):
         return ()
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return self._in_time(sizes) if sum(sizes.fitted) >= _FEWEST else ()
+
+    def _in_time(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        """The starts."""
         return ((),)
 
 
@@ -117,7 +124,7 @@ class Warming(_Own):
         t = sizes.duration
         return (Unknown("tau", "s", 0.02 * t, 3.0 * t, 0.3 * t, logarithmic=True),)
 
-    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+    def _in_time(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((share * sizes.duration,) for share in (0.1, 0.4, 1.0))
 
     def columns(self, p: Values, trial: Trial) -> np.ndarray:
@@ -136,9 +143,7 @@ class Swinging(_Own):
         t, least = sizes.duration, self._least(sizes)
         return (Unknown("period", "s", least, 10.0 * max(t, least), 0.2 * t, logarithmic=True),)
 
-    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        if sum(sizes.fitted) < _FEWEST:
-            return ()
+    def _in_time(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         periods = (max(share * sizes.duration, self._least(sizes)) for share in (0.6, 1.2, 2.4))
         return tuple((period,) for period in dict.fromkeys(periods))
 
