@@ -30,7 +30,7 @@ def white_noise(values: np.ndarray, time: np.ndarray) -> float:
     """Standard deviation of the broadband noise in a channel.
 
     Spectra of short segments of second differences (Kaiser window), the median over segments, without narrow peaks: the
-    first part that is flat over half an octave, above 20 Hz (or 15 % of the Nyquist frequency where sampling is slow).
+    first part that is flat over half an octave, above 20 Hz (or 40 % of the Nyquist frequency where sampling is slow).
     The density there is taken for all frequencies up to its end, so noise that a logger's filter has cut keeps its true
     deviation; what falls as noise does that is correlated from sample to sample counts as that. Without a flat part it
     is the median of the upper half. Unevenly sampled channels, and those below 64 samples: fourth divided differences,

@@ -243,3 +243,16 @@ def test_a_filter_below_the_upper_half_of_the_band_hides_no_noise_of_a_motion(cu
         # a part of the spectrum of half an octave: some 20 independent values in each of the segments
         assert smooth(t, noisy)[3] == pytest.approx(5e-6, rel=0.2)
         assert white_noise(noisy, t) == pytest.approx(float(np.std(noise)), rel=0.2)
+
+
+def test_what_a_building_does_below_20_hz_is_no_noise_of_a_slow_logger() -> None:
+    """At 100 Hz: storeys that answer alike from 7 to 13 Hz beside the motion of a base, a filter at 25 Hz, noise of 30 N
+    that passes it."""
+    t = np.arange(0.0, 60.0, 1.0 / 100.0)
+    for seed in (6, 7, 8):
+        rng = np.random.default_rng(seed)
+        band, filtered = butter(4, (0.14, 0.26), "bandpass", output="sos"), butter(10, 0.5, output="sos")
+        storeys = 2000.0 * sosfilt(band, rng.standard_normal(t.size + 500))[500:]
+        base = 5e4 * earthquake(t)[1] / np.max(np.abs(earthquake(t)[1]))
+        noise = 30.0 * sosfilt(filtered, rng.standard_normal(t.size + 500))[500:]
+        assert white_noise(base + storeys + noise, t) < 60.0  # the storeys' own density: 2000

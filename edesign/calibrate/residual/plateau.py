@@ -23,7 +23,7 @@ _PHI = np.linspace(0.0, 0.9, 46)  # correlations from sample to sample
 _HIGH = 0.12  # of the Nyquist frequency, above which a motion has no share in what a correlation is told by
 _ALIKE = 0.2  # mean difference of logarithms of spectra that are the same
 _TONE = 3.0  # times the level about it
-_MOTION_SHARE = 0.15  # of the Nyquist frequency, that the motion takes at most if the sampling is slow
+_MOTION_SHARE = 0.4  # of the Nyquist frequency, that the motion takes at most if the sampling is slow
 _CORNER, _GAIN = 3.5, np.sqrt(70.0)  # standard deviations of a fourth difference; that of unit white noise
 _LAST = 0.9  # of the Nyquist frequency: filters of a logger fall beyond it
 
