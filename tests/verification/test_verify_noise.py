@@ -246,8 +246,8 @@ def test_a_filter_below_the_upper_half_of_the_band_hides_no_noise_of_a_motion(cu
 
 
 def test_what_a_building_does_below_20_hz_is_no_noise_of_a_slow_logger() -> None:
-    """At 100 Hz: storeys that answer alike from 7 to 13 Hz beside the motion of a base, a filter at 25 Hz, noise of 30 N
-    that passes it."""
+    """At 100 Hz: storeys that answer alike from 7 to 13 Hz beside the motion of a base; noise of 30 N that passes a
+    filter at 25 Hz."""
     t = np.arange(0.0, 60.0, 1.0 / 100.0)
     for seed in (6, 7, 8):
         rng = np.random.default_rng(seed)

@@ -14,7 +14,8 @@ from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
 _KEPT = 64  # motions
-_LONGEST = 0.05  # of the slowest period: more is another test, not a lag
+_LONGEST, _SLOWEST = 0.05, 20.0
+"""Of the slowest period, s, up to this one: more is another test, not a lag; no logger is late by more than a second."""
 _STARTS = (0.002, 0.02)  # of it: what a long lag does is not linear in it where tests are fast
 
 
@@ -30,6 +31,10 @@ def _later(motion: Motion, lag: float, skew: float = 0.0) -> Motion:
     known = np.clip(then, time[0], time[-1])
     u, v, a = (motion.spline.at(one, known) for one in (motion.displacement, motion.velocity, motion.acceleration))
     return Motion(time, u + v * (then - known), v, np.where(then == known, a, 0.0))  # on as it was, beyond the record
+
+
+def _period(sizes: Sizes) -> float:
+    return min(sizes.period, _SLOWEST)
 
 
 class _Lag(Form):
@@ -49,11 +54,11 @@ class Delay(_Lag):
     source: ClassVar[str] = "Horiuchi et al. (1999), Earthquake Engng Struct. Dyn. 28, 1121-1141; thesis chapter 6"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        longest = _LONGEST * sizes.period
+        longest = _LONGEST * _period(sizes)
         return (Unknown("lag", "s", -longest, longest, 0.1 * longest),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((share * sizes.period,) for share in _STARTS)
+        return tuple((share * _period(sizes),) for share in _STARTS)
 
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
         return _later(motion, p["lag"])
@@ -71,7 +76,7 @@ class Growing(_Lag):
     source: ClassVar[str] = "skew of clocks: Mills (1991), IEEE Trans. Commun. 39, 1482-1493; as `delay`"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        longest = _LONGEST * sizes.period
+        longest = _LONGEST * _period(sizes)
         most = longest / sizes.duration
         return (
             Unknown("lag", "s", -longest, longest, 0.1 * longest),
@@ -80,7 +85,7 @@ class Growing(_Lag):
         )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        own = _STARTS[0] * sizes.period
+        own = _STARTS[0] * _period(sizes)
         return (own, own, 0.0), (own, 0.0, own / sizes.duration)
 
     def fixed(self, sizes: Sizes) -> dict[str, float]:
@@ -99,11 +104,11 @@ class Filter(_Lag):
     source: ClassVar[str] = "first-order low-pass; Doebelin, Measurement Systems, section 3.3"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        longest = _LONGEST * sizes.period
+        longest = _LONGEST * _period(sizes)
         return (Unknown("time_constant", "s", 1e-6 * longest, longest, 0.1 * longest, logarithmic=True),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((share * sizes.period,) for share in _STARTS)
+        return tuple((share * _period(sizes),) for share in _STARTS)
 
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
         return relaxed_force(trial.motion, force, p["time_constant"])
@@ -118,14 +123,14 @@ class SecondOrder(_Lag):
     source: ClassVar[str] = "second-order low-pass; Doebelin, Measurement Systems, section 3.3"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        least = 1.0 / (np.pi * _LONGEST * sizes.period)  # of damping 1 and the longest lag
+        least = 1.0 / (np.pi * _LONGEST * _period(sizes))  # of damping 1 and the longest lag
         return (
             Unknown("f", "Hz", 0.2 * least, 1e4 * least, 10.0 * least, logarithmic=True),
             Unknown("zeta", "", 0.2, 0.99, 0.7, logarithmic=True),
         )
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((0.8 / (np.pi * share * sizes.period), 0.8) for share in _STARTS)
+        return tuple((0.8 / (np.pi * share * _period(sizes)), 0.8) for share in _STARTS)
 
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
         return swung_force(trial.motion, force - force[0], p["f"], p["zeta"]) + force[0]
