@@ -15,7 +15,7 @@ from edesign.calibrate.unknown import Unknown
 
 _KEPT = 64  # motions
 _LONGEST, _SLOWEST = 0.05, 20.0
-"""Of the slowest period, s, up to this one: more is another test, not a lag; no logger is late by more than a second."""
+"""Of the slowest period, s, up to this one: more is another test, not a lag; no logger is a second late."""
 _STARTS = (0.002, 0.02)  # of it: what a long lag does is not linear in it where tests are fast
 
 
