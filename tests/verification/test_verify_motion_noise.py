@@ -12,7 +12,7 @@ from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.prepare import damper_problem
 from edesign.calibrate.fit import Model, fit
-from edesign.calibrate.run import noise_of, noisy_beside
+from edesign.calibrate.run import noisy_beside
 from edesign.damper.campaign import write_campaign
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
@@ -46,7 +46,7 @@ def test_noise_is_as_strong_at_rest_as_in_motion_once_weighted(tmp_path: Path) -
     bare, weighted = [], []
     for trial, values in zip(problem.trials, predicted, strict=True):
         assert values is not None and trial.weight is not None
-        residual = (trial.force - values) / noise_of(trial)
+        residual = (trial.force - values) / trial.noise
         for found, r in ((bare, residual), (weighted, trial.weight * residual)):
             found.append([float(np.mean(r[part] ** 2)) for part in (rest, moving)])
     still, fast = np.mean(bare, axis=0)
@@ -75,7 +75,7 @@ def test_noise_through_an_effect_counts_where_the_effect_is_known(tmp_path: Path
     problem = damper_problem(write_campaign(tmp_path, Specimen("S", 2, 0.0414, 0.012), tests, choice))
     tanh = candidate_of(friction.Tanh(), problem.sizes, Left())
     assert tanh is not None
-    model = Model(problem, tuple(noise_of(trial) for trial in problem.trials), (tanh,), held=True)
+    model = Model(problem, tuple(trial.noise for trial in problem.trials), (tanh,), held=True)
     p = {"F_c": 4e3, "v0": 1e-3}
     true = fit(model, model.coordinates(None, [(tanh, np.array([p[u.name] for u in tanh.unknowns]))]), most_steps=0)
     known = noisy_beside(problem, true)
@@ -83,8 +83,8 @@ def test_noise_through_an_effect_counts_where_the_effect_is_known(tmp_path: Path
     ratios, louder = [], []
     for before, after, values in zip(problem.trials, known.trials, found, strict=True):
         assert values is not None
-        louder.append(noise_of(after) / noise_of(before))
-        ratios.append(float(np.mean((after.force - values) ** 2)) / noise_of(after) ** 2)
+        louder.append(after.noise / before.noise)
+        ratios.append(float(np.mean((after.force - values) ** 2)) / after.noise ** 2)
     assert np.mean(louder) > 1.2
     # six tests differ by a factor of ten, as friction turns a few times in each; their mean is 0.8 here, and by the law
     # alone, whose noise is 1.8 times smaller or more, it would be above 2.5
