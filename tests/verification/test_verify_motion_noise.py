@@ -84,7 +84,7 @@ def test_noise_through_an_effect_counts_where_the_effect_is_known(tmp_path: Path
     for before, after, values in zip(problem.trials, known.trials, found, strict=True):
         assert values is not None
         louder.append(after.noise / before.noise)
-        ratios.append(float(np.mean((after.force - values) ** 2)) / after.noise ** 2)
+        ratios.append(float(np.mean((after.force - values) ** 2)) / after.noise**2)
     assert np.mean(louder) > 1.2
     # six tests differ by a factor of ten, as friction turns a few times in each; their mean is 0.8 here, and by the law
     # alone, whose noise is 1.8 times smaller or more, it would be above 2.5
