@@ -86,7 +86,8 @@ static void check_slow_motion(void)
 }
 
 /* Constant acceleration through and beside rest, from velocities that the rounding spans to some far above, so slowly relaxing that the
- * force is the integral over tau: of v (v^2 + v_rest^2)^((alpha - 1)/2) it is (v^2 + v_rest^2)^((alpha + 1)/2) / (alpha + 1). */
+ * force is the integral over tau: of v (v^2 + v_rest^2)^((alpha - 1)/2) it is (v^2 + v_rest^2)^((alpha + 1)/2) / (alpha + 1).
+ * 3e-6: (1e4)^-(alpha + 1), what the rounding takes from a path that counts as fast; slopes by differences of 1e-4: 1e-3. */
 static void check_slow_reversal(void)
 {
   static const double share[] = {-1.0, -0.5, -1e-3, 0.0, 1e-3, 0.3};

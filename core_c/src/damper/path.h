@@ -28,10 +28,8 @@ static inline double ed_path_v(const ed_path *path, double s)
 /* The piece from s0 to s1, in its own time 0..s1-s0. */
 void ed_path_piece(const ed_path *path, double s0, double s1, ed_path *piece);
 
-/* All places in the open interval (0, h), ascending, in `at` (room for those named); each returns how many there are.
- * Touching without crossing does not count. */
-int ed_path_reversals(const ed_path *path, double at[2]);                   /* v changes sign */
-
+/* Places in the open interval (0, h) where v changes sign, ascending; returns how many. Touching zero does not count. */
+int ed_path_reversals(const ed_path *path, double at[2]);
 /* Where u(s) is at a level, between two places from one to the other of which it is monotone and passes the level. */
 double ed_path_crossing(const ed_path *path, double u, double from, double to);
 
