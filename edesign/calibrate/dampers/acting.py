@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from edesign.calibrate.dampers.effect import BESIDE, Form, Memory
+from edesign.calibrate.dampers.effect import BESIDE, DASHPOTS, Form, Memory
 from edesign.calibrate.dampers.inside import relaxed_factor, relaxed_force
 from edesign.calibrate.dampers.trial import Motion, Trial, Values
 from edesign.calibrate.problem import Part
@@ -33,6 +33,25 @@ class Acting:
         return Acting(form, {**p, **fixed}, {})
 
 
+@dataclass(frozen=True)
+class LawForce:
+    """Force of a law in a test, and what it would be.
+
+    Attributes:
+        whole: (n,) N.
+        relaxes: time in which the law relaxes all its forces, s; None: it does not.
+        springs: (n,) N without dashpots; itself where the law cannot be told apart.
+        powerless: (n,) N without the dashpot of a power of the velocity.
+        at_rate: (n,) N with a gamma_T that is so many times as large.
+    """
+
+    whole: np.ndarray
+    relaxes: float | None
+    springs: Callable[[], np.ndarray]
+    powerless: Callable[[], np.ndarray]
+    at_rate: Callable[[float], np.ndarray]
+
+
 @dataclass
 class Changed:
     """What parts make of the law's force: factors of all of it, of its springs, its dashpots and that of a power of the
@@ -51,19 +70,23 @@ class Changed:
         """Whether they do the same whatever the motion."""
         return isinstance(self.factor, float) and isinstance(self.parallel, float)
 
+    def sides(self, law: LawForce) -> list[tuple[np.ndarray | float, np.ndarray]]:
+        """Parts (n,) N of the law's force that have factors of their own, and these: they add (factor - 1) of them."""
+        found: list[tuple[np.ndarray | float, np.ndarray]] = []
+        if self.splits:
+            springs = law.springs()
+            found += [(self.springs, springs), (self.dashpots, law.whole - springs)]
+        if not isinstance(self.power, float):
+            found.append((self.power, law.whole - law.powerless()))
+        return found
 
-def changed_by(
-    acting: Sequence[Acting],
-    trial: Trial,
-    motion: Motion,
-    law_force: np.ndarray,
-    relaxes: float | None,
-    at_rate: Callable[[float], np.ndarray],
-) -> Changed:
-    """What parts make of the law's force (n,) N. What acts inside the law comes through its relaxation (s; None: it has
-    none); what counts work counts that of the whole specimen. `at_rate` is the law's force with a gamma_T that is so
-    many times as large.
+
+def changed_by(acting: Sequence[Acting], trial: Trial, motion: Motion, law: LawForce) -> Changed:
+    """What parts make of the law's force; what they do to its springs and dashpots apart stands beside it.
+
+    What acts inside the law comes through its relaxation; what counts work counts that of the whole specimen.
     """
+    law_force, relaxes = law.whole, law.relaxes
     found = Changed()
     inside: np.ndarray | float | None = None
     for part in acting:
@@ -81,11 +104,28 @@ def changed_by(
     for part in acting:
         if part.form.counts_work:
             part.memory[BESIDE] = found.parallel
-            factor = part.form.factor(part.p, trial, motion, found.factor * law_force, part.memory)
+            if part.form.spares_loss:
+                part.memory[DASHPOTS] = found.factor * found.dashpots * (law_force - law.springs())
+            factor = part.form.factor(part.p, trial, motion, found.factor * _of_sides(law, found), part.memory)
             _multiply(found, part, motion, law_force, factor, relaxes)
-            heated = part.form.heated(part.p, motion, at_rate, part.memory)
+            heated = part.form.heated(part.p, motion, law.at_rate, part.memory)
             found.parallel = found.parallel if heated is None else found.parallel + heated
+    found.parallel = found.parallel + found.factor * _beside_of_sides(motion, law, found)
     return found
+
+
+def _of_sides(law: LawForce, changed: Changed) -> np.ndarray:
+    """Force (n,) N of the law with the factors of its sides; they are slow beside its relaxation, which is left out."""
+    return sum(((own - 1.0) * side for own, side in changed.sides(law)), start=law.whole)
+
+
+def _beside_of_sides(motion: Motion, law: LawForce, changed: Changed) -> np.ndarray | float:
+    """What factors of springs and dashpots apart add to the law's force (n,) N, inside its relaxation if it has one."""
+    sides = changed.sides(law)
+    if law.relaxes is None:
+        return sum(((own - 1.0) * side for own, side in sides), start=0.0)
+    relaxed = (relaxed_factor(motion, np.broadcast_to(own, side.shape), side, law.relaxes) for own, side in sides)
+    return sum(relaxed, start=0.0)
 
 
 def _multiply(

@@ -114,7 +114,7 @@ def fractional_rate(motion: Motion, order: float) -> np.ndarray:
 
 def worked(
     motion: Motion,
-    force: np.ndarray,
+    left_by: Callable[[np.ndarray], np.ndarray],
     factor: Callable[[np.ndarray], np.ndarray],
     before: float = 0.0,
     gain: float = 1.0,
@@ -122,15 +122,17 @@ def worked(
     quick: tuple[float, float] = (0.0, math.inf),
     beside: np.ndarray | float = 0.0,
     sized: float = 0.0,
+    evened: float = 0.0,
 ) -> tuple[np.ndarray, float]:
-    """A factor of e that follows the work done on a specimen: e' = gain F v - e / forgets, F = factor F_law + beside.
+    """A factor of e that follows the work done on a specimen: e' = gain F v - e / forgets, F = what the factor
+    leaves of the law's force + beside.
 
     The definition is in steps, the factor at the end of a step taking e of its beginning. All steps are iterated at
     once, from no softening on, until e stays (Picard): its errors fall as those of an exponential series.
 
     Args:
         motion: of the specimen.
-        force: of the law (n,) N.
+        left_by: what a factor (n,) leaves of the force (n,) N of the law.
         factor: of e (n,), those of the beginnings of the steps, the first one twice.
         before: e at the beginning.
         gain: 1 for e in J.
@@ -138,6 +140,7 @@ def worked(
         quick: gain and s of a second e, zero at the beginning, that counts as much.
         beside: force (n,) N in the specimen beside the law's.
         sized: share of the work that counts by its size, done or given back: (1 - sized) F v + sized |F v| for F v.
+        evened: s; the power that counts is behind by them, q' + q / evened = F v / evened, and never below zero.
 
     Returns:
         The factor (n,); e at the end.
@@ -146,12 +149,15 @@ def worked(
     kinds = [(gain, np.exp(-motion.steps / forgets), before)]
     if quick[0]:
         kinds.append((quick[0], np.exp(-motion.steps / quick[1]), 0.0))
-    e = np.full(force.size, before)
+    fade = np.exp(-motion.steps / evened) if evened else np.zeros_like(way)
+    e = np.full(motion.time.size, before)
     for _ in range(_SWEEPS):
         phi = factor(np.concatenate((e[:1], e[:-1])))
-        softened = phi * force + beside
+        softened = left_by(phi) + beside
         done = way * (softened[1:] + softened[:-1])
         done += sized * (np.abs(done) - done)
+        if evened:
+            done = motion.steps * np.maximum(fading(fade, (1.0 - fade) * done / motion.steps, 0.0)[1:], 0.0)
         after = sum((fading(decay, each * done, first) for each, decay, first in kinds), start=np.zeros_like(e))
         moved = float(np.max(np.abs(after - e)))
         e = after

@@ -36,6 +36,10 @@ BEGUN = "begun"
 """In a memory: by how much more the state at the beginning of a test is than what is left from before."""
 BESIDE = "beside"
 """In a memory of a form that counts work: force (n,) N in the specimen beside the law's."""
+DASHPOTS = "dashpots"
+"""In a memory of a form that counts work and tells springs from dashpots: share (n,) N of dashpots in the force that it
+is given.
+"""
 
 
 class Series(NamedTuple):
@@ -190,6 +194,21 @@ class Form:
     def dashpot_factor(self, p: Values, motion: Motion, factor: np.ndarray | float) -> np.ndarray | float:
         """Factor of the law's dashpots where the form spares loss or springs, of its factor: factor^loss, or itself."""
         return factor if self.spares_springs else np.asarray(np.maximum(factor, _LEAST) ** p["loss"])
+
+    def left_by(
+        self, p: Values, motion: Motion, force: np.ndarray, memory: Memory
+    ) -> Callable[[np.ndarray], np.ndarray]:
+        """What a factor (n,) of a form that counts work leaves of the force (n,) N that it is given."""
+        if not self.spares_loss:
+            return lambda factor: factor * force
+        dashpots = memory[DASHPOTS]
+        springs = force - dashpots
+
+        def left(factor: np.ndarray) -> np.ndarray:
+            own = self.dashpot_factor(p, motion, factor) * dashpots
+            return np.asarray(self.spring_factor(p, factor) * springs + own)
+
+        return left
 
     def heated(
         self, p: Values, motion: Motion, at_rate: Callable[[float], np.ndarray], memory: Memory

@@ -101,7 +101,7 @@ def _tests(problem: DamperProblem) -> Iterator[tuple[str, Trial]]:
 
 def _trial(problem: DamperProblem, motion: Motion, temperature: float) -> Trial:
     n = motion.time.size
-    return Trial("next", "validate", len(problem.trials), motion, np.ones(n), np.full(n, temperature))
+    return Trial("next", "validate", len(problem.trials), motion, np.full(n, np.nan), np.full(n, temperature))
 
 
 def _sine(amplitude: float, frequency: float) -> Motion:

@@ -5,26 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from itertools import islice
 from typing import Generic, TypeVar
 
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 from scipy.linalg import qr
 
-from edesign.calibrate.dampers.acting import Acting, Changed, changed_by, spring_beside
+from edesign.calibrate.dampers.acting import Acting, Changed, LawForce, changed_by, spring_beside
 from edesign.calibrate.dampers.band import band_power
-from edesign.calibrate.dampers.effect import BEGUN, Form, Series
+from edesign.calibrate.dampers.effect import Form, Series
 from edesign.calibrate.dampers.extremes import extremes_after
 from edesign.calibrate.dampers.finer import finer
-from edesign.calibrate.dampers.inside import (
-    relaxation_time,
-    relaxed_factor,
-    without_dashpots,
-    without_power,
-)
+from edesign.calibrate.dampers.inside import relaxation_time, without_dashpots, without_power
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
+from edesign.calibrate.dampers.own_beginning import Begun, from_own_beginnings
 from edesign.calibrate.dampers.trial import NONE, REFINED, WARMER, Extremes, Motion, Sizes, Trial, after
 from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
 from edesign.calibrate.unknown import Unknown
@@ -36,7 +33,6 @@ from edesign.errors import InputError
 
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
 _WELL_APART = 1e-6  # ratio of eigenvalues with which squares of columns make a basis that is exact to 1e-10
-_BEGUN = 1e-3  # change of a state, a number, by which differences are taken
 _KEPT = 64  # results of the parameters last used
 _FORCES = 256  # force histories of the law alone: of some sets of parameters, or of motions that a search moves
 _COARSE = 3  # samples of a first round with a rig in series, that finds about what it takes of the motion
@@ -130,6 +126,9 @@ class DamperProblem:
         acting = [Acting.of(part) for part in parts]
         values = self.law_values(base)
         wanted = [trial.use in uses for trial in self.trials]
+        if any(part.form.begins for part in acting):
+            begun = self._begun(base, parts)
+            return [begun(i).force if asked else None for i, asked in enumerate(wanted)]
         remembers = self.lasting or any(part.form.remembers for part in acting)
         found: list[np.ndarray | None] = []
         been = NONE
@@ -145,34 +144,33 @@ class DamperProblem:
         own = [part for part in parts if part[0].effect[0].has_columns]
         columns = [self._kept_nuisance(tuple((_Same(c), tuple(v.tolist())) for c, v in own), index)] if own else []
         if any(part[0].effect[0].begins for part in parts):
-            warm = self._begun(base, parts)[index]
+            warm = self._begun(base, parts)(index).change
             warm = self._weighted(index, warm[:, np.newaxis])
             columns.append(warm / max(float(np.max(np.abs(warm))), 1e-300))
         return columns[0] if own and len(columns) == 1 else _orthonormal(columns) if columns else None
 
-    def _begun(self, base: np.ndarray, parts: Sequence[Part]) -> tuple[np.ndarray, ...]:
-        """By how much the force (n,) N of each test changes with the state at its beginning."""
+    def _begun(self, base: np.ndarray, parts: Sequence[Part]) -> Callable[[int], Begun]:
+        """Each test by its index, from its own beginning."""
         return self._kept_begun(tuple(base.tolist()), tuple((_Same(c), tuple(v.tolist())) for c, v in parts))
 
     @cached_property
-    def _kept_begun(self) -> Callable[[tuple[float, ...], tuple[_KeptPart, ...]], tuple[np.ndarray, ...]]:
-        """Kept for the parameters last used: each test asks for its own."""
+    def _kept_begun(self) -> Callable[[tuple[float, ...], tuple[_KeptPart, ...]], Callable[[int], Begun]]:
+        """Kept for the parameters last used: each test asks for its own, and those before it are run through."""
 
         @lru_cache(maxsize=1)
-        def kept(base: tuple[float, ...], parts: tuple[_KeptPart, ...]) -> tuple[np.ndarray, ...]:
+        def kept(base: tuple[float, ...], parts: tuple[_KeptPart, ...]) -> Callable[[int], Begun]:
             acting = [Acting.of((candidate.thing, np.array(values))) for candidate, values in parts]
             values = self.law_values(np.array(base))
-            found = []
-            been = NONE
-            for trial in self.trials:
-                more = [
-                    replace(part, memory={**part.memory, **({BEGUN: _BEGUN} if part.form.begins else {})})
-                    for part in acting
-                ]
-                warm, _ = self._run(after(been, trial), values, more)
-                cold, been = self._run(after(been, trial), values, acting)  # `acting` remembers
-                found.append((warm - cold) / _BEGUN)
-            return tuple(found)
+            coming = from_own_beginnings(self.trials, acting, lambda trial, parts: self._run(trial, values, parts))
+            found: list[Begun] = []
+
+            def of(index: int) -> Begun:
+                found.extend(islice(coming, max(index + 1 - len(found), 0)))
+                if len(found) <= index:
+                    raise PredictionError("a test before has no prediction")
+                return found[index]
+
+            return of
 
         return kept
 
@@ -293,46 +291,27 @@ class DamperProblem:
     def _changed(
         self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[Acting], law_force: np.ndarray
     ) -> Changed:
-        """What parts make of the law's force (n,) N; what they do to its springs and dashpots apart stands beside."""
+        """What parts make of the law's force (n,) N."""
 
         def at_rate(gamma: float) -> np.ndarray:
             if self._gamma is None:
                 return gamma * law_force
             return self._law_force(trial, motion, self._gamma.at_rate(values, gamma))
 
-        changed = changed_by(acting, trial, motion, law_force, relaxation_time(self.law, values), at_rate)
-        changed.parallel = changed.parallel + changed.factor * self._split(trial, motion, values, law_force, changed)
-        return changed
+        law = LawForce(
+            law_force,
+            relaxation_time(self.law, values),
+            springs=lambda: self._law_force(trial, motion, without_dashpots(self.law, values) or values),
+            powerless=lambda: self._law_force(trial, motion, without_power(self.law, values) or values),
+            at_rate=at_rate,
+        )
+        return changed_by(acting, trial, motion, law)
 
     @cached_property
     def _gamma(self) -> GammaT | None:
         """Temperature law of the law; None: it has none of its own."""
         gamma = GammaT(of=self.gamma_of)
         return gamma if self.law.name in gamma.laws else None
-
-    def _split(
-        self, trial: Trial, motion: Motion, values: dict[str, float], force: np.ndarray, changed: Changed
-    ) -> np.ndarray | float:
-        """What factors of springs and dashpots apart add to the law's force (n,) N, inside its relaxation if it has
-        one.
-        """
-        sides: list[tuple[np.ndarray | float, np.ndarray]] = []
-        if changed.splits:
-            springs = self._law_force(trial, motion, without_dashpots(self.law, values) or values)
-            sides += [(changed.springs, springs), (changed.dashpots, force - springs)]
-        if not isinstance(changed.power, float):
-            sides.append(
-                (changed.power, force - self._law_force(trial, motion, without_power(self.law, values) or values))
-            )
-        if not sides:
-            return 0.0
-        tau = relaxation_time(self.law, values)
-        if tau is None:
-            return sum(((own - 1.0) * side for own, side in sides), start=np.zeros_like(force))
-        return sum(
-            (relaxed_factor(motion, np.broadcast_to(own, side.shape), side, tau) for own, side in sides),
-            start=np.zeros_like(force),
-        )
 
     def _in_series(
         self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[Acting], rig: Series

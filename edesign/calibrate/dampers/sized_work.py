@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TypedDict
 
 import numpy as np
 
 from edesign.calibrate.dampers.effect import BESIDE, Form, Memory
-from edesign.calibrate.dampers.trial import Sizes, Values
+from edesign.calibrate.dampers.trial import Motion, Sizes, Values
 from edesign.calibrate.unknown import Unknown
 
 
 class Counted(TypedDict):
     """How `edesign.calibrate.dampers.drivers.worked` counts work."""
 
+    left_by: Callable[[np.ndarray], np.ndarray]
     beside: np.ndarray | float
     sized: float
 
 
-def how_counted(p: Values, memory: Memory) -> Counted:
-    """For a form that counts work, sized or not."""
-    return {"beside": memory.get(BESIDE, 0.0), "sized": p.get("sized", 0.0)}
+def how_counted(form: Form, p: Values, motion: Motion, force: np.ndarray, memory: Memory) -> Counted:
+    """For a form that counts work, sized or not, with the force (n,) N that it is given."""
+    return {
+        "left_by": form.left_by(p, motion, force, memory),
+        "beside": memory.get(BESIDE, 0.0),
+        "sized": p.get("sized", 0.0),
+    }
 
 
 def sized(form: Form) -> Form:

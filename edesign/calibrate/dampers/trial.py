@@ -106,7 +106,7 @@ class Trial:
         use: fit or validate.
         order: number of tests made before.
         motion: measured, freed from noise.
-        force: measured (n,) N.
+        force: measured (n,) N; not a number in a test that is not made yet.
         temperature: (n,) degC: measured, or ambient.
         displacement_noise: standard deviation of white noise as strong next to the motion as that of the displacement
             was, m.
@@ -151,6 +151,11 @@ class Trial:
     def noise(self) -> float:
         """Standard deviation of what cannot be predicted, N: noise of the force, and of the motion by the law."""
         return math.hypot(self.channel_noise, self.motion_noise)
+
+    @cached_property
+    def made(self) -> bool:
+        """Whether it has been made."""
+        return bool(np.isfinite(self.force[0]))
 
     @cached_property
     def mean_temperature(self) -> float:

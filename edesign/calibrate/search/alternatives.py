@@ -8,6 +8,7 @@ from edesign.calibrate.evidence import Judged, simplest
 from edesign.calibrate.problem import Candidate, Part
 from edesign.calibrate.search.begun import may_join
 from edesign.calibrate.search.contest import shortlist
+from edesign.calibrate.search.effect_forms import EffectForms
 from edesign.calibrate.search.workbench import FAR_BEHIND, FEW, NONE, RIVALS, Workbench, labels_of, of_left_out
 
 
@@ -16,10 +17,12 @@ class Alternatives:
 
     Args:
         bench: what all parts of the search share.
+        forms: of effects.
     """
 
-    def __init__(self, bench: Workbench) -> None:
+    def __init__(self, bench: Workbench, forms: EffectForms) -> None:
         self.bench = bench
+        self.forms = forms
 
     def against_others(self, current: Judged) -> Judged:
         """A single effect against others beside the law fitted again, where none were: it was found beside others."""
@@ -37,8 +40,18 @@ class Alternatives:
             return current
         for effect in effects[:-1]:
             self.bench.tell(f"reconsidering {effect.name}")
-            current = simplest([current, *self.others(current, effect)])
+            found = simplest([current, *self.others(current, effect)])
+            if found is not current and not found.at_floor:
+                found = self._unless_finer(found, current, effect)
+            current = found
         return current
+
+    def _unless_finer(self, found: Judged, current: Judged, effect: Candidate) -> Judged:
+        """Another effect in the place of one, unless that does better in a finer form than the other one in its own."""
+        finer = self.forms.as_fine_as_needed(current, current.fitted.model.effects.index(effect))
+        if simplest([found, finer]) is found:
+            return found
+        return simplest([finer, self.forms.as_fine_as_needed(found, -1)])
 
     def settled(self, current: Judged) -> Judged:
         """The same in the end, where the last effects may have come in the place of others that were not begun beside

@@ -67,7 +67,7 @@ class Loop:
         self.allowance = Allowance(workers=workers)
         self.bench = Workbench(problem, noise, refit, workers, progress)
         self.forms = EffectForms(self.bench)
-        self.alternatives = Alternatives(self.bench)
+        self.alternatives = Alternatives(self.bench, self.forms)
         self.declared = BesideDeclared(self.bench, self.forms)
         self.rounds = Rounds(self.bench, self.forms)
         self.second = SecondLook(self.bench, self.forms, self.rounds)

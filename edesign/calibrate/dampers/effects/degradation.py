@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import ClassVar
 
 import numpy as np
@@ -12,6 +13,9 @@ from edesign.calibrate.dampers.sized_work import how_counted, sized
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+
+
+_MOST = 10.0  # times the work of the campaign: a search may ask for stiffening that feeds itself
 
 
 class _Degradation(Form):
@@ -25,6 +29,14 @@ class _ByWork(_Degradation):
     counts_work: ClassVar[bool] = True
     may_spare_loss: ClassVar[bool] = True
     sized = False
+
+    def _worked(
+        self, p: Values, motion: Motion, force: np.ndarray, left: Callable[[np.ndarray], np.ndarray], memory: Memory
+    ) -> np.ndarray:
+        """Factor (n,) of the force (n,) N that is left by the work done in its life."""
+        counted = how_counted(self, p, motion, force, memory)
+        factor, memory["energy"] = worked(motion, factor=left, before=memory.get("energy", 0.0), **counted)
+        return factor
 
     def finer(self) -> tuple[Form, ...]:
         """With a share of the work that springs give back counted as if it were done."""
@@ -57,8 +69,7 @@ class Energy(_ByWork):
         def left(energy: np.ndarray) -> np.ndarray:
             return np.asarray(1.0 + d * np.expm1(scale * np.maximum(energy, 0.0)))
 
-        phi, memory["energy"] = worked(motion, force, left, memory.get("energy", 0.0), **how_counted(p, memory))
-        return phi
+        return self._worked(p, motion, force, left, memory)
 
 
 class Work(_ByWork):
@@ -83,10 +94,9 @@ class Work(_ByWork):
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         def left(energy: np.ndarray) -> np.ndarray:
-            return np.asarray(1.0 - p["d"] * (np.maximum(energy, 0.0) / p["W"]) ** p["p"])
+            return np.asarray(1.0 - p["d"] * np.clip(energy / p["W"], 0.0, _MOST) ** p["p"])
 
-        phi, memory["energy"] = worked(motion, force, left, memory.get("energy", 0.0), **how_counted(p, memory))
-        return phi
+        return self._worked(p, motion, force, left, memory)
 
 
 class Path(_Degradation):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from typing import ClassVar
 
@@ -13,7 +14,6 @@ from edesign.calibrate.dampers.sized_work import how_counted, sized
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
-from edesign.core.fading import fading
 
 _LONGEST = 100.0  # tests: heat that stays longer does not change within one
 _NODES = np.array([0.0, 0.2, 0.4, 0.7, 1.0])  # of q, at which the law is predicted
@@ -62,13 +62,34 @@ class Rate(Form):
         return (0.2 * each, quick), *((0.1 * each, t * sizes.duration) for t in (1.0, 3.0, _LONGEST))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        before, soft = memory.get(BEGUN, 0.0), self._of_heat(p, motion)
-        return worked(motion, force, soft, before, p["beta"], p["tau_h"], **how_counted(p, memory))[0]
+        return self._warmed(p, motion, force, _softened, memory)[0]
+
+    def _warmed(
+        self,
+        p: Values,
+        motion: Motion,
+        force: np.ndarray,
+        soft: Factor,
+        memory: Memory,
+        before: float = 0.0,
+        quick: tuple[float, float] = (0.0, math.inf),
+    ) -> tuple[np.ndarray, float]:
+        """Factor (n,) of the force (n,) N, and q at the end; `before` is what is left of earlier tests."""
+        return worked(
+            motion,
+            factor=soft,
+            before=before + memory.get(BEGUN, 0.0),
+            gain=p["beta"],
+            forgets=p["tau_h"],
+            quick=quick,
+            evened=p.get("tau_w", 0.0),
+            **how_counted(self, p, motion, force, memory),
+        )
 
     def finer(self) -> tuple[Form, ...]:
         """Heat left from before a test, another one in each, as pauses between tests are not recorded: q(0) = q_i.
-        Without the work that springs give back within a cycle, which is no heat: q behind by a time tau_w. Or with a
-        share of it counted as if it were done.
+        Without the work that springs give back within a cycle, which is no heat: the power behind by a time tau_w, and
+        never below zero. Or with a share of it counted as if it were done.
         """
         begun = () if self.begins else (self._begun_warm(),)
         return (*begun, *(() if self.evened or self.sized else (self._evened(), sized(self))))
@@ -91,19 +112,6 @@ class Rate(Form):
             unknowns=more_unknowns,
             starts=lambda sizes: tuple((*row, 0.2 * sizes.period) for row in starts(sizes)),
         )
-
-    def _of_heat(self, p: Values, motion: Motion, soft: Factor = _softened) -> Factor:
-        """The factor of q (n,) of the beginnings of the steps, of the one of the q that acts."""
-        if not self.evened:
-            return soft
-        fade = np.exp(-motion.steps[:-1] / p["tau_w"])
-
-        def softened(q: np.ndarray) -> np.ndarray:  # the first of q is there twice
-            if q.size < 3:
-                return soft(q)
-            return soft(np.concatenate((q[:1], fading(fade, (1.0 - fade) * q[1:-1], float(q[1])))))
-
-        return softened
 
 
 class Core(Rate):
@@ -130,16 +138,7 @@ class Core(Rate):
         )
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        return worked(
-            motion,
-            force,
-            self._of_heat(p, motion),
-            memory.get(BEGUN, 0.0),
-            p["beta"],
-            p["tau_h"],
-            (p["beta_c"], p["tau_c"]),
-            **how_counted(p, memory),
-        )[0]
+        return self._warmed(p, motion, force, _softened, memory, quick=(p["beta_c"], p["tau_c"]))[0]
 
 
 class Carried(Rate):
@@ -160,9 +159,11 @@ class Carried(Rate):
         return tuple((*row, 0.5) for row in super().starts(sizes))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
-        soft = self._of_heat(p, motion)
-        phi, memory["heat"] = worked(motion, force, soft, before, p["beta"], p["tau_h"], **how_counted(p, memory))
+        return self._kept_warm(p, motion, force, _softened, memory)
+
+    def _kept_warm(self, p: Values, motion: Motion, force: np.ndarray, soft: Factor, memory: Memory) -> np.ndarray:
+        """Factor (n,) of the force (n,) N, with what is left of the heat of earlier tests."""
+        phi, memory["heat"] = self._warmed(p, motion, force, soft, memory, p["kept"] * memory.get("heat", 0.0))
         return phi
 
 
@@ -191,10 +192,7 @@ class Levelling(Carried):
         def left(q: np.ndarray) -> np.ndarray:
             return np.asarray((1.0 + np.maximum(q, 0.0) / m) ** -m)
 
-        before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
-        soft = self._of_heat(p, motion, left)
-        phi, memory["heat"] = worked(motion, force, soft, before, p["beta"], p["tau_h"], **how_counted(p, memory))
-        return phi
+        return self._kept_warm(p, motion, force, left, memory)
 
 
 class Gamma(Carried):
@@ -219,11 +217,8 @@ class Gamma(Carried):
         self, p: Values, motion: Motion, at_rate: Callable[[float], np.ndarray], memory: Memory
     ) -> np.ndarray | None:
         family = np.stack([at_rate(float(np.exp(-q))) for q in _NODES])
-        before = p["kept"] * memory.get("heat", 0.0) + memory.get(BEGUN, 0.0)
-        soft = self._of_heat(p, motion, _between_nodes(family))
         ones = np.ones_like(motion.time)
-        warm, memory["heat"] = worked(motion, ones, soft, before, p["beta"], p["tau_h"], **how_counted(p, memory))
-        return np.asarray(warm - family[0])
+        return self._kept_warm(p, motion, ones, _between_nodes(family), memory) - family[0]
 
 
 def _between_nodes(family: np.ndarray) -> Factor:
