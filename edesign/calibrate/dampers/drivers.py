@@ -150,17 +150,19 @@ def worked(
     if quick[0]:
         kinds.append((quick[0], np.exp(-motion.steps / quick[1]), 0.0))
     fade = np.exp(-motion.steps / evened) if evened else np.zeros_like(way)
-    e = np.full(motion.time.size, before)
+    e = late = np.full(motion.time.size, before)
     for _ in range(_SWEEPS):
-        phi = factor(np.concatenate((e[:1], e[:-1])))
+        phi = factor(late)
         softened = left_by(phi) + beside
         done = way * (softened[1:] + softened[:-1])
-        done += sized * (np.abs(done) - done)
+        if sized:
+            done += sized * (np.abs(done) - done)
         if evened:
             done = motion.steps * np.maximum(fading(fade, (1.0 - fade) * done / motion.steps, 0.0)[1:], 0.0)
-        after = sum((fading(decay, each * done, first) for each, decay, first in kinds), start=np.zeros_like(e))
+        first, *others = (fading(decay, each * done, start) for each, decay, start in kinds)
+        after = sum(others, start=first)
         moved = float(np.max(np.abs(after - e)))
-        e = after
+        e, late = after, np.concatenate((after[:1], after[:-1]))
         if moved <= _STILL * float(np.max(np.abs(e))):
             break
     return phi, float(e[-1])

@@ -201,10 +201,10 @@ class Loop:
         if two is not None and not more_than_misses(alone, self.bench.left):
             two = self.bench.freed(two)
             two = two if alone.fitted.chi2 - two.fitted.chi2 >= nearly_all(alone) else None
-        if two is None:
-            return *self.rounds.one_more(refit, rival, [*held, alone]), None
-        if two.at_floor:
+        if two is not None and two.at_floor:
             return two, (), None
+        if two is None or not two.fitted.model.held:  # beside a law fitted again all effects are to be tried
+            return *self.rounds.one_more(refit, rival, [*held, alone]), None
         one, refused = self.rounds.one_more(refit, rival, held)  # or one beside the law fitted again
         return two if one is None else simplest([two, one]), refused, None
 

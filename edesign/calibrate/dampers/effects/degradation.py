@@ -14,7 +14,6 @@ from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
-
 _MOST = 10.0  # times the work of the campaign: a search may ask for stiffening that feeds itself
 
 
