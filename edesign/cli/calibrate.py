@@ -44,7 +44,7 @@ def calibrate(
     from edesign.archive.files import check_folder
     from edesign.calibrate.files import check_names
     from edesign.errors import Interrupted
-    from edesign.ground_motion.matching.one_thread import one_thread
+    from edesign.one_thread import one_thread
     from edesign.report.text import print_tables
 
     folder = campaign.parent if output is None else output

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict, judge
 from edesign.errors import AnalysisError, EdesignError
-from edesign.ground_motion.matching.one_thread import one_thread
+from edesign.one_thread import one_thread
 from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
 from edesign.project.dampers import Dampers
 from edesign.project.designs import Verify

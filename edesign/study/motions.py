@@ -12,10 +12,10 @@ from edesign.errors import EdesignError, InputError
 from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
 from edesign.ground_motion.matching.match import check_record
-from edesign.ground_motion.matching.one_thread import one_thread
 from edesign.ground_motion.matching.raising import raised, suite_factor
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.sources import Found
+from edesign.one_thread import one_thread
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords, record_of

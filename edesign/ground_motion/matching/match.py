@@ -9,12 +9,12 @@ import numpy as np
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
 from edesign.ground_motion.intensity import husid, measures
-from edesign.ground_motion.matching.one_thread import one_thread
 from edesign.ground_motion.matching.options import MatchOptions, Method
 from edesign.ground_motion.matching.result import Adjust, Adjusted, Match, misfit
 from edesign.ground_motion.matching.shape import compare
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
+from edesign.one_thread import one_thread
 
 _CHECKED = 300  # periods at which the result is judged, at least; three times the matching periods, at least
 _LEAST_CYCLES = 2.0  # of the longest period that a record must have room for

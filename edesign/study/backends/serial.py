@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 
-from edesign.ground_motion.matching.one_thread import one_thread
+from edesign.one_thread import one_thread
 from edesign.study.backends.work import Control, LocalBackend, Results, Work, check_keys, perform
 
 

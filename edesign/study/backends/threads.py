@@ -6,7 +6,7 @@ import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 
-from edesign.ground_motion.matching.one_thread import one_thread
+from edesign.one_thread import one_thread
 from edesign.study.backends.work import Control, LocalBackend, Result, Results, Work, check_keys, perform
 
 ASK_EVERY = 0.2  # s, for a wish to stop
