@@ -14,7 +14,7 @@ from edesign.calibrate.dampers.effect import BEGUN
 from edesign.calibrate.dampers.trial import NONE, Extremes, Trial, after
 
 _CHANGE = 1e-3  # of the state, a number that is about 1 where it does as much as the law: for differences
-_FARTHEST = 3.0
+_FARTHEST = 3.0  # e^-3: a twentieth of the force would be left
 _ROUNDS = 4  # of Gauss and Newton, on a parabola
 
 Run = Callable[[Trial, Sequence[Acting]], tuple[np.ndarray, Extremes]]
@@ -53,8 +53,9 @@ def _from_own_beginning(trial: Trial, acting: Sequence[Acting], run: Run) -> tup
             part.memory = {**memory, **({BEGUN: state} if part.form.begins else {})}
         return run(trial, acting)
 
-    slope, (plain, been) = begun(_CHANGE)[0], begun(0.0)
-    slope = (slope - plain) / _CHANGE
+    moved, _ = begun(_CHANGE)
+    plain, been = begun(0.0)  # after it: what parts remember then is that of a test begun so
+    slope = (moved - plain) / _CHANGE
     if not trial.made:
         return Begun(plain, slope), been
     weight = 1.0 if trial.weight is None else trial.weight

@@ -203,8 +203,8 @@ def test_heat_from_before_a_test_is_each_tests_own() -> None:
 
 
 def test_a_test_begun_hot_is_predicted_from_there() -> None:
-    # as above, far from linear in q0: a third of the force is gone. The first test is as hot as it can be told: the
-    # second one, and what is carried into it, too.
+    # as above, far from linear in q0: two fifths of the first test's force are gone, or a share of its heat is carried
+    # into the second one
     tests = two_tests()
     q0, tau, size = (0.5, -0.2), 3.0, sizes()
     solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, tests, size)
@@ -252,7 +252,8 @@ def test_work_that_springs_give_back_is_no_heat() -> None:
     assert phi is not None
     heat = -np.log(np.asarray(phi)) / beta
     size = 0.5 * STIFFNESS * U**2 * w / math.hypot(1.0, 2.0 * w * tau)
-    # over the last ten of twenty periods: it has settled within exp(-10 s/tau) = 1e-11
+    # over the last ten of twenty periods: it has settled within exp(-10 s/tau) = 1e-11; steps of a 2000th of a period,
+    # and what is late by one
     assert heat[-1] - heat[20000] == pytest.approx(10.0 * size / math.pi, rel=1e-3)
     del p["tau_w"]
     plain = self_heating.Rate().factor(p, trial(of), of, STIFFNESS * u, {})

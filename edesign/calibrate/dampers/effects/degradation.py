@@ -7,9 +7,9 @@ from typing import ClassVar
 
 import numpy as np
 
+from edesign.calibrate.dampers.counted_work import how_counted, sized
 from edesign.calibrate.dampers.drivers import weighted_path, worked
 from edesign.calibrate.dampers.effect import Form, Memory
-from edesign.calibrate.dampers.sized_work import how_counted, sized
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -72,7 +72,7 @@ class Energy(_ByWork):
 
 
 class Work(_ByWork):
-    """The force falls with a power of the work done in its life, without end: F = (1 - d (max(E, 0)/W)^p) F_law."""
+    """The force falls with a power of the work done in its life: F = (1 - d x^p) F_law, x = E/W from 0 to 10."""
 
     form: ClassVar[str] = "work"
     title: ClassVar[str] = "lasting degradation by dissipated energy, without end"

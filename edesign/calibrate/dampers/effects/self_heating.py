@@ -8,9 +8,9 @@ from typing import ClassVar
 
 import numpy as np
 
+from edesign.calibrate.dampers.counted_work import how_counted, sized
 from edesign.calibrate.dampers.drivers import worked
 from edesign.calibrate.dampers.effect import BEGUN, Form, Memory
-from edesign.calibrate.dampers.sized_work import how_counted, sized
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -82,7 +82,6 @@ class Rate(Form):
             gain=p["beta"],
             forgets=p["tau_h"],
             quick=quick,
-            evened=p.get("tau_w", 0.0),
             **how_counted(self, p, motion, force, memory),
         )
 

@@ -1,4 +1,4 @@
-"""Work that wears or warms by its size: also what springs give back within a cycle, in part or all of it."""
+"""How work is counted that wears or warms: of what force, and what of it that springs give back within a cycle."""
 
 from __future__ import annotations
 
@@ -18,14 +18,16 @@ class Counted(TypedDict):
     left_by: Callable[[np.ndarray], np.ndarray]
     beside: np.ndarray | float
     sized: float
+    evened: float
 
 
 def how_counted(form: Form, p: Values, motion: Motion, force: np.ndarray, memory: Memory) -> Counted:
-    """For a form that counts work, sized or not, with the force (n,) N that it is given."""
+    """For a form that counts work, sized or evened or as it is, with the force (n,) N that it is given."""
     return {
         "left_by": form.left_by(p, motion, force, memory),
         "beside": memory.get(BESIDE, 0.0),
         "sized": p.get("sized", 0.0),
+        "evened": p.get("tau_w", 0.0),
     }
 
 
