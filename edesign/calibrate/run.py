@@ -96,7 +96,7 @@ def _searched(
     """What the loop finds with the likeliest reading of the law, and that reading; with a second one in the rest of the
     time if more than noise is left then.
     """
-    first, *others = likely_readings(problem, law, noise)
+    first, *others = likely_readings(problem, law, noise, workers)
     begun = taken()
     found = Loop(first, noise, law.refit, workers, progress, (1.0 - _SECOND) * seconds if others else seconds).run()
     for other in others if found.ending != "interrupted" else ():

@@ -11,6 +11,7 @@ from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.search.screening import Signature, screen, screen_again
+from edesign.calibrate.side_by_side import side_by_side
 from edesign.damper.temperature import REFERENCE_C, GammaOf, GammaT
 from edesign.damper.test_files import Extremes, LawChoice
 
@@ -28,7 +29,9 @@ def read(problem: DamperProblem, choice: LawChoice) -> DamperProblem:
     return replace(problem, lasting=choice.extremes == "lasting", gamma_of=choice.gamma_T_of or "parameters")
 
 
-def likely_readings(problem: DamperProblem, choice: LawChoice, noise: Sequence[float]) -> tuple[DamperProblem, ...]:
+def likely_readings(
+    problem: DamperProblem, choice: LawChoice, noise: Sequence[float], workers: int = 1
+) -> tuple[DamperProblem, ...]:
     """The problem with the law read as the campaign says, and what it does not say as the tests do: one reading, or
     two, the likelier one first. Another one than the usual is likely if it leaves less of the law as declared and of
     the law fitted again (geometric mean): a law that is not as declared says little by the first, one that lacks an
@@ -39,6 +42,7 @@ def likely_readings(problem: DamperProblem, choice: LawChoice, noise: Sequence[f
         problem: at the rate of a fit.
         choice: the law as the campaign names it.
         noise: (tests,) standard deviation of each test's noise, N.
+        workers: processes.
     """
     usual = read(problem, choice)
     if problem.law.name not in GammaT().laws:
@@ -47,11 +51,12 @@ def likely_readings(problem: DamperProblem, choice: LawChoice, noise: Sequence[f
     warm = any(trial.mean_temperature != REFERENCE_C for trial in problem.trials)
     gammas = (usual.gamma_of,) if choice.gamma_T_of or not warm else _GAMMAS
     readings = [replace(usual, lasting=e == "lasting", gamma_of=g) for e, g in product(extremes, gammas)]
-    left = [_left(one, noise, refit=False) for one in readings]
+    left = side_by_side(lambda one: _left(one, noise, refit=False), readings, workers)
     near = [i for i in range(len(left)) if i == 0 or left[i] < _FAR * min(left)]
     if choice.refit and len(near) > 1:
-        for i in near:
-            left[i] = math.sqrt(left[i] * _left(readings[i], noise, refit=True))
+        again = side_by_side(lambda i: _left(readings[i], noise, refit=True), near, workers)
+        for i, refitted in zip(near, again, strict=True):
+            left[i] = math.sqrt(left[i] * refitted)
     best = min(near, key=lambda i: left[i])
     other, share = readings[best], _share(left[best], left[0])
     if share >= _PERHAPS:

@@ -18,6 +18,8 @@ REFINED = 2
 """Times as many samples, at which tests are predicted: the MGMM exact to 3e-5, what most effects do to a few 1e-3."""
 WARMER = 0.2
 """K, by which differences are taken."""
+APART = 1.0
+"""K between temperatures that are not the same: a thermometer may be wrong by 0.2 K in each test."""
 
 _ROUNDED = 0.1  # parts of a step
 
@@ -209,6 +211,7 @@ class Sizes:
         fitted: (tests,) whether each of them is fitted to.
         period: of the slowest motion (longest time between reversals, times two).
         temperatures: lowest and highest, degC, whatever single readings say.
+        levels: how many temperatures the tests fitted to have, each APART from the next.
     """
 
     force: float
@@ -222,6 +225,7 @@ class Sizes:
     fitted: tuple[bool, ...]
     period: float
     temperatures: tuple[float, float]
+    levels: int
 
     @property
     def stiffness(self) -> float:
@@ -255,12 +259,23 @@ class Sizes:
             fitted=tuple(t.use == "fit" for t in trials),
             period=max(_slowest(t.motion) for t in fitted),
             temperatures=(min(temperatures), max(temperatures)),
+            levels=_levels([value for t in fitted for value in _parts_of(t.temperature)]),
         )
 
 
 def _parts_of(temperature: np.ndarray) -> list[float]:
     """Medians of tenths of a test: what it warms is no noise of the thermometer."""
     return [float(np.median(part)) for part in np.array_split(temperature, 10) if part.size]
+
+
+def _levels(temperatures: Sequence[float]) -> int:
+    """How many of them stand APART."""
+    first, *others = sorted(temperatures)
+    number = 1
+    for value in others:
+        if value - first >= APART:
+            first, number = value, number + 1
+    return number
 
 
 def _slowest(motion: Motion) -> float:

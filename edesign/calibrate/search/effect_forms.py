@@ -9,9 +9,10 @@ from dataclasses import replace
 from edesign.calibrate.evidence import Judged, simplest
 from edesign.calibrate.fit import fit
 from edesign.calibrate.outcome import errors_of, predict
-from edesign.calibrate.problem import Candidate
+from edesign.calibrate.problem import Candidate, Part, PredictionError
 from edesign.calibrate.search.begun import begun_at, begun_from
 from edesign.calibrate.search.contest import BEHIND, likely_forms
+from edesign.calibrate.search.screening import promised
 from edesign.calibrate.search.workbench import FAR_BEHIND, FEW, Key, Workbench, key_of, labels_of, of_left_out
 
 LIKELY = 2
@@ -20,6 +21,7 @@ _FORMS, _FORMS_HELD, _FORMS_SLOW = 5, 10, 3
 """Forms of an effect that are compared once it is a likely one: usually, with the law held, and beside slow or several
 effects.
 """
+_PROMISING = 0.1  # of what is left over noise: by a linear estimate, of a finer form that is fitted
 
 
 class EffectForms:
@@ -144,7 +146,7 @@ class EffectForms:
         parts = current.fitted.parts
         i %= len(parts)
         self.bench.tell(f"finer forms of {parts[i][0].name}")
-        finer = self.bench.problem.finer(parts[i])
+        finer = [part for part in self.bench.problem.finer(parts[i]) if self._promising(current, i, part)]
         if not finer:
             return current
         best = simplest([current, *self.bench.with_parts(current, i, finer)])
@@ -154,6 +156,14 @@ class EffectForms:
         known = best.fitted.parts[i]
         coarser = [part for effect, _ in (parts[i], *finer) if (part := begun_at(effect, known)) is not None]
         return simplest([best, *self.bench.with_parts(best, i, coarser)])
+
+    @staticmethod
+    def _promising(current: Judged, i: int, part: Part) -> bool:
+        fitted = current.fitted
+        try:
+            return promised(fitted, i, part) >= _PROMISING * (fitted.chi2 - fitted.samples)
+        except PredictionError:
+            return False
 
     def other_forms(self, current: Judged, effect: Candidate, most: float = math.inf) -> list[Judged]:
         """Models with another form of an effect; which are likely is seen beside the law as the model has it.

@@ -15,6 +15,7 @@ from edesign.calibrate.search.alternatives import Alternatives
 from edesign.calibrate.search.beside_declared import BesideDeclared
 from edesign.calibrate.search.contest import BEHIND
 from edesign.calibrate.search.effect_forms import LIKELY, EffectForms
+from edesign.calibrate.search.look_ahead import LookAhead
 from edesign.calibrate.search.misses import more_than_misses, nearly_all
 from edesign.calibrate.search.rounds import Rounds
 from edesign.calibrate.search.second_look import SecondLook
@@ -70,6 +71,7 @@ class Loop:
         self.alternatives = Alternatives(self.bench, self.forms)
         self.declared = BesideDeclared(self.bench, self.forms)
         self.rounds = Rounds(self.bench, self.forms)
+        self.ahead = LookAhead(self.bench)
         self.second = SecondLook(self.bench, self.forms, self.rounds)
         self.standing: Judged | None = None  # the best model with effects so far
         self.ending: Ending = "complete"
@@ -153,13 +155,18 @@ class Loop:
             if current.at_floor or len(labels) >= _MOST or labels in been:
                 break
             been.add(labels)
-            found = self.second.look(current) if len(labels) == FEW else None  # a third one is seldom there
+            ahead = self.ahead.two(current)
+            found = ahead if ahead is not None and ahead.at_floor else None
+            if len(labels) == FEW:
+                found = self.second.look(current)  # a third one is seldom there
             if found is None and beside is not None:
                 freed = self.bench.freed(beside)
                 found = None if freed.at_floor else self.declared.two(beside, current, freed)
                 beside = None
             if found is None:
                 found, refused = self.rounds.one_more(current, current)
+                if ahead is not None:
+                    found = ahead if found is None else simplest([found, ahead])
             if found is None:
                 found = self.rounds.in_pairs(current)
             if found is None and len(labels) < FEW:
@@ -188,6 +195,10 @@ class Loop:
             return *self.rounds.one_more(refit, rival, held), best if perhaps else None
         held = [*held, *self.forms.other_forms(best, best.fitted.model.effects[0])]
         best, freed = self._freed_best(held)
+        if not freed.at_floor:
+            pair = self.ahead.beside_declared(best, held, freed)
+            if pair is not None:
+                return pair, (), None
         alone = self.forms.finer(freed)
         if alone.at_floor:
             if alone.fitted.model.held and compare(alone, rival).adopts:

@@ -75,6 +75,8 @@ class Rounds:
         ]
         self.bench.tell(f"effect {number}: screening {len(pool)} forms of effects")
         signatures = self.bench.screened(current.fitted, pool)
+        if not known:
+            self.bench.beside_refit = signatures
         likely = _HOPED * almost_all
         short = shortlist([s for s in signatures if more or s.candidate.name in names or s.gain >= likely])
         if short:

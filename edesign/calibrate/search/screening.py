@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from edesign.calibrate.fit import Fitted, Model, fit
-from edesign.calibrate.problem import Candidate, PredictionError
+from edesign.calibrate.problem import Candidate, Part, PredictionError
 from edesign.calibrate.side_by_side import side_by_side
 
 _STARTS = 2  # of a form that are looked at with the slopes to all of its parameters
@@ -19,7 +19,7 @@ _FAR_LESS = 0.5  # of the size of a start
 _FAR = 1.5  # a linear step is not believed farther, in logarithmic coordinates
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Signature:
     """What a candidate, linear about one of its starts, would do.
 
@@ -213,6 +213,33 @@ def _signatures(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signatu
     known = (*model.given, *fitted.slopes, *candidates)
     signatures = side_by_side(whole.signature, candidates, model.workers, known)
     return [signature for signature in signatures if signature is not None]
+
+
+def promised(fitted: Fitted, i: int, part: Part) -> float:
+    """Reduction of chi2 that another form of the effect i could bring, linear about values at which it does the same.
+
+    Args:
+        fitted: the model.
+        i: number of the effect.
+        part: the other form, which has more parameters, with those values.
+    """
+    known, candidate = fitted.model.effects[i], part[0]
+    model = replace(fitted.model, effects=(*fitted.model.effects[:i], candidate, *fitted.model.effects[i + 1 :]))
+    x = model.coordinates(fitted.base, [*fitted.parts[:i], part, *fitted.parts[i + 1 :]])
+    first = x.size - sum(len(effect.unknowns) for effect in model.effects[i:])
+    names = {unknown.name for unknown in known.unknowns}
+    columns = []
+    here = np.concatenate(model.residuals(x))
+    for j, unknown in enumerate(candidate.unknowns):
+        if unknown.name not in names:
+            step = unknown.step(float(x[first + j]))
+            moved = x.copy()
+            moved[first + j] += step
+            columns.append((np.concatenate(model.residuals(moved)) - here) / step)
+    whole = Screen(fitted)
+    residual, free = whole.free(whole.residual), whole.free(np.column_stack(columns))
+    left = residual - free @ np.linalg.lstsq(free, residual, rcond=1e-8)[0]
+    return float(residual @ residual - left @ left)
 
 
 def screen_again(fitted: Fitted, signatures: Sequence[Signature]) -> list[Signature]:

@@ -45,7 +45,7 @@ class Workbench:
 
     Attributes:
         left: residuals of the model without effects that is the rival of all.
-        beside_declared: effects beside the law as declared.
+        beside_declared, beside_refit: effects beside the law as declared, and beside the law alone as it stands.
         rivals: models with one effect more, by the effects they share, and whether these stand beside the declared law.
         known: models fitted since the model was last fitted again.
     """
@@ -58,6 +58,7 @@ class Workbench:
         self.tell = progress
         self.left: tuple[np.ndarray, ...] = ()
         self.beside_declared: list[Signature] = []
+        self.beside_refit: list[Signature] = []
         self.rivals: dict[tuple[frozenset[str], bool], list[Judged]] = {}
         self.known: dict[Key, Judged] = {}
 

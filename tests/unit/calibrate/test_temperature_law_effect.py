@@ -53,10 +53,25 @@ def test_readings_of_one_temperature_show_no_law_of_it() -> None:
 
 
 def test_no_transition_is_sharper_than_a_thermometer_sees() -> None:
-    size = replace(sizes(), temperatures=(20.0, 23.0))
+    size = replace(sizes(), temperatures=(20.0, 23.0), levels=4)
     sharpest = next(u for u in temperature_law.Transition().unknowns(size) if u.name == "w")
     assert sharpest.lower == 1.0
     assert all(w >= 1.0 for _, _, w in temperature_law.Transition().starts(size))
+
+
+def test_three_temperatures_tell_no_width_of_a_transition() -> None:
+    # depth, middle and width are three numbers beside the force at the reference
+    degrees = {3: (20.0, 30.0, 20.4, 35.0, 30.5), 4: (20.0, 30.0, 25.0, 35.0)}
+    for number, at in degrees.items():
+        size = Sizes.of([replace(trial(motion(8), order, warm), use="fit") for order, warm in enumerate(at)])
+        assert size.levels == number
+        form = temperature_law.Transition()
+        names = [unknown.name for unknown in form.unknowns(size)]
+        assert names == ["d", "Tc", "w"][: number - 1]
+        assert {len(row) for row in form.starts(size)} == {number - 1}
+        assert form.fixed(size).get("w") == (0.25 * 15.0 if number == 3 else None)
+    validated = [replace(trial(motion(8), order, 20.0 + 2.0 * order), use="validate") for order in range(5)]
+    assert Sizes.of([replace(trial(motion(8)), use="fit"), *validated]).levels == 1
 
 
 def test_exponential_follows_the_temperature_within_a_test() -> None:
@@ -78,6 +93,9 @@ def test_wlf_and_arrhenius_by_their_formulas() -> None:
         (arrhenius, 4000.0 / 293.15**2, 1.0 / 293.15),
     ):
         close(factor(temperature_law.Wlf(), {"b": b, "c": c, "T0": 20.0}, tests), expected)
+    one = temperature_law.Arrhenius()
+    (unknown,) = one.unknowns(replace(sizes(), temperatures=(12.0, 45.0)))
+    close(factor(one, {unknown.name: 4000.0 / 293.15**2, **one.fixed(sizes())}, tests), arrhenius)
     straight = factor(temperature_law.Exponential(), {"b": 0.03, "T0": 20.0}, tests)
     close(factor(temperature_law.Wlf(), {"b": 0.03, "c": 0.0, "T0": 20.0}, tests), straight)
 
@@ -115,6 +133,8 @@ def test_shifted_law_is_the_law_on_another_clock(law: str, values: dict[str, flo
     assert list(shifted) == list(complete)
     slowing = {"b": 0.06 * (1.0 + 0.01 * 9.0), "c": 0.01, "T0": 20.0}
     assert temperature_law.ShiftWlf().law(slowing, trial(of, 0, 29.0), complete) == pytest.approx(shifted, rel=1e-12)
+    activated = {"b": 0.06 * (1.0 + 9.0 / 293.15), **temperature_law.ShiftArrhenius().fixed(sizes())}
+    assert temperature_law.ShiftArrhenius().law(activated, trial(of, 0, 29.0), complete) == pytest.approx(shifted)
     warm = CoreDamper(law, tuple(shifted.values())).force(of.time, of.displacement, of.velocity)
     cold = CoreDamper(law, tuple(complete.values())).force(of.time / a_t, of.displacement, of.velocity * a_t)
     # the core sums exponentials over absolute times for fractional derivatives: between clocks 3e-5 here

@@ -19,9 +19,13 @@ from edesign.damper.temperature import CHANGING, REFERENCE_C, at_one_rate
 
 _LEAST_SPAN = 2.0  # K: tests at one temperature tell nothing of it, and readings of one, 0.2 K off, span up to 1 K
 _SHARPEST = 1.0  # K, of a transition: no rubber has a sharper one, and readings may be off by 0.2 K
+_WIDTH = 0.25  # of the temperatures' span: of a transition whose width they do not show
+_TELL_WIDTH = 4  # temperatures at least: depth, middle and width beside a reference
 _SLOWING = -0.015, 0.024  # 1/K: from -20 to 80 degC no fall is endless
 _LEAST_GAMMA = 0.05  # of a straight line, which ends at none
 _NEAREST = 0.05  # of 1 + c w: T0 - C2, where the fall ends, comes no nearer
+_BY_ARRHENIUS = {"c": 1.0 / (REFERENCE_C + 273.15)}  # E/R (1/T - 1/T0) = -b w/(1 + w/T0)
+_ARRHENIUS = "Ward & Sweeney (2013), Mechanical Properties of Solid Polymers, chapter 7: activated processes"
 
 
 class _Temperature(Form):
@@ -59,9 +63,7 @@ class Exponential(_Temperature):
 
 
 class Wlf(_Temperature):
-    """The fall slows down with warmth: F = exp(-b w/(1 + c w)) F_law, w = T - T0. WLF with c = 1/C2, Arrhenius with c =
-    1/T0, both exactly.
-    """
+    """The fall slows down with warmth: F = exp(-b w/(1 + c w)) F_law, w = T - T0; c = 1/C2."""
 
     may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "wlf"
@@ -78,6 +80,23 @@ class Wlf(_Temperature):
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         return np.asarray(np.exp(-_fall(p, trial.temperature)))
+
+
+class Arrhenius(Wlf):
+    """The same by an activation energy E: b = E/(R T0^2) and c = 1/T0 with T0 in kelvin, one number."""
+
+    form: ClassVar[str] = "arrhenius"
+    title: ClassVar[str] = "softening with temperature by Arrhenius"
+    source: ClassVar[str] = _ARRHENIUS
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {**super().fixed(sizes), **_BY_ARRHENIUS}
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return _Temperature.unknowns(self, sizes)
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return _Temperature.starts(self, sizes)
 
 
 class Shift(_Temperature):
@@ -113,6 +132,17 @@ class ShiftWlf(Shift):
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((b, c) for (b,) in super().starts(sizes) for c in (0.0, 0.01))
+
+
+class ShiftArrhenius(Shift):
+    """As `shift`, with an activation energy: a_T = exp(E/R (1/T - 1/T0)), absolute temperatures."""
+
+    form: ClassVar[str] = "shift_arrhenius"
+    title: ClassVar[str] = "relaxation that speeds up with temperature by Arrhenius"
+    source: ClassVar[str] = _ARRHENIUS
+
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        return {**super().fixed(sizes), **_BY_ARRHENIUS}
 
 
 class ShiftOfForces(ShiftWlf):
@@ -173,7 +203,9 @@ class GammaLine(Gamma):
 
 
 class Transition(_Temperature):
-    """The fall over a transition: F = (1 - d (S(T) - S(T0))) F_law, S(T) = 1/(1 + exp(-(T - Tc)/w))."""
+    """The fall over a transition: F = (1 - d (S(T) - S(T0))) F_law, S(T) = 1/(1 + exp(-(T - Tc)/w)); w is given where
+    fewer than four temperatures are fitted to.
+    """
 
     may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "transition"
@@ -183,22 +215,31 @@ class Transition(_Temperature):
         "Mahieux & Reifsnider (2001), Polymer 42, 3281-3291 (modulus over transitions), with a logistic step"
     )
 
+    def fixed(self, sizes: Sizes) -> dict[str, float]:
+        own = super().fixed(sizes)
+        if _tells_width(sizes):
+            return own
+        low, high = sizes.temperatures
+        return {**own, "w": max(_WIDTH * (high - low), _SHARPEST)}
+
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         low, high = sizes.temperatures
         if not _shown(sizes):
             return ()
         span = high - low
-        return (
-            Unknown("d", "", -5.0, 5.0, 0.3),
-            Unknown("Tc", "degC", low - 2.0 * span, high + 2.0 * span, span),
-            Unknown("w", "K", _SHARPEST, 3.0 * span, 0.2 * span, logarithmic=True),
-        )
+        step = (Unknown("d", "", -5.0, 5.0, 0.3), Unknown("Tc", "degC", low - 2.0 * span, high + 2.0 * span, span))
+        width = Unknown("w", "K", _SHARPEST, 3.0 * span, 0.2 * span, logarithmic=True)
+        return (*step, width) if _tells_width(sizes) else step
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         low, high = sizes.temperatures
         span = high - low
-        rows = ((0.1, low + at * span, max(w * span, _SHARPEST)) for at in (0.1, 0.35, 0.6, 0.85) for w in (0.1, 0.25))
-        return tuple(rows) if _shown(sizes) else ()
+        middles = [low + at * span for at in (0.1, 0.35, 0.6, 0.85)]
+        if not _shown(sizes):
+            return ()
+        if not _tells_width(sizes):
+            return tuple((0.1, middle) for middle in middles)
+        return tuple((0.1, middle, max(w * span, _SHARPEST)) for middle in middles for w in (0.1, 0.25))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
         passed = expit((trial.temperature - p["Tc"]) / p["w"]) - expit((p["T0"] - p["Tc"]) / p["w"])
@@ -213,7 +254,10 @@ def _in_place(form: _Temperature) -> Form:
 
 def forms_of(sizes: Sizes) -> tuple[Form, ...]:
     """Forms in the place of gamma_T."""
-    return tuple(_in_place(form()) for form in (Exponential, Wlf, Transition, Shift, ShiftWlf, ShiftOfForces))
+    return tuple(
+        _in_place(form())
+        for form in (Exponential, Arrhenius, Wlf, Transition, Shift, ShiftArrhenius, ShiftWlf, ShiftOfForces)
+    )
 
 
 def _fall(p: Values, temperature: np.ndarray | np.floating[Any]) -> np.ndarray:
@@ -231,10 +275,26 @@ def _shown(sizes: Sizes) -> bool:
     return high - low >= _LEAST_SPAN
 
 
+def _tells_width(sizes: Sizes) -> bool:
+    return sizes.levels >= _TELL_WIDTH
+
+
 def _parameters(values: Values) -> tuple[Parameter, ...]:
     """Parameters with units of the law that has these names; where two laws have them, units are the same."""
     every = (law.all_parameters(values) for law in LAWS.values())
     return next(own for own in every if {parameter.name for parameter in own} == set(values))
 
 
-FORMS = (Exponential, Wlf, Transition, Shift, ShiftWlf, ShiftOfForces, Gamma, GammaWlf, GammaLine)
+FORMS = (
+    Exponential,
+    Arrhenius,
+    Wlf,
+    Transition,
+    Shift,
+    ShiftArrhenius,
+    ShiftWlf,
+    ShiftOfForces,
+    Gamma,
+    GammaWlf,
+    GammaLine,
+)
