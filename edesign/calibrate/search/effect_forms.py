@@ -21,7 +21,8 @@ _FORMS, _FORMS_HELD, _FORMS_SLOW = 5, 10, 3
 """Forms of an effect that are compared once it is a likely one: usually, with the law held, and beside slow or several
 effects.
 """
-_PROMISING = 0.1  # of what is left over noise: by a linear estimate, of a finer form that is fitted
+_PROMISING, _AS_MUCH = 0.1, 0.5
+"""Of what is left over noise, and of what the best one removes: a finer form that is fitted, by a linear estimate."""
 
 
 class EffectForms:
@@ -34,6 +35,7 @@ class EffectForms:
     def __init__(self, bench: Workbench) -> None:
         self.bench = bench
         self.compared: set[tuple[str, Key]] = set()  # effects whose forms were, beside which model
+        self.finest: Judged | None = None  # the last model in which a finer form was sought
 
     def placed(self, final: Judged) -> Judged:
         """Each effect in the form that does least wrong to tests that are not fitted to, of those that do the same to
@@ -116,7 +118,7 @@ class EffectForms:
         been: set[str] = set()
         while not best.all_noise and (label := best.fitted.model.effects[i].label) not in been:
             been.add(label)
-            best = self._in_finer_form(best, i)
+            best = self.finest = self._in_finer_form(best, i)
         return best
 
     def _near_forms(self, current: Judged) -> list[Judged]:
@@ -146,7 +148,7 @@ class EffectForms:
         parts = current.fitted.parts
         i %= len(parts)
         self.bench.tell(f"finer forms of {parts[i][0].name}")
-        finer = [part for part in self.bench.problem.finer(parts[i]) if self._promising(current, i, part)]
+        finer = _promising(current, i, self.bench.problem.finer(parts[i]))
         if not finer:
             return current
         best = simplest([current, *self.bench.with_parts(current, i, finer)])
@@ -156,14 +158,6 @@ class EffectForms:
         known = best.fitted.parts[i]
         coarser = [part for effect, _ in (parts[i], *finer) if (part := begun_at(effect, known)) is not None]
         return simplest([best, *self.bench.with_parts(best, i, coarser)])
-
-    @staticmethod
-    def _promising(current: Judged, i: int, part: Part) -> bool:
-        fitted = current.fitted
-        try:
-            return promised(fitted, i, part) >= _PROMISING * (fitted.chi2 - fitted.samples)
-        except PredictionError:
-            return False
 
     def other_forms(self, current: Judged, effect: Candidate, most: float = math.inf) -> list[Judged]:
         """Models with another form of an effect; which are likely is seen beside the law as the model has it.
@@ -185,3 +179,16 @@ class EffectForms:
         signatures = self.bench.screened(without, pool)
         wider = [found for s in signatures if (found := begun_from(fitted, effect, s))][:number]
         return self.bench.fit_best([*likely_forms(signatures, number), *wider], min(most, FAR_BEHIND * fitted.chi2))
+
+
+def _promising(current: Judged, i: int, parts: Sequence[Part]) -> list[Part]:
+    """Finer forms of the effect i that by a linear estimate remove a good share of what is left, as much as others."""
+    excess = current.fitted.chi2 - current.fitted.samples
+    gains = []
+    for part in parts:
+        try:
+            gains.append(promised(current.fitted, i, part))
+        except PredictionError:
+            gains.append(-math.inf)
+    least = max(_PROMISING * excess, _AS_MUCH * max(gains, default=0.0))
+    return [part for part, gain in zip(parts, gains, strict=True) if gain >= least]

@@ -57,7 +57,8 @@ class LookAhead:
         """
         likely: dict[tuple[str, ...], Judged] = {}
         for pair in sorted(self._fitted(best, self._left(best, held, self.bench.beside_declared)), key=_chi2):
-            likely.setdefault(pair.names, pair)
+            if pair.fitted.chi2 <= rival.fitted.chi2:
+                likely.setdefault(pair.names, pair)
         found = [pair if pair.at_floor else self.bench.freed(pair) for pair in [*likely.values()][:_FREED]]
         enough = [pair for pair in found if rival.fitted.chi2 > HOPELESS * pair.fitted.chi2]
         return simplest(enough) if enough else None

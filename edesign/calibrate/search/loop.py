@@ -38,6 +38,7 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 much together with another one.
 """
 _LITTLE = 20.0  # times noise: what an effect beside the declared law leaves where that law may be right
+_FAR_ABOVE = 20.0  # times noise: what leaves more is hardly the effect in another form
 _TELLING = 0.15  # of the time once more, in which effects are told apart from others
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 
@@ -129,6 +130,8 @@ class Loop:
         self.allowance.renew()
         best = rival if self.standing is None else self.standing
         tried = [*self.bench.known.values(), *(one for models in self.bench.rivals.values() for one in models)]
+        if self.forms.finest is not None:
+            tried.append(self.bench.in_doubt(self.forms.finest))
         return simplest([judged for judged in tried if compare(judged, best).adopts] or [best])
 
     def _search(self, declared: Judged, refit: Judged, rival: Judged) -> tuple[Judged, Refused]:
@@ -199,6 +202,11 @@ class Loop:
             pair = self.ahead.beside_declared(best, held, freed)
             if pair is not None:
                 return pair, (), None
+        early = None
+        if freed.fitted.reduced > _FAR_ABOVE:
+            early = one, refused = self.rounds.one_more(refit, rival, held)
+            if one is not None and BEHIND * one.fitted.chi2 <= freed.fitted.chi2:
+                return one, refused, None
         alone = self.forms.finer(freed)
         if alone.at_floor:
             if alone.fitted.model.held and compare(alone, rival).adopts:
@@ -207,7 +215,7 @@ class Loop:
                 two = self.declared.two(best, refit, freed)
                 if two is not None and two.at_floor and two.fitted.model.held:
                     return two, (), None
-            return *self.rounds.one_more(refit, rival, [*held, alone]), None
+            return *self._beside_refit(refit, rival, [*held, alone], early), None
         two = self.declared.two(best, refit, freed)
         if two is not None and not more_than_misses(alone, self.bench.left):
             two = self.bench.freed(two)
@@ -215,9 +223,19 @@ class Loop:
         if two is not None and two.at_floor:
             return two, (), None
         if two is None or not two.fitted.model.held:  # beside a law fitted again all effects are to be tried
-            return *self.rounds.one_more(refit, rival, [*held, alone]), None
-        one, refused = self.rounds.one_more(refit, rival, held)  # or one beside the law fitted again
+            return *self._beside_refit(refit, rival, [*held, alone], early), None
+        one, refused = self._beside_refit(refit, rival, held, early)  # or one beside the law fitted again
         return two if one is None else simplest([two, one]), refused, None
+
+    def _beside_refit(
+        self, refit: Judged, rival: Judged, further: Sequence[Judged], early: tuple[Judged | None, Refused] | None
+    ) -> tuple[Judged | None, Refused]:
+        """One effect more beside the law fitted again, or what was found so before, and models fitted since."""
+        if early is None:
+            return self.rounds.one_more(refit, rival, further)
+        found, refused = early
+        models = [judged for judged in (found, *further) if judged is not None and compare(judged, rival).adopts]
+        return simplest(models) if models else None, refused
 
     def _freed_best(self, held: Sequence[Judged]) -> tuple[Judged, Judged]:
         """The best model with one effect beside the law as declared, and that with the law fitted; another one that

@@ -216,30 +216,31 @@ def _signatures(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signatu
 
 
 def promised(fitted: Fitted, i: int, part: Part) -> float:
-    """Reduction of chi2 that another form of the effect i could bring, linear about values at which it does the same.
+    """Reduction of chi2 that another form in the place of the effect i could bring, linear about given values.
 
     Args:
         fitted: the model.
         i: number of the effect.
-        part: the other form, which has more parameters, with those values.
+        part: the other form with its values.
+
+    Raises:
+        PredictionError: it cannot be predicted there.
     """
-    known, candidate = fitted.model.effects[i], part[0]
-    model = replace(fitted.model, effects=(*fitted.model.effects[:i], candidate, *fitted.model.effects[i + 1 :]))
+    effects = list(fitted.model.effects)
+    effects[i] = part[0]
+    model = replace(fitted.model, effects=tuple(effects))
     x = model.coordinates(fitted.base, [*fitted.parts[:i], part, *fitted.parts[i + 1 :]])
-    first = x.size - sum(len(effect.unknowns) for effect in model.effects[i:])
-    names = {unknown.name for unknown in known.unknowns}
-    columns = []
+    first = x.size - sum(len(effect.unknowns) for effect in effects[i:])
     here = np.concatenate(model.residuals(x))
-    for j, unknown in enumerate(candidate.unknowns):
-        if unknown.name not in names:
-            step = unknown.step(float(x[first + j]))
-            moved = x.copy()
-            moved[first + j] += step
-            columns.append((np.concatenate(model.residuals(moved)) - here) / step)
+    columns = np.empty((here.size, len(part[0].unknowns)))
+    for j, unknown in enumerate(part[0].unknowns):
+        moved = x.copy()
+        moved[first + j] += unknown.step(float(x[first + j]))
+        columns[:, j] = np.concatenate(model.residuals(moved)) - here
     whole = Screen(fitted)
-    residual, free = whole.free(whole.residual), whole.free(np.column_stack(columns))
+    residual, free = whole.free(here), whole.free(columns)
     left = residual - free @ np.linalg.lstsq(free, residual, rcond=1e-8)[0]
-    return float(residual @ residual - left @ left)
+    return fitted.chi2 - float(left @ left)
 
 
 def screen_again(fitted: Fitted, signatures: Sequence[Signature]) -> list[Signature]:

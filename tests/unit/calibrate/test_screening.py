@@ -15,7 +15,7 @@ from edesign.calibrate.search import workbench
 from edesign.calibrate.search.contest import likely_forms, shortlist
 from edesign.calibrate.search.loop import Loop
 from edesign.calibrate.search.pairs import joint_gains, likely_pairs
-from edesign.calibrate.search.screening import Screen, Signature, screen, screen_again
+from edesign.calibrate.search.screening import Screen, Signature, promised, screen, screen_again
 
 
 def test_screening_tells_what_a_fit_would_gain() -> None:
@@ -105,3 +105,16 @@ def test_what_could_explain_little_beside_an_effect_is_not_screened_again(monkey
     some = {s.candidate.name: s.gain for s in bench.screened(one, pool)}
     assert asked == [1] and max(some, key=lambda name: some[name]) == "y"
     assert some == pytest.approx(every, rel=1e-3, abs=1e-3 * max(every.values()))  # all is linear here
+
+
+def test_another_form_promises_what_its_fit_gains() -> None:
+    problem = linear(seed=18, hidden={"x": 2.0})
+    problem.columns = {"x.part": problem.columns["y"], "x.whole": problem.columns["x"]}
+    current = of_labels(problem, "x.part")
+    (whole,) = (c for c in problem.candidates([]) if c.label == "x.whole")
+    other = of_labels(problem, "x.whole")
+    gain = promised(current.fitted, 0, (whole, np.array([0.3])))
+    # beside what the part does: its own column stays free, one number of 1000
+    assert gain == pytest.approx(current.fitted.chi2 - other.fitted.chi2, rel=0.01)
+    # the declared law's pull is in the fit, not in the estimate
+    assert promised(current.fitted, 0, current.fitted.parts[0]) == pytest.approx(0.0, abs=1e-4 * current.fitted.chi2)

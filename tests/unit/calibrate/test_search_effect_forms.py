@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +11,7 @@ from linear_problem import linear, model_of, of_labels
 
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import fit
-from edesign.calibrate.problem import Candidate, Use
+from edesign.calibrate.problem import Candidate, Part, Use
 from edesign.calibrate.search.begun import begun_at, begun_from
 from edesign.calibrate.search.loop import Loop
 from edesign.calibrate.search.screening import Signature
@@ -132,3 +133,31 @@ def test_a_form_that_the_fitted_tests_cannot_place_is_placed_by_the_others() -> 
         # what is adopted is what the model has, with the value of the fitted tests: 5 to 1 / sqrt(400)
         assert found.final.fitted.model.effects == (found.adopted[0].candidate,)
         assert found.adopted[0].values[0] == pytest.approx(5.0, abs=4.0 / 20.0)
+
+
+@pytest.mark.parametrize(("share", "fitted"), [(0.05, []), (0.2, ["z.fine"])])
+def test_finer_forms_are_fitted_where_they_promise_a_tenth(
+    share: float, fitted: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # the finer form does what the other one does and a share, in power, of what that one leaves
+    problem = linear(seed=6, hidden={"x": 20.0, "y": 20.0})
+    more = np.sqrt(share)
+    problem.columns = {
+        "z.coarse": problem.columns["x"],
+        "z.fine": [
+            x + more**2 * y + more * np.sqrt(1.0 - more**2) * other
+            for x, y, other in zip(problem.columns["x"], problem.columns["y"], problem.columns["z"], strict=True)
+        ],
+    }
+    problem.fine = ("z.fine",)
+    coarse = of_labels(problem, "z.coarse")
+    loop, tried = Loop(problem, (1.0,) * 6, workers=1), []
+    known = loop.bench.with_parts
+
+    def with_parts(current: Judged, i: int, others: Sequence[Part]) -> list[Judged]:
+        tried.extend(candidate.label for candidate, _ in others)
+        return known(current, i, others)
+
+    monkeypatch.setattr(loop.bench, "with_parts", with_parts)
+    loop.forms.as_fine_as_needed(coarse, 0)
+    assert tried[:1] == fitted
