@@ -33,6 +33,7 @@ ENDED = {
 
 _TOLD = 2  # parameters of an effect in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
+_NEAR = 1.0  # K between temperatures that are the same
 
 
 def tables_of(calibration: Calibration) -> list[Table]:
@@ -180,6 +181,7 @@ def _doubts(calibration: Calibration) -> list[str]:
         texts.append(
             f"Of the error of the refitted {model} above noise {share} % is left: {calibration.unexplained_shape}"
         )
+        texts += _reaches(calibration)
     for effect in calibration.effects:
         if effect.indistinguishable_from:
             alike = " or ".join(effect_name(name) for name in effect.indistinguishable_from)
@@ -188,3 +190,34 @@ def _doubts(calibration: Calibration) -> list[str]:
         names = " from ".join(effect_name(name) for name in calibration.next_test.separates)
         texts.append(f"To tell {names}: {calibration.next_test.text}.")
     return texts
+
+
+def _reaches(calibration: Calibration) -> list[str]:
+    """What the corrected model says wrongly about tests that it was not fitted to."""
+    texts, model = [], MODELS[calibration.subject]
+    refit, corrected = calibration.errors["refit"], calibration.errors["corrected"]
+    if corrected.validate > _CHANGED * refit.validate:
+        texts.append(
+            f"The corrected {model} predicts the validation tests worse ({percent(corrected.validate)} %) than the "
+            f"{model} alone fitted again ({percent(refit.validate)} %): its effects hold in the tests fitted to alone."
+        )
+    beyond = _at_other_temperatures(calibration)
+    if beyond:
+        texts.append(
+            f"No test fitted to is within {_NEAR:g} K of {', '.join(beyond)}: what the law does there is read from "
+            "other temperatures."
+        )
+    return texts
+
+
+def _at_other_temperatures(calibration: Calibration) -> list[str]:
+    """Validation tests at temperatures that no fitted one has."""
+    if calibration.subject == "structure":
+        return []
+    degrees = {one.of_test: (one.use, float(np.mean(one.temperature))) for one in calibration.tests}
+    fitted = [warm for use, warm in degrees.values() if use == "fit"]
+    return [
+        f"{name} ({warm:.3g} degC)"
+        for name, (use, warm) in degrees.items()
+        if use == "validate" and all(abs(warm - other) >= _NEAR for other in fitted)
+    ]

@@ -38,7 +38,6 @@ _ABOUT, _PERHAPS = 1.5, 6.0
 much together with another one.
 """
 _LITTLE = 20.0  # times noise: what an effect beside the declared law leaves where that law may be right
-_FAR_ABOVE = 20.0  # times noise: what leaves more is hardly the effect in another form
 _TELLING = 0.15  # of the time once more, in which effects are told apart from others
 _ALIKE = 0.8  # an effect that removes less than this share of what another removes is no look-alike of it
 
@@ -198,12 +197,12 @@ class Loop:
             return *self.rounds.one_more(refit, rival, held), best if perhaps else None
         held = [*held, *self.forms.other_forms(best, best.fitted.model.effects[0])]
         best, freed = self._freed_best(held)
+        early = None
         if not freed.at_floor:
             pair = self.ahead.beside_declared(best, held, freed)
             if pair is not None:
                 return pair, (), None
-        early = None
-        if freed.fitted.reduced > _FAR_ABOVE:
+        if not freed.at_floor and not freed.fitted.model.held:  # another effect may be the one, if the law is not right
             early = one, refused = self.rounds.one_more(refit, rival, held)
             if one is not None and BEHIND * one.fitted.chi2 <= freed.fitted.chi2:
                 return one, refused, None

@@ -111,7 +111,10 @@ class Workbench:
             return current
         free = replace(model, held=False)
         found = Judged(fit(free, free.coordinates(None, current.fitted.parts)))
-        return found if compare(found, current).beyond_chance else current
+        if not compare(found, current).beyond_chance:
+            return current
+        self.known[key_of(found.fitted.model)] = found
+        return found
 
     def freed_if_half(self, current: Judged) -> Judged:
         """With the parameters of the law fitted, if that leaves half at most: what else is missing may make it no

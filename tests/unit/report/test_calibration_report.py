@@ -179,6 +179,19 @@ def test_the_verdict_on_the_unexplained_tells_what_is_left() -> None:
     assert "100 % is left: 0.0091 % of the squared force is left" in text
 
 
+def test_the_verdict_tells_where_the_correction_does_not_reach() -> None:
+    found = example.unexplained()
+    reaches = verdict_text(found)
+    assert "worse" not in reaches and "degC" not in reaches
+    refit = found.errors["refit"]
+    errors = {**found.errors, "corrected": replace(refit, validate=3.0 * refit.validate)}
+    warm = [replace(one, temperature=one.temperature + 4.0) if one.use == "validate" else one for one in found.series]
+    text = verdict_text(replace(found, errors=errors, series=tuple(warm)))
+    assert "predicts the validation tests worse (0.0400 %) than the law alone fitted again (0.0133 %)" in text
+    (name,) = [one.of_test for one in found.series if one.use == "validate"]
+    assert f"No test fitted to is within 1 K of {name} (24 degC): what the law does there" in text
+
+
 def test_the_gain_shows_as_a_slope_over_displacement_and_is_gone_after() -> None:
     view = View(example.calibration())
     stages = next(one for one in telling_dependences(view) if one["declared"].driver == "displacement")
