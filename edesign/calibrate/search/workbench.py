@@ -26,6 +26,8 @@ _SCREENED = 24
 """Forms that are screened beside a model with effects, of those that were beside the declared law."""
 FAR_BEHIND, HOPELESS = 60.0, 20.0
 """Times what a model leaves, beyond which others after a rough fit are no rivals, and smaller ones never suffice."""
+_BARE_MENTION = 2.0
+"""BIC up to which evidence is "not worth more than a bare mention" (Kass & Raftery 1995, JASA 90, 773-795)."""
 NONE: frozenset[str] = frozenset()
 """Labels of no effects."""
 
@@ -195,5 +197,5 @@ def labels_of(effects: Sequence[Candidate]) -> frozenset[str]:
 
 
 def worse(model: Judged, rival: Judged) -> bool:
-    """Whether a simpler model leaves more than a rival by more than chance."""
-    return compare(rival, model).bic > 0.0
+    """Whether a simpler model leaves more than a rival by more than chance, so that it is worth a mention."""
+    return compare(rival, model).bic > _BARE_MENTION
