@@ -9,10 +9,12 @@ import pytest
 from linear_problem import LinearProblem, linear, model_of, of_labels
 
 from edesign.calibrate.evidence import Judged
-from edesign.calibrate.fit import fit
+from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.problem import Candidate
 from edesign.calibrate.search.loop import Loop
 from edesign.calibrate.search.screening import screen
 from edesign.calibrate.search.workbench import NONE
+from edesign.calibrate.unknown import Unknown
 
 SIZE = 30.0  # of x and y, in units of noise
 
@@ -36,7 +38,8 @@ def test_two_effects_are_found_behind_a_third_that_does_more_alone(held: bool) -
     problem.declared = np.array([1.1, 0.8, 1.3]) if held else problem.declared
     model = replace(model_of(problem), held=held)
     bare = Judged(fit(model, model.coordinates()))
-    alone = [Judged(fit(one.fitted.model, one.fitted.x)) for one in (_with(bare, name) for name in "zxy")]
+    by_name = {c.name: c for c in problem.candidates([])}
+    alone = [_with(model, by_name[name]) for name in "zxy"]
     best = min(alone, key=lambda judged: judged.fitted.chi2)
     assert best.names == ("z",) and best.fitted.reduced == pytest.approx(2.0 / 3.0 * SIZE**2, rel=0.1)
     loop = Loop(problem, (1.0,) * 6, workers=1)
@@ -60,6 +63,27 @@ def test_nothing_is_looked_for_ahead_where_the_best_effect_promises_the_floor() 
     assert loop.ahead.two(of_labels(problem, "x.only", "y.only")) is None  # nor beside two
 
 
+def test_a_plainer_form_is_tried_beside_others_where_a_finer_one_has_taken_what_is_theirs() -> None:
+    # the finer form, of two parameters, is the plainer one with most of y: alone the plainer one leaves SIZE^2, and the
+    # finer one a fiftieth of that
+    problem = linear(seed=3, hidden={"x": SIZE, "y": SIZE})
+    random = np.random.default_rng(4)
+    x, y = problem.columns["x"], problem.columns["y"]
+    fine = [a + b + 0.2 * random.standard_normal(200) for a, b in zip(x, y, strict=True)]
+    problem.columns = {"z.plain": x, "z.fine": fine, "y": y}
+    by_label = {c.label: c for c in problem.candidates([])}
+    more = (*by_label["z.fine"].unknowns, Unknown("c", "", -1.0, 1.0, 1.0))
+    two = replace(by_label["z.fine"], unknowns=more, starts=((0.1, 0.1),))
+    plain, current = (_with(model_of(problem), effect) for effect in (by_label["z.plain"], two))
+    assert 5.0 < current.fitted.reduced < plain.fitted.reduced / 20.0
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    loop.bench.rivals[NONE, False] = [current, plain]
+    loop.bench.beside_refit = screen(plain.fitted, [by_label["y.only"]])
+    found = loop.ahead.two(current)
+    assert found is not None and found.at_floor
+    assert found.labels == {"z.plain", "y.only"}
+
+
 @pytest.mark.parametrize("off", [0.0, 0.5])
 def test_two_effects_beside_the_law_as_declared_or_fitted_again(off: float) -> None:
     # the law alone can do nothing of x and y; where it is not as declared it is fitted beside them
@@ -74,8 +98,6 @@ def test_two_effects_beside_the_law_as_declared_or_fitted_again(off: float) -> N
         assert adopted.values[0] == pytest.approx(SIZE, abs=4.0 / np.sqrt(1000.0))
 
 
-def _with(bare: Judged, name: str) -> Judged:
-    model = bare.fitted.model
-    (candidate,) = (c for c in model.problem.candidates([]) if c.name == name)
-    model = replace(model, effects=(candidate,))
-    return Judged(fit(model, model.coordinates()))
+def _with(model: Model, effect: Candidate) -> Judged:
+    one = replace(model, effects=(effect,))
+    return Judged(fit(one, one.coordinates()))
