@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.search.begun import may_join
 from edesign.calibrate.search.contest import BEHIND, shortlist
+from edesign.calibrate.search.misses import matters
 from edesign.calibrate.search.screening import Signature, screen, screen_again
 from edesign.calibrate.search.workbench import HOPELESS, NONE, Workbench
 from edesign.calibrate.side_by_side import side_by_side
@@ -52,11 +53,9 @@ class LookAhead:
                 }
             )
         plainer = [one for one in rivals if one.names[0] == first.name and _size(one) < _size(current)]
-        if plainer:
-            likely += _seconds(min(plainer, key=lambda one: (_size(one), _chi2(one))), known)[
-                : _PLAIN[fitted.model.held]
-            ]
-        clear = self._fitted(current, likely)
+        for plainest in sorted(plainer, key=lambda one: (_size(one), _chi2(one)))[:1]:
+            likely += _seconds(plainest, known)[: _PLAIN[fitted.model.held]]
+        clear = [pair for pair in self._fitted(current, likely) if matters(pair, current, self.bench.left)]
         return simplest(clear) if clear else None
 
     def beside_declared(self, best: Judged, held: Sequence[Judged], rival: Judged) -> Judged | None:

@@ -44,7 +44,7 @@ def test_two_effects_are_found_behind_a_third_that_does_more_alone(held: bool) -
     assert best.names == ("z",) and best.fitted.reduced == pytest.approx(2.0 / 3.0 * SIZE**2, rel=0.1)
     loop = Loop(problem, (1.0,) * 6, workers=1)
     loop.bench.rivals[NONE, held] = alone
-    loop.bench.beside_refit = screen(bare.fitted, problem.candidates([]))
+    loop.bench.beside_refit, loop.bench.left = screen(bare.fitted, problem.candidates([])), bare.fitted.residuals
     found = loop.ahead.two(best)
     assert found is not None and found.names == ("x", "y")
     assert found.at_floor and found.fitted.model.held == held
@@ -78,7 +78,7 @@ def test_a_plainer_form_is_tried_beside_others_where_a_finer_one_has_taken_what_
     assert 5.0 < current.fitted.reduced < plain.fitted.reduced / 20.0
     loop = Loop(problem, (1.0,) * 6, workers=1)
     loop.bench.rivals[NONE, False] = [current, plain]
-    loop.bench.beside_refit = screen(plain.fitted, [by_label["y.only"]])
+    loop.bench.beside_refit, loop.bench.left = screen(plain.fitted, [by_label["y.only"]]), plain.fitted.residuals
     found = loop.ahead.two(current)
     assert found is not None and found.at_floor
     assert found.labels == {"z.plain", "y.only"}
