@@ -19,6 +19,8 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("degradation", "energy"): {"d": 0.25, "E0": 300.0},
     ("self_heating", "rate"): {"beta": 3e-4, "tau_h": 20.0},
     ("temperature_law", "exponential"): {"b": 0.02, "T0": 20.0},
+    ("temperature_law", "wlf"): {"b": 0.03, "c": 0.01, "T0": 20.0},
+    ("temperature_law", "transition"): {"d": 0.3, "Tc": 28.0, "w": 4.0, "T0": 20.0},
     ("ageing", "linear"): {"rate": -0.01, "n": 7.0},
     ("hardening", "power"): {"k": 1.2e6, "p": 3.5, "r": 6e-3},
     ("hardening", "threshold"): {"k": 3e6, "u0": 3.3e-3},
@@ -112,6 +114,14 @@ def _beside(
                 beside += p["k"] * np.exp(-path / p["s0"]) * u
             case "temperature_law.exponential":
                 phi *= 1.0 if temperature_C is None else exp(-p["b"] * (temperature_C - p["T0"]))
+            case "temperature_law.wlf":
+                w = 0.0 if temperature_C is None else temperature_C - p["T0"]
+                phi *= exp(-p["b"] * w / (1.0 + p["c"] * w))
+            case "temperature_law.transition":
+                at = [
+                    1.0 / (1.0 + exp(-(degrees - p["Tc"]) / p["w"])) for degrees in (temperature_C or p["T0"], p["T0"])
+                ]
+                phi *= 1.0 - p["d"] * (at[0] - at[1])
             case "ageing.linear":
                 phi *= 1.0 + p["rate"] * p["n"]
             case "ageing.logarithmic":

@@ -76,6 +76,7 @@ _RECOVERY = Parameter(
 _SIDE = Parameter(
     "side", "1: where the deformation is positive; -1: where it is negative", "", -1.0, 1.0, True, fitted=False
 )
+_T0 = Parameter("T0", "temperature at which phi is 1", "degC", _ANY, fitted=False)
 
 
 def _kinds() -> tuple[AmendmentKind, ...]:
@@ -203,9 +204,33 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             "phi = exp(-b (T - T0))",
             "exponential softening in a small range of temperatures; Ferry (1980), Viscoelastic Properties of Polymers",
             (),
+            more=(_any("b", "softening per temperature", "1/K"), _T0),
+            constant=True,
+        ),
+        kind(
+            "temperature_law.wlf",
+            "change with temperature at a changing rate",
+            "phi = exp(-b w/(1 + c w)), w = T - T0",
+            "Williams, Landel and Ferry (1955), J. Am. Chem. Soc. 77, 3701-3707; c = 1/T0 in kelvin: Arrhenius",
+            (),
             more=(
-                _any("b", "softening per temperature", "1/K"),
-                Parameter("T0", "temperature at which phi is 1", "degC", _ANY, fitted=False),
+                _any("b", "softening per temperature, at T0", "1/K"),
+                _any("c", "how that falls with warmth: 1/C2 of WLF", "1/K"),
+                _T0,
+            ),
+            constant=True,
+        ),
+        kind(
+            "temperature_law.transition",
+            "change with temperature across a transition",
+            "phi = 1 - d (S(T) - S(T0)), S(T) = 1/(1 + exp(-(T - Tc)/w))",
+            "Mahieux and Reifsnider (2001), Polymer 42, 3281-3291, with a logistic step",
+            (),
+            more=(
+                _any("d", "share of the force that goes across the transition", ""),
+                _any("Tc", "its middle", "degC"),
+                _positive("w", "its width", "K"),
+                _T0,
             ),
             constant=True,
         ),

@@ -9,6 +9,8 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
+from scipy.special import expit
+
 from edesign.core import AmendmentValues
 from edesign.damper.amendment_kinds import AMENDMENTS, AmendmentKind, amendment_kind
 from edesign.damper.law import Law
@@ -54,14 +56,30 @@ class Amendment:
 
     def _factor(self, temperature_C: float | None) -> float:
         if self.name == "temperature_law":
-            warmer = 0.0 if temperature_C is None else temperature_C - self.values["T0"]
-            return math.exp(-self.values["b"] * warmer)
+            return self._of_temperature(self.values["T0"] if temperature_C is None else temperature_C)
         n = self.values["n"]
         age, text = (math.log1p(n), "ln(1 + n)") if self.form == "logarithmic" else (n, "n")
         factor = 1.0 + self.values["rate"] * age
         if not factor > 0.0:
             raise InputError(f"effect {self.kind.name}: 1 + rate {text} = {factor:g} must be greater than 0")
         return factor
+
+    def _of_temperature(self, degrees: float) -> float:
+        p, warmer = self.values, degrees - self.values["T0"]
+        if self.form == "transition":
+            passed = expit((degrees - p["Tc"]) / p["w"]) - expit((p["T0"] - p["Tc"]) / p["w"])
+            factor = 1.0 - p["d"] * float(passed)
+            if not factor > 0.0:
+                raise InputError(
+                    f"effect {self.kind.name}: no force is left at {degrees:g} degC, its factor is {factor:.3g}"
+                )
+            return factor
+        slowed = 1.0 + p.get("c", 0.0) * warmer
+        if not slowed > 0.0:
+            raise InputError(
+                f"effect {self.kind.name}: 1 + c (T - T0) = {slowed:.3g} at {degrees:g} degC must be greater than 0"
+            )
+        return math.exp(-p["b"] * warmer / slowed)
 
 
 def parameters_at(

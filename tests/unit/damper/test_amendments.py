@@ -188,6 +188,51 @@ def test_a_temperature_is_that_of_the_dampers(tmp_path):
     assert warm.for_core.amendments[0].values == pytest.approx((np.exp(-0.3),))
 
 
+def test_arrhenius_is_a_wlf_whose_rate_falls_with_the_absolute_temperature(tmp_path):
+    # E/R = 3000 K about 20 degC: b = E/(R T0^2), c = 1/T0
+    numbers = f"{{b: {3000.0 / 293.15**2:.12g} 1/K, c: {1.0 / 293.15:.12g} 1/K, T0: 20 degC}}"
+    effect = f"effects: [{{name: temperature_law, form: wlf, parameters: {numbers}}}]\n"
+    described = read_law_file(
+        law_file(tmp_path, "type: kelvin_voigt\nparameters: {k: 3 kN/mm, c: 0.2 kN*s/mm}\n" + effect)
+    )
+    for degrees in (5.0, 20.0, 35.0):
+        expected = np.exp(3000.0 * (1.0 / (273.15 + degrees) - 1.0 / 293.15))
+        assert resolve(*described, degrees).for_core.amendments[0].values == pytest.approx((expected,), rel=1e-9)
+
+
+def test_a_transition_is_half_done_at_its_middle(tmp_path):
+    effect = (
+        "effects: [{name: temperature_law, form: transition, parameters: {d: 0.4, Tc: 300 K, w: 1 K, T0: -10 degC}}]\n"
+    )
+    described = read_law_file(
+        law_file(tmp_path, "type: kelvin_voigt\nparameters: {k: 3 kN/mm, c: 0.2 kN*s/mm}\n" + effect)
+    )
+    for degrees, expected in ((-10.0, 1.0), (26.85, 0.8), (60.0, 0.6)):  # 36 widths away S is 0 or 1 to 1e-14
+        assert resolve(*described, degrees).for_core.amendments[0].values == pytest.approx((expected,), rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("effect", "degrees", "message"),
+    [
+        (
+            "form: wlf, parameters: {b: 0.02 1/K, c: 0.02 1/K, T0: 20 degC}",
+            -40.0,
+            "1 \\+ c \\(T - T0\\) = -0.2 at -40 degC",
+        ),
+        (
+            "form: transition, parameters: {d: 1.5, Tc: 30 degC, w: 2 K, T0: 20 degC}",
+            40.0,
+            "no force is left at 40 degC",
+        ),
+    ],
+)
+def test_where_a_law_of_the_temperature_ends_is_told(tmp_path, effect, degrees, message):
+    text = "type: kelvin_voigt\nparameters: {k: 3 kN/mm, c: 0.2 kN*s/mm}\n"
+    described = read_law_file(law_file(tmp_path, f"{text}effects: [{{name: temperature_law, {effect}}}]\n"))
+    with pytest.raises(InputError, match=message):
+        resolve(*described, degrees)
+
+
 def test_a_law_without_temperature_law_has_the_effect_alone(tmp_path):
     text = "type: kelvin_voigt\nparameters: {k: 3 kN/mm, c: 0.2 kN*s/mm}\n"
     effect = "effects: [{name: temperature_law, form: exponential, parameters: {b: 0.02 1/K, T0: 20 degC}}]\n"

@@ -70,6 +70,7 @@ class Wlf(_Temperature):
     title: ClassVar[str] = "softening with temperature by WLF or Arrhenius"
     signature: ClassVar[str] = Exponential.signature
     source: ClassVar[str] = "Williams, Landel & Ferry (1955), J. Am. Chem. Soc. 77, 3701-3707"
+    amendment: ClassVar[bool] = True
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         own = super().unknowns(sizes)
@@ -86,6 +87,7 @@ class Arrhenius(Wlf):
     """The same by an activation energy E: b = E/(R T0^2) and c = 1/T0 with T0 in kelvin, one number."""
 
     form: ClassVar[str] = "arrhenius"
+    amendment_form: ClassVar[str] = "wlf"
     title: ClassVar[str] = "softening with temperature by Arrhenius"
     source: ClassVar[str] = _ARRHENIUS
 
@@ -208,6 +210,7 @@ class Transition(_Temperature):
     """
 
     may_spare_loss: ClassVar[bool] = True
+    amendment: ClassVar[bool] = True
     form: ClassVar[str] = "transition"
     title: ClassVar[str] = "softening with temperature across a transition"
     signature: ClassVar[str] = Exponential.signature
