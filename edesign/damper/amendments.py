@@ -9,12 +9,10 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
-from scipy.special import expit
-
 from edesign.core import AmendmentValues
 from edesign.damper.amendment_kinds import AMENDMENTS, AmendmentKind, amendment_kind
 from edesign.damper.law import Law
-from edesign.damper.temperature import REFERENCE_C, GammaT, TemperatureModel, at
+from edesign.damper.temperature import REFERENCE_C, GammaT, TemperatureModel, at, passed
 from edesign.errors import InputError
 
 __all__ = ["AMENDMENTS", "Amendment", "AmendmentKind", "amendment_kind", "parameters_at"]
@@ -67,8 +65,7 @@ class Amendment:
     def _of_temperature(self, degrees: float) -> float:
         p, warmer = self.values, degrees - self.values["T0"]
         if self.form == "transition":
-            passed = expit((degrees - p["Tc"]) / p["w"]) - expit((p["T0"] - p["Tc"]) / p["w"])
-            factor = 1.0 - p["d"] * float(passed)
+            factor = 1.0 - p["d"] * float(passed(degrees, p["Tc"], p["w"], p["T0"]))
             if not factor > 0.0:
                 raise InputError(
                     f"effect {self.kind.name}: no force is left at {degrees:g} degC, its factor is {factor:.3g}"

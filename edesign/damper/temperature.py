@@ -7,6 +7,9 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Literal, Protocol
 
+import numpy as np
+from scipy.special import expit
+
 from edesign.damper.law import Law
 from edesign.damper.laws import LAWS
 from edesign.errors import InputError
@@ -143,6 +146,13 @@ def at_one_rate(values: Mapping[str, float], gamma: float) -> dict[str, float]:
         found[name] *= gamma
     found["c_NL"] *= UNIT_SPEED ** (values["alpha"] - found["alpha"])
     return found
+
+
+def passed(temperature_C: float | np.ndarray, middle: float, width: float, reference_C: float) -> float | np.ndarray:
+    """Share (n,) of a transition over a temperature (n,), degC, that lies beyond a reference: S(T) - S(T0), S(T) =
+    1/(1 + exp(-(T - middle)/width)).
+    """
+    return expit((temperature_C - middle) / width) - expit((reference_C - middle) / width)
 
 
 # what is multiplied by a_T to which power (1, or the parameter of that name) in laws with relaxation times

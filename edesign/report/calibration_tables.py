@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from edesign.calibrate.dampers.trial import APART
 from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Series, Stage, Subject
 from edesign.damper.laws import LAWS
 from edesign.report.calibration_effect_tables import effect_name, effect_tables
@@ -33,7 +34,6 @@ ENDED = {
 
 _TOLD = 2  # parameters of an effect in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
-_NEAR = 1.0  # K between temperatures that are the same
 
 
 def tables_of(calibration: Calibration) -> list[Table]:
@@ -204,7 +204,7 @@ def _reaches(calibration: Calibration) -> list[str]:
     beyond = _at_other_temperatures(calibration)
     if beyond:
         texts.append(
-            f"No test fitted to is within {_NEAR:g} K of {', '.join(beyond)}: what the law does there is read from "
+            f"No test fitted to is within {APART:g} K of {', '.join(beyond)}: what the law does there is read from "
             "other temperatures."
         )
     return texts
@@ -219,5 +219,5 @@ def _at_other_temperatures(calibration: Calibration) -> list[str]:
     return [
         f"{name} ({warm:.3g} degC)"
         for name, (use, warm) in degrees.items()
-        if use == "validate" and all(abs(warm - other) >= _NEAR for other in fitted)
+        if use == "validate" and all(abs(warm - other) >= APART for other in fitted)
     ]

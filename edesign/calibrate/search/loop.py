@@ -157,9 +157,10 @@ class Loop:
             if current.at_floor or len(labels) >= _MOST or labels in been:
                 break
             been.add(labels)
-            ahead = self.ahead.two(current)
-            found = ahead if ahead is not None and ahead.at_floor else None
-            if len(labels) == FEW:
+            ahead, found = self.ahead.two(current), None
+            if ahead is not None and ahead.at_floor:
+                found = ahead
+            elif len(labels) == FEW:
                 found = self.second.look(current)  # a third one is seldom there
             if found is None and beside is not None:
                 freed = self.bench.freed(beside)
@@ -202,10 +203,10 @@ class Loop:
             pair = self.ahead.beside_declared(best, held, freed)
             if pair is not None:
                 return pair, (), None
-        if not freed.at_floor and not freed.fitted.model.held:  # another effect may be the one, if the law is not right
-            early = one, refused = self.rounds.one_more(refit, rival, held)
-            if one is not None and BEHIND * one.fitted.chi2 <= freed.fitted.chi2:
-                return one, refused, None
+            if not freed.fitted.model.held:  # the law is not as declared: another effect may be the one
+                early = one, refused = self.rounds.one_more(refit, rival, held)
+                if one is not None and BEHIND * one.fitted.chi2 <= freed.fitted.chi2:
+                    return one, refused, None
         alone = self.forms.finer(freed)
         if alone.at_floor:
             if alone.fitted.model.held and compare(alone, rival).adopts:

@@ -51,14 +51,15 @@ def test_two_effects_are_found_behind_a_third_that_does_more_alone(held: bool) -
 
 
 def test_nothing_is_looked_for_ahead_where_the_best_effect_promises_the_floor() -> None:
-    # z is most of x: with y beside it a hundredth of the noise is left, of x and y nothing
+    # z is x and a little of y: with y beside it noise is left, as with x and y, which are not fitted then
     problem = linear(seed=3, hidden={"x": SIZE, "y": SIZE})
     problem.columns["z"] = [x + 1e-2 * y for x, y in zip(problem.columns["x"], problem.columns["y"], strict=True)]
     alone = [of_labels(problem, label) for label in ("z.only", "x.only", "y.only")]
     loop = Loop(problem, (1.0,) * 6, workers=1)
     loop.bench.rivals[NONE, False] = alone
     model = model_of(problem)
-    loop.bench.beside_refit = screen(fit(model, model.coordinates()), problem.candidates([]))
+    bare = fit(model, model.coordinates())
+    loop.bench.beside_refit, loop.bench.left = screen(bare, problem.candidates([])), bare.residuals
     assert loop.ahead.two(alone[0]) is None
     assert loop.ahead.two(of_labels(problem, "x.only", "y.only")) is None  # nor beside two
 
@@ -82,6 +83,23 @@ def test_a_plainer_form_is_tried_beside_others_where_a_finer_one_has_taken_what_
     found = loop.ahead.two(current)
     assert found is not None and found.at_floor
     assert found.labels == {"z.plain", "y.only"}
+
+
+@pytest.mark.parametrize(("off", "like"), [(0.0, 1.0), (0.5, 1.0), (0.0, 0.1)])
+def test_a_pair_beside_the_law_as_declared_is_taken_where_one_effect_will_not_do(off: float, like: float) -> None:
+    # like 0.1: z alone leaves 5.5 times noise, so that in another form it might do
+    problem = hidden_behind(like)
+    problem.declared = np.array([1.1 + off, 0.8, 1.3 - off])
+    model = replace(model_of(problem), held=True)
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    held = loop.declared.one(Judged(fit(model, model.coordinates())))
+    best = min(held, key=lambda judged: judged.fitted.chi2)
+    assert best.names == ("z",)
+    found = loop.ahead.beside_declared(best, held, loop.bench.freed(best))
+    assert (found is not None) == (like == 1.0)
+    if found is not None:
+        assert found.names == ("x", "y") and found.at_floor
+        assert found.fitted.model.held == (off == 0.0)
 
 
 @pytest.mark.parametrize("off", [0.0, 0.5])

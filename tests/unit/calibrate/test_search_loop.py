@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from linear_problem import linear, model_of
+from linear_problem import linear, model_of, of_labels
 
 from edesign.calibrate.allowance import Allowance, OutOfTime
 from edesign.calibrate.evidence import Judged
@@ -225,3 +225,18 @@ def test_a_search_out_of_time_goes_on_with_what_it_has_found(
     assert sorted(adopted.candidate.name for adopted in selection.adopted) == found
     assert selection.ending == ("complete" if steps == 10**6 else "out_of_time")
     assert any(line.startswith("out of time") for line in told) == (steps < 10**6)
+
+
+def test_a_finer_form_found_before_time_ran_out_is_kept() -> None:
+    problem = linear(seed=6, hidden={"x": 20.0})
+    problem.columns = {"z.coarse": [x + y for x, y in zip(problem.columns["x"], problem.columns["y"], strict=True)]}
+    problem.columns["z.fine"] = [
+        c - y for c, y in zip(problem.columns["z.coarse"], linear(seed=6).columns["y"], strict=True)
+    ]
+    problem.fine = ("z.fine",)
+    coarse = of_labels(problem, "z.coarse")
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    loop.standing = coarse
+    assert loop._so_far(coarse) is coarse
+    loop.forms.as_fine_as_needed(coarse, 0)
+    assert loop._so_far(coarse).labels == {"z.fine"}

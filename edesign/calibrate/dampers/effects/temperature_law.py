@@ -6,7 +6,6 @@ import math
 from typing import Any, ClassVar
 
 import numpy as np
-from scipy.special import expit
 
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
@@ -15,7 +14,7 @@ from edesign.calibrate.unknown import Unknown
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
-from edesign.damper.temperature import CHANGING, REFERENCE_C, at_one_rate
+from edesign.damper.temperature import CHANGING, REFERENCE_C, at_one_rate, passed
 
 _LEAST_SPAN = 2.0  # K: tests at one temperature tell nothing of it, and readings of one, 0.2 K off, span up to 1 K
 _SHARPEST = 1.0  # K, of a transition: no rubber has a sharper one, and readings may be off by 0.2 K
@@ -59,18 +58,15 @@ class Exponential(_Temperature):
     amendment: ClassVar[bool] = True
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        return np.asarray(np.exp(-p["b"] * (trial.temperature - p["T0"])))
+        return np.asarray(np.exp(-_fall(p, trial.temperature)))
 
 
-class Wlf(_Temperature):
+class Wlf(Exponential):
     """The fall slows down with warmth: F = exp(-b w/(1 + c w)) F_law, w = T - T0; c = 1/C2."""
 
-    may_spare_loss: ClassVar[bool] = True
     form: ClassVar[str] = "wlf"
-    title: ClassVar[str] = "softening with temperature by WLF or Arrhenius"
-    signature: ClassVar[str] = Exponential.signature
+    title: ClassVar[str] = "softening with temperature by WLF"
     source: ClassVar[str] = "Williams, Landel & Ferry (1955), J. Am. Chem. Soc. 77, 3701-3707"
-    amendment: ClassVar[bool] = True
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         own = super().unknowns(sizes)
@@ -79,11 +75,8 @@ class Wlf(_Temperature):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((b, c) for (b,) in super().starts(sizes) for c in (0.0, 0.01))
 
-    def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        return np.asarray(np.exp(-_fall(p, trial.temperature)))
 
-
-class Arrhenius(Wlf):
+class Arrhenius(Exponential):
     """The same by an activation energy E: b = E/(R T0^2) and c = 1/T0 with T0 in kelvin, one number."""
 
     form: ClassVar[str] = "arrhenius"
@@ -93,12 +86,6 @@ class Arrhenius(Wlf):
 
     def fixed(self, sizes: Sizes) -> dict[str, float]:
         return {**super().fixed(sizes), **_BY_ARRHENIUS}
-
-    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        return _Temperature.unknowns(self, sizes)
-
-    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return _Temperature.starts(self, sizes)
 
 
 class Shift(_Temperature):
@@ -126,7 +113,7 @@ class ShiftWlf(Shift):
     """The same over a wide range: a_T = exp(-b w/(1 + c w)), w = T - T0."""
 
     form: ClassVar[str] = "shift_wlf"
-    title: ClassVar[str] = "relaxation that speeds up with temperature by WLF or Arrhenius"
+    title: ClassVar[str] = "relaxation that speeds up with temperature by WLF"
     source: ClassVar[str] = Wlf.source
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
@@ -245,8 +232,7 @@ class Transition(_Temperature):
         return tuple((0.1, middle, max(w * span, _SHARPEST)) for middle in middles for w in (0.1, 0.25))
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> np.ndarray:
-        passed = expit((trial.temperature - p["Tc"]) / p["w"]) - expit((p["T0"] - p["Tc"]) / p["w"])
-        return np.asarray(1.0 - p["d"] * passed)
+        return np.asarray(1.0 - p["d"] * passed(trial.temperature, p["Tc"], p["w"], p["T0"]))
 
 
 def _in_place(form: _Temperature) -> Form:
