@@ -40,17 +40,14 @@ class LookAhead:
             return None
         fitted, first = current.fitted, current.fitted.model.effects[0]
         rivals = self.bench.rivals.get((NONE, fitted.model.held), ())
-        known = [*self.bench.beside_declared, *self.bench.beside_refit]
+        every = (*self.bench.beside_declared, *self.bench.beside_refit)
+        known = [one for one in every if one.candidate.name != first.name]
         left = self._left(current, [one for one in rivals if one.names[0] != first.name], known)
         own = min((chi2 for pair, chi2 in left.items() if _begins(pair, first.name)), default=math.inf)
         likely: list[Signature] = []
         if own > _NEAR_FLOOR * fitted.samples:
             likely = _best(
-                {
-                    pair: chi2
-                    for pair, chi2 in left.items()
-                    if not _begins(pair, first.name) and pair.candidate.name != first.name and chi2 <= _PERHAPS * own
-                }
+                {pair: chi2 for pair, chi2 in left.items() if not _begins(pair, first.name) and chi2 <= _PERHAPS * own}
             )
         plainer = [one for one in rivals if one.names[0] == first.name and _size(one) < _size(current)]
         for plainest in sorted(plainer, key=lambda one: (_size(one), _chi2(one)))[:1]:
