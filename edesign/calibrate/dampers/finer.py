@@ -63,7 +63,7 @@ def shared(form: Form) -> Form | None:
 
 
 def shaped(form: Form, splits: bool) -> Form | None:
-    """A factor 1 + s of another curve: springs 1 + s + c s^2, dashpots 1 + l s + e s^2; None: the form is no such
+    """A factor 1 + s of another curve: springs 1 + s + s2 s^2, dashpots 1 + l s + l2 s^2; None: the form is no such
     factor, or has a curve.
 
     Phenomenological: the first two terms of any course of the softening with its state.
@@ -76,13 +76,13 @@ def shaped(form: Form, splits: bool) -> Form | None:
 
     def spring_factor(p: Values, factor: np.ndarray | float) -> np.ndarray | float:
         s = factor - 1.0
-        return 1.0 + s + p["c"] * s**2
+        return 1.0 + s + p["s2"] * s**2
 
     def dashpot_factor(p: Values, motion: object, factor: np.ndarray | float) -> np.ndarray | float:
         s = factor - 1.0
-        return 1.0 + p["l"] * s + p["e"] * s**2
+        return 1.0 + p["l"] * s + p["l2"] * s**2
 
-    more = (curve("c"), *((_SHARE, curve("e")) if splits else ()))
+    more = (curve("s2"), *((_SHARE, curve("l2")) if splits else ()))
     sides = {"spares_loss": splits, "spring_factor": spring_factor, "dashpot_factor": dashpot_factor}
     return _more(form, "shaped", "along a curve of its own", more, (0.0, 1.0, 0.0)[: len(more)], **sides)
 
@@ -113,4 +113,4 @@ def _more(
 def _as_shaped(known: Mapping[str, float]) -> dict[str, float]:
     """Values of the form `shaped` of those of the plain one, or of the one with the exponent `loss` of the dashpots."""
     loss = known.get("loss", 1.0)
-    return {**known, "l": loss, "e": 0.5 * loss * (loss - 1.0)}
+    return {**known, "l": loss, "l2": 0.5 * loss * (loss - 1.0)}

@@ -92,6 +92,13 @@ def test_labels_are_unique_and_every_form_can_be_shown_by_a_rich_campaign() -> N
     assert {f"{form.name}.{form.form}" for form in FORMS} <= set(BY_LABEL)
 
 
+@pytest.mark.parametrize("candidate", [*CANDIDATES, *(part[0] for _, _, part in FINER)], ids=lambda c: c.label)
+def test_a_name_stands_for_one_parameter(candidate: Candidate) -> None:
+    # what is read by its name is that of the form and not that of what a finer form adds
+    names = [*(unknown.name for unknown in candidate.unknowns), *candidate.effect[1]]
+    assert len(set(names)) == len(names)
+
+
 @pytest.mark.parametrize("candidate", CANDIDATES, ids=lambda c: c.label)
 def test_starts_lie_inside_the_bounds_and_are_few(candidate: Candidate) -> None:
     names = [unknown.name for unknown in candidate.unknowns]

@@ -180,7 +180,7 @@ def test_a_curve_of_its_own_bends_all_of_a_law_that_has_no_sides() -> None:
     plain = candidate_of(temperature_law.Exponential(), size, Left())
     assert plain is not None
     (fine,) = solid.finer((plain, np.array([0.03])))
-    assert [unknown.name for unknown in fine[0].unknowns] == ["b", "c"]  # springs and dashpots are not told apart
+    assert [unknown.name for unknown in fine[0].unknowns] == ["b", "s2"]  # springs and dashpots are not told apart
     (law_force,) = solid.predict(solid.declared, (), ("fit",))
     s = math.exp(-0.03 * 6.0) - 1.0
     for c in (0.0, 2.0):
