@@ -213,6 +213,21 @@ static double relaxed(const ed_path *path, const double moment[4], double stiffn
   return stiffness * u + damping * v;
 }
 
+/* The integral of the power over the end of a step that is not forgotten. */
+static double power_integral(const constants *law, const ed_path *path, const ed_path *direction, double slope[2], double chord[2])
+{
+  const double h = path->h, length = FORGOTTEN * law->tau;
+  if (h <= length)
+    return ed_power_integral(&law->power, path, direction, slope, chord);
+  ed_path late, late_direction[2];
+  ed_path_piece(path, h - length, h, &late);
+  late.h = length;
+  for (int j = 0; direction && j < 2; j++)
+    ed_path_piece(&direction[j], h - length, h, &late_direction[j]);
+  return ed_power_integral(&law->power, &late, direction ? late_direction : NULL, slope, chord);
+}
+
+/* A step over which both moduli are constant. */
 static int still_step(const constants *law, const double *committed, const ed_path *path, const ed_path direction[2], int wanted,
                       double *trial, ed_damper_force *out)
 {
@@ -224,7 +239,7 @@ static int still_step(const constants *law, const double *committed, const ed_pa
   moments(h / law->tau, moment);
   double relaxing = committed[0] * (1.0 - moment[0]) + relaxed(path, moment, stiffness, damping);
   if (law->c_nl > 0.0)
-    relaxing += law->c_nl * ed_power_integral(&law->power, path, wanted ? direction : NULL, slope, chord);
+    relaxing += law->c_nl * power_integral(law, path, wanted ? direction : NULL, slope, chord);
   trial[0] = relaxing;
   memcpy(trial + 1, memory, MEMORY * sizeof *trial);
   out->force = spring * ed_path_u(path, h) + relaxing;
@@ -242,23 +257,36 @@ static ed_running of_memory(const double *memory, int largest)
   return (ed_running){memory[largest], memory[largest + 1]};
 }
 
+/* Extremes after a path. */
+static void remember_path(const double *memory, const ed_path *path, double *after)
+{
+  ed_path velocity;
+  ed_path_of_velocity(path, &velocity);
+  const ed_running of_u = ed_extremes_along(of_memory(memory, LARGEST_U), path);
+  const ed_running of_v = ed_extremes_along(of_memory(memory, LARGEST_V), &velocity);
+  after[LARGEST_U] = of_u.largest;
+  after[SMALLEST_U] = of_u.smallest;
+  after[LARGEST_V] = of_v.largest;
+  after[SMALLEST_V] = of_v.smallest;
+}
+
+/* Whether the moduli mind the extremes at all. */
+static int softens(const constants *law)
+{
+  return law->k_mod.a > 0.0 || law->c_mod.a > 0.0;
+}
+
 /* Without relaxation: Q is its right-hand side at the end of the step, on which the growth of the extremes has no slope. */
 static int instant_step(const constants *law, const double *memory, const ed_path *path, const ed_path direction[2], double *trial,
                         ed_damper_force *out)
 {
   const double h = path->h, u = ed_path_u(path, h), v = ed_path_v(path, h);
-  ed_path velocity;
-  ed_path_of_velocity(path, &velocity);
-  const ed_running of_u = ed_extremes_along(of_memory(memory, LARGEST_U), path);
-  const ed_running of_v = ed_extremes_along(of_memory(memory, LARGEST_V), &velocity);
-  const double k = constant_modulus(&law->k_mod, of_u.largest, of_u.smallest);
-  const double c = law->c1 + constant_modulus(&law->c_mod, of_v.largest, of_v.smallest);
+  double *after = trial + 1;
+  remember_path(memory, path, after);
+  const double k = constant_modulus(&law->k_mod, after[LARGEST_U], after[SMALLEST_U]);
+  const double c = law->c1 + constant_modulus(&law->c_mod, after[LARGEST_V], after[SMALLEST_V]);
   double steep, power = ed_power_now(&law->power, v, &steep);
   trial[0] = law->relaxing * k * u + c * v + law->c_nl * power;
-  trial[1 + LARGEST_U] = of_u.largest;
-  trial[1 + SMALLEST_U] = of_u.smallest;
-  trial[1 + LARGEST_V] = of_v.largest;
-  trial[1 + SMALLEST_V] = of_v.smallest;
   out->force = (law->k0 + (1.0 - law->relaxing) * k) * u + trial[0];
   for (int j = 0; j < 2; j++) {
     out->slope[j] = (law->k0 + k) * ed_path_u(&direction[j], h) + (c + law->c_nl * steep) * ed_path_v(&direction[j], h);
@@ -278,8 +306,12 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   if (law->tau < INSTANT * h)
     return instant_step(law, memory, path, direction, trial, out);
   const int wanted = moves(direction);
-  if (length == h && still(memory, path))
-    return still_step(law, committed, path, direction, wanted, trial, out);
+  if (still(memory, path) || !softens(law)) {
+    const int status = still_step(law, committed, path, direction, wanted, trial, out);
+    if (!softens(law))
+      remember_path(memory, path, trial + 1);
+    return status;
+  }
   ed_path velocity, along[2], velocity_along[2];
   step_sums sum = {.path = *path};
   ed_path_of_velocity(path, &velocity);

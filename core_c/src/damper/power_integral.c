@@ -43,6 +43,16 @@ static const double LONGER = 4.0;
 static const double WELL_AWAY_FEW = 10.0, WELL_AWAY = 2.5;
 /* Length of a piece in relaxation times: at most START + GROW * (time from its end to the end of the path). */
 static const double START_FEW = 0.25, START = 1.0, GROW = 0.35;
+/* Gauss-Laguerre rule of 8 points (Abramowitz & Stegun, table 25.9) for an end from which all roots are far: so many relaxation times,
+ * of which e^-17, 4e-8, is left. Shorter paths than the least need fewer points piece by piece; of ones longer than FORGOTTEN nothing is
+ * left of the beginning. */
+enum { LAGUERRE = 8 };
+static const double FAR_AWAY = 17.0, LAGUERRE_LEAST = 4.0, FORGOTTEN = 39.0;
+static const double LAGUERRE_POINT[LAGUERRE] = {0.17027963230510099, 0.90370177679937991, 2.2510866298661307, 4.2667001702876588,
+                                                7.0459054023934655,  10.758516010180996,  15.740678641278004, 22.863131736889265};
+/* Weight e^point. */
+static const double LAGUERRE_WEIGHT[LAGUERRE] = {0.43772341049291136, 1.0338693476655976, 1.6697097656587758, 2.3769247017585995,
+                                                 3.2085409133479263,  4.2685755108251318, 5.818083368671922,  8.9062262152922109};
 
 void ed_power_rule_prepare(ed_power_rule *rule, double alpha, double tau, double rest)
 {
@@ -232,6 +242,24 @@ static int add_piece(sums *sum, double from, double to)
   return 1;
 }
 
+/* Whether all roots are far from an end. */
+static int far_from(const sums *sum, double end)
+{
+  for (int i = 0; i < sum->n_roots; i++)
+    if (hypot(sum->root[i] - end, sum->imaginary[i]) * sum->time < FAR_AWAY)
+      return 0;
+  return 1;
+}
+
+/* The integral up to an end as if the path had always been what it is now; share: 1, or -1 to take it away. */
+static void add_settled(sums *sum, double end, double share)
+{
+  for (int i = 0; i < LAGUERRE; i++) {
+    const double x = end - LAGUERRE_POINT[i] / sum->time, v = velocity(sum, x);
+    gather(sum, x, v, share * LAGUERRE_WEIGHT[i] / sum->time, some(sum, fabs(v)), sum->rule->alpha);
+  }
+}
+
 /* How many points Gauss' rule needs over a whole path that is short and well away from reversals; 0: it is not. */
 static int plain_points(const sums *sum)
 {
@@ -262,6 +290,12 @@ static void add_pieces(sums *sum)
     find_slow_roots(sum);
   else
     find_roots(sum);
+  if (sum->rest == 0.0 && sum->time >= LAGUERRE_LEAST && far_from(sum, 1.0) && (sum->time >= FORGOTTEN || far_from(sum, 0.0))) {
+    add_settled(sum, 1.0, 1.0);
+    if (sum->time < FORGOTTEN)
+      add_settled(sum, 0.0, -1.0);
+    return;
+  }
   for (double from = 0.0, longest = 1.0; from < 1.0;) {
     const double end = next_reversal(sum, from);
     double to = end - from > longest ? from + longest : end;

@@ -17,7 +17,7 @@ from edesign.calibrate.dampers.band import band_power
 from edesign.calibrate.dampers.effect import Form, Series
 from edesign.calibrate.dampers.extremes import extremes_after
 from edesign.calibrate.dampers.finer import finer
-from edesign.calibrate.dampers.inside import relaxation_time, without_dashpots, without_power
+from edesign.calibrate.dampers.inside import power_alone, relaxation_time, without_dashpots, without_power
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
@@ -34,7 +34,7 @@ from edesign.errors import InputError
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
 _WELL_APART = 1e-6  # ratio of eigenvalues with which squares of columns make a basis that is exact to 1e-10
 _KEPT = 64  # results of the parameters last used
-_FORCES = 256  # force histories of the law alone: of some sets of parameters, or of motions that a search moves
+_FORCES = 512  # force histories of the law alone: of some sets of parameters, or of motions that a search moves
 _COARSE = 3  # samples of a first round with a rig in series, that finds about what it takes of the motion
 _FEWEST = 4  # of them; a shorter test has the second round alone
 
@@ -360,7 +360,15 @@ class DamperProblem:
             driven = motion
 
     def _law_force(self, trial: Trial, motion: Motion, values: dict[str, float]) -> np.ndarray:
-        return _kept_force(self.law.name, tuple(values.values()), _Same(motion), trial.been)
+        """Force (n,) N of the law alone: the dashpot of a power of the velocity, which takes most of the time, by
+        itself, as most searches move other parameters than its own.
+        """
+        rest, power = without_power(self.law, values), power_alone(self.law, values, self.start.get("v_ref", 1.0))
+        if rest is None or power is None:
+            return _kept_force(self.law.name, tuple(values.values()), _Same(motion), trial.been)
+        share, unit = power
+        linear = _kept_force(self.law.name, tuple(rest.values()), _Same(motion), trial.been)
+        return linear + share * _kept_force(self.law.name, tuple(unit.values()), _Same(motion), NONE)
 
     def _complete(self, values: dict[str, float]) -> dict[str, float]:
         """Parameters of the law as parts have made them, in the order of the core."""
