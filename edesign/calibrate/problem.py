@@ -112,6 +112,10 @@ class Problem(Protocol):
     def coarse(self) -> Problem:
         """The same predicted as coarsely as will do for what effects change; itself if it is always so."""
 
+    @property
+    def rough(self) -> Problem:
+        """The same predicted as coarsely as will do to put models in order; itself if it is always so."""
+
     def finer(self, part: Part) -> tuple[Part, ...]:
         """Finer forms of an effect that was found, with the values at which they do what it does."""
 

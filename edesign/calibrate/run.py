@@ -12,7 +12,7 @@ from edesign.calibrate.dampers.full_rate import at_full_rate
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned, with_noise
 from edesign.calibrate.dampers.problem import DamperProblem
-from edesign.calibrate.dampers.readings import likely_readings
+from edesign.calibrate.dampers.readings import Reading, likely_readings
 from edesign.calibrate.evidence import simplest
 from edesign.calibrate.fit import Fitted
 from edesign.calibrate.outcome import Outcome, residual_of
@@ -24,7 +24,9 @@ from edesign.calibrate.search.selection import Selection
 from edesign.damper.campaign import Campaign
 from edesign.damper.test_files import LawChoice
 
-_SECOND = 0.25  # of the time, that the second one of two readings has at least
+_LEAST, _SECOND = 0.5, 0.25
+"""Of the time, that a search has at least after the law was read, and that of the second one of two readings.
+"""
 
 
 def calibrate(
@@ -96,21 +98,26 @@ def _searched(
     """What the loop finds with the likeliest reading of the law, and that reading; with a second one in the rest of the
     time if more than noise is left then.
     """
-    first, *others = likely_readings(problem, law, noise, workers)
     begun = taken()
-    found = Loop(first, noise, law.refit, workers, progress, (1.0 - _SECOND) * seconds if others else seconds).run()
+    first, *others = likely_readings(problem, law, noise, workers)
+    seconds = max(seconds - (taken() - begun), _LEAST * seconds)
+    begun = taken()
+
+    def search(reading: Reading, seconds: float) -> Selection:
+        return Loop(reading.problem, noise, law.refit, workers, progress, seconds).run(reading.refitted)
+
+    found = search(first, (1.0 - _SECOND) * seconds if others else seconds)
     for other in others if found.ending != "interrupted" else ():
         if found.final.at_floor:
             break
         progress("searching with the law read another way")
         try:
-            left = max(seconds - (taken() - begun), _SECOND * seconds)
-            again = Loop(other, noise, law.refit, workers, progress, left).run()
+            again = search(other, max(seconds - (taken() - begun), _SECOND * seconds))
         except KeyboardInterrupt:
-            return replace(found, ending="interrupted"), first
+            return replace(found, ending="interrupted"), first.problem
         if again.final is simplest([found.final, again.final]):
             found, first = again, other
-    return found, first
+    return found, first.problem
 
 
 def noisy_beside(problem: DamperProblem, final: Fitted) -> DamperProblem:

@@ -22,7 +22,7 @@ T = TypeVar("T")
 S = TypeVar("S")
 
 _NUMBER = 4  # bytes
-_WORTH = 0.04  # s of work for which processes are begun
+_WORTH = 6.0  # times what a process costs that does nothing, of work for which one is begun
 
 _busy = False  # items are at work: functions of an item that come here have this process alone
 
@@ -71,10 +71,20 @@ def side_by_side(function: Callable[[T], S], items: Iterable[T], workers: int, k
 def brief_side_by_side(function: Callable[[T], S], items: Iterable[T], workers: int) -> list[S]:
     """The same of items that take about as long as each other: if that is short, it is all done here."""
     given = list(items)
+    if _busy or workers < 2:
+        return [function(item) for item in given]
     begun = time.perf_counter()
     first = [function(item) for item in given[:1]]
     left = (time.perf_counter() - begun) * (len(given) - 1)
-    return first + side_by_side(function, given[1:], workers if left > _WORTH else 1)
+    return first + side_by_side(function, given[1:], workers if left > _WORTH * _cost() else 1)
+
+
+@cache
+def _cost() -> float:
+    """Of a process that does nothing, s: a few ms, or tens of them on a virtual machine."""
+    begun = time.perf_counter()
+    side_by_side(lambda _: None, range(2), 2)
+    return time.perf_counter() - begun
 
 
 _Found = dict[int, tuple[Any, Exception | None]]

@@ -34,7 +34,7 @@ def calibrate(
             "-s",
             min=0.0,
             help="Processor time after which the search goes on with what it has found; 0: none. "
-            "70 with tests of a damper, none with records or tables, if not said.",
+            "60 with tests of a damper, none with records or tables, if not said.",
             show_default=False,
         ),
     ] = None,
@@ -74,7 +74,7 @@ def calibrate(
         raise Interrupted(f"the search was interrupted; what it had found is in {folder}")
 
 
-_SECONDS = 70.0  # of processor time, with tests of a damper
+_SECONDS = 60.0  # of processor time, with tests of a damper
 
 
 @dataclass(frozen=True)

@@ -86,7 +86,7 @@ def test_what_predicts_the_tests_better_is_found(tmp_path: Path) -> None:
         given = problem(tmp_path / name, forces)
         choice = LawChoice("mgmm", "thesis_table_4_2")
         found = likely_readings(thinned(given), choice, [trial.noise for trial in given.trials])
-        assert [one.lasting for one in found] == [lasting]  # and no doubt about it
+        assert [one.problem.lasting for one in found] == [lasting]  # and no doubt about it
 
 
 @pytest.mark.parametrize(
@@ -96,11 +96,12 @@ def test_a_reading_that_is_near_is_searched_too(
     share: float, lasting: list[bool], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     given = thinned(problem(tmp_path, one_history()))
-    monkeypatch.setattr(readings, "_left", lambda one, noise, refit: 1e3 * (share if one.lasting else 1.0))
+    monkeypatch.setattr(readings, "_left", lambda one, noise: 1e3 * (share if one.lasting else 1.0))
+    monkeypatch.setattr(readings, "_refitted", lambda one, noise: (1e3 * (share if one.lasting else 1.0), None))
     found = likely_readings(given, LawChoice("mgmm", "thesis_table_4_2"), (1.0,) * len(given.trials))
-    assert [one.lasting for one in found] == lasting
+    assert [one.problem.lasting for one in found] == lasting
     said = likely_readings(given, LawChoice("mgmm", "thesis_table_4_2", extremes="fresh"), (1.0,) * len(given.trials))
-    assert [one.lasting for one in said] == [False]
+    assert [one.problem.lasting for one in said] == [False]
 
 
 def test_extremes_between_samples_are_those_of_the_cubics() -> None:
@@ -139,6 +140,6 @@ def test_a_mass_does_not_make_another_reading_of_gamma_likely(tmp_path: Path) ->
     given = damper_problem(write_campaign(tmp_path, Specimen("S", 2, 0.0414, 0.012), tests, choice))
     noise = [trial.noise for trial in given.trials]
     fast = thinned(given)
-    usual, letter = (readings._left(replace(fast, gamma_of=of), noise, False) for of in GAMMAS)
+    usual, letter = (readings._left(replace(fast, gamma_of=of), noise) for of in GAMMAS)
     assert letter < 0.5 * usual  # by the declared law alone it would be the letter
-    assert likely_readings(fast, choice, noise)[0].gamma_of == "parameters"
+    assert likely_readings(fast, choice, noise)[0].problem.gamma_of == "parameters"

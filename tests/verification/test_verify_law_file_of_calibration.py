@@ -57,7 +57,7 @@ def problem(dt: float = 0.01) -> DamperProblem:
         tests.append(
             Trial(f"t{order}", "validate" if order == 1 else "fit", order, motion, force, np.full(t.size, warm))
         )
-    return DamperProblem(law("mgmm"), MGMM, tuple(tests), Sizes.of(tests), between=False)
+    return DamperProblem(law("mgmm"), MGMM, tuple(tests), Sizes.of(tests), fineness=0.0)
 
 
 def predicted(of: DamperProblem, parts: list[tuple[Candidate, np.ndarray]], order: int) -> np.ndarray:

@@ -54,7 +54,8 @@ def power_alone(law: Law, values: Mapping[str, float], v_ref: float) -> tuple[fl
     if law.name != "mgmm" or values["c_NL"] == 0.0:
         return None
     nothing = dict.fromkeys(("k0", "k_a", "k_b", "c_a", "c_b"), 0.0)
-    branch = {"c1": _NOTHING, "k1": _NOTHING * values["k1"] / values["c1"]}
+    rate = float(f"{values['k1'] / values['c1']:.13g}")  # the same where temperature has multiplied both
+    branch = {"c1": _NOTHING, "k1": _NOTHING * rate}
     return values["c_NL"] / _POWER, {**values, **nothing, **branch, "u_ref": 1.0, "v_ref": v_ref, "c_NL": _POWER}
 
 

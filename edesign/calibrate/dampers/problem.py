@@ -34,6 +34,7 @@ from edesign.errors import InputError
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant
 _WELL_APART = 1e-6  # ratio of eigenvalues with which squares of columns make a basis that is exact to 1e-10
 _KEPT = 64  # results of the parameters last used
+_ROUGH = 0.5  # of the samples, where models are only put in order
 _FORCES = 512  # force histories of the law alone: of some sets of parameters, or of motions that a search moves
 _COARSE = 3  # samples of a first round with a rig in series, that finds about what it takes of the motion
 _FEWEST = 4  # of them; a shorter test has the second round alone
@@ -53,7 +54,8 @@ class DamperProblem:
         thermometer: standard deviation of its error, K; 0 where temperatures do not matter.
         lasting: whether the law remembers extremes from test to test; otherwise each test has a fresh specimen.
         gamma_of: what gamma_T of an MGMM multiplies.
-        between: whether tests are predicted between their samples too, where these are fewer than effects ask for.
+        fineness: share of the samples that effects ask for, where tests have fewer; tests are predicted between their
+            samples then.
     """
 
     law: Law
@@ -63,7 +65,7 @@ class DamperProblem:
     thermometer: float = 0.0
     lasting: bool = False
     gamma_of: GammaOf = "parameters"
-    between: bool = True
+    fineness: float = 1.0
 
     @cached_property
     def names(self) -> tuple[str, ...]:
@@ -227,7 +229,12 @@ class DamperProblem:
     @cached_property
     def coarse(self) -> DamperProblem:
         """The same at the samples of the tests alone."""
-        return replace(self, between=False) if self.between else self
+        return replace(self, fineness=0.0) if self.fineness else self
+
+    @cached_property
+    def rough(self) -> DamperProblem:
+        """The same at half the samples that effects ask for."""
+        return replace(self, fineness=_ROUGH * self.fineness)
 
     def doubting(self, share: float) -> DamperProblem:
         """The same with a share of the thermometer's error; itself where that is no other."""
@@ -255,7 +262,7 @@ class DamperProblem:
     def _run(self, trial: Trial, values: dict[str, float], acting: Sequence[Acting]) -> tuple[np.ndarray, Extremes]:
         """Force (n,) N that is recorded, and what the law remembers after the test."""
         refined = max((part.form.refined for part in acting), default=REFINED)
-        parts_of_step = trial.parts(refined) if self.between else 1
+        parts_of_step = trial.parts(self.fineness * refined)
         with np.errstate(all="ignore"):  # a search may ask for anything; a force that is not finite is refused
             fine = trial.finer(parts_of_step) if parts_of_step > 1 else trial
             force, own = self._recorded(fine, values, acting)
@@ -360,11 +367,11 @@ class DamperProblem:
             driven = motion
 
     def _law_force(self, trial: Trial, motion: Motion, values: dict[str, float]) -> np.ndarray:
-        """Force (n,) N of the law alone: the dashpot of a power of the velocity, which takes most of the time, by
-        itself, as most searches move other parameters than its own.
+        """Force (n,) N of the law alone: in the motion of the test the dashpot of a power of the velocity, which takes
+        most of the time, by itself, as most searches move other parameters than its own.
         """
         rest, power = without_power(self.law, values), power_alone(self.law, values, self.start.get("v_ref", 1.0))
-        if rest is None or power is None:
+        if motion is not trial.motion or rest is None or power is None:
             return _kept_force(self.law.name, tuple(values.values()), _Same(motion), trial.been)
         share, unit = power
         linear = _kept_force(self.law.name, tuple(rest.values()), _Same(motion), trial.been)

@@ -6,6 +6,9 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import product
+from typing import NamedTuple
+
+import numpy as np
 
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.fit import Fitted, Model, fit
@@ -24,6 +27,13 @@ second to be searched, as an effect that the law lacks may go with another readi
 """
 
 
+class Reading(NamedTuple):
+    """A way to read the law: the problem with it, and coordinates (p,) of the law fitted so; None: not fitted."""
+
+    problem: DamperProblem
+    refitted: np.ndarray | None = None
+
+
 def read(problem: DamperProblem, choice: LawChoice) -> DamperProblem:
     """The problem with the law read as the campaign says, and else as usual."""
     return replace(problem, lasting=choice.extremes == "lasting", gamma_of=choice.gamma_T_of or "parameters")
@@ -31,7 +41,7 @@ def read(problem: DamperProblem, choice: LawChoice) -> DamperProblem:
 
 def likely_readings(
     problem: DamperProblem, choice: LawChoice, noise: Sequence[float], workers: int = 1
-) -> tuple[DamperProblem, ...]:
+) -> tuple[Reading, ...]:
     """The problem with the law read as the campaign says, and what it does not say as the tests do: one reading, or
     two, the likelier one first. Another one than the usual is likely if it leaves less of the law as declared and of
     the law fitted again (geometric mean): a law that is not as declared says little by the first, one that lacks an
@@ -46,26 +56,29 @@ def likely_readings(
     """
     usual = read(problem, choice)
     if problem.law.name not in GammaT().laws:
-        return (usual,)
+        return (Reading(usual),)
     extremes = _EXTREMES if choice.extremes is None else (choice.extremes,)
     warm = any(trial.mean_temperature != REFERENCE_C for trial in problem.trials)
     gammas = (usual.gamma_of,) if choice.gamma_T_of or not warm else _GAMMAS
     readings = [replace(usual, lasting=e == "lasting", gamma_of=g) for e, g in product(extremes, gammas)]
-    left = side_by_side(lambda one: _left(one, noise, refit=False), readings, workers)
+    left = side_by_side(lambda one: _left(one, noise), readings, workers)
     near = [i for i in range(len(left)) if i == 0 or left[i] < _FAR * min(left)]
+    found = [Reading(one) for one in readings]
     if choice.refit and len(near) > 1:
-        again = side_by_side(lambda i: _left(readings[i], noise, refit=True), near, workers)
-        for i, refitted in zip(near, again, strict=True):
+        again = side_by_side(lambda i: _refitted(readings[i], noise), near, workers)
+        for i, (refitted, x) in zip(near, again, strict=True):
             left[i] = math.sqrt(left[i] * refitted)
+            found[i] = Reading(readings[i], x)
     best = min(near, key=lambda i: left[i])
-    other, share = readings[best], _share(left[best], left[0])
+    first, other, share = found[0], found[best], _share(left[best], left[0])
     if share >= _PERHAPS:
-        return (usual,)
+        return (first,)
     if share < _CLEAR:
-        share = max(share, _share(*(_left_beside_one(one, noise, choice.refit) for one in (other, usual))))
+        beside = (_left_beside_one(one.problem, noise, choice.refit) for one in (other, first))
+        share = max(share, _share(*beside))
     if share < _SURE:
         return (other,)
-    return (other, usual) if share < _CLEAR else (usual, other)
+    return (other, first) if share < _CLEAR else (first, other)
 
 
 def _share(left: float, usual: float) -> float:
@@ -73,12 +86,21 @@ def _share(left: float, usual: float) -> float:
     return left / usual if usual > 0.0 else 1.0
 
 
-def _left(problem: DamperProblem, noise: Sequence[float], refit: bool) -> float:
-    """Sum of squares in units of noise."""
+def _left(problem: DamperProblem, noise: Sequence[float]) -> float:
+    """Sum of squares of the law as declared, in units of noise."""
     try:
-        return _fitted(problem, noise, refit).chi2
+        return _fitted(problem, noise, refit=False).chi2
     except PredictionError:
         return float("inf")
+
+
+def _refitted(problem: DamperProblem, noise: Sequence[float]) -> tuple[float, np.ndarray | None]:
+    """Sum of squares of the law fitted again, in units of noise, and its coordinates (p,)."""
+    try:
+        fitted = _fitted(problem, noise, refit=True)
+    except PredictionError:
+        return float("inf"), None
+    return fitted.chi2, fitted.x
 
 
 def _left_beside_one(problem: DamperProblem, noise: Sequence[float], refit: bool) -> float:

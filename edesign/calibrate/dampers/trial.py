@@ -173,7 +173,7 @@ class Trial:
     def _finer(self) -> dict[int, Trial]:
         return {}
 
-    def parts(self, refined: int) -> int:
+    def parts(self, refined: float) -> int:
         """Into how many each step is cut for so many times the samples that a fit needs."""
         return max(1, math.ceil(refined * self._coarseness - _ROUNDED))
 

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 
 from edesign.calibrate.dampers.trial import Motion
 
+_KEPT = 32  # motions
 
+
+@lru_cache(maxsize=_KEPT)
 def with_turning_points(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
     """Displacements in order, monotone from one to the next: the samples, and extremes of the cubics between them.
 

@@ -100,6 +100,11 @@ class PropertyProblem:
         """It is always as fine."""
         return self
 
+    @property
+    def rough(self) -> Problem:
+        """It is always as fine."""
+        return self
+
     def finer(self, part: Part) -> tuple[Part, ...]:
         """There are none."""
         return ()
@@ -196,7 +201,7 @@ def property_problem(
     rows = range(len(campaign.table))
     trials = tuple(_trial(campaign.table, campaign.specimen, row, use[row], cycles[1], samples) for row in rows)
     # the samples of a simulated cycle are as many as are needed
-    inner = DamperProblem(law, start, trials, Sizes.of(trials), between=False)
+    inner = DamperProblem(law, start, trials, Sizes.of(trials), fineness=0.0)
     return PropertyProblem(campaign.table, campaign.specimen, campaign.groups, inner, cycles, samples)
 
 

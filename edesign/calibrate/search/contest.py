@@ -11,7 +11,7 @@ import numpy as np
 
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Fitted, fit, refine
-from edesign.calibrate.problem import PredictionError
+from edesign.calibrate.problem import PredictionError, Problem
 from edesign.calibrate.search.screening import Signature
 from edesign.calibrate.side_by_side import side_by_side
 
@@ -32,14 +32,15 @@ S = TypeVar("S")
 
 
 def fit_best(signatures: Sequence[Signature], most: float = math.inf) -> list[Judged]:
-    """Models fitted from their starts: all of them roughly, then the best of them well.
+    """Models fitted from their starts: all of them roughly, and predicted so, then the best of them well.
 
     Args:
         signatures: forms of effects with their starts.
         most: chi2 beyond which a model is not fitted to the end.
     """
     workers = max((s.model.workers for s in signatures), default=1)
-    known = [thing for s in signatures for thing in (*s.model.given, *s.frozen)]
+    problems = {id(s.model.problem.rough): s.model.problem for s in signatures}
+    known = [thing for s in signatures for thing in (*s.model.given, s.model.problem.rough, *s.frozen)]
 
     def side(function: Callable[[T], S | None], items: Iterable[T]) -> list[S]:
         return [found for found in side_by_side(function, items, workers, known) if found is not None]
@@ -50,9 +51,9 @@ def fit_best(signatures: Sequence[Signature], most: float = math.inf) -> list[Ju
         best[key] = min(best.get(key, found), found, key=lambda f: f.chi2)
     promising = [fitted for fitted in _promising(best.values(), _HOPELESS) if fitted.chi2 <= most]
     if len(promising) <= _WELL_FITTED:
-        return side(_well, sorted(promising, key=_quick))
+        return side(lambda found: _well(found, problems[id(found.model.problem)]), sorted(promising, key=_quick))
     nearer = _promising(side(_nearer, sorted(promising, key=_quick)), BEHIND)[:_WELL_FITTED]
-    return side(_on, sorted(nearer, key=_quick))
+    return side(lambda found: _on(found, problems[id(found.model.problem)]), sorted(nearer, key=_quick))
 
 
 def _quick(one: Signature | Fitted) -> tuple[int, int]:
@@ -61,8 +62,9 @@ def _quick(one: Signature | Fitted) -> tuple[int, int]:
 
 
 def _roughly(signature: Signature) -> Fitted | None:
+    model = replace(signature.model, problem=signature.model.problem.rough)
     try:
-        return fit(signature.model, signature.start, _ROUGH_STEPS, _ROUGH, signature.frozen)
+        return fit(model, signature.start, _ROUGH_STEPS, _ROUGH, signature.frozen)
     except PredictionError:
         return None
 
@@ -74,12 +76,16 @@ def _nearer(found: Fitted) -> Fitted | None:
         return None
 
 
-def _on(found: Fitted) -> Judged | None:
-    return judged_of(lambda: refine(found, _WELL))
+def _on(found: Fitted, problem: Problem) -> Judged | None:
+    """Of a problem that is not predicted roughly; the slopes are good enough."""
+    model = replace(found.model, problem=problem)
+    return judged_of(
+        lambda: refine(replace(found, model=model, residuals=tuple(model.residuals(found.x))), _WELL),
+    )
 
 
-def _well(found: Fitted) -> Judged | None:
-    return judged_of(lambda: fit(found.model, found.x, enough=_WELL))
+def _well(found: Fitted, problem: Problem) -> Judged | None:
+    return judged_of(lambda: fit(replace(found.model, problem=problem), found.x, enough=_WELL))
 
 
 def judged_of(search: Callable[[], Fitted]) -> Judged | None:

@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from edesign.calibrate.allowance import Allowance, OutOfTime, taken
 from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.fit import Model, fit
@@ -76,9 +78,12 @@ class Loop:
         self.standing: Judged | None = None  # the best model with effects so far
         self.ending: Ending = "complete"
 
-    def run(self) -> Selection:
+    def run(self, refitted_about: np.ndarray | None = None) -> Selection:
         """Find the effects. A Ctrl-C ends the search with those found so far, as the end of its time does; a second one
         leaves it.
+
+        Args:
+            refitted_about: (p,) coordinates from which the refit begins; None: as declared.
 
         Raises:
             KeyboardInterrupt: there are none so far, or it was the second one.
@@ -94,7 +99,8 @@ class Loop:
         if bench.may_refit:
             bench.tell("refitting the declared law")
             free = replace(held, held=False)
-            refit = refitted(Judged(fit(free, free.coordinates(), LONG)))
+            begin = free.coordinates() if refitted_about is None else refitted_about
+            refit = refitted(Judged(fit(free, begin, LONG)))
         if declared.at_floor:
             return Selection(declared, refit, declared, ())
         rival = refit if compare(refit, declared).beyond_chance else declared

@@ -236,6 +236,11 @@ class StructureProblem:
         """It is always as fine."""
         return self
 
+    @property
+    def rough(self) -> Problem:
+        """It is always as fine."""
+        return self
+
     def finer(self, part: Part) -> tuple[Part, ...]:
         """There are none."""
         return ()

@@ -64,6 +64,10 @@ class LinearProblem:
     def coarse(self) -> LinearProblem:
         return self
 
+    @property
+    def rough(self) -> LinearProblem:
+        return self
+
     def finer(self, part: Part) -> tuple[Part, ...]:
         candidate, values = part
         keys = [key for key in self.fine if key.split(".")[0] == candidate.name and key != candidate.effect]

@@ -148,7 +148,7 @@ def test_springs_of_the_mgmm_are_what_goes_with_the_deformation() -> None:
         }
     )
     test = trial(motion(12), 3)
-    solid = DamperProblem(mgmm, values, (test,), sizes(), between=False)
+    solid = DamperProblem(mgmm, values, (test,), sizes(), fineness=0.0)
     found = {c.label: c for c in candidates(sizes(7), Left((test,), [np.zeros_like(test.force)]), True, True)}
     phi = 1.0 - 0.1 * 3
     (force,) = solid.predict(solid.declared, [(found["ageing.linear_of_loss"], np.array([-0.1]))], ("fit",))

@@ -228,7 +228,7 @@ def test_a_test_begun_hot_is_predicted_from_there() -> None:
 def test_what_a_virgin_specimen_has_regained_is_each_tests_own() -> None:
     tests = two_tests()
     s0, size = 0.4 * float(tests[0].motion.path[-1]), sizes()
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, tests, size, between=False)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": STIFFNESS, "c": 2e4}, tests, size, fineness=0.0)
     forces = [f for f in solid.predict(solid.declared, (), ("fit", "validate")) if f is not None]
     candidate = candidate_of(mullins.Begun(), size, Left())
     assert candidate is not None
@@ -266,7 +266,7 @@ def test_heat_is_that_of_springs_and_dashpots_as_they_are(form: Form) -> None:
     # F = phi k u + phi^loss c v by a loop over samples, q' = beta F v: what the dashpots have lost heats no more
     beta, tau, loss, k, c = 4e-3, 2.0, 3.0, STIFFNESS, 2e4
     (test,) = two_tests()[:1]
-    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": k, "c": c}, (test,), sizes(), between=False)
+    solid = DamperProblem(LAWS["kelvin_voigt"], {"k": k, "c": c}, (test,), sizes(), fineness=0.0)
     u, v = test.motion.displacement, test.motion.velocity
     q, phi, force = 0.0, 1.0, [k * u[0] + c * v[0]]
     for i, h, du in steps(test.motion):
@@ -309,7 +309,7 @@ def test_what_stands_beside_the_law_works_too(
     # a branch beside a Zener law and a path that softens it, by the core, which steps through the same definitions
     test = trial(motion(11))
     zener = {"k0": STIFFNESS, "k1": 0.5 * STIFFNESS, "c1": 0.1 * STIFFNESS}
-    problem = DamperProblem(LAWS["zener"], zener, (test,), sizes(), between=False)
+    problem = DamperProblem(LAWS["zener"], zener, (test,), sizes(), fineness=0.0)
     parts, branch = [], {"k": 0.8 * STIFFNESS, "tau": 0.2}
     for one, own in (
         (form, values),

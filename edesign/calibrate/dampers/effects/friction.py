@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import accumulate
 from typing import ClassVar
 
 import numpy as np
@@ -12,6 +11,7 @@ from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.dampers.turning_points import with_turning_points
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
+from edesign.core.fading import fading
 
 _START = 0.03  # of the force
 
@@ -69,8 +69,7 @@ class Presliding(_Friction):
         most = self._most(p, motion, index)
         keeps = np.exp(-np.abs(way) / (p["x0"] * most))
         gains = np.sign(way) * most * (1.0 - keeps)
-        share = list(accumulate(zip(keeps.tolist(), gains.tolist(), strict=True), _relax, initial=0.0))
-        return np.asarray(p["F_c"] * np.array(share)[index])
+        return np.asarray(p["F_c"] * fading(keeps, gains, 0.0)[index])
 
     def _most(self, p: Values, motion: Motion, index: np.ndarray) -> np.ndarray | float:
         """What z / x0 goes to, on the ways between turning points."""
@@ -105,10 +104,6 @@ class LuGre(Presliding):
         at = np.full(index[-1] + 1, 1.0 + p["s"])  # at rest in the turning points between samples
         at[index] = 1.0 + p["s"] * np.exp(-((motion.velocity / p["v_s"]) ** 2))
         return 0.5 * (at[1:] + at[:-1])
-
-
-def _relax(z: float, over: tuple[float, float]) -> float:
-    return z * over[0] + over[1]
 
 
 class Stribeck(_Friction):
