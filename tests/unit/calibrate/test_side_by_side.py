@@ -72,10 +72,13 @@ def test_a_killed_process_loses_nothing() -> None:
     assert side_by_side(dies_elsewhere, range(4), 2) == [10, 11, 12, 13]
 
 
-@pytest.mark.parametrize(("duration", "processes"), [(0.0, 1), (0.15, 2)])
-def test_short_work_is_done_here(duration: float, processes: int, monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(("duration", "cost", "processes"), [(0.0, 0.02, 1), (0.15, 0.02, 2), (0.15, 0.15, 1)])
+def test_work_is_done_here_if_a_process_costs_as_much(
+    duration: float, cost: float, processes: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
     begun = cycle((0.0, duration))
     monkeypatch.setattr(time, "perf_counter", lambda: next(begun))
+    monkeypatch.setattr("edesign.calibrate.side_by_side._cost", lambda: cost)
 
     def work(i: int) -> tuple[int, int]:
         time.sleep(duration)

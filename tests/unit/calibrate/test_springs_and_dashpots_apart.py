@@ -29,6 +29,12 @@ from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
+from edesign.damper.temperature import at
+
+MGMM = {
+    **{"k1": 5.15e5, "c1": 1.51e4, "k0": 1.07e5, "c_NL": 2.1e4, "alpha": 0.374, "k_a": 3.7e6},
+    **{"k_b": 3.6e6, "u_ref": 8e-3, "c_a": 9e5, "c_b": 1.9e5, "v_ref": 0.0135},
+}
 
 
 def test_kraus_softens_springs_and_gives_dashpots_a_hump() -> None:
@@ -141,12 +147,7 @@ def test_dashpots_take_a_share_of_what_springs_do() -> None:
 def test_springs_of_the_mgmm_are_what_goes_with_the_deformation() -> None:
     # F + tau F' = k u + phi (c v + c_NL |v|^alpha sgn v) is the MGMM itself with these parameters (thesis Eq. 4.29)
     mgmm = LAWS["mgmm"]
-    values = mgmm.complete(
-        {
-            **{"k1": 5.15e5, "c1": 1.51e4, "k0": 1.07e5, "c_NL": 2.1e4, "alpha": 0.374, "k_a": 3.7e6},
-            **{"k_b": 3.6e6, "u_ref": 8e-3, "c_a": 9e5, "c_b": 1.9e5, "v_ref": 0.0135},
-        }
-    )
+    values = mgmm.complete(MGMM)
     test = trial(motion(12), 3)
     solid = DamperProblem(mgmm, values, (test,), sizes(), fineness=0.0)
     found = {c.label: c for c in candidates(sizes(7), Left((test,), [np.zeros_like(test.force)]), True, True)}
@@ -169,6 +170,21 @@ def test_springs_of_the_mgmm_are_what_goes_with_the_deformation() -> None:
     ).force(test.motion.time, test.motion.displacement, test.motion.velocity)
     # of the branch 1e-9 is left
     np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-9 * np.max(np.abs(expected)))
+
+
+@pytest.mark.parametrize("temperature_C", [20.0, 27.0])
+def test_the_dashpot_of_a_power_by_itself_adds_up_to_the_law(temperature_C: float) -> None:
+    mgmm = LAWS["mgmm"]
+    test = replace(trial(motion(13)), temperature=np.full(motion(13).time.size, temperature_C))
+    for c_nl, v_ref in ((2.1e4, 0.0135), (3e4, 0.05), (0.0, 0.0135)):
+        values = mgmm.complete({**MGMM, "c_NL": c_nl, "v_ref": v_ref})
+        solid = DamperProblem(mgmm, {**values, "v_ref": 0.0135}, (test,), sizes(), fineness=0.0)
+        base = np.array([values[unknown.name] for unknown in solid.base])
+        (force,) = solid.predict(base, [], ("fit",))
+        warm, _ = at(mgmm, values, temperature_C)
+        expected = Damper(mgmm, warm).force(test.motion.time, test.motion.displacement, test.motion.velocity)
+        # v_ref rounds the power within 1e-7 v_ref of rest; the steps are good to 1e-8
+        np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-7 * np.max(np.abs(expected)))
 
 
 def test_a_curve_of_its_own_bends_all_of_a_law_that_has_no_sides() -> None:
