@@ -306,9 +306,10 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   if (law->tau < INSTANT * h)
     return instant_step(law, memory, path, direction, trial, out);
   const int wanted = moves(direction);
-  if (still(memory, path) || !softens(law)) {
+  const int resting = still(memory, path);
+  if (resting || !softens(law)) {
     const int status = still_step(law, committed, path, direction, wanted, trial, out);
-    if (!softens(law))
+    if (!resting)
       remember_path(memory, path, trial + 1);
     return status;
   }

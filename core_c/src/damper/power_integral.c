@@ -44,8 +44,8 @@ static const double WELL_AWAY_FEW = 10.0, WELL_AWAY = 2.5;
 /* Length of a piece in relaxation times: at most START + GROW * (time from its end to the end of the path). */
 static const double START_FEW = 0.25, START = 1.0, GROW = 0.35;
 /* Gauss-Laguerre rule of 8 points (Abramowitz & Stegun, table 25.9) for an end from which all roots are far: so many relaxation times,
- * of which e^-17, 4e-8, is left. Shorter paths than the least need fewer points piece by piece; of ones longer than FORGOTTEN nothing is
- * left of the beginning. */
+ * of which e^-17, 4e-8, is left. Shorter paths than the least need fewer points piece by piece; of ones longer than FORGOTTEN, which
+ * those cut at 40 by their law are in spite of rounding, nothing is left of the beginning. */
 enum { LAGUERRE = 8 };
 static const double FAR_AWAY = 17.0, LAGUERRE_LEAST = 4.0, FORGOTTEN = 39.0;
 static const double LAGUERRE_POINT[LAGUERRE] = {0.17027963230510099, 0.90370177679937991, 2.2510866298661307, 4.2667001702876588,

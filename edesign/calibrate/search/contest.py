@@ -78,10 +78,10 @@ def _nearer(found: Fitted) -> Fitted | None:
 
 def _on(found: Fitted, problem: Problem) -> Judged | None:
     """Of a problem that is not predicted roughly; the slopes are good enough."""
+    if problem is found.model.problem:
+        return judged_of(lambda: refine(found, _WELL))
     model = replace(found.model, problem=problem)
-    return judged_of(
-        lambda: refine(replace(found, model=model, residuals=tuple(model.residuals(found.x))), _WELL),
-    )
+    return judged_of(lambda: refine(replace(found, model=model, residuals=tuple(model.residuals(found.x))), _WELL))
 
 
 def _well(found: Fitted, problem: Problem) -> Judged | None:
