@@ -309,6 +309,14 @@ int ed_damper_step(const ed_damper *damper, int method, double tolerance, const 
  * *done: samples that were reached when it fails. */
 int ed_damper_history(const ed_damper *damper, int method, double tolerance, int n, const double *time, const double *u,
                       const double *v, double *force, int *done);
+/* Of the terms that relax in the MGMM (ED_E_STATE: not of an MGMM alone), with g = k_mod u (spring), c_mod v (dashpot) and |v|^alpha sgn v (power)
+ * along the same cubics, the moments 1/h integral of g(s) T_k(2 s/h - 1) ds over each step, T_k Chebyshev's polynomials: with
+ * exp(-(h - s)/t) in a series of T_k they give what any relaxation time t leaves of g. Places and weights of the quadrature suit those of
+ * the damper's tau or longer. Each (n - 1) x ED_MOMENTS, row by row, or NULL: not wanted.
+ * *held: k_mod u at the first deformation. */
+enum { ED_MOMENTS = 6 };
+int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const double *u, const double *v, double *spring,
+                    double *dashpot, double *power, double *held, int *done);
 /* What stands in series with a damper. It carries within (e - z) + stiffness * side * z (1 + bend z^2) at a stretch e, z: e beyond play/2,
  * either way; side: 1, or `back` where e < 0. With another power than 1 (at least that) it is stiffness * side * z |sqrt(bend) z|^(power
  * - 1) beyond the play, bend > 0, play = 0. stiffness, back > 0; bend, within, play >= 0, play from end to end. */

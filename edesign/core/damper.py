@@ -16,6 +16,8 @@ Method = Literal["best", "ode"]
 _METHODS = {"best": lib.ED_DAMPER_BEST, "ode": lib.ED_DAMPER_ODE}
 TOLERANCE = 1e-6
 """Relative tolerance of SUNDIALS for laws without an exact step."""
+MOMENTS = int(lib.ED_MOMENTS)
+"""Of a term of the MGMM over a step."""
 
 
 @dataclass(frozen=True)
@@ -219,6 +221,37 @@ class CoreDamper:
             text = ffi.string(lib.ed_status_text(status)).decode()
             raise CoreError(status_name(status), f"damper in series: {text} at sample {done[0] + 1} of {t.size}")
         return force, own
+
+    def moments(
+        self, time: ArrayLike, deformation: ArrayLike, velocity: ArrayLike, of: Literal["spring", "dashpot", "power"]
+    ) -> tuple[np.ndarray, float]:
+        """What a term of an MGMM does over each step, from which its force with any relaxation time that is not shorter
+        than this one follows: 1/h integral of g(s) T_k(2 s/h - 1), T_k Chebyshev's polynomials.
+
+        Args:
+            time, deformation, velocity: (n,) each, as of `force`.
+            of: g: k_mod u, N; c_mod v, N; |v|^alpha sgn v, (m/s)^alpha.
+
+        Returns:
+            Moments (n - 1, MOMENTS), and k_mod u at the first deformation, N.
+
+        Raises:
+            CoreError: samples that are not finite or not ascending, or another law.
+        """
+        t, u, v = (np.ascontiguousarray(values, dtype=float).ravel() for values in (time, deformation, velocity))
+        if not t.size == u.size == v.size >= 1:
+            raise ValueError(f"{t.size} times, {u.size} deformations, {v.size} velocities")
+        found = np.empty((t.size - 1, MOMENTS))
+        into = [
+            ffi.from_buffer("double[]", found) if of == term else ffi.NULL for term in ("spring", "dashpot", "power")
+        ]
+        held, done = ffi.new("double *"), ffi.new("int *")
+        samples = (ffi.from_buffer("double[]", values) for values in (t, u, v))
+        status = lib.ed_mgmm_moments(self._handle, t.size, *samples, *into, held, done)
+        if status != lib.ED_OK:
+            text = ffi.string(lib.ed_status_text(status)).decode()
+            raise CoreError(status_name(status), f"damper moments: {text} at sample {done[0] + 1} of {t.size}")
+        return found, held[0]
 
     def start(self) -> np.ndarray:
         """State at rest, for `step`."""

@@ -84,7 +84,7 @@ int ed_damper_step(const ed_damper *damper, int method, double tolerance, const 
   return ED_OK;
 }
 
-static int check_samples(int n, const double *time, const double *u, const double *v, int *done)
+int ed_check_samples(int n, const double *time, const double *u, const double *v, int *done)
 {
   for (*done = 0; *done < n; ++*done) {
     const int i = *done;
@@ -159,7 +159,7 @@ static int amend_history(const ed_damper *damper, double *state, double *trial, 
 int ed_damper_history(const ed_damper *damper, int method, double tolerance, int n, const double *time, const double *u,
                       const double *v, double *force, int *done)
 {
-  int status = check_samples(n, time, u, v, done);
+  int status = ed_check_samples(n, time, u, v, done);
   if (status != ED_OK)
     return status;
   ed_ode_system *system = system_for(damper, method, tolerance, &status);
@@ -182,6 +182,8 @@ int ed_damper_history(const ed_damper *damper, int method, double tolerance, int
     int reached = 0;
     if (u[0] != 0.0)
       status = ed_ode_system_history(system, state, 2, ramp_time, ramp_u, ramp_v, ramp_force, &reached);
+    if (damper->law->remember) /* the first velocity, which a motion that slows down from it does not reach again */
+      damper->law->remember(damper, u[0], v[0], state, state + damper->n_ode);
     if (status == ED_OK)
       status = ed_ode_system_history(system, state, n, time, u, v, force, done);
     if (status == ED_OK && damper->n_amendments > 0)

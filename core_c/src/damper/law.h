@@ -120,6 +120,9 @@ static inline int ed_damper_own_step(const ed_damper *damper, const double *comm
   return damper->n_amendments == 0 || status != ED_OK ? status : ed_amend(damper, committed, path, direction, trial, out);
 }
 
+/* ED_OK if n >= 1 samples are finite and their times ascend; *done: those that are well when they are not, else 0. */
+int ed_check_samples(int n, const double *time, const double *u, const double *v, int *done);
+
 /* Helpers for `prepare`. */
 int ed_refuse_parameter(char message[ED_DAMPER_MESSAGE], const char *name, double value, const char *allowed); /* ED_E_ARGUMENT */
 

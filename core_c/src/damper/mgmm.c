@@ -10,22 +10,12 @@
  * the right-hand side G of Q depends on the path alone, so that Q follows by quadrature: Q(h) = Q(0) exp(-h/tau) + 1/tau integral
  * of exp(-(h - s)/tau) G(s) ds. State: Q, largest and smallest deformation, largest and smallest velocity. */
 #include "damper/laws.h"
-#include "damper/power_integral.h"
-#include "damper/softening.h"
+#include "damper/mgmm_terms.h"
 #include "edcore.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-enum { LARGEST_U, SMALLEST_U, LARGEST_V, SMALLEST_V, MEMORY };
-
-typedef struct {
-  double tau, k0, c1, c_nl, alpha;
-  double relaxing;   /* share of k_mod u in Q: 1 as printed, 0 when consistent */
-  ed_softening k_mod, c_mod;
-  ed_power_rule power;
-} constants;
 
 /* Of what happened so many relaxation times ago nothing is left in double precision. */
 static const double FORGOTTEN = 40.0;
@@ -33,14 +23,6 @@ static const double FORGOTTEN = 40.0;
 static const double INSTANT = 1e-13;
 /* Share of v_ref at which the power of the non-linear dashpot, whose slope at rest is infinite for alpha < 1, is rounded. */
 static const double REST = 1e-7;
-/* Pieces of quadrature: the powers of e by which the integrand may change over one, for 3 points (all together) and for 5 (each of
- * time, u_max and v_max); more by GROW for each power by which it has faded there. */
-static const double CHANGE_FEW = 0.1, CHANGE = 1.0, GROW = 0.35;
-
-static const constants *constants_of(const ed_damper *damper)
-{
-  return (const constants *)(const void *)damper->derived;
-}
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
@@ -57,102 +39,18 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   const double tau = p[1] / p[0];
   if (!(tau > 0.0) || !isfinite(tau))
     return ed_refuse_parameter(message, "c1/k1", tau, "a finite time greater than 0");
-  constants *law = malloc(sizeof *law);
+  ed_mgmm_constants *law = malloc(sizeof *law);
   if (!law)
     return ED_E_MEMORY;
-  *law = (constants){.tau = tau, .k0 = p[2], .c1 = p[1], .c_nl = p[3], .alpha = p[4], .relaxing = 1.0 - p[11],
-                     .k_mod = {p[5], p[6], p[7]}, .c_mod = {p[8], p[9], p[10]}};
+  *law = (ed_mgmm_constants){.tau = tau, .k0 = p[2], .c1 = p[1], .c_nl = p[3], .alpha = p[4], .relaxing = 1.0 - p[11],
+                             .k_mod = {p[5], p[6], p[7]}, .c_mod = {p[8], p[9], p[10]}};
   ed_power_rule_prepare(&law->power, p[4], tau, REST * p[10]);
   damper->derived = (double *)(void *)law;
   damper->n_derived = (int)(sizeof *law / sizeof(double));
   damper->n_ode = 1;
-  damper->n_memory = MEMORY;
+  damper->n_memory = ED_MGMM_MEMORY;
   damper->diagonal_ode = 1;
   return ED_OK;
-}
-
-/* A step, or the end of it that is not forgotten. */
-typedef struct {
-  ed_path path, velocity;
-  const ed_path *direction, *velocity_direction; /* NULL when no slopes are wanted */
-  double value, slope[2];                        /* Q(h) without Q(0), as far as it is gathered */
-} step_sums;
-
-static void add_linear_piece(const constants *law, step_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v,
-                             double from, double to, int n, const double *point, const double *weight)
-{
-  static const double none[2] = {0.0};
-  const double h = sum->path.h, length = to - from;
-  ed_modulus k = ed_softening_modulus(&law->k_mod, of_u, 0.0, none), c = ed_softening_modulus(&law->c_mod, of_v, 0.0, none);
-  double along_u[2] = {0.0}, along_v[2] = {0.0};
-  for (int i = 0; i < n; i++) {
-    const double s = from + length * point[i], u = ed_path_u(&sum->path, s), v = ed_path_u(&sum->velocity, s);
-    for (int j = 0; sum->direction && j < 2; j++) {
-      along_u[j] = ed_path_u(&sum->direction[j], s);
-      along_v[j] = ed_path_u(&sum->velocity_direction[j], s);
-    }
-    if (of_u->follow != 0.0)
-      k = ed_softening_modulus(&law->k_mod, of_u, u, along_u);
-    if (of_v->follow != 0.0)
-      c = ed_softening_modulus(&law->c_mod, of_v, v, along_v);
-    const double share = weight[i] * length / law->tau * exp((s - h) / law->tau);
-    const double stiffness = share * law->relaxing * k.value, damping = share * (law->c1 + c.value);
-    sum->value += stiffness * u + damping * v;
-    for (int j = 0; sum->direction && j < 2; j++)
-      sum->slope[j] += stiffness * along_u[j] + damping * along_v[j] + share * (law->relaxing * k.slope[j] * u + c.slope[j] * v);
-  }
-}
-
-/* Powers of e by which a softening changes over a piece of the path of its quantity, and has faded at the beginning. */
-static double softening_change(const ed_softening *law, const ed_softening_piece *piece, const ed_path *path, double from, double to,
-                               double *faded)
-{
-  const double begin = ed_path_u(path, from);
-  *faded = (piece->rest + piece->follow * begin) / law->reference;
-  return fabs(piece->follow * (ed_path_u(path, to) - begin)) / law->reference;
-}
-
-/* Adds the linear terms between two places if the piece is short enough; 0 if it is not. */
-static int add_linear_if_short(const constants *law, step_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v,
-                               double from, double to)
-{
-  const double time = (to - from) / law->tau;
-  if (time > CHANGE + GROW * (sum->path.h - to) / law->tau)
-    return 0;
-  double faded, change = time;
-  if (of_u->follow != 0.0) {
-    const double softening = softening_change(&law->k_mod, of_u, &sum->path, from, to, &faded);
-    if (softening > CHANGE + GROW * faded)
-      return 0;
-    change += softening;
-  }
-  if (of_v->follow != 0.0) {
-    const double softening = softening_change(&law->c_mod, of_v, &sum->velocity, from, to, &faded);
-    if (softening > CHANGE + GROW * faded)
-      return 0;
-    change += softening;
-  }
-  const ed_power_rule *rule = &law->power;
-  if (change <= CHANGE_FEW)
-    add_linear_piece(law, sum, of_u, of_v, from, to, ED_POWER_FEW, rule->few, rule->few_weight);
-  else
-    add_linear_piece(law, sum, of_u, of_v, from, to, ED_POWER_MANY, rule->many, rule->many_weight);
-  return 1;
-}
-
-static void add_linear(const constants *law, step_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v)
-{
-  const double h = sum->path.h;
-  for (double from = 0.0; from < h;) {
-    while (of_u->to <= from)
-      of_u++;
-    while (of_v->to <= from)
-      of_v++;
-    double to = fmin(of_u->to, of_v->to);
-    while (!add_linear_if_short(law, sum, of_u, of_v, from, to))
-      to = 0.5 * (from + to);
-    from = to;
-  }
 }
 
 static int moves(const ed_path direction[2])
@@ -165,23 +63,9 @@ static int moves(const ed_path direction[2])
 }
 
 /* What the chord of the power has more than its tangent, if it has: where the power is below 1. */
-static double softer(const constants *law, double slope, double chord)
+static double softer(const ed_mgmm_constants *law, double slope, double chord)
 {
   return law->alpha < 1.0 ? law->c_nl * (chord - slope) : 0.0;
-}
-
-/* Whether no extreme grows over a step, so that both moduli are constant: by bounds of the cubic and its derivative. */
-static int still(const double *memory, const ed_path *path)
-{
-  const double h = path->h, u0 = path->c[0], u1 = ed_path_u(path, h), v0 = path->c[1], v1 = ed_path_v(path, h);
-  const double over = 4.0 / 27.0 * h * (fabs(v0) + fabs(v1)), bend = 0.75 * fabs(path->c[3]) * h * h;
-  return (v0 > v1 ? v0 : v1) + bend <= memory[LARGEST_V] && (v0 < v1 ? v0 : v1) - bend >= memory[SMALLEST_V] &&
-         (u0 > u1 ? u0 : u1) + over <= memory[LARGEST_U] && (u0 < u1 ? u0 : u1) - over >= memory[SMALLEST_U];
-}
-
-static double constant_modulus(const ed_softening *law, double largest, double smallest)
-{
-  return law->a * exp(-ed_extremes_mean((ed_running){largest, smallest}) / law->reference) + law->b;
 }
 
 /* 1/tau integral over a step of exp(-(h - s)/tau) (s/h)^m for m = 0..3, time = h/tau. From one to the next by parts, in the way in
@@ -214,7 +98,7 @@ static double relaxed(const ed_path *path, const double moment[4], double stiffn
 }
 
 /* The integral of the power over the end of a step that is not forgotten. */
-static double power_integral(const constants *law, const ed_path *path, const ed_path *direction, double slope[2], double chord[2])
+static double power_integral(const ed_mgmm_constants *law, const ed_path *path, const ed_path *direction, double slope[2], double chord[2])
 {
   const double h = path->h, length = FORGOTTEN * law->tau;
   if (h <= length)
@@ -228,20 +112,20 @@ static double power_integral(const constants *law, const ed_path *path, const ed
 }
 
 /* A step over which both moduli are constant. */
-static int still_step(const constants *law, const double *committed, const ed_path *path, const ed_path direction[2], int wanted,
+static int still_step(const ed_mgmm_constants *law, const double *committed, const ed_path *path, const ed_path direction[2], int wanted,
                       double *trial, ed_damper_force *out)
 {
   const double *memory = committed + 1;
-  const double h = path->h, k = constant_modulus(&law->k_mod, memory[LARGEST_U], memory[SMALLEST_U]);
+  const double h = path->h, k = ed_mgmm_constant(&law->k_mod, memory[ED_LARGEST_U], memory[ED_SMALLEST_U]);
   const double stiffness = law->relaxing * k, spring = law->k0 + (1.0 - law->relaxing) * k;
-  const double damping = law->c1 + constant_modulus(&law->c_mod, memory[LARGEST_V], memory[SMALLEST_V]);
+  const double damping = law->c1 + ed_mgmm_constant(&law->c_mod, memory[ED_LARGEST_V], memory[ED_SMALLEST_V]);
   double moment[4], slope[2] = {0.0}, chord[2] = {0.0};
   moments(h / law->tau, moment);
   double relaxing = committed[0] * (1.0 - moment[0]) + relaxed(path, moment, stiffness, damping);
   if (law->c_nl > 0.0)
     relaxing += law->c_nl * power_integral(law, path, wanted ? direction : NULL, slope, chord);
   trial[0] = relaxing;
-  memcpy(trial + 1, memory, MEMORY * sizeof *trial);
+  memcpy(trial + 1, memory, ED_MGMM_MEMORY * sizeof *trial);
   out->force = spring * ed_path_u(path, h) + relaxing;
   for (int j = 0; j < 2; j++) {
     out->slope[j] = law->c_nl * slope[j];
@@ -252,39 +136,34 @@ static int still_step(const constants *law, const double *committed, const ed_pa
   return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
 }
 
-static ed_running of_memory(const double *memory, int largest)
-{
-  return (ed_running){memory[largest], memory[largest + 1]};
-}
-
 /* Extremes after a path. */
 static void remember_path(const double *memory, const ed_path *path, double *after)
 {
   ed_path velocity;
   ed_path_of_velocity(path, &velocity);
-  const ed_running of_u = ed_extremes_along(of_memory(memory, LARGEST_U), path);
-  const ed_running of_v = ed_extremes_along(of_memory(memory, LARGEST_V), &velocity);
-  after[LARGEST_U] = of_u.largest;
-  after[SMALLEST_U] = of_u.smallest;
-  after[LARGEST_V] = of_v.largest;
-  after[SMALLEST_V] = of_v.smallest;
+  const ed_running of_u = ed_extremes_along(ed_mgmm_extremes(memory, ED_LARGEST_U), path);
+  const ed_running of_v = ed_extremes_along(ed_mgmm_extremes(memory, ED_LARGEST_V), &velocity);
+  after[ED_LARGEST_U] = of_u.largest;
+  after[ED_SMALLEST_U] = of_u.smallest;
+  after[ED_LARGEST_V] = of_v.largest;
+  after[ED_SMALLEST_V] = of_v.smallest;
 }
 
 /* Whether the moduli mind the extremes at all. */
-static int softens(const constants *law)
+static int softens(const ed_mgmm_constants *law)
 {
   return law->k_mod.a > 0.0 || law->c_mod.a > 0.0;
 }
 
 /* Without relaxation: Q is its right-hand side at the end of the step, on which the growth of the extremes has no slope. */
-static int instant_step(const constants *law, const double *memory, const ed_path *path, const ed_path direction[2], double *trial,
+static int instant_step(const ed_mgmm_constants *law, const double *memory, const ed_path *path, const ed_path direction[2], double *trial,
                         ed_damper_force *out)
 {
   const double h = path->h, u = ed_path_u(path, h), v = ed_path_v(path, h);
   double *after = trial + 1;
   remember_path(memory, path, after);
-  const double k = constant_modulus(&law->k_mod, after[LARGEST_U], after[SMALLEST_U]);
-  const double c = law->c1 + constant_modulus(&law->c_mod, after[LARGEST_V], after[SMALLEST_V]);
+  const double k = ed_mgmm_constant(&law->k_mod, after[ED_LARGEST_U], after[ED_SMALLEST_U]);
+  const double c = law->c1 + ed_mgmm_constant(&law->c_mod, after[ED_LARGEST_V], after[ED_SMALLEST_V]);
   double steep, power = ed_power_now(&law->power, v, &steep);
   trial[0] = law->relaxing * k * u + c * v + law->c_nl * power;
   out->force = (law->k0 + (1.0 - law->relaxing) * k) * u + trial[0];
@@ -298,7 +177,7 @@ static int instant_step(const constants *law, const double *memory, const ed_pat
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                 ed_damper_force *out)
 {
-  const constants *law = constants_of(damper);
+  const ed_mgmm_constants *law = ed_mgmm_constants_of(damper);
   const double h = path->h, length = fmin(h, FORGOTTEN * law->tau), origin = h - length;
   const double *memory = committed + 1;
   if (!isfinite(path->c[0] + h * (path->c[1] + h * (path->c[2] + h * path->c[3]))))
@@ -306,7 +185,7 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   if (law->tau < INSTANT * h)
     return instant_step(law, memory, path, direction, trial, out);
   const int wanted = moves(direction);
-  const int resting = still(memory, path);
+  const int resting = ed_mgmm_still(memory, path);
   if (resting || !softens(law)) {
     const int status = still_step(law, committed, path, direction, wanted, trial, out);
     if (!resting)
@@ -314,7 +193,7 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
     return status;
   }
   ed_path velocity, along[2], velocity_along[2];
-  step_sums sum = {.path = *path};
+  ed_mgmm_sums sum = {.path = *path};
   ed_path_of_velocity(path, &velocity);
   sum.velocity = velocity;
   for (int j = 0; wanted && j < 2; j++) {
@@ -323,8 +202,8 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   }
   ed_softening_piece of_u[ED_EXTREMES_PIECES], of_v[ED_EXTREMES_PIECES];
   ed_running extremes_u, extremes_v;
-  const int n_u = ed_softening_pieces(of_memory(memory, LARGEST_U), path, wanted ? along : NULL, origin, of_u, &extremes_u);
-  const int n_v = ed_softening_pieces(of_memory(memory, LARGEST_V), &velocity, wanted ? velocity_along : NULL, origin, of_v,
+  const int n_u = ed_softening_pieces(ed_mgmm_extremes(memory, ED_LARGEST_U), path, wanted ? along : NULL, origin, of_u, &extremes_u);
+  const int n_v = ed_softening_pieces(ed_mgmm_extremes(memory, ED_LARGEST_V), &velocity, wanted ? velocity_along : NULL, origin, of_v,
                                       &extremes_v);
   of_u[n_u - 1].to = of_v[n_v - 1].to = length;
   if (origin > 0.0) {
@@ -340,16 +219,16 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
     sum.direction = along;
     sum.velocity_direction = velocity_along;
   }
-  add_linear(law, &sum, of_u, of_v);
+  ed_mgmm_add_softened(law, &sum, of_u, of_v);
   double slope[2] = {0.0}, chord[2] = {0.0};
   if (law->c_nl > 0.0)
     sum.value += law->c_nl * ed_power_integral(&law->power, &sum.path, sum.direction, slope, chord);
   const double relaxing = sum.value + committed[0] * exp(-h / law->tau), u = ed_path_u(&sum.path, length);
   trial[0] = relaxing;
-  trial[1 + LARGEST_U] = extremes_u.largest;
-  trial[1 + SMALLEST_U] = extremes_u.smallest;
-  trial[1 + LARGEST_V] = extremes_v.largest;
-  trial[1 + SMALLEST_V] = extremes_v.smallest;
+  trial[1 + ED_LARGEST_U] = extremes_u.largest;
+  trial[1 + ED_SMALLEST_U] = extremes_u.smallest;
+  trial[1 + ED_LARGEST_V] = extremes_v.largest;
+  trial[1 + ED_SMALLEST_V] = extremes_v.smallest;
   double along_u[2] = {0.0};
   for (int j = 0; wanted && j < 2; j++)
     along_u[j] = ed_path_u(&along[j], length);
@@ -375,10 +254,10 @@ static double modulus_now(const ed_softening *law, double largest, double smalle
 
 static void rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out)
 {
-  const constants *law = constants_of(damper);
+  const ed_mgmm_constants *law = ed_mgmm_constants_of(damper);
   double k_slope, c_slope;
-  const double k = modulus_now(&law->k_mod, memory[LARGEST_U], memory[SMALLEST_U], u, &k_slope);
-  const double c = modulus_now(&law->c_mod, memory[LARGEST_V], memory[SMALLEST_V], v, &c_slope);
+  const double k = modulus_now(&law->k_mod, memory[ED_LARGEST_U], memory[ED_SMALLEST_U], u, &k_slope);
+  const double c = modulus_now(&law->c_mod, memory[ED_LARGEST_V], memory[ED_SMALLEST_V], v, &c_slope);
   const double spring = 1.0 - law->relaxing;
   double power_slope, power = law->c_nl * ed_power_now(&law->power, v, &power_slope);
   power_slope *= law->c_nl;
@@ -396,12 +275,12 @@ static void remember(const ed_damper *damper, double u, double v, const double *
 {
   (void)damper;
   (void)y;
-  const ed_running of_u = ed_extremes_with(of_memory(memory, LARGEST_U), u);
-  const ed_running of_v = ed_extremes_with(of_memory(memory, LARGEST_V), v);
-  memory[LARGEST_U] = of_u.largest;
-  memory[SMALLEST_U] = of_u.smallest;
-  memory[LARGEST_V] = of_v.largest;
-  memory[SMALLEST_V] = of_v.smallest;
+  const ed_running of_u = ed_extremes_with(ed_mgmm_extremes(memory, ED_LARGEST_U), u);
+  const ed_running of_v = ed_extremes_with(ed_mgmm_extremes(memory, ED_LARGEST_V), v);
+  memory[ED_LARGEST_U] = of_u.largest;
+  memory[ED_SMALLEST_U] = of_u.smallest;
+  memory[ED_LARGEST_V] = of_v.largest;
+  memory[ED_SMALLEST_V] = of_v.smallest;
 }
 
 static void start(const ed_damper *damper, double *state)
@@ -416,8 +295,8 @@ static int events(const ed_damper *damper, const ed_path *path, const double *me
   ed_path velocity;
   ed_path_of_velocity(path, &velocity);
   double of_u[ED_EXTREMES_BREAKS], of_v[ED_EXTREMES_BREAKS];
-  const int n_u = ed_extremes_breaks(of_memory(memory, LARGEST_U), path, of_u);
-  const int n_v = ed_extremes_breaks(of_memory(memory, LARGEST_V), &velocity, of_v);
+  const int n_u = ed_extremes_breaks(ed_mgmm_extremes(memory, ED_LARGEST_U), path, of_u);
+  const int n_v = ed_extremes_breaks(ed_mgmm_extremes(memory, ED_LARGEST_V), &velocity, of_v);
   int n = 0;
   for (int i = 0, j = 0; (i < n_u || j < n_v) && n < 8;)
     at[n++] = j == n_v || (i < n_u && of_u[i] <= of_v[j]) ? of_u[i++] : of_v[j++];
@@ -426,7 +305,7 @@ static int events(const ed_damper *damper, const ed_path *path, const double *me
 
 static double relaxation_time(const ed_damper *damper)
 {
-  return constants_of(damper)->tau;
+  return ed_mgmm_constants_of(damper)->tau;
 }
 
 const ed_law ed_mgmm = {.name = "mgmm", .least_parameters = 12, .most_parameters = 12, .prepare = prepare, .start = start,

@@ -2,16 +2,18 @@
 
 #include "base/power_exp.h"
 #include "damper/gauss_jacobi.h"
+#include "damper/moments.h"
 
 #include <complex.h>
 #include <math.h>
+#include <stddef.h>
 
 /* All in x = s/h. v = a + b x + c x^2 has two roots, real or a conjugate pair. |v|^alpha is smooth on pieces well away from both;
  * it is t^alpha times something smooth on pieces that end at one (t: distance from it) and are well away from the other.
  * Where the whole path is slow, the rounding of the power at rest counts. What it takes from the power beside a reversal is a closed
  * form as long as v is a line there; else v (v^2 + rest^2)^((alpha - 1)/2) is smooth on pieces well away from the places where
  * v = +-i rest. */
-enum { GATHERED = 24 };
+enum { GATHERED = ED_PLACES };
 typedef struct {
   const ed_power_rule *rule;
   const ed_path *direction;
@@ -23,9 +25,11 @@ typedef struct {
   int complex_roots; /* the roots are those of v = +-i rest */
   double power;   /* of the base of each place */
   double value, slope[2], chord[2];
+  double *moment; /* wanted in place of the integral; else NULL. Places of several paths are gathered then, each for its own. */
   /* Places that are still to be added: the chord of the power, |v|^(alpha - 1), is base^power. */
   int n;
   double x[GATHERED], v[GATHERED], weight[GATHERED], tangent[GATHERED], base[GATHERED], fading[GATHERED];
+  double *of[GATHERED];
 } sums;
 
 /* Multiples of the speed of rest from which on a path is fast: rounding the power changes its integral by less than 1e-5 of it. */
@@ -129,12 +133,31 @@ static double distance(const sums *sum, int root, double from, double to)
   return both / (to - from);
 }
 
+static void add_to_moments(sums *sum, double share[GATHERED])
+{
+  double place[GATHERED];
+  for (int i = 0; i < sum->n; i++) {
+    place[i] = 2.0 * sum->x[i] - 1.0;
+    share[i] *= sum->weight[i] * sum->v[i];
+  }
+  for (int from = 0, to; from < sum->n; from = to) {
+    for (to = from + 1; to < sum->n && sum->of[to] == sum->of[from];)
+      to++;
+    ed_add_moments(sum->of[from], to - from, place + from, share + from);
+  }
+  sum->n = 0;
+}
+
 static void add_gathered(sums *sum)
 {
   double share[GATHERED];
   for (int i = sum->n; i % ED_POWER_BLOCK; i++)
     sum->base[i] = 1.0, sum->fading[i] = 0.0;
   ed_power_exp(sum->n, sum->power, sum->base, sum->fading, share);
+  if (sum->moment) {
+    add_to_moments(sum, share);
+    return;
+  }
   for (int i = 0; i < sum->n; i++) {
     share[i] *= sum->weight[i] * sum->time;
     sum->value += share[i] * sum->v[i];
@@ -156,7 +179,8 @@ static inline void gather(sums *sum, double x, double v, double weight, double b
   sum->weight[i] = weight;
   sum->base[i] = base;
   sum->tangent[i] = tangent;
-  sum->fading[i] = -(1.0 - x) * sum->time;
+  sum->fading[i] = sum->moment ? 0.0 : -(1.0 - x) * sum->time;
+  sum->of[i] = sum->moment;
   if (sum->n == GATHERED)
     add_gathered(sum);
 }
@@ -195,6 +219,11 @@ static void round_turn(sums *sum, double turn, double other)
   const double share = sum->time * exp(-(1.0 - turn) * sum->time) / steep;
   const double squares = size * size + sum->rest * sum->rest, power = pow(size, alpha), rounded = pow(squares, 0.5 * (alpha + 1.0));
   const double less = (size * power - rounded + pow(sum->rest, alpha + 1.0)) / (alpha + 1.0), last = power - size * rounded / squares;
+  if (sum->moment) {
+    const double place = 2.0 * turn - 1.0, amount = -copysign(less / steep, v);
+    ed_add_moments(sum->moment, 1, &place, &amount);
+    return;
+  }
   const double moment = (other > turn ? size * last - less : less - size * last) / steep;
   sum->value -= copysign(share * less, v);
   for (int j = 0; sum->direction && j < 2; j++) {
@@ -282,6 +311,7 @@ static void add_pieces(sums *sum)
 {
   const ed_power_rule *rule = sum->rule;
   if (rule->alpha < 1.0 && fabs(sum->a) + fabs(sum->b) + fabs(sum->c) < FAST * rule->rest) {
+    add_gathered(sum); /* of paths before this one, with another power */
     sum->rest = rule->rest;
     sum->power *= 0.5; /* of the square of a speed */
     sum->complex_roots = !straight(sum);
@@ -290,7 +320,7 @@ static void add_pieces(sums *sum)
     find_slow_roots(sum);
   else
     find_roots(sum);
-  if (sum->rest == 0.0 && sum->time >= LAGUERRE_LEAST && far_from(sum, 1.0) && (sum->time >= FORGOTTEN || far_from(sum, 0.0))) {
+  if (!sum->moment && sum->rest == 0.0 && sum->time >= LAGUERRE_LEAST && far_from(sum, 1.0) && (sum->time >= FORGOTTEN || far_from(sum, 0.0))) {
     add_settled(sum, 1.0, 1.0);
     if (sum->time < FORGOTTEN)
       add_settled(sum, 0.0, -1.0);
@@ -306,32 +336,61 @@ static void add_pieces(sums *sum)
   }
 }
 
+/* The struct is set field by field, as clearing its buffers takes as long as a short step. */
+static void begin(sums *sum, const ed_power_rule *rule, const ed_path *direction, double *moment)
+{
+  sum->rule = rule;
+  sum->direction = direction;
+  sum->value = sum->slope[0] = sum->slope[1] = sum->chord[0] = sum->chord[1] = 0.0;
+  sum->moment = moment;
+  sum->n = 0;
+}
+
+/* Gathers what the whole path needs. */
+static void gather_path(sums *sum, const ed_path *path)
+{
+  const ed_power_rule *rule = sum->rule;
+  const double h = path->h;
+  sum->a = path->c[1], sum->b = 2.0 * path->c[2] * h, sum->c = 3.0 * path->c[3] * h * h;
+  sum->h = h, sum->time = h / rule->tau;
+  sum->rest = 0.0, sum->complex_roots = 0;
+  sum->power = rule->alpha - 1.0;
+  const int points = plain_points(sum);
+  if (points == 0)
+    add_pieces(sum);
+  else if (points == ED_POWER_FEW)
+    regular_piece(sum, 0.0, 1.0, points, rule->few, rule->few_weight);
+  else
+    regular_piece(sum, 0.0, 1.0, points, rule->many, rule->many_weight);
+}
+
 double ed_power_integral(const ed_power_rule *rule, const ed_path *path, const ed_path *direction, double slope[2],
                          double chord[2])
 {
-  const double h = path->h;
   sums sum;
-  sum.rule = rule;
-  sum.direction = direction;
-  sum.a = path->c[1], sum.b = 2.0 * path->c[2] * h, sum.c = 3.0 * path->c[3] * h * h;
-  sum.h = h, sum.time = h / rule->tau;
-  sum.rest = 0.0, sum.complex_roots = 0;
-  sum.power = rule->alpha - 1.0;
-  sum.value = sum.slope[0] = sum.slope[1] = sum.chord[0] = sum.chord[1] = 0.0;
-  sum.n = 0;
-  const int points = plain_points(&sum);
-  if (points == 0)
-    add_pieces(&sum);
-  else if (points == ED_POWER_FEW)
-    regular_piece(&sum, 0.0, 1.0, points, rule->few, rule->few_weight);
-  else
-    regular_piece(&sum, 0.0, 1.0, points, rule->many, rule->many_weight);
+  begin(&sum, rule, direction, NULL);
+  gather_path(&sum, path);
   add_gathered(&sum);
   for (int j = 0; direction && j < 2; j++) {
     slope[j] = sum.slope[j];
     chord[j] = sum.chord[j];
   }
   return sum.value;
+}
+
+void ed_power_moments(const ed_power_rule *rule, int n, const double *time, const double *u, const double *v, double *moment)
+{
+  sums sum;
+  begin(&sum, rule, NULL, moment);
+  for (int i = 1; i < n; i++) {
+    ed_path path;
+    ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
+    gather_path(&sum, &path);
+    if (sum.rest > 0.0)
+      add_gathered(&sum); /* with its own power */
+    sum.moment += ED_MOMENTS;
+  }
+  add_gathered(&sum);
 }
 
 double ed_power_now(const ed_power_rule *rule, double v, double *slope)

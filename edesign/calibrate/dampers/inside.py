@@ -12,7 +12,6 @@ from edesign.core.fading import fading
 from edesign.damper.law import Law
 
 _NOTHING = 1e-9
-_POWER = 1e6  # N (s/m)^alpha
 _KEPT = 64  # motions and relaxation times
 _MOMENTS = 18  # from which those of steps shorter than the relaxation are found in double precision
 
@@ -40,23 +39,6 @@ def without_dashpots(law: Law, values: Mapping[str, float]) -> dict[str, float] 
 def without_power(law: Law, values: Mapping[str, float]) -> dict[str, float] | None:
     """Parameters of the same law without its dashpot of a power of the velocity; None: it has none beside others."""
     return {**values, "c_NL": 0.0} if law.name == "mgmm" else None
-
-
-def power_alone(law: Law, values: Mapping[str, float], v_ref: float) -> tuple[float, dict[str, float]] | None:
-    """What the law adds to `without_power`: so many times the force of the same law with these parameters, which depend
-    on tau and alpha alone; None: nothing is apart.
-
-    Args:
-        law: of the parameters.
-        values: its parameters.
-        v_ref: m/s, about 1e-7 of which the power is rounded; the same for all values, as it hardly matters.
-    """
-    if law.name != "mgmm" or values["c_NL"] == 0.0:
-        return None
-    nothing = dict.fromkeys(("k0", "k_a", "k_b", "c_a", "c_b"), 0.0)
-    rate = float(f"{values['k1'] / values['c1']:.13g}")  # the same where temperature has multiplied both
-    branch = {"c1": _NOTHING, "k1": _NOTHING * rate}
-    return values["c_NL"] / _POWER, {**values, **nothing, **branch, "u_ref": 1.0, "v_ref": v_ref, "c_NL": _POWER}
 
 
 def relaxed_force(motion: Motion, force: np.ndarray, tau: complex) -> np.ndarray:

@@ -17,7 +17,8 @@ from edesign.calibrate.dampers.band import band_power
 from edesign.calibrate.dampers.effect import Form, Series
 from edesign.calibrate.dampers.extremes import extremes_after
 from edesign.calibrate.dampers.finer import finer
-from edesign.calibrate.dampers.inside import power_alone, relaxation_time, without_dashpots, without_power
+from edesign.calibrate.dampers.inside import relaxation_time, without_dashpots, without_power
+from edesign.calibrate.dampers.law_force import law_force
 from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
@@ -35,7 +36,7 @@ _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show 
 _WELL_APART = 1e-6  # ratio of eigenvalues with which squares of columns make a basis that is exact to 1e-10
 _KEPT = 64  # results of the parameters last used
 _ROUGH = 0.5  # of the samples, where models are only put in order
-_FORCES = 512  # force histories of the law alone: of some sets of parameters, or of motions that a search moves
+_MOTIONS = 128  # motions of a test or specimen that are not those that were recorded
 _COARSE = 3  # samples of a first round with a rig in series, that finds about what it takes of the motion
 _FEWEST = 4  # of them; a shorter test has the second round alone
 
@@ -272,10 +273,10 @@ class DamperProblem:
         """Force (n,) N that the load cell records, and the motion of the elastomer."""
         motion = trial.motion
         for part in acting:
-            motion = part.form.actuator(part.p, trial, motion)
+            motion = _actuator(part, trial, motion)
         own = motion
         for part in acting:
-            own = part.form.specimen(part.p, trial, own)
+            own = _specimen(part, trial, own)
         for part in acting:
             values = part.form.law(part.p, trial, values)
         own_gamma = not any(part.form.in_place_of_gamma for part in acting)
@@ -284,9 +285,9 @@ class DamperProblem:
         if series:
             force, own = self._in_series(trial, own, values, acting, Series.together(series))
         else:
-            law_force = self._law_force(trial, own, values)
-            changed = self._changed(trial, own, values, acting, law_force)
-            force = np.asarray(changed.factor * law_force + changed.parallel)
+            alone = self._law_force(values, own, trial)
+            changed = self._changed(trial, own, values, acting, alone)
+            force = np.asarray(changed.factor * alone + changed.parallel)
         carried = [part.form.carriage(part.p, trial, motion, force) for part in acting]
         force = sum((own for own in carried if own is not None), start=force)
         for part in acting:
@@ -296,20 +297,21 @@ class DamperProblem:
         return force, own
 
     def _changed(
-        self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[Acting], law_force: np.ndarray
+        self, trial: Trial, motion: Motion, values: dict[str, float], acting: Sequence[Acting], alone: np.ndarray
     ) -> Changed:
         """What parts make of the law's force (n,) N."""
 
+        def with_values(values: dict[str, float] | None) -> np.ndarray:
+            return alone if values is None else self._law_force(values, motion, trial)
+
         def at_rate(gamma: float) -> np.ndarray:
-            if self._gamma is None:
-                return gamma * law_force
-            return self._law_force(trial, motion, self._gamma.at_rate(values, gamma))
+            return gamma * alone if self._gamma is None else with_values(self._gamma.at_rate(values, gamma))
 
         law = LawForce(
-            law_force,
+            alone,
             relaxation_time(self.law, values),
-            springs=lambda: self._law_force(trial, motion, without_dashpots(self.law, values) or values),
-            powerless=lambda: self._law_force(trial, motion, without_power(self.law, values) or values),
+            springs=lambda: with_values(without_dashpots(self.law, values)),
+            powerless=lambda: with_values(without_power(self.law, values)),
             at_rate=at_rate,
         )
         return changed_by(acting, trial, motion, law)
@@ -336,8 +338,8 @@ class DamperProblem:
         while True:
             for part, memory in zip(acting, remembered, strict=True):
                 part.memory = dict(memory)
-            law_force = self._law_force(trial, left, values) if needs_force else np.zeros_like(left.time)
-            changed = self._changed(trial, left, values, acting, law_force)
+            alone = self._law_force(values, left, trial) if needs_force else np.zeros_like(left.time)
+            changed = self._changed(trial, left, values, acting, alone)
             if changed.still or driven.time.size < _FEWEST:
                 driven = motion
             every = 1 if driven is motion else _COARSE
@@ -363,19 +365,13 @@ class DamperProblem:
                 raise PredictionError(str(error)) from error
             if driven is motion:
                 return force, motion.moved(own) if self.lasting else left
-            left = motion.moved(motion.displacement - _between(driven, driven.displacement - own, motion.time))
+            taken = _between(driven, driven.displacement - own, motion.time)
+            left = replace(motion.moved(motion.displacement - taken), passing=True)
             driven = motion
 
-    def _law_force(self, trial: Trial, motion: Motion, values: dict[str, float]) -> np.ndarray:
-        """Force (n,) N of the law alone: in the motion of the test the dashpot of a power of the velocity, which takes
-        most of the time, by itself, as most searches move other parameters than its own.
-        """
-        rest, power = without_power(self.law, values), power_alone(self.law, values, self.start.get("v_ref", 1.0))
-        if motion is not trial.motion or rest is None or power is None:
-            return _kept_force(self.law.name, tuple(values.values()), _Same(motion), trial.been)
-        share, unit = power
-        linear = _kept_force(self.law.name, tuple(rest.values()), _Same(motion), trial.been)
-        return linear + share * _kept_force(self.law.name, tuple(unit.values()), _Same(motion), NONE)
+    def _law_force(self, values: Mapping[str, float], motion: Motion, trial: Trial) -> np.ndarray:
+        """Force (n,) N of the law alone."""
+        return law_force(self.law, values, motion, trial.been, self.start.get("v_ref"))
 
     def _complete(self, values: dict[str, float]) -> dict[str, float]:
         """Parameters of the law as parts have made them, in the order of the core."""
@@ -458,12 +454,25 @@ def _damper(law: str, values: tuple[float, ...], been: Extremes) -> CoreDamper:
         raise PredictionError(str(error)) from error
 
 
-@lru_cache(maxsize=_FORCES)
-def _kept_force(law: str, values: tuple[float, ...], motion: _Same[Motion], been: Extremes) -> np.ndarray:
-    damper, of = _damper(law, values, been), motion.thing
-    try:
-        force = damper.force(of.time, of.displacement, of.velocity)
-    except CoreError as error:
-        raise PredictionError(str(error)) from error
-    force.setflags(write=False)
-    return force
+def _actuator(part: Acting, trial: Trial, motion: Motion) -> Motion:
+    """The motion that was made; the same object as long as it is asked for with the same parameters."""
+    if type(part.form).actuator is Form.actuator:
+        return motion
+    return _kept_actuator(part.form, tuple(part.p.items()), trial, motion)
+
+
+def _specimen(part: Acting, trial: Trial, motion: Motion) -> Motion:
+    """The motion of the elastomer, likewise."""
+    if type(part.form).specimen is Form.specimen:
+        return motion
+    return _kept_specimen(part.form, tuple(part.p.items()), trial, motion)
+
+
+@lru_cache(maxsize=_MOTIONS)
+def _kept_actuator(form: Form, p: tuple[tuple[str, float], ...], trial: Trial, motion: Motion) -> Motion:
+    return form.actuator(dict(p), trial, motion)
+
+
+@lru_cache(maxsize=_MOTIONS)
+def _kept_specimen(form: Form, p: tuple[tuple[str, float], ...], trial: Trial, motion: Motion) -> Motion:
+    return form.specimen(dict(p), trial, motion)

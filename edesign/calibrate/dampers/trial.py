@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 
 import numpy as np
@@ -26,12 +26,17 @@ _ROUNDED = 0.1  # parts of a step
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """What a device is made to do: arrays (n,) of time s, displacement m, velocity m/s, acceleration m/s2."""
+    """What a device is made to do: arrays (n,) of time s, displacement m, velocity m/s, acceleration m/s2.
+
+    Attributes:
+        passing: whether it stands between two rounds of a prediction, and is not asked for again.
+    """
 
     time: np.ndarray
     displacement: np.ndarray
     velocity: np.ndarray
     acceleration: np.ndarray
+    passing: bool = field(default=False, kw_only=True)
 
     def thinned(self, stride: int) -> Motion:
         """Every so many samples."""

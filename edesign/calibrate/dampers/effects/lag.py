@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import ClassVar
 
 import numpy as np
@@ -13,18 +12,15 @@ from edesign.calibrate.dampers.trial import REFINED, Motion, Sizes, Trial, Value
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
-_KEPT = 64  # motions
 _LONGEST, _SLOWEST = 0.05, 20.0
 """Of the slowest period, s, up to this one: more is another test, not a lag; no logger is a second late."""
 _STARTS = (0.002, 0.02)  # of it: what a long lag does is not linear in it where tests are fast
 
 
-@lru_cache(maxsize=_KEPT)
 def _later(motion: Motion, lag: float, skew: float = 0.0) -> Motion:
     """A motion late by a time, s, and a share of the time since its beginning: what it makes of force is as late.
 
-    The force itself has cusps at reversals, that no interpolation between its samples follows. Kept, as most searches
-    move other parameters.
+    The force itself has cusps at reversals, that no interpolation between its samples follows.
     """
     time = motion.time
     then = time - lag - skew * (time - time[0])

@@ -1,0 +1,205 @@
+"""Force of a law alone in a test: a search asks for it in the same motions with thousands of sets of parameters.
+
+What the terms of an MGMM do over each step stands in moments that hold for all relaxation times and moduli
+(ed_mgmm_moments): once they are known, a force is a recursion over the steps. They depend on the motion, on alpha, and
+on what softens the moduli.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.polynomial.chebyshev import chebvander
+from scipy.special import ive
+
+from edesign.calibrate.dampers.trial import Extremes, Motion
+from edesign.calibrate.problem import PredictionError
+from edesign.core import CoreError
+from edesign.core.damper import MOMENTS, CoreDamper
+from edesign.core.fading import fading
+from edesign.damper.law import Law
+
+_FORCES = 512  # histories: of some sets of parameters
+_MOTIONS = 96  # moments of tests, with some powers each
+_SHORTEST = (2.00001, 1.35)
+"""Relaxation times over the longest step to which moments suit: the series of an exponential fading over a step misses
+8e-9 and 8e-8 of it then with 6 terms.
+"""
+_LARGEST_POWER = 2.0  # of the law
+_LENGTHS = 8  # different steps of a motion, up to which series are made for each
+_SAME = 1e-9  # relative difference of steps
+
+
+def law_force(
+    law: Law, values: Mapping[str, float], motion: Motion, been: Extremes, v_ref: float | None = None
+) -> np.ndarray:
+    """Force (n,) N.
+
+    Args:
+        law: of the parameters.
+        values: all parameters, in the order of the core, SI.
+        motion: of the specimen.
+        been: what it went through before, if the law remembers it.
+        v_ref: about 1e-7 of which an MGMM rounds the power of the velocity, m/s; the same for all values spares time,
+            and hardly matters. None: as the values have it.
+
+    Raises:
+        PredictionError: there is none.
+    """
+    if motion.passing:
+        return _force(law.name, tuple(values.values()), motion, been)
+    return _kept_force(law.name, tuple(values.items()), motion, been, v_ref)
+
+
+def _force(law: str, values: tuple[float, ...], motion: Motion, been: Extremes) -> np.ndarray:
+    try:
+        return CoreDamper(law, values, been=been).force(motion.time, motion.displacement, motion.velocity)
+    except CoreError as error:
+        raise PredictionError(str(error)) from error
+
+
+@lru_cache(maxsize=_FORCES)
+def _kept_force(
+    law: str, values: tuple[tuple[str, float], ...], motion: Motion, been: Extremes, v_ref: float | None
+) -> np.ndarray:
+    asked = _asked(motion, been)
+    asked[0] += 1
+    p = dict(values)
+    force = _by_moments(p, motion, been, v_ref) if law == "mgmm" and asked[0] > 1 else None
+    if force is None:
+        force = _force(law, tuple(p.values()), motion, been)
+    force.setflags(write=False)
+    return force
+
+
+@lru_cache(maxsize=_FORCES)
+def _asked(motion: Motion, been: Extremes) -> list[int]:
+    """How often a motion has been asked for with other parameters: moments are not worth while for once."""
+    return [0]
+
+
+class _Fading(NamedTuple):
+    """Over each step of a motion.
+
+    Attributes:
+        decay: (n - 1,) what a relaxation leaves of a force.
+        series: (1 or n - 1, MOMENTS) by which moments of a force make the relaxed one.
+    """
+
+    decay: np.ndarray
+    series: np.ndarray
+
+    def made(self, moments: np.ndarray) -> np.ndarray:
+        """Of moments (n - 1, MOMENTS): what each step makes (n - 1,)."""
+        if len(self.series) == 1:
+            return np.asarray(moments @ self.series[0])
+        return np.einsum("ij,ij->i", moments, self.series)
+
+
+def _by_moments(p: Mapping[str, float], motion: Motion, been: Extremes, v_ref: float | None) -> np.ndarray | None:
+    """Force (n,) N of an MGMM; None: moments do not suit, or there is none."""
+    above = min(p[name] for name in ("k1", "c1", "alpha", "u_ref", "v_ref"))
+    if not (above > 0.0 and min(p.values()) >= 0.0 and p["alpha"] <= _LARGEST_POWER):
+        return None
+    tau = float(f"{p['c1'] / p['k1']:.13g}")  # the same where temperature has multiplied both
+    lengths, _ = _lengths(motion)
+    shortest = next((s for s in _SHORTEST if tau >= s * lengths[-1]), None)
+    if shortest is None or len(lengths) > _LENGTHS or p["consistent"]:
+        return None
+    shortest *= float(lengths[-1])
+    # c v relaxes to c (u - R) / tau, if u relaxes to R
+    dashpot = (p["c1"] + p["c_b"]) / tau
+    try:
+        fades = _fading(tau, motion)
+        made, begun = (p["k_b"] - dashpot) * _straight(tau, motion), (p["k_b"] - dashpot) * motion.displacement[0]
+        if p["k_a"]:
+            spring, held = _spring(tau, p["u_ref"], shortest, motion, been)
+            made, begun = made + p["k_a"] * spring, begun + p["k_a"] * held
+        if p["c_a"]:
+            made = made + p["c_a"] * _dashpot(tau, p["v_ref"], shortest, motion, been)
+        if p["c_NL"]:
+            made = made + p["c_NL"] * _power(tau, p["alpha"], v_ref or p["v_ref"], shortest, motion)
+    except CoreError as error:
+        raise PredictionError(str(error)) from error
+    return np.asarray((p["k0"] + dashpot) * motion.displacement + fading(fades.decay, made, float(begun)))
+
+
+@lru_cache(maxsize=_MOTIONS)
+def _lengths(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
+    """Different lengths (m,) of the steps of a motion, s, ascending, and which each step (n - 1,) has."""
+    steps = motion.steps
+    unit = float(np.max(steps)) * _SAME if steps.size else 1.0
+    rounded, which = np.unique(np.round(steps / unit), return_inverse=True)
+    return (rounded * unit if steps.size else np.ones(1)), which
+
+
+@lru_cache(maxsize=2 * _MOTIONS)
+def _fading(tau: float, motion: Motion) -> _Fading:
+    lengths, which = _lengths(motion)
+    # exp(-(1 - x) t) = exp(-t/2) (I_0(t/2) + 2 sum I_k(t/2) T_k(2 x - 1)): Abramowitz & Stegun (1964), 9.6.34
+    time = lengths[:, np.newaxis] / tau
+    order = np.arange(MOMENTS)
+    series = time * np.where(order, 2.0, 1.0) * ive(order, 0.5 * time)
+    return _Fading(np.exp(-motion.steps / tau), series if len(lengths) == 1 else series[which])
+
+
+def _hermite() -> np.ndarray:
+    """Moments (4, MOMENTS) over a step of the cubics with value or slope 1 at its beginning or end, else 0 there."""
+    x, weights = np.polynomial.legendre.leggauss(MOMENTS)
+    s = 0.5 * (1.0 + x)
+    cubics = np.array([(1.0 + 2.0 * s) * (1.0 - s) ** 2, s**2 * (3.0 - 2.0 * s), s * (1.0 - s) ** 2, s**2 * (s - 1.0)])
+    return np.asarray((0.5 * weights * cubics) @ chebvander(x, MOMENTS - 1))
+
+
+_HERMITE = _hermite()
+
+
+@lru_cache(maxsize=2 * _MOTIONS)
+def _straight(tau: float, motion: Motion) -> np.ndarray:
+    """What the deformation makes (n - 1,) m in each step."""
+    u, v, h = motion.displacement, motion.velocity, motion.steps
+    ends = np.column_stack((u[:-1], u[1:], h * v[:-1], h * v[1:]))
+    fades = _fading(tau, motion)
+    if len(fades.series) == 1:
+        return np.asarray(ends @ (_HERMITE @ fades.series[0]))
+    return fades.made(ends @ _HERMITE)
+
+
+@lru_cache(maxsize=2 * _MOTIONS)
+def _spring(tau: float, u_ref: float, shortest: float, motion: Motion, been: Extremes) -> tuple[np.ndarray, float]:
+    """What a deformation that softens makes (n - 1,) m in each step, and it at the first sample, where it is held."""
+    moments, held = _spring_moments(u_ref, shortest, motion, been)
+    return _fading(tau, motion).made(moments), held
+
+
+@lru_cache(maxsize=2 * _MOTIONS)
+def _dashpot(tau: float, v_ref: float, shortest: float, motion: Motion, been: Extremes) -> np.ndarray:
+    """What a velocity that softens makes (n - 1,) m/s in each step."""
+    return _fading(tau, motion).made(_dashpot_moments(v_ref, shortest, motion, been))
+
+
+@lru_cache(maxsize=2 * _MOTIONS)
+def _power(tau: float, alpha: float, v_ref: float, shortest: float, motion: Motion) -> np.ndarray:
+    """What the power of the velocity makes (n - 1,) (m/s)^alpha in each step."""
+    return _fading(tau, motion).made(_power_moments(alpha, v_ref, shortest, motion))
+
+
+@lru_cache(maxsize=_MOTIONS)
+def _spring_moments(u_ref: float, shortest: float, motion: Motion, been: Extremes) -> tuple[np.ndarray, float]:
+    law = CoreDamper("mgmm", (1.0, shortest, 0.0, 0.0, 1.0, 1.0, 0.0, u_ref, 0.0, 0.0, 1.0, 0.0), been=been)
+    return law.moments(motion.time, motion.displacement, motion.velocity, "spring")
+
+
+@lru_cache(maxsize=_MOTIONS)
+def _dashpot_moments(v_ref: float, shortest: float, motion: Motion, been: Extremes) -> np.ndarray:
+    law = CoreDamper("mgmm", (1.0, shortest, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, v_ref, 0.0), been=been)
+    return law.moments(motion.time, motion.displacement, motion.velocity, "dashpot")[0]
+
+
+@lru_cache(maxsize=_MOTIONS)
+def _power_moments(alpha: float, v_ref: float, shortest: float, motion: Motion) -> np.ndarray:
+    law = CoreDamper("mgmm", (1.0, shortest, 0.0, 1.0, alpha, 0.0, 0.0, 1.0, 0.0, 0.0, v_ref, 0.0))
+    return law.moments(motion.time, motion.displacement, motion.velocity, "power")[0]
