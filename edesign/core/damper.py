@@ -13,6 +13,7 @@ from edesign.core._edcore import ffi, lib
 from edesign.core.errors import CoreError, status_name
 
 Method = Literal["best", "ode"]
+Term = Literal["spring", "dashpot", "power"]
 _METHODS = {"best": lib.ED_DAMPER_BEST, "ode": lib.ED_DAMPER_ODE}
 TOLERANCE = 1e-6
 """Relative tolerance of SUNDIALS for laws without an exact step."""
@@ -223,7 +224,7 @@ class CoreDamper:
         return force, own
 
     def moments(
-        self, time: ArrayLike, deformation: ArrayLike, velocity: ArrayLike, of: Literal["spring", "dashpot", "power"]
+        self, time: ArrayLike, deformation: ArrayLike, velocity: ArrayLike, of: Term
     ) -> tuple[np.ndarray, float]:
         """What a term of an MGMM does over each step, from which its force with any relaxation time that is not shorter
         than this one follows: 1/h integral of g(s) T_k(2 s/h - 1), T_k Chebyshev's polynomials.

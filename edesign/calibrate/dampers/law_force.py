@@ -7,6 +7,7 @@ on what softens the moduli.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from functools import lru_cache
 from typing import NamedTuple
@@ -15,10 +16,10 @@ import numpy as np
 from numpy.polynomial.chebyshev import chebvander
 from scipy.special import ive
 
-from edesign.calibrate.dampers.trial import Extremes, Motion
+from edesign.calibrate.dampers.trial import NONE, Extremes, Motion
 from edesign.calibrate.problem import PredictionError
 from edesign.core import CoreError
-from edesign.core.damper import MOMENTS, CoreDamper
+from edesign.core.damper import MOMENTS, CoreDamper, Term
 from edesign.core.fading import fading
 from edesign.damper.law import Law
 
@@ -29,6 +30,11 @@ _SHORTEST = (2.00001, 1.35)
 8e-9 and 8e-8 of it then with 6 terms.
 """
 _LARGEST_POWER = 2.0  # of the law
+_NODES = 6
+_SHAPES, _ALPHAS = 0.2, 0.1
+"""Sections of the logarithm of u_ref and v_ref, and of alpha, within which moments are interpolated between so many
+nodes: exp(-a/u_ref) and |v|^alpha to 1e-8 of the largest.
+"""
 _LENGTHS = 8  # different steps of a motion, up to which series are made for each
 _SAME = 1e-9  # relative difference of steps
 
@@ -93,10 +99,10 @@ class _Fading(NamedTuple):
     series: np.ndarray
 
     def made(self, moments: np.ndarray) -> np.ndarray:
-        """Of moments (n - 1, MOMENTS): what each step makes (n - 1,)."""
+        """Of moments (..., n - 1, MOMENTS): what each step makes (..., n - 1)."""
         if len(self.series) == 1:
             return np.asarray(moments @ self.series[0])
-        return np.einsum("ij,ij->i", moments, self.series)
+        return np.einsum("...ij,ij->...i", moments, self.series)
 
 
 def _by_moments(p: Mapping[str, float], motion: Motion, been: Extremes, v_ref: float | None) -> np.ndarray | None:
@@ -111,20 +117,22 @@ def _by_moments(p: Mapping[str, float], motion: Motion, been: Extremes, v_ref: f
         return None
     shortest *= float(lengths[-1])
     # c v relaxes to c (u - R) / tau, if u relaxes to R
-    dashpot = (p["c1"] + p["c_b"]) / tau
+    pace = (p["c1"] + p["c_b"]) / tau
     try:
         fades = _fading(tau, motion)
-        made, begun = (p["k_b"] - dashpot) * _straight(tau, motion), (p["k_b"] - dashpot) * motion.displacement[0]
+        made, begun = (p["k_b"] - pace) * _straight(tau, motion), (p["k_b"] - pace) * motion.displacement[0]
         if p["k_a"]:
-            spring, held = _spring(tau, p["u_ref"], shortest, motion, been)
+            spring, held = _made(_Term("spring", shortest, been), p["u_ref"], tau, motion)
             made, begun = made + p["k_a"] * spring, begun + p["k_a"] * held
         if p["c_a"]:
-            made = made + p["c_a"] * _dashpot(tau, p["v_ref"], shortest, motion, been)
+            dashpot, _ = _made(_Term("dashpot", shortest, been), p["v_ref"], tau, motion)
+            made = made + p["c_a"] * dashpot
         if p["c_NL"]:
-            made = made + p["c_NL"] * _power(tau, p["alpha"], v_ref or p["v_ref"], shortest, motion)
+            power, _ = _made(_Term("power", shortest, NONE, v_ref or p["v_ref"]), p["alpha"], tau, motion)
+            made = made + p["c_NL"] * power
     except CoreError as error:
         raise PredictionError(str(error)) from error
-    return np.asarray((p["k0"] + dashpot) * motion.displacement + fading(fades.decay, made, float(begun)))
+    return np.asarray((p["k0"] + pace) * motion.displacement + fading(fades.decay, made, float(begun)))
 
 
 @lru_cache(maxsize=_MOTIONS)
@@ -168,38 +176,57 @@ def _straight(tau: float, motion: Motion) -> np.ndarray:
     return fades.made(ends @ _HERMITE)
 
 
-@lru_cache(maxsize=2 * _MOTIONS)
-def _spring(tau: float, u_ref: float, shortest: float, motion: Motion, been: Extremes) -> tuple[np.ndarray, float]:
-    """What a deformation that softens makes (n - 1,) m in each step, and it at the first sample, where it is held."""
-    moments, held = _spring_moments(u_ref, shortest, motion, been)
-    return _fading(tau, motion).made(moments), held
+class _Term(NamedTuple):
+    """A term whose shape has one parameter: u_ref of springs, v_ref of dashpots, alpha of the power."""
+
+    of: Term
+    shortest: float
+    been: Extremes
+    v_ref: float = 1.0
+
+    def moments(self, shape: float, motion: Motion) -> tuple[np.ndarray, float]:
+        """Moments (n - 1, MOMENTS), and what the term is at the first sample, where the specimen is held."""
+        u_ref, v_ref, alpha = (shape if self.of == name else 1.0 for name in ("spring", "dashpot", "power"))
+        v_ref = self.v_ref if self.of == "power" else v_ref
+        values = (1.0, self.shortest, 0.0, 1.0, alpha, 1.0, 0.0, u_ref, 1.0, 0.0, v_ref, 0.0)
+        damper = CoreDamper("mgmm", values, been=self.been)
+        return damper.moments(motion.time, motion.displacement, motion.velocity, self.of)
 
 
-@lru_cache(maxsize=2 * _MOTIONS)
-def _dashpot(tau: float, v_ref: float, shortest: float, motion: Motion, been: Extremes) -> np.ndarray:
-    """What a velocity that softens makes (n - 1,) m/s in each step."""
-    return _fading(tau, motion).made(_dashpot_moments(v_ref, shortest, motion, been))
+@lru_cache(maxsize=4 * _MOTIONS)
+def _made(term: _Term, shape: float, tau: float, motion: Motion) -> tuple[np.ndarray, float]:
+    """What a term makes (n - 1,) in each step, and what it is at the first sample."""
+    fades = _fading(tau, motion)
+    position = shape / _ALPHAS if term.of == "power" else math.log(shape) / _SHAPES
+    section = math.floor(position)
+    asked = _asked_in_section(term, section, motion)
+    asked[0] += 1
+    if asked[0] <= _NODES or (term.of == "power" and not 0 < section < _LARGEST_POWER / _ALPHAS - 1):
+        moments, held = term.moments(shape, motion)
+        return fades.made(moments), held
+    nodes, held_at_nodes = _nodes(term, section, motion)
+    weights = _weights(position - section)
+    return weights @ fades.made(nodes), float(weights @ held_at_nodes)
 
 
-@lru_cache(maxsize=2 * _MOTIONS)
-def _power(tau: float, alpha: float, v_ref: float, shortest: float, motion: Motion) -> np.ndarray:
-    """What the power of the velocity makes (n - 1,) (m/s)^alpha in each step."""
-    return _fading(tau, motion).made(_power_moments(alpha, v_ref, shortest, motion))
+@lru_cache(maxsize=4 * _MOTIONS)
+def _asked_in_section(term: _Term, section: int, motion: Motion) -> list[int]:
+    return [0]
 
 
 @lru_cache(maxsize=_MOTIONS)
-def _spring_moments(u_ref: float, shortest: float, motion: Motion, been: Extremes) -> tuple[np.ndarray, float]:
-    law = CoreDamper("mgmm", (1.0, shortest, 0.0, 0.0, 1.0, 1.0, 0.0, u_ref, 0.0, 0.0, 1.0, 0.0), been=been)
-    return law.moments(motion.time, motion.displacement, motion.velocity, "spring")
+def _nodes(term: _Term, section: int, motion: Motion) -> tuple[np.ndarray, np.ndarray]:
+    """Moments (_NODES, n - 1, MOMENTS) with shapes at Chebyshev's nodes of a section, and what is held there."""
+    positions = section + 0.5 * (1.0 + _AT)
+    shapes = _ALPHAS * positions if term.of == "power" else np.exp(_SHAPES * positions)
+    found = [term.moments(float(shape), motion) for shape in shapes]
+    return np.stack([moments for moments, _ in found]), np.array([held for _, held in found])
 
 
-@lru_cache(maxsize=_MOTIONS)
-def _dashpot_moments(v_ref: float, shortest: float, motion: Motion, been: Extremes) -> np.ndarray:
-    law = CoreDamper("mgmm", (1.0, shortest, 0.0, 0.0, 1.0, 0.0, 0.0, 1.0, 1.0, 0.0, v_ref, 0.0), been=been)
-    return law.moments(motion.time, motion.displacement, motion.velocity, "dashpot")[0]
+_AT = np.cos(np.pi * (np.arange(_NODES) + 0.5) / _NODES)
+_POLYNOMIALS = chebvander(_AT, _NODES - 1) * np.where(np.arange(_NODES), 2.0, 1.0) / _NODES
 
 
-@lru_cache(maxsize=_MOTIONS)
-def _power_moments(alpha: float, v_ref: float, shortest: float, motion: Motion) -> np.ndarray:
-    law = CoreDamper("mgmm", (1.0, shortest, 0.0, 1.0, alpha, 0.0, 0.0, 1.0, 0.0, 0.0, v_ref, 0.0))
-    return law.moments(motion.time, motion.displacement, motion.velocity, "power")[0]
+def _weights(share: float) -> np.ndarray:
+    """Of the nodes (_NODES,) at a share of a section: Lagrange's polynomials, by Chebyshev's."""
+    return np.asarray(_POLYNOMIALS @ chebvander(2.0 * share - 1.0, _NODES - 1)[0])
