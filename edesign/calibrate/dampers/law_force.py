@@ -36,6 +36,7 @@ _SHAPES, _ALPHAS = 0.2, 0.1
 nodes: exp(-a/u_ref) and |v|^alpha to 1e-8 of the largest.
 """
 _LENGTHS = 8  # different steps of a motion, up to which series are made for each
+_ONE = np.ones(1)
 _SAME = 1e-9  # relative difference of steps
 
 
@@ -92,17 +93,18 @@ class _Fading(NamedTuple):
 
     Attributes:
         decay: (n - 1,) what a relaxation leaves of a force.
-        series: (1 or n - 1, MOMENTS) by which moments of a force make the relaxed one.
+        series: (MOMENTS,), or (MOMENTS, n - 1) where steps differ, by which moments of a force make the relaxed one.
     """
 
     decay: np.ndarray
     series: np.ndarray
 
-    def made(self, moments: np.ndarray) -> np.ndarray:
-        """Of moments (..., n - 1, MOMENTS): what each step makes (..., n - 1)."""
-        if len(self.series) == 1:
-            return np.asarray(moments @ self.series[0])
-        return np.einsum("...ij,ij->...i", moments, self.series)
+    def made(self, moments: np.ndarray, weights: np.ndarray = _ONE) -> np.ndarray:
+        """Of moments (k, MOMENTS, n - 1) with weights (k,): what each step makes (n - 1,)."""
+        k, _, steps = moments.shape
+        if self.series.ndim == 1:
+            return np.asarray(np.outer(weights, self.series).ravel() @ moments.reshape(k * MOMENTS, steps))
+        return np.einsum("k,kij,ij->j", weights, moments, self.series, optimize=True)
 
 
 def _by_moments(p: Mapping[str, float], motion: Motion, been: Extremes, v_ref: float | None) -> np.ndarray | None:
@@ -148,10 +150,10 @@ def _lengths(motion: Motion) -> tuple[np.ndarray, np.ndarray]:
 def _fading(tau: float, motion: Motion) -> _Fading:
     lengths, which = _lengths(motion)
     # exp(-(1 - x) t) = exp(-t/2) (I_0(t/2) + 2 sum I_k(t/2) T_k(2 x - 1)): Abramowitz & Stegun (1964), 9.6.34
-    time = lengths[:, np.newaxis] / tau
-    order = np.arange(MOMENTS)
-    series = time * np.where(order, 2.0, 1.0) * ive(order, 0.5 * time)
-    return _Fading(np.exp(-motion.steps / tau), series if len(lengths) == 1 else series[which])
+    time = lengths / tau
+    order = np.arange(MOMENTS)[:, np.newaxis]
+    series, decay = time * np.where(order, 2.0, 1.0) * ive(order, 0.5 * time), np.exp(-time)
+    return _Fading(decay[which], series[:, 0] if len(lengths) == 1 else series[:, which])
 
 
 def _hermite() -> np.ndarray:
@@ -168,12 +170,13 @@ _HERMITE = _hermite()
 @lru_cache(maxsize=2 * _MOTIONS)
 def _straight(tau: float, motion: Motion) -> np.ndarray:
     """What the deformation makes (n - 1,) m in each step."""
+    return _fading(tau, motion).made(_straight_moments(motion))
+
+
+@lru_cache(maxsize=_MOTIONS)
+def _straight_moments(motion: Motion) -> np.ndarray:
     u, v, h = motion.displacement, motion.velocity, motion.steps
-    ends = np.column_stack((u[:-1], u[1:], h * v[:-1], h * v[1:]))
-    fades = _fading(tau, motion)
-    if len(fades.series) == 1:
-        return np.asarray(ends @ (_HERMITE @ fades.series[0]))
-    return fades.made(ends @ _HERMITE)
+    return (_HERMITE.T @ np.array((u[:-1], u[1:], h * v[:-1], h * v[1:])))[np.newaxis]
 
 
 class _Term(NamedTuple):
@@ -185,12 +188,13 @@ class _Term(NamedTuple):
     v_ref: float = 1.0
 
     def moments(self, shape: float, motion: Motion) -> tuple[np.ndarray, float]:
-        """Moments (n - 1, MOMENTS), and what the term is at the first sample, where the specimen is held."""
+        """Moments (MOMENTS, n - 1), and what the term is at the first sample, where the specimen is held."""
         u_ref, v_ref, alpha = (shape if self.of == name else 1.0 for name in ("spring", "dashpot", "power"))
         v_ref = self.v_ref if self.of == "power" else v_ref
         values = (1.0, self.shortest, 0.0, 1.0, alpha, 1.0, 0.0, u_ref, 1.0, 0.0, v_ref, 0.0)
         damper = CoreDamper("mgmm", values, been=self.been)
-        return damper.moments(motion.time, motion.displacement, motion.velocity, self.of)
+        moments, held = damper.moments(motion.time, motion.displacement, motion.velocity, self.of)
+        return moments.T, held
 
 
 @lru_cache(maxsize=4 * _MOTIONS)
@@ -203,10 +207,10 @@ def _made(term: _Term, shape: float, tau: float, motion: Motion) -> tuple[np.nda
     asked[0] += 1
     if asked[0] <= _NODES or (term.of == "power" and not 0 < section < _LARGEST_POWER / _ALPHAS - 1):
         moments, held = term.moments(shape, motion)
-        return fades.made(moments), held
+        return fades.made(np.ascontiguousarray(moments)[np.newaxis]), held
     nodes, held_at_nodes = _nodes(term, section, motion)
     weights = _weights(position - section)
-    return weights @ fades.made(nodes), float(weights @ held_at_nodes)
+    return fades.made(nodes, weights), float(weights @ held_at_nodes)
 
 
 @lru_cache(maxsize=4 * _MOTIONS)
@@ -216,17 +220,18 @@ def _asked_in_section(term: _Term, section: int, motion: Motion) -> list[int]:
 
 @lru_cache(maxsize=_MOTIONS)
 def _nodes(term: _Term, section: int, motion: Motion) -> tuple[np.ndarray, np.ndarray]:
-    """Moments (_NODES, n - 1, MOMENTS) with shapes at Chebyshev's nodes of a section, and what is held there."""
+    """Moments (_NODES, MOMENTS, n - 1) with shapes at Chebyshev's nodes of a section, and what is held there."""
     positions = section + 0.5 * (1.0 + _AT)
     shapes = _ALPHAS * positions if term.of == "power" else np.exp(_SHAPES * positions)
     found = [term.moments(float(shape), motion) for shape in shapes]
-    return np.stack([moments for moments, _ in found]), np.array([held for _, held in found])
+    return np.ascontiguousarray([moments for moments, _ in found]), np.array([held for _, held in found])
 
 
-_AT = np.cos(np.pi * (np.arange(_NODES) + 0.5) / _NODES)
-_POLYNOMIALS = chebvander(_AT, _NODES - 1) * np.where(np.arange(_NODES), 2.0, 1.0) / _NODES
+_ORDERS = np.arange(_NODES)
+_AT = np.cos(np.pi * (_ORDERS + 0.5) / _NODES)
+_POLYNOMIALS = chebvander(_AT, _NODES - 1) * np.where(_ORDERS, 2.0, 1.0) / _NODES
 
 
 def _weights(share: float) -> np.ndarray:
     """Of the nodes (_NODES,) at a share of a section: Lagrange's polynomials, by Chebyshev's."""
-    return np.asarray(_POLYNOMIALS @ chebvander(2.0 * share - 1.0, _NODES - 1)[0])
+    return np.asarray(_POLYNOMIALS @ np.cos(_ORDERS * math.acos(min(2.0 * share - 1.0, 1.0))))

@@ -61,6 +61,31 @@ def test_moments_give_the_force_of_the_law(irregular: bool, been: Extremes, chan
     np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-7 * np.max(np.abs(expected)))
 
 
+def test_shapes_that_are_asked_for_often_are_interpolated_between_nodes() -> None:
+    way = shaken(19)
+    rng = np.random.default_rng(4)
+    nodes = by_moments._nodes.cache_info().misses
+    for _ in range(60):
+        factors = np.exp(rng.uniform(-0.35, 0.35, len(VALUES)))
+        values = {name: v * f for (name, v), f in zip(VALUES.items(), factors, strict=True)}
+        force = law_force(MGMM, values, way, BEEN)
+        expected = CoreDamper("mgmm", tuple(values.values()), been=BEEN).force(way.time, way.displacement, way.velocity)
+        # 1e-8 by the rules of both, and by the interpolation
+        np.testing.assert_allclose(force, expected, rtol=0.0, atol=5e-8 * np.max(np.abs(expected)))
+    assert by_moments._nodes.cache_info().misses > nodes + 6  # two or more sections of each of the three terms
+
+
+@pytest.mark.parametrize("alpha", [0.03, 0.99, 1.0, 1.97, 2.0])
+def test_powers_at_the_ends_of_what_is_allowed(alpha: float) -> None:
+    way = shaken(20)
+    for k_b in np.linspace(1e6, 2e6, 12):
+        values = {**VALUES, "alpha": alpha, "k_b": k_b, "k1": 5.15e5 * (1.0 + 1e-9 * k_b)}
+        force = law_force(MGMM, values, way, NONE, 0.02)
+    expected = CoreDamper("mgmm", tuple(values.values())).force(way.time, way.displacement, way.velocity)
+    # v_ref rounds the power within 1e-7 v_ref of rest
+    np.testing.assert_allclose(force, expected, rtol=0.0, atol=1e-6 * np.max(np.abs(expected)))
+
+
 def test_where_moments_do_not_suit_the_history_is_taken() -> None:
     for changed in ({"k1": 1e7}, {"consistent": 1.0}):  # tau of a fifth of a step; springs that do not relax
         way = shaken(15)
