@@ -57,7 +57,7 @@ class BesideDeclared:
             found += self.forms.other_forms_of_likely(found)
         clear = [judged for judged in found if all(compare(judged, rival).clear for rival in rivals)]
         if not clear:  # the declared law may be off
-            likely = [self.bench.freed(judged) for judged in sorted(found, key=of_left_out)[:LIKELY]]
+            likely = self.bench.freed_all(sorted(found, key=of_left_out)[:LIKELY])
             clear = [judged for judged in likely if all(compare(judged, rival).clear for rival in rivals)]
         return simplest(clear) if clear else None
 

@@ -70,7 +70,9 @@ class LookAhead:
         for pair in sorted(self._fitted(best, _best(perhaps)), key=_chi2):
             if pair.fitted.chi2 <= rival.fitted.chi2:
                 likely.setdefault(pair.names, pair)
-        found = [pair if pair.at_floor else self.bench.freed(pair) for pair in [*likely.values()][:_FREED]]
+        pairs = [*likely.values()][:_FREED]
+        found = [pair for pair in pairs if pair.at_floor]
+        found += self.bench.freed_all([pair for pair in pairs if not pair.at_floor])
         enough = [pair for pair in found if rival.fitted.chi2 > HOPELESS * pair.fitted.chi2]
         return simplest(enough) if enough else None
 

@@ -256,7 +256,7 @@ class Loop:
         if freed.at_floor:
             return first, freed
         near = [judged for judged in others if judged.fitted.chi2 <= BEHIND * first.fitted.chi2][:LIKELY]
-        pairs = [(judged, self.bench.freed(judged)) for judged in near]
+        pairs = zip(near, self.bench.freed_all(near), strict=True)
         return next(((one, free) for one, free in pairs if free.at_floor), (first, freed))
 
     def _last_alone(self, current: Judged) -> Judged:
@@ -289,11 +289,15 @@ class Loop:
         """Without the effects that others make needless, or the law fitted again; another one in the form that suits
         best then, as an effect found before may be a part of what another form does.
         """
+        if len(current.fitted.model.effects) < 2:
+            return current
+        first = current
+        smaller_than_first = {effect.label: without for effect, without in self.bench.each_without(first)}
         for label in [effect.label for effect in current.fitted.model.effects]:
             effect = next((e for e in current.fitted.model.effects if e.label == label), None)
             if effect is None or len(current.fitted.model.effects) < 2:
                 continue
-            without = self.bench.without(current, effect)
+            without = smaller_than_first[label] if current is first else self.bench.without(current, effect)
             few, most = len(current.fitted.model.effects) <= FEW, HOPELESS * current.fitted.chi2
             forms = self.forms.other_forms(without, without.fitted.model.effects[-1], most) if few else []
             smaller = [without, self.bench.freed(without), *forms]
@@ -305,9 +309,9 @@ class Loop:
     def _explain(self, final: Judged, refit: Judged) -> tuple[Adopted, ...]:
         """The evidence for each effect of the final model, and what cannot be told from it."""
         found: list[Adopted] = []
-        for effect, values in final.fitted.parts:
+        alone = self.bench.each_without(final)
+        for (effect, values), (_, without) in zip(final.fitted.parts, alone, strict=True):
             self.bench.tell(f"telling {effect.name} apart from others")
-            without = self.bench.without(final, effect)
             evidence = compare(final, without)
             alike: dict[str, Judged] = {}
             for other in sorted(self._alternatives_unless_stopped(final, effect), key=of_left_out):

@@ -106,17 +106,32 @@ class Workbench:
         smaller = replace(model, effects=effects)
         return Judged(fit(smaller, smaller.coordinates(current.fitted.base, current.fitted.parts)))
 
+    def each_without(self, current: Judged) -> list[tuple[Candidate, Judged]]:
+        """Each effect, and the model without it."""
+        model = current.fitted.model
+        given = [*model.given, current]
+        found = side_by_side(lambda effect: self.without(current, effect), model.effects, self.workers, given)
+        return [*zip(model.effects, found, strict=True)]
+
     def freed(self, current: Judged) -> Judged:
         """With the parameters of the law fitted, if that is better by more than chance."""
+        return self.freed_all([current])[0]
+
+    def freed_all(self, models: Sequence[Judged]) -> list[Judged]:
+        """The same of each of some models."""
+        given = [thing for one in models for thing in (*one.fitted.model.given, one)]
+        found = side_by_side(self._freed, models, self.workers, given)
+        new = [judged for judged, begun in zip(found, models, strict=True) if judged is not begun]
+        self.known |= {key_of(judged.fitted.model): judged for judged in new}
+        return found
+
+    def _freed(self, current: Judged) -> Judged:
         model = current.fitted.model
         if not model.held or not self.may_refit:
             return current
         free = replace(model, held=False)
         found = Judged(fit(free, free.coordinates(None, current.fitted.parts)))
-        if not compare(found, current).beyond_chance:
-            return current
-        self.known[key_of(found.fitted.model)] = found
-        return found
+        return found if compare(found, current).beyond_chance else current
 
     def freed_if_half(self, current: Judged) -> Judged:
         """With the parameters of the law fitted, if that leaves half at most: what else is missing may make it no
