@@ -127,8 +127,9 @@ def worked(
     """A factor of e that follows the work done on a specimen: e' = gain F v - e / forgets, F = what the factor
     leaves of the law's force + beside.
 
-    The definition is in steps, the factor at the end of a step taking e of its beginning. All steps are iterated at
-    once, from no softening on, until e stays (Picard): its errors fall as those of an exponential series.
+    The definition is in steps, the factor at the end of a step taking e of its beginning; at samples that are not the
+    test's own it takes e of its end, as both do where steps are short. All steps are iterated at once, from no
+    softening on, until e stays (Picard): its errors fall as those of an exponential series.
 
     Args:
         motion: of the specimen.
@@ -162,7 +163,7 @@ def worked(
         first, *others = (fading(decay, each * done, start) for each, decay, start in kinds)
         after = sum(others, start=first)
         moved = float(np.max(np.abs(after - e)))
-        e, late = after, np.concatenate((after[:1], after[:-1]))
+        e, late = after, after if motion.resampled else np.concatenate((after[:1], after[:-1]))
         if moved <= _STILL * float(np.max(np.abs(e))):
             break
     return phi, float(e[-1])

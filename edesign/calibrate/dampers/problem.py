@@ -470,9 +470,9 @@ def _specimen(part: Acting, trial: Trial, motion: Motion) -> Motion:
 
 @lru_cache(maxsize=_MOTIONS)
 def _kept_actuator(form: Form, p: tuple[tuple[str, float], ...], trial: Trial, motion: Motion) -> Motion:
-    return form.actuator(dict(p), trial, motion)
+    return replace(form.actuator(dict(p), trial, motion), resampled=motion.resampled)
 
 
 @lru_cache(maxsize=_MOTIONS)
 def _kept_specimen(form: Form, p: tuple[tuple[str, float], ...], trial: Trial, motion: Motion) -> Motion:
-    return form.specimen(dict(p), trial, motion)
+    return replace(form.specimen(dict(p), trial, motion), resampled=motion.resampled)

@@ -30,6 +30,8 @@ class Motion:
 
     Attributes:
         passing: whether it stands between two rounds of a prediction, and is not asked for again.
+        resampled: whether its samples are others than those of the test: what is defined from sample to sample is taken
+            in the limit of short steps.
     """
 
     time: np.ndarray
@@ -37,6 +39,7 @@ class Motion:
     velocity: np.ndarray
     acceleration: np.ndarray
     passing: bool = field(default=False, kw_only=True)
+    resampled: bool = field(default=False, kw_only=True)
 
     def thinned(self, stride: int) -> Motion:
         """Every so many samples."""
@@ -44,7 +47,8 @@ class Motion:
             *(
                 np.ascontiguousarray(a[::stride])
                 for a in (self.time, self.displacement, self.velocity, self.acceleration)
-            )
+            ),
+            resampled=self.resampled or stride > 1,
         )
 
     @cached_property
@@ -85,7 +89,7 @@ class Motion:
             time = self.time
             fine = np.interp(np.arange((time.size - 1) * parts + 1) / parts, np.arange(time.size), time)
             between = (known.spline.at(a, fine) for a in (known.displacement, known.velocity, known.acceleration))
-            self._finer[parts] = Motion(fine, *between)
+            self._finer[parts] = Motion(fine, *between, resampled=True)
         return self._finer[parts]
 
     def moved(self, displacement: np.ndarray) -> Motion:
@@ -94,7 +98,8 @@ class Motion:
         """
         change = displacement - self.displacement
         rate = np.gradient(change, self.time)
-        return Motion(self.time, displacement, self.velocity + rate, self.acceleration + np.gradient(rate, self.time))
+        acceleration = self.acceleration + np.gradient(rate, self.time)
+        return replace(self, displacement=displacement, velocity=self.velocity + rate, acceleration=acceleration)
 
 
 Extremes = tuple[float, float, float, float]

@@ -24,7 +24,6 @@ class _Degradation(Form):
 
 
 class _ByWork(_Degradation):
-    refined: int = 4  # its definition is in steps, late by one
     counts_work: ClassVar[bool] = True
     may_spare_loss: ClassVar[bool] = True
     sized = False

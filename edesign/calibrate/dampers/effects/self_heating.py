@@ -30,7 +30,6 @@ class Rate(Form):
     """Heat by work, lost in time, none at the beginning of a test: F = exp(-q) F_law, q' = beta F v - q/tau_h."""
 
     name: ClassVar[str] = "self_heating"
-    refined: int = 4  # its definition is in steps, late by one
     counts_work: ClassVar[bool] = True
     may_spare_loss: ClassVar[bool] = True
     loss_start: ClassVar[float] = 2.0  # what is warm loses damping before stiffness
