@@ -92,6 +92,7 @@ def relaxed(motion: Motion, tau: float) -> np.ndarray:
     return fading(decay, made, 0.0)
 
 
+@lru_cache(maxsize=2 * _KEPT)
 def fractional_rate(motion: Motion, order: float) -> np.ndarray:
     """Derivative (n,) m/s^order of the displacement since the beginning of the test, held before (Caputo).
 
@@ -101,15 +102,26 @@ def fractional_rate(motion: Motion, order: float) -> np.ndarray:
 
     Source: scheme L1, exact for a displacement linear between samples: Oldham & Spanier (1974), section 8.2.
     """
-    time = motion.time
-    n = _FINER * (time.size - 1) + 1
-    even = np.linspace(time[0], time[-1], n)
-    change = np.diff(motion.spline.at(motion.displacement, even))
+    even, step, spectrum, size = _even_changes(motion)
+    n = even.size
     power = np.arange(n) ** (1.0 - order)
-    size = 1 << (2 * n).bit_length()
-    summed = np.fft.irfft(np.fft.rfft(change, size) * np.fft.rfft(np.diff(power), size), size)[: n - 1]
-    scale = gamma(2.0 - order) * (even[1] - even[0]) ** order
-    return np.interp(time, even, np.concatenate(([0.0], summed / scale)))
+    summed = np.fft.irfft(spectrum * np.fft.rfft(np.diff(power), size), size)[: n - 1]
+    scale = gamma(2.0 - order) * step**order
+    found = np.interp(motion.time, even, np.concatenate(([0.0], summed / scale)))
+    found.setflags(write=False)
+    return found
+
+
+@lru_cache(maxsize=_KEPT)
+def _even_changes(motion: Motion) -> tuple[np.ndarray, float, np.ndarray, int]:
+    """Even times (m,) s, the step between them, and the spectrum of the changes of the displacement in these, padded to
+    a size.
+    """
+    time = motion.time
+    even = np.linspace(time[0], time[-1], _FINER * (time.size - 1) + 1)
+    change = np.diff(motion.spline.at(motion.displacement, even))
+    size = 1 << (2 * even.size).bit_length()
+    return even, float(even[1] - even[0]), np.fft.rfft(change, size), size
 
 
 def worked(

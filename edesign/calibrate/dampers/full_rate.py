@@ -12,7 +12,6 @@ from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Fitted, belief, fit, whitened
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.search.selection import Selection
-from edesign.calibrate.side_by_side import side_by_side
 
 _ENOUGH = 1e-5  # of the sum of squares of some ten thousand samples: less than chance makes
 _DOUBTS = (0.0, 0.1, 0.3, 1.0)  # shares of the doubt about conditions of the tests
@@ -28,10 +27,7 @@ def at_full_rate(found: Selection, problem: DamperProblem, noise: tuple[float, .
         noise: (tests,) standard deviation of each test's noise there.
     """
     whole = problem.doubting(likeliest_doubt(found.final.fitted))
-    begun = (found.final.fitted, found.refit.fitted)
-    known = [whole, *(thing for one in begun for thing in one.model.given)]
-    workers = max(one.model.workers for one in begun)
-    final, refit = side_by_side(lambda one: _fitted(one, whole, noise), begun, workers, known)
+    final, refit = (_fitted(judged.fitted, whole, noise) for judged in (found.final, found.refit))
     if final is None:
         return found
     adopted = tuple(replace(one, values=values) for one, (_, values) in zip(found.adopted, final.parts, strict=True))
