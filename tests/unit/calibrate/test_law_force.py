@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from irregular_motion import motion
 
-from edesign.calibrate.dampers import law_force as by_moments
+from edesign.calibrate.dampers import law_force as forces
+from edesign.calibrate.dampers import mgmm_moments
 from edesign.calibrate.dampers.law_force import law_force
 from edesign.calibrate.dampers.trial import NONE, Extremes, Motion
 from edesign.calibrate.problem import PredictionError
@@ -64,7 +65,7 @@ def test_moments_give_the_force_of_the_law(irregular: bool, been: Extremes, chan
 def test_shapes_that_are_asked_for_often_are_interpolated_between_nodes() -> None:
     way = shaken(19)
     rng = np.random.default_rng(4)
-    nodes = by_moments._nodes.cache_info().misses
+    nodes = mgmm_moments._nodes.cache_info().misses
     for _ in range(60):
         factors = np.exp(rng.uniform(-0.35, 0.35, len(VALUES)))
         values = {name: v * f for (name, v), f in zip(VALUES.items(), factors, strict=True)}
@@ -72,7 +73,7 @@ def test_shapes_that_are_asked_for_often_are_interpolated_between_nodes() -> Non
         expected = CoreDamper("mgmm", tuple(values.values()), been=BEEN).force(way.time, way.displacement, way.velocity)
         # 1e-8 by the rules of both, and by the interpolation
         np.testing.assert_allclose(force, expected, rtol=0.0, atol=5e-8 * np.max(np.abs(expected)))
-    assert by_moments._nodes.cache_info().misses > nodes + 6  # two or more sections of each of the three terms
+    assert mgmm_moments._nodes.cache_info().misses > nodes + 6  # two or more sections of each of the three terms
 
 
 @pytest.mark.parametrize("alpha", [0.03, 0.99, 1.0, 1.97, 2.0])
@@ -103,9 +104,9 @@ def test_where_moments_do_not_suit_the_history_is_taken() -> None:
 
 def test_a_motion_that_passes_leaves_nothing() -> None:
     way = replace(shaken(17), passing=True)
-    before = by_moments._kept_force.cache_info().currsize
+    before = forces._kept_force.cache_info().currsize
     law_force(MGMM, VALUES, way, NONE)
-    assert by_moments._kept_force.cache_info().currsize == before
+    assert forces._kept_force.cache_info().currsize == before
 
 
 @pytest.mark.parametrize("changed", [{"alpha": 2.5}, {"k_a": -1.0}, {"u_ref": 0.0}])
