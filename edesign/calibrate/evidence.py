@@ -32,6 +32,7 @@ _TWINS = 0.01  # difference of the mean logarithm of the error below which two e
 _KINDS = ("instrument", "rig", "structure", "damper")
 _LEAST_T = 1.0  # of the tests' improvements: one test that improves against all others passes only if it is much
 _ONE_ALONE = 0.7  # the same, for what may show in one test alone, the largest, and the others take a little for it
+_NEARLY_ALL = 0.9  # share of the excess that chance does not remove, even if one test alone shows it
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,10 +105,12 @@ class Evidence:
     @property
     def beyond_chance(self) -> bool:
         """Whether cross-validation and information criterion agree that the model is better; or most of the excess goes
-        by what no motion does.
+        by what no motion does. What shows in the fastest test alone, say, and removes nearly all that it has when it is
+        left out, may cost the others a little.
         """
         known = self.bic > _LEAST_BIC or (self.beside_motion and self.share >= _MOST_OF_IT)
-        return self.share > 0.0 and self.t >= _LEAST_T and known
+        agree = self.t >= (_ONE_ALONE if self.share >= _NEARLY_ALL else _LEAST_T)
+        return self.share > 0.0 and agree and known
 
     @property
     def adopts(self) -> bool:

@@ -40,6 +40,12 @@ def test_of_forms_of_one_effect_mean_and_criterion_decide(share: float, bic: flo
     assert not evidence.beyond_chance
 
 
+@pytest.mark.parametrize(("share", "t", "expected"), [(0.95, 0.98, True), (0.85, 0.98, False), (0.95, 0.6, False)])
+def test_what_one_test_alone_shows_may_cost_the_others_a_little(share: float, t: float, expected: bool) -> None:
+    # gains (g, -c, ..., -c) of n tests: t = (g - (n - 1) c) / sqrt(g^2 + (n - 1) c^2) is below 1 for any c
+    assert Evidence(share, t, 1e3, 4, 8).beyond_chance is expected
+
+
 def test_what_equations_may_miss_is_a_share_of_what_they_do() -> None:
     problem = linear(seed=13, hidden={"x": 40.0})
     (x,) = [c for c in problem.candidates(()) if c.name == "x"]
