@@ -169,6 +169,11 @@ static void check_refusals(void)
   CHECK_STATUS(ed_mgmm_moments(damper, 2, t, u, v, spring, dashpot, NULL, &held, &done), ED_E_NOT_FINITE);
   CHECK(done == 1);
   CHECK_STATUS(ed_mgmm_moments(damper, 2, back, u, u, spring, dashpot, NULL, &held, &done), ED_E_ARGUMENT);
+  const double far[2] = {0.0, 1e308}, fast[2] = {0.0, -1e308}; /* finite, but not the cubic between */
+  double power[ROW];
+  CHECK_STATUS(ed_mgmm_moments(damper, 2, t, far, fast, spring, dashpot, NULL, &held, &done), ED_E_NOT_FINITE);
+  CHECK_STATUS(ed_mgmm_moments(damper, 2, t, far, fast, NULL, NULL, power, &held, &done), ED_E_NOT_FINITE);
+  CHECK(done == 1);
   ed_damper_free(damper);
   damper = ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, voigt, 0.0, &status, message, sizeof message);
   CHECK_STATUS(status, ED_OK);

@@ -103,6 +103,10 @@ int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const do
     const size_t at = ED_MOMENTS * (i - 1);
     ed_path path;
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
+    if (!isfinite(ed_path_u(&path, path.h))) { /* no piece of it would ever be short enough */
+      *done = (int)i;
+      return ED_E_NOT_FINITE;
+    }
     softened_moments(law, &now, &path, spring ? spring + at : NULL, dashpot ? dashpot + at : NULL);
   }
   if (power)

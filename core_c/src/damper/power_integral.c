@@ -382,10 +382,14 @@ void ed_power_moments(const ed_power_rule *rule, int n, const double *time, cons
 {
   sums sum;
   begin(&sum, rule, NULL, moment);
+  sum.rest = 0.0;
   for (int i = 1; i < n; i++) {
     ed_path path;
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
-    gather_path(&sum, &path);
+    if (isfinite(ed_path_u(&path, path.h))) /* else no piece of it would ever be short enough */
+      gather_path(&sum, &path);
+    else
+      sum.moment[0] = NAN;
     if (sum.rest > 0.0)
       add_gathered(&sum); /* with its own power */
     sum.moment += ED_MOMENTS;

@@ -26,7 +26,7 @@ double ed_power_integral(const ed_power_rule *rule, const ed_path *path, const e
                          double chord[2]);
 
 /* Adds the moments of |v|^alpha sgn v, 1/h integral of it with T_k(2 s/h - 1), over each step between n samples, in places that suit
- * fadings with tau or slower. moment: (n - 1) x ED_MOMENTS. */
+ * fadings with tau or slower. moment: (n - 1) x ED_MOMENTS; not a number where a step overflows. */
 void ed_power_moments(const ed_power_rule *rule, int n, const double *time, const double *u, const double *v, double *moment);
 
 /* The rounded power at one velocity. */
