@@ -2,10 +2,9 @@
  * SUNDIALS, and closed forms where the terms are polynomials. Parameters: Table 4.2 in kN, mm, s. */
 #include "checks.h"
 #include "edcore.h"
-#include "numbers.h"
 
 #include <math.h>
-#include <stdlib.h>
+#include <stddef.h>
 
 enum { K1, C1, K0, C_NL, ALPHA, K_A, K_B, U_REF, C_A, C_B, V_REF, CONSISTENT, N_PARAMETERS };
 static const double TABLE_4_2[N_PARAMETERS] = {0.515, 0.0151, 0.107, 1.585, 0.374, 3.741, 3.613, 7.966, 0.902, 0.190, 13.468, 0.0};
@@ -67,7 +66,7 @@ static void moments_of(const ed_damper *damper, const motion *m, moments *of)
   CHECK(done == N);
 }
 
-/* Force of the law with another tau, from the moments and the constant dashpot c1 v, which k_b = c1 stands for in `plain`. */
+/* Force of the law with another tau, from the moments and the constant dashpot c1 v, as c1 times that of 1 in `plain`. */
 static void force_by_moments(const moments *of, const moments *plain, const motion *m, double tau, double *force)
 {
   const double k0 = TABLE_4_2[K0], c1 = TABLE_4_2[C1], c_nl = TABLE_4_2[C_NL];

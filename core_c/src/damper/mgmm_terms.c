@@ -9,7 +9,7 @@
 static const double CHANGE_FEW = 0.1, CHANGE = 1.0, GROW = 0.35;
 
 static void add_piece(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v,
-                             double from, double to, int n, const double *point, const double *weight)
+                      double from, double to, int n, const double *point, const double *weight)
 {
   static const double none[2] = {0.0};
   const double h = sum->path.h, length = to - from;
@@ -55,7 +55,7 @@ static double softening_change(const ed_softening *law, const ed_softening_piece
 
 /* Adds the linear terms between two places if the piece is short enough; 0 if it is not. */
 static int add_if_short(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v,
-                               double from, double to)
+                        double from, double to)
 {
   const double time = (to - from) / law->tau;
   if (time > CHANGE + GROW * (sum->path.h - to) / law->tau)

@@ -173,7 +173,7 @@ def test_springs_of_the_mgmm_are_what_goes_with_the_deformation() -> None:
 
 
 @pytest.mark.parametrize("temperature_C", [20.0, 27.0])
-def test_moments_make_the_force_of_the_law(temperature_C: float) -> None:
+def test_a_law_at_a_temperature_has_the_parameters_of_that(temperature_C: float) -> None:
     mgmm = LAWS["mgmm"]
     test = replace(trial(motion(13)), temperature=np.full(motion(13).time.size, temperature_C))
     for c_nl, v_ref in ((2.1e4, 0.0135), (3e4, 0.05), (0.0, 0.0135)):
