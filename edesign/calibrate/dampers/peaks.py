@@ -14,9 +14,9 @@ from scipy.special import gammainccinv
 from edesign.calibrate.dampers.trial import Motion, Trial
 from edesign.calibrate.windows import blackman_harris
 
-ABOVE_MOTION = 7.5
-"""Times its frequency, below which the first seven harmonics of a motion are: they are the specimen's."""
-_ABOVE_ALL_MOTION = 2.5  # below that times its frequency nothing is told from the motion itself
+ABOVE_ALL_MOTION = 2.5
+"""Times its frequency, below which nothing is told from the motion itself."""
+_ABOVE_MOTION = 7.5  # the first seven harmonics of a motion are below that times its frequency: they are the specimen's
 _OF_THE_LAW = 10.0  # times its background: a peak of the predicted force
 _MOST = 3
 _HIGHEST = 200.0  # Hz
@@ -89,8 +89,8 @@ def _heights(one: _Whole, grid: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     fastest = motion.frequency
     width = 2.0 / (step * n)
     # at half the rate of the samples a spectrum has one degree of freedom in place of two
-    counts = (folded > max(_ABOVE_ALL_MOTION * fastest, width)) & (folded < 0.5 / step - width)
-    low = counts & (folded <= ABOVE_MOTION * fastest)
+    counts = (folded > max(ABOVE_ALL_MOTION * fastest, width)) & (folded < 0.5 / step - width)
+    low = counts & (folded <= _ABOVE_MOTION * fastest)
     if np.any(low):
         of_law, base = _over_background(one.predicted, step, folded)
         multiple = np.abs(folded - base * np.round(folded / base)) < 2.0 * width

@@ -163,13 +163,24 @@ def test_fatigue_of_small_cycles_by_the_power_of_the_amplitude() -> None:
 
 
 def test_ageing_along_a_course_passes_its_knots() -> None:
-    course = {"a1": 0.3, "a2": -0.1, "a3": 0.2, "N": 6.0}
+    course = {"a1": 0.3, "a2": -0.1, "a3": 0.2, "n1": 2.0, "n2": 4.0, "n3": 6.0}
     found = [factor(ageing.Course(), course, (trial(motion(1), n),))[0] for n in range(7)]
     assert all(len(set(phi)) == 1 for phi in found)
     expected = [1.0, 1.15, 1.3, 1.1, 0.9, 1.05, 1.2]  # knots at tests 0, 2, 4, 6 and half way between them
     np.testing.assert_allclose([phi[0] for phi in found], expected, rtol=ROUNDING)
-    assert ageing.Course().fixed(sizes(7)) == {"N": 6.0} and ageing.Course().unknowns(sizes(6))
+    assert ageing.Course().fixed(sizes(7)) == {"n1": 2.0, "n2": 4.0, "n3": 6.0} and ageing.Course().unknowns(sizes(6))
     assert ageing.Course().unknowns(sizes(5)) == () and ageing.Course().starts(sizes(5)) == ()
+
+
+def test_a_course_bends_among_the_tests_fitted_to_and_goes_on_straight_beyond() -> None:
+    # the last tests are for validation: a knot there would be told by no test
+    size = replace(sizes(9), fitted=(True, True, False, True, True, True, True, False, False))
+    assert ageing.Course().fixed(size) == pytest.approx({"n1": 1.0 + 2.0 / 3.0 * 2.0, "n2": 3.0 + 4.0 / 3.0, "n3": 6.0})
+    course = {"a1": 0.3, "a2": -0.1, "a3": 0.2, "n1": 2.0, "n2": 4.0, "n3": 6.0}
+    found = [float(factor(ageing.Course(), course, (trial(motion(1), n),))[0][0]) for n in (7, 8)]
+    np.testing.assert_allclose(found, [1.35, 1.5], rtol=ROUNDING)
+    falling = {**course, "a2": 0.9, "a3": 0.0}
+    assert factor(ageing.Course(), falling, (trial(motion(1), 9),))[0][0] == pytest.approx(0.1)  # no force turns round
 
 
 def test_ageing_goes_with_the_order_of_the_tests() -> None:

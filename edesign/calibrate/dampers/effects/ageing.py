@@ -100,7 +100,9 @@ class Power(_Ageing):
 
 
 class Course(_Ageing):
-    """The force changes along three straight lines over the order of the tests: F = (1 + a(n)) F_law."""
+    """The force changes along three straight lines over the order of the tests, F = (1 + a(n)) F_law: they bend where
+    the tests fitted to are in thirds, and the last one goes on beyond them.
+    """
 
     form: ClassVar[str] = "course"
     title: ClassVar[str] = "ageing by a course of its own from test to test"
@@ -114,11 +116,16 @@ class Course(_Ageing):
         return ((0.03, 0.06, 0.1), (0.07, 0.09, 0.1)) if sum(sizes.fitted) >= _COURSE else ()
 
     def fixed(self, sizes: Sizes) -> dict[str, float]:
-        return {"N": sizes.tests - 1.0}
+        if not self.starts(sizes):
+            return {}
+        fitted = np.flatnonzero(sizes.fitted)
+        thirds = np.interp(np.arange(1, 4) * (fitted.size - 1) / 3.0, np.arange(fitted.size), fitted)
+        return {f"n{i}": float(n) for i, n in zip((1, 2, 3), thirds, strict=True)}
 
     def factor(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray, memory: Memory) -> float:
-        knots = np.arange(4) * p["N"] / 3.0
-        return float(1.0 + np.interp(trial.order, knots, (0.0, p["a1"], p["a2"], p["a3"])))
+        knots, values = (0.0, p["n1"], p["n2"], p["n3"]), (0.0, p["a1"], p["a2"], p["a3"])
+        beyond = max(trial.order - p["n3"], 0.0) * (p["a3"] - p["a2"]) / (p["n3"] - p["n2"])
+        return float(max(1.0 + np.interp(trial.order, knots, values) + beyond, 1.0 - _LARGEST))
 
 
 FORMS = (Linear, Logarithmic, Power, Course)

@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.left import Left
-from edesign.calibrate.dampers.peaks import ABOVE_MOTION
+from edesign.calibrate.dampers.peaks import ABOVE_ALL_MOTION
 from edesign.calibrate.dampers.trial import Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -117,12 +117,12 @@ class Unsteady(_Hum):
 
     def _rows(self, frequency: float, trial: Trial) -> int:
         """Half cycles, and none, of the changes: no more than leave the peak, which samples of a fit may fold, above
-        the harmonics of the motion.
+        the motion.
         """
         motion = trial.motion
         rate = 1.0 / float(np.median(motion.steps))
         folded = abs(frequency - round(frequency / rate) * rate)
-        room = folded - ABOVE_MOTION * motion.frequency
+        room = folded - ABOVE_ALL_MOTION * motion.frequency
         return min(self._slow, max(1, int(2.0 * room * (motion.time[-1] - motion.time[0]))))
 
 
