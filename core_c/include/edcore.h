@@ -319,9 +319,10 @@ int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const do
                     double *dashpot, double *power, double *held, int *done);
 /* What stands in series with a damper. It carries within (e - z) + stiffness * side * z (1 + bend z^2) at a stretch e, z: e beyond play/2,
  * either way; side: 1, or `back` where e < 0. With another power than 1 (at least that) it is stiffness * side * z |sqrt(bend) z|^(power
- * - 1) beyond the play, bend > 0, play = 0. stiffness, back > 0; bend, within, play >= 0, play from end to end. */
+ * - 1) beyond the play, bend > 0, play = 0. Beside all of it damping e'. stiffness, back > 0; bend, within, play, damping >= 0, play from
+ * end to end. */
 typedef struct {
-  double stiffness, back, bend, power, within, play;
+  double stiffness, back, bend, power, within, play, damping;
 } ed_rig;
 /* The same as ed_damper_history in series with a rig: u = u_d + e, and factor F(u_d) + added + spring u_d is what the rig carries.
  * factor (>= 0), added, spring (>= 0): n, or NULL for 1, 0 and 0. force: n, through rig and damper; own: n, deformation u_d of the

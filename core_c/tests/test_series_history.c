@@ -35,7 +35,7 @@ static void run(int law, int n_parameters, const double *parameters, int n, cons
 {
   int done;
   ed_damper *damper = make(law, n_parameters, parameters, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, n + 1, t, u, v, factor, added, NULL, &(ed_rig){stiffness, 1.0, 0.0, 1.0, within, play}, force, own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, n + 1, t, u, v, factor, added, NULL, &(ed_rig){stiffness, 1.0, 0.0, 1.0, within, play, 0.0}, force, own, &done), ED_OK);
   CHECK_INT(done, n + 1);
   ed_damper_free(damper);
 }
@@ -244,8 +244,8 @@ static void check_spring_beside(void)
   ed_damper *damper = make(ED_LAW_ZENER, 3, zener, 0.0), *other = make(ED_LAW_ZENER, 3, stiffer, 0.0);
   for (int i = 0; i < 3; i++) {
     const double play = i == 1 ? 1e-3 : 0.0, within = i == 2 ? 1e6 : 0.0, bend = i == 2 ? 1e6 : 0.0;
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, spring, &(ed_rig){2e7, 1.0, bend, 1.0, within, play}, force, own, &done), ED_OK);
-    CHECK_STATUS(ed_damper_history_in_series(other, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){2e7, 1.0, bend, 1.0, within, play}, expected, expected_own, &done),
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, spring, &(ed_rig){2e7, 1.0, bend, 1.0, within, play, 0.0}, force, own, &done), ED_OK);
+    CHECK_STATUS(ed_damper_history_in_series(other, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){2e7, 1.0, bend, 1.0, within, play, 0.0}, expected, expected_own, &done),
                  ED_OK);
     for (int j = 0; j <= N; j++) {
       CHECK_NEAR(force[j], expected[j], 1e-7 * 3e4);
@@ -286,30 +286,30 @@ static void check_refusals(void)
     added[i] = spring[i] = 0.0;
   }
   ed_damper *damper = make(ED_LAW_MGMM, 12, MGMM, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3}, before, before_own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3, 0.0}, before, before_own, &done), ED_OK);
   static const double wrong[][3] = {{0.0, 0.0, 0.0},   {-1.0, 0.0, 0.0}, {NAN, 0.0, 0.0},      {INFINITY, 0.0, 0.0}, {1e7, -1e-9, 0.0},
                                     {1e7, NAN, 0.0},   {1e7, INFINITY, 0.0}, {1e7, 0.0, -1.0}, {1e7, 0.0, NAN}};
   force[0] = own[0] = 77.0;
   for (int i = 0; i < 9; i++)
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){wrong[i][0], 1.0, 0.0, 1.0, wrong[i][2], wrong[i][1]}, force, own, &done),
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){wrong[i][0], 1.0, 0.0, 1.0, wrong[i][2], wrong[i][1], 0.0}, force, own, &done),
                  ED_E_ARGUMENT);
-  CHECK_STATUS(ed_damper_history_in_series(damper, 0, t, u, v, NULL, NULL, NULL, &(ed_rig){1e7, 1.0, 0.0, 1.0, 0.0, 0.0}, force, own, &done), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_damper_history_in_series(damper, 0, t, u, v, NULL, NULL, NULL, &(ed_rig){1e7, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0}, force, own, &done), ED_E_ARGUMENT);
   double *const place[] = {&t[7], &u[8], &v[9], &factor[10], &added[11], &spring[12], &factor[13], &t[14], &spring[15]};
   const double bad[] = {NAN, INFINITY, NAN, NAN, NAN, NAN, -0.1, t[13], -1.0};
   for (int i = 0; i < 9; i++) {
     const double good = *place[i];
     *place[i] = bad[i];
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, spring, &(ed_rig){1e7, 1.0, 0.0, 1.0, 0.0, 0.0}, force, own, &done),
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, factor, added, spring, &(ed_rig){1e7, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0}, force, own, &done),
                  i < 6 ? ED_E_NOT_FINITE : ED_E_ARGUMENT);
     CHECK_INT(done, 7 + i);
     *place[i] = good;
   }
   CHECK(force[0] == 77.0 && own[0] == 77.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3}, force, own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3, 0.0}, force, own, &done), ED_OK);
   CHECK_SAME(force, before, N + 1);
   CHECK_SAME(own, before_own, N + 1);
   u[20] = 1e308; /* overflows on the way */
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3}, force, own, &done), ED_E_NOT_FINITE);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3, 0.0}, force, own, &done), ED_E_NOT_FINITE);
   CHECK_INT(done, 20);
   ed_damper_free(damper);
 }
@@ -322,7 +322,7 @@ static void check_contact(void)
   int done, both = 0;
   sine(N, 0.01, 6e-3, 5.0, 1.0);
   ed_damper *damper = make(ED_LAW_KELVIN_VOIGT, 2, spring, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, bend, 1.5, 0.0, 0.0}, force, own, &done), ED_OK);
+  CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, bend, 1.5, 0.0, 0.0, 0.0}, force, own, &done), ED_OK);
   for (int i = 0; i <= N; i++) {
     const double e = u[i] - own[i];
     CHECK_NEAR(force[i], K * e * sqrt(sqrt(bend) * fabs(e)), 1e-9 * 6e-3 * k);
@@ -332,7 +332,7 @@ static void check_contact(void)
   CHECK_INT(both, 3);
   static const double wrong[][3] = {{0.9, 1e8, 0.0}, {NAN, 1e8, 0.0}, {1.5, 0.0, 0.0}, {1.5, 1e8, 1e-3}}; /* power, bend, play */
   for (int i = 0; i < 4; i++)
-    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, wrong[i][1], wrong[i][0], 0.0, wrong[i][2]}, force,
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, wrong[i][1], wrong[i][0], 0.0, wrong[i][2], 0.0}, force,
                                              own, &done),
                  ED_E_ARGUMENT);
   ed_damper_free(damper);
@@ -346,7 +346,7 @@ static void check_sides(void)
   int done, both = 0;
   sine(N, 0.01, 6e-3, 5.0, 1.0);
   ed_damper *damper = make(ED_LAW_KELVIN_VOIGT, 2, spring, 0.0);
-  ed_rig rig = {K, back, 0.0, 1.0, 0.0, 0.0};
+  ed_rig rig = {K, back, 0.0, 1.0, 0.0, 0.0, 0.0};
   CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &rig, force, own, &done), ED_OK);
   for (int i = 0; i <= N; i++) {
     const double side = u[i] < 0.0 ? back * K : K;
@@ -362,9 +362,71 @@ static void check_sides(void)
   ed_damper_free(damper);
 }
 
+/* A Zener model behind a spring K and a dashpot C side by side: the complex stiffness of the rig is K + i omega C. */
+static double damped_error(int n)
+{
+  enum { PERIODS = 12 };
+  static const double zener[] = {20.0, 30.0, 2.0};
+  const double omega = 6.0, K = 40.0, C = 1.5, amplitude = 0.3, tau = zener[2] / zener[1];
+  const double complex rig = K + I * omega * C, law = zener[0] + zener[1] * I * omega * tau / (1.0 + I * omega * tau);
+  const double complex together = law * rig / (law + rig);
+  double worst = 0.0;
+  int done;
+  sine(PERIODS * n, 2.0 * M_PI / omega / n, amplitude, omega, 0.0);
+  ed_damper *damper = make(ED_LAW_ZENER, 3, zener, 0.0);
+  CHECK_STATUS(ed_damper_history_in_series(damper, PERIODS * n + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, 0.0, 1.0, 0.0, 0.0, C}, force, own, &done), ED_OK);
+  for (int i = (PERIODS - 1) * n; i <= PERIODS * n; i++) {
+    const double complex turned = amplitude * cexp(I * omega * t[i]);
+    worst = fmax(worst, fabs(force[i] - cimag(together * turned)));
+    CHECK_NEAR(own[i], cimag(rig / (law + rig) * turned), 2e-4 * amplitude * (100.0 / n) * (100.0 / n));
+  }
+  ed_damper_free(damper);
+  return worst / (amplitude * cabs(together));
+}
+
+static void check_damped(void)
+{
+  const double coarse = damped_error(100), fine = damped_error(200);
+  CHECK(fine < 5e-5);
+  CHECK_NEAR(log2(coarse / fine), 2.0, 0.1); /* the rate of the rig at the end of a step */
+  int done;
+  ed_damper *damper = make(ED_LAW_MGMM, 12, MGMM, 0.0);
+  static const double wrong[] = {-1.0, NAN, INFINITY};
+  for (int i = 0; i < 3; i++)
+    CHECK_STATUS(ed_damper_history_in_series(damper, 101, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 0.0, wrong[i]}, force, own, &done),
+                 ED_E_ARGUMENT);
+  ed_damper_free(damper);
+}
+
+/* The work done on damper and rig over a closed loop of the MGMM is that in the damper and C e'^2 of the rig's dashpot, behind play too. */
+static void check_damped_energy(void)
+{
+  enum { N = 20000 };
+  const double C = 2e5, h = 1e-4;
+  int done;
+  sine(N, h, 8e-3, 2.0 * M_PI, 0.0); /* two periods of 1 s */
+  ed_damper *damper = make(ED_LAW_MGMM, 12, MGMM, 0.0);
+  for (int i = 0; i < 2; i++) {
+    const double play = i ? 1e-3 : 0.0;
+    CHECK_STATUS(ed_damper_history_in_series(damper, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, play, C}, force, own, &done), ED_OK);
+    double all = 0.0, damped = 0.0, inside = 0.0;
+    for (int j = N / 2; j < N; j++) {
+      const double mean = 0.5 * (force[j] + force[j + 1]), e = u[j + 1] - own[j + 1] - u[j] + own[j];
+      all += mean * (u[j + 1] - u[j]);
+      inside += mean * (own[j + 1] - own[j]);
+      damped += C * e * e / h;
+    }
+    CHECK(damped > 1e-2 * all);
+    CHECK_NEAR(all - inside, damped, 2e-3 * damped); /* first order where the rig turns a corner */
+  }
+  ed_damper_free(damper);
+}
+
 int main(void)
 {
   check_complex_stiffness();
+  check_damped();
+  check_damped_energy();
   check_braces();
   check_elastic();
   check_closing_joint();

@@ -150,12 +150,13 @@ class CoreDamper:
         spring: ArrayLike | None = None,
         power: float = 1.0,
         back: float = 1.0,
+        damping: float = 0.0,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Force history in series with a rig whose pins have play and whose parts are flexible.
 
         The force factor F + added + spring u_d, F that of the damper under its own deformation u_d, is within (e - z) +
         stiffness z (1 + bend z^2), e the stretch of the rig and z what of it is beyond half the play, either way: none
-        within the play, unless it is a soft part that closes there. Held at the first deformation for long before. The
+        within the play, unless it is a soft part that closes there; and damping e' beside all of it. Held at the first deformation for long before. The
         stretch is a parabola between samples (third order in the step), and linear over sixths of a step in which it
         comes to an end of the play.
 
@@ -173,6 +174,7 @@ class CoreDamper:
             power: above 1, of a rig that carries stiffness z |sqrt(bend) z|^(power - 1), as bodies in contact do:
                 with a bend above 0, without play.
             back: times as stiff where it is pushed together (e < 0), above 0.
+            damping: N s/m, at least 0.
 
         Returns:
             Force through rig and damper (n,) N, and the damper's own deformation (n,) m.
@@ -201,7 +203,7 @@ class CoreDamper:
         if not (back > 0.0 and np.isfinite(back)):
             text = f"back = {back:g} is not allowed: finite and above 0"
             raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
-        for name, value in (("play", play), ("bend", bend), ("within", within)):
+        for name, value in (("play", play), ("bend", bend), ("within", within), ("damping", damping)):
             if not (value >= 0.0 and np.isfinite(value)):
                 text = f"{name} = {value:g} is not allowed: finite, at least 0"
                 raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
@@ -213,7 +215,7 @@ class CoreDamper:
             ffi.from_buffer("double[]", u),
             ffi.from_buffer("double[]", v),
             *given,
-            ffi.new("ed_rig *", (stiffness, back, bend, power, within, play)),
+            ffi.new("ed_rig *", (stiffness, back, bend, power, within, play, damping)),
             ffi.from_buffer("double[]", force),
             ffi.from_buffer("double[]", own),
             done,

@@ -2,7 +2,8 @@
  *
  *   factor F(u_d) + added + spring u_d = within (e - z) + stiffness * side * z (1 + bend z^2), z: e beyond half the play, either way,
  *
- * or stiffness * side * z |sqrt(bend) z|^(power - 1) beyond it, as of bodies in contact; side: `back` where e < 0, else 1.
+ * or stiffness * side * z |sqrt(bend) z|^(power - 1) beyond it, as of bodies in contact; side: `back` where e < 0, else 1. Beside all of
+ * it damping e'.
  *
  * The stretch e of the rig balances at the end of a step, over which it is a parabola in time through its ends and the sample before:
  * its rate at the end is that of the second backward difference. It is linear over the first step, over parts of a step in which it
@@ -12,7 +13,8 @@
  * are; bisection where that leaves the bracket.
  *
  * Third order in the sampling step; second order for laws whose force jumps with the velocity (a bare dashpot), first order where a
- * power of the velocity is steep at rest, and where e turns a corner of the rig inside a step. */
+ * power of the velocity is steep at rest, and where e turns a corner of the rig inside a step; second order with damping of the rig,
+ * whose force takes the rate at the end as it is. */
 #include "damper/law.h"
 #include "damper/ode_system.h"
 
@@ -28,9 +30,15 @@ static const double TOLERANCE = 1e-8, ODE_TOLERANCE = 1e-7;
 typedef struct {
   const ed_damper *damper;
   ed_ode_system *system; /* for laws without exact step */
-  double stiffness, back, bend, power, within, gap; /* of the rig; half the play */
+  double stiffness, back, bend, power, within, gap, damping; /* of the rig; half the play */
   double tolerance, largest;
+  double force; /* through rig and damper at the end of the step that was settled */
 } series;
+
+/* Of the stretch e at the end of a step that begins at `from`: still + each (e - from). */
+typedef struct {
+  double still, each;
+} rate;
 
 /* What stands beside the law at the end of a step. */
 typedef struct {
@@ -89,7 +97,7 @@ static double meet(const series *in, double stretch, double force, double slope)
 
 /* The stretch at the end of a step in which the damper follows `path` + (stretch - from) * direction; *stretch: a first guess. */
 static int settle(series *in, const double *committed, double *trial, const ed_path *path, const ed_path direction[2], double from,
-                  beside here, double *stretch)
+                  rate at_end, beside here, double *stretch)
 {
   const double rise = fabs(ed_path_u(path, path->h) - path->c[0]);
   double low = -INFINITY, high = INFINITY, next = *stretch, before = 0.0;
@@ -104,11 +112,13 @@ static int settle(series *in, const double *committed, double *trial, const ed_p
     if (status != ED_OK)
       return status;
     const double more = here.added + here.spring * ed_path_u(&own, own.h);
-    const double force = here.factor * out.force + more, residual = force - carried(in, e);
+    const double damped = in->damping * (at_end.still + at_end.each * (e - from));
+    const double force = here.factor * out.force + more - damped, residual = force - carried(in, e);
     const int swings = residual * before < 0.0 && fabs(residual) > 0.5 * fabs(before);
     const double slope = fmax(here.spring - here.factor * (out.slope[0] + (swings ? out.chord[0] : 0.0)), 0.0);
     if (!isfinite(residual + slope))
       return ED_E_NOT_FINITE;
+    in->force = carried(in, e) + damped;
     const double largest = fmax(in->largest, fabs(here.factor * out.force) + fabs(more));
     if (fabs(residual) <= in->tolerance * fmax(largest, slope * rise)) {
       in->largest = largest;
@@ -116,7 +126,7 @@ static int settle(series *in, const double *committed, double *trial, const ed_p
     }
     *(residual > 0.0 ? &low : &high) = e;
     before = residual;
-    next = meet(in, e, force, slope);
+    next = meet(in, e, force, slope + in->damping * at_end.each);
     if (isfinite(low) && isfinite(high) && ((i > PATIENCE && i % 2) || !(next > low && next < high)))
       next = 0.5 * (low + high);
     if (fabs(next - e) <= 2.0 * DBL_EPSILON * (fabs(e) + in->gap))
@@ -146,7 +156,7 @@ static int begin(series *in, const double *state, double *trial, double slowly, 
   ed_path path, direction[2] = {{slowly, {0.0, 0.0, -3.0 / (slowly * slowly), 2.0 / (slowly * slowly * slowly)}}, {slowly, {0.0}}};
   ed_path_hermite(&path, slowly, 0.0, 0.0, u, 0.0);
   *stretch = fmax(-in->gap, fmin(in->gap, u)); /* pins that nothing pushes move the damper no more than they must */
-  return settle(in, state, trial, &path, direction, 0.0, here, stretch);
+  return settle(in, state, trial, &path, direction, 0.0, (rate){0.0, 0.0}, here, stretch);
 }
 
 /* The rate of the stretch over the step before, and how long that was: infinite where the stretch is linear now. */
@@ -165,7 +175,7 @@ static int advance(series *in, const double *committed, double *trial, const ed_
   ed_path still = *path; /* of the stretch that is again `from` at the end */
   still.c[1] -= h * old;
   still.c[2] += old;
-  return settle(in, committed, trial, &still, direction, from, here, stretch);
+  return settle(in, committed, trial, &still, direction, from, (rate){-h * old, 1.0 / h + h * bend}, here, stretch);
 }
 
 static int turns_corner(const series *in, double from, double stretch)
@@ -224,7 +234,7 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
     double *swap = state;
     state = trial;
     trial = swap;
-    force[i] = carried(in, stretch);
+    force[i] = in->force;
     own[i] = u[i] - stretch;
     *done = i + 1;
     if (i + 1 == n)
@@ -249,9 +259,9 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
 
 static int allowed(const ed_rig *rig)
 {
-  const double all = rig->stiffness + rig->back + rig->bend + rig->power + rig->within + rig->play;
+  const double all = rig->stiffness + rig->back + rig->bend + rig->power + rig->within + rig->play + rig->damping;
   return isfinite(all) && rig->stiffness > 0.0 && rig->back > 0.0 && rig->bend >= 0.0 && rig->power >= 1.0 && rig->within >= 0.0 &&
-         rig->play >= 0.0 && (rig->power == 1.0 || (rig->bend > 0.0 && rig->play == 0.0));
+         rig->play >= 0.0 && rig->damping >= 0.0 && (rig->power == 1.0 || (rig->bend > 0.0 && rig->play == 0.0));
 }
 
 int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
@@ -265,7 +275,7 @@ int ed_damper_history_in_series(const ed_damper *damper, int n, const double *ti
   if (status != ED_OK)
     return status;
   series in = {.damper = damper, .stiffness = rig->stiffness, .back = rig->back, .bend = rig->bend, .power = rig->power,
-               .within = rig->within, .gap = 0.5 * rig->play};
+               .within = rig->within, .gap = 0.5 * rig->play, .damping = rig->damping};
   in.tolerance = TOLERANCE;
   if (!ed_damper_has_exact_step(damper)) {
     in.tolerance = ODE_TOLERANCE;

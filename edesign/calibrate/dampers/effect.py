@@ -51,6 +51,7 @@ class Series(NamedTuple):
         play: end to end, m, across which the stiffness is `within`, N/m.
         power: with which the force goes, if none of the above: stiffness z |sqrt(bend) z|^(power - 1), z the stretch.
         back: times as stiff where it is pushed together.
+        damping: beside all of it, N s/m.
     """
 
     stiffness: float
@@ -59,6 +60,7 @@ class Series(NamedTuple):
     within: float = 0.0
     power: float = 1.0
     back: float = 1.0
+    damping: float = 0.0
 
     @property
     def soft(self) -> float:
@@ -68,6 +70,7 @@ class Series(NamedTuple):
     @staticmethod
     def together(each: Sequence[Series]) -> Series:
         """One behind the other: compliances add, plays too; ends of soft parts are where the same force closes them.
+        Damping is taken to be little.
 
         Raises:
             PredictionError: one stiffens with a power of its stretch, or is stiffer to one side, and there is another.
@@ -79,10 +82,12 @@ class Series(NamedTuple):
         stiffness = 1.0 / sum(1.0 / one.stiffness for one in each)
         # e = F/s - b (F/s)^3 of each, for a little bend
         bend = sum(one.bend * (stiffness / one.stiffness) ** 3 for one in each)
+        # 1/(s + i w c) = 1/s - i w c/s^2
+        damping = sum(one.damping * (stiffness / one.stiffness) ** 2 for one in each)
         if any(one.soft == 0.0 for one in each):
-            return Series(stiffness, bend, sum(one.play for one in each))
+            return Series(stiffness, bend, sum(one.play for one in each), damping=damping)
         within = 1.0 / sum(1.0 / one.soft for one in each)
-        return Series(stiffness, bend, sum(one.play * one.within for one in each) / within, within)
+        return Series(stiffness, bend, sum(one.play * one.within for one in each) / within, within, damping=damping)
 
 
 class Form:

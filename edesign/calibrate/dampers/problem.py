@@ -266,7 +266,10 @@ class DamperProblem:
         parts_of_step = trial.parts(self.fineness * refined)
         with np.errstate(all="ignore"):  # a search may ask for anything; a force that is not finite is refused
             fine = trial.finer(parts_of_step) if parts_of_step > 1 else trial
-            force, own = self._recorded(fine, values, acting)
+            try:
+                force, own = self._recorded(fine, values, acting)
+            except OverflowError as error:  # where an array has an infinite force, a number alone has this
+                raise PredictionError("a force beyond all numbers") from error
         return force[::parts_of_step], extremes_after(trial.been, own) if self.lasting else NONE
 
     def _recorded(self, trial: Trial, values: dict[str, float], acting: Sequence[Acting]) -> tuple[np.ndarray, Motion]:
@@ -360,6 +363,7 @@ class DamperProblem:
                     springs,
                     rig.power,
                     rig.back,
+                    rig.damping,
                 )
             except CoreError as error:
                 raise PredictionError(str(error)) from error

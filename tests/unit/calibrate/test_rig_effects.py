@@ -17,7 +17,7 @@ from edesign.calibrate.dampers.effects.one_sided import ContactPositive
 from edesign.calibrate.dampers.effects.payne import Whole
 from edesign.calibrate.dampers.effects.play import Backlash, Gap, GapAside, GapSeated, follow
 from edesign.calibrate.dampers.effects.relaxation_branch import Maxwell
-from edesign.calibrate.dampers.effects.series_flexibility import CLEARANCE, CLOSES, Closing, Linear, Power
+from edesign.calibrate.dampers.effects.series_flexibility import CLEARANCE, CLOSES, Closing, Damped, Linear, Power
 from edesign.calibrate.dampers.effects.static_offset import ConstantForce, PreShear, Tared
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
@@ -46,6 +46,7 @@ FORMS = (
     GapSeated,
     Backlash,
     Linear,
+    Damped,
     Closing,
     PreShear,
     ConstantForce,
@@ -392,6 +393,26 @@ def test_a_joint_that_opens_is_softer_beyond_its_force() -> None:
     assert shut[-1] > 2.0 * opens
 
 
+def test_parts_of_the_rig_that_lose_work() -> None:
+    # a Zener solid behind a spring and a dashpot side by side: complex stiffnesses in series, once the vibration is steady
+    k0, k1, tau, rig, t_r = 4e6, 3e6, 0.1, 4e7, 0.03
+    trial = _trial(_sine(400.0, cycles=6.0))
+    problem = DamperProblem(law("zener"), {"k0": k0, "k1": k1, "c1": k1 * tau}, (trial,), Sizes.of((trial,)))
+    candidate = candidate_of(Damped(), problem.sizes, Left())
+    assert candidate is not None
+    (force,) = problem.predict(problem.declared, [(candidate, np.array([rig, t_r]))], ("fit",))
+    w = 2.0j * np.pi
+    specimen, parts = k0 + k1 * w * tau / (1.0 + w * tau), rig * (1.0 + w * t_r)
+    turned = AMPLITUDE * np.exp(w * trial.motion.time)
+    steady = trial.motion.time >= 4.0  # 40 relaxation times
+    expected = (specimen * parts / (specimen + parts) * turned).imag
+    rigid, lossless = (specimen * turned).imag, (specimen * rig / (specimen + rig) * turned).imag
+    error, size = np.max(np.abs((force - expected)[steady])), np.max(np.abs(rigid - expected))
+    # the rate of the rig is that of a backward difference of second order: (w h)^2/3 of the dashpot's share
+    assert error < 2e-4 * size
+    assert np.max(np.abs((lossless - expected)[steady])) > 0.1 * size
+
+
 @pytest.mark.parametrize(("clearance", "found"), [(0.0, "series_flexibility.linear"), (2e-4, "play.gap")])
 def test_play_without_a_clearance_is_a_flexible_rig(clearance: float, found: str) -> None:
     # a spring in a rig, as the core has it, beside noise; the form with the clearance was found
@@ -436,6 +457,11 @@ def test_parts_in_series_share_their_force() -> None:
     assert Series.together((hertz,)) is hertz
     with pytest.raises(PredictionError, match="no other one in series"):
         Series.together((hertz, parts[0]))
+    # compliances 1/(s + i w c) add, those of damping up to its square: w c = 0.01 s
+    lossy, w = (Series(4e7, damping=8e4), Series(6e7, damping=1.2e5), Series(9e7)), 5.0
+    both = Series.together(lossy)
+    compliance = sum(1.0 / (one.stiffness + 1j * w * one.damping) for one in lossy)
+    assert 1.0 / (both.stiffness + 1j * w * both.damping) == pytest.approx(compliance, rel=2e-4)
     plays = Series.together((Series(4e7, play=1e-3), Series(6e7, play=2e-3)))
     assert (plays.play, plays.within) == (pytest.approx(3e-3), 0.0)
 

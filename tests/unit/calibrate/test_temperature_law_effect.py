@@ -274,7 +274,9 @@ def test_parameters_that_no_law_has_are_no_prediction() -> None:
     parts = [
         candidate_of(form, damper.sizes, Left()) for form in (temperature_law.Gamma(), temperature_law.GammaLine())
     ]
-    given = [(part, np.array([value])) for part, value in zip(parts, (-math.log(8.0) / 9.0, 0.0), strict=True) if part]
-    assert len(given) == 2
-    with pytest.raises(PredictionError, match="alpha"):
-        damper.predict(damper.declared, given, ("fit",))
+    # and one of 1340 a c_NL of 1000^501
+    for rate, message in ((-math.log(8.0) / 9.0, "alpha"), (-0.8, "beyond all numbers")):
+        given = [(part, np.array([value])) for part, value in zip(parts, (rate, 0.0), strict=True) if part]
+        assert len(given) == 2
+        with pytest.raises(PredictionError, match=message):
+            damper.predict(damper.declared, given, ("fit",))

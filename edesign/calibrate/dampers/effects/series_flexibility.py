@@ -64,6 +64,26 @@ class Stiffening(Linear):
         return Series(p["stiffness"], bend=1.0 / p["e0"] ** 2)
 
 
+class Damped(Linear):
+    """A spring in series with a dashpot beside it: F = stiffness (e + t_r e'), as grout, pads and bolted joints lose
+    work.
+    """
+
+    form: ClassVar[str] = "damped"
+    title: ClassVar[str] = "flexible parts of the rig in series with the specimen that lose work"
+    signature: ClassVar[str] = "as series_flexibility.linear, and less of it the faster the force changes"
+    source: ClassVar[str] = "Kelvin and Voigt's element in series: Christensen (1982), Theory of Viscoelasticity, 1.6"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), Unknown("t_r", "s", 0.0, 1.0 / sizes.frequency, 0.02 / sizes.frequency))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return ((20.0 * sizes.stiffness, 0.02 / sizes.frequency),)
+
+    def series(self, p: Values) -> Series:
+        return Series(p["stiffness"], damping=p["stiffness"] * p["t_r"])
+
+
 class Power(Linear):
     """Bodies in contact: the force goes with a power of their approach, 3/2 as of spheres (Hertz), or more: F = F_r
     (e/e_r)^n, e_r = F_r/stiffness, F_r half the largest force.
@@ -134,4 +154,4 @@ class Lopsided(Linear):
         return Series(p["stiffness"], back=p["back"])
 
 
-FORMS = (Linear, Stiffening, Power, Closing, Lopsided)
+FORMS = (Linear, Damped, Stiffening, Power, Closing, Lopsided)
