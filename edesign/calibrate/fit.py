@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -296,6 +296,13 @@ def refine(fitted: Fitted, enough: float = _ENOUGH) -> Fitted:
         enough: relative change of the sum of squares that ends the search.
     """
     return _search(fitted, _MOST_STEPS, enough, None)
+
+
+def with_differences(fitted: Fitted) -> Fitted:
+    """With slopes by differences: those that a search leaves behind may have followed from its steps, by which a test
+    left out may seem to be predicted far worse than it is.
+    """
+    return replace(fitted, slopes=tuple(slopes_at(fitted.model, fitted.x, fitted.residuals)))
 
 
 def _search(begun: Fitted, most_steps: int, enough: float, frozen: Sequence[np.ndarray] | None) -> Fitted:

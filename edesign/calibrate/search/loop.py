@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.calibrate.allowance import Allowance, OutOfTime, taken
 from edesign.calibrate.evidence import Judged, compare, simplest
-from edesign.calibrate.fit import Model, fit
+from edesign.calibrate.fit import Model, fit, with_differences
 from edesign.calibrate.problem import Candidate, PredictionError, Problem
 from edesign.calibrate.result import Ending
 from edesign.calibrate.search.alternatives import Alternatives
@@ -302,6 +302,9 @@ class Loop:
             forms = self.forms.other_forms(without, without.fitted.model.effects[-1], most) if few else []
             smaller = [without, self.bench.freed(without), *forms]
             enough = [judged for judged in smaller if not compare(current, judged).needed]
+            if enough:
+                known = Judged(with_differences(current.fitted))
+                enough = [judged for judged in enough if not compare(known, judged).needed]
             if enough:
                 current = simplest(enough)
         return current
