@@ -394,7 +394,7 @@ def test_a_joint_that_opens_is_softer_beyond_its_force() -> None:
 
 
 def test_parts_of_the_rig_that_lose_work() -> None:
-    # a Zener solid behind a spring and a dashpot side by side: complex stiffnesses in series, once the vibration is steady
+    # a Zener solid behind a spring and a dashpot side by side: complex stiffnesses in series, once all is steady
     k0, k1, tau, rig, t_r = 4e6, 3e6, 0.1, 4e7, 0.03
     trial = _trial(_sine(400.0, cycles=6.0))
     problem = DamperProblem(law("zener"), {"k0": k0, "k1": k1, "c1": k1 * tau}, (trial,), Sizes.of((trial,)))

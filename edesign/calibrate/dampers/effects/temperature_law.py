@@ -22,7 +22,7 @@ _WIDTH = 0.25  # of the temperatures' span: of a transition whose width they do 
 _TELL_WIDTH = 4  # temperatures at least: depth, middle and width beside a reference
 _SLOWING = -0.015, 0.024  # 1/K: from -20 to 80 degC no fall is endless
 _STEEPEST = (
-    0.8  # 1/K: ln 10 C1/C2, no more than at the glass transition with 17.44 and 51.6 K (Williams, Landel & Ferry)
+    0.8  # 1/K: ln 10 C1/C2 with 17.44 and 51.6 K, at the glass transition (Williams, Landel & Ferry)
 )
 _LEAST_GAMMA = 0.05  # of a straight line, which ends at none
 _NEAREST = 0.05  # of 1 + c w: T0 - C2, where the fall ends, comes no nearer
