@@ -21,9 +21,7 @@ _SHARPEST = 1.0  # K, of a transition: no rubber has a sharper one, and readings
 _WIDTH = 0.25  # of the temperatures' span: of a transition whose width they do not show
 _TELL_WIDTH = 4  # temperatures at least: depth, middle and width beside a reference
 _SLOWING = -0.015, 0.024  # 1/K: from -20 to 80 degC no fall is endless
-_STEEPEST = (
-    0.8  # 1/K: ln 10 C1/C2 with 17.44 and 51.6 K, at the glass transition (Williams, Landel & Ferry)
-)
+_STEEPEST = 0.8  # 1/K: ln 10 C1/C2 with 17.44 and 51.6 K, at the glass transition (Williams, Landel & Ferry)
 _LEAST_GAMMA = 0.05  # of a straight line, which ends at none
 _NEAREST = 0.05  # of 1 + c w: T0 - C2, where the fall ends, comes no nearer
 _BY_ARRHENIUS = {"c": 1.0 / (REFERENCE_C + 273.15)}  # E/R (1/T - 1/T0) = -b w/(1 + w/T0)
