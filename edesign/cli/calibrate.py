@@ -74,7 +74,7 @@ def calibrate(
         raise Interrupted(f"the search was interrupted; what it had found is in {folder}")
 
 
-_SECONDS = 60.0  # of processor time, with tests of a damper
+_SECONDS = 54.0  # of processor time, with tests of a damper
 
 
 @dataclass(frozen=True)

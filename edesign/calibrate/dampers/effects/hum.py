@@ -7,6 +7,7 @@ from itertools import combinations
 from typing import ClassVar
 
 import numpy as np
+from numpy.polynomial.chebyshev import chebvander
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.left import Left
@@ -111,9 +112,9 @@ class Unsteady(_Hum):
     def columns(self, p: Values, trial: Trial) -> np.ndarray:
         waves = super().columns(p, trial)
         time = trial.motion.time - trial.motion.time[0]
-        rows = self._rows(p["frequency"], trial)
-        slow = np.cos(np.pi * np.outer(time / time[-1], np.arange(rows)))
-        return np.hstack([waves * slow[:, [i]] for i in range(rows)])
+        # cos(j x) is Chebyshev's polynomial of cos x
+        slow = chebvander(np.cos(np.pi * time / time[-1]), self._rows(p["frequency"], trial) - 1)
+        return np.asarray(waves[:, :, np.newaxis] * slow[:, np.newaxis, :]).reshape(time.size, -1)
 
     def _rows(self, frequency: float, trial: Trial) -> int:
         """Half cycles, and none, of the changes: no more than leave the peak, which samples of a fit may fold, above
