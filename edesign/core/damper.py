@@ -158,8 +158,7 @@ class CoreDamper:
         stiffness z (1 + bend z^2), e the stretch of the rig and z what of it is beyond half the play, either way: none
         within the play, unless it is a soft part that closes there; and damping e' beside all of it. Held at the first
         deformation for long before. The stretch is a parabola between samples (third order in the step, second with
-        damping), and linear over sixths of a step in which it
-        comes to an end of the play.
+        damping), and linear over sixths of a step in which it comes to an end of the play.
 
         Args:
             time: (n,) s, ascending.

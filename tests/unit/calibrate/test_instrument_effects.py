@@ -362,6 +362,16 @@ def test_a_tone_whose_frequency_hunts_is_taken_out_by_restless_alone() -> None:
     assert left(hum.Restless()) < 5e-5
 
 
+def test_a_tone_that_hunts_goes_where_harmonics_of_a_fast_motion_are_too() -> None:
+    # between the fifth and the sixth harmonic of 4 Hz; sidebands as above, of which up to 0.5 Hz are taken out
+    trial = _trial(400.0, 20.0, frequency=4.0)
+    since = trial.motion.time - trial.motion.time[0]
+    hunting = 25.0 * np.sin(W * 21.7 * since + np.cos(W * 0.15 * since))
+    columns = hum.Restless().columns({"frequency": 21.7}, trial)
+    rest = hunting - columns @ np.linalg.lstsq(columns, hunting, rcond=None)[0]
+    assert float(rest @ rest / (hunting @ hunting)) < 5e-5
+
+
 def test_of_a_tone_that_wanders_more_cosines_leave_less() -> None:
     # amplitude 1 + 0.3 z, z with the spectrum 2 T / (1 + (2 pi f T)^2), T = 4 s: above f_c, for f_c T far above 1, the
     # share 1 / (pi^2 f_c T) of its power is left (Rice 1944, Bell Syst. Tech. J. 23, section 2.7)
