@@ -124,6 +124,8 @@ def _run(campaign: Path, search: _Search) -> _Found:
         found = calibrate_structure(loaded, *search.within())
     else:
         loaded = load_campaign(campaign)
+        for note in loaded.notes:
+            search.tell(note)
         found = run(loaded, *search.within(_SECONDS))
     return _Found(
         lambda folder: write_files(found, loaded, folder),

@@ -58,7 +58,7 @@ def characterise(
             check_folder(folder)
     campaign = _campaign(inputs, layers, layer_area, layer_thickness, temperature)
     found: dict[str, Properties] = {}
-    notes, each = [], {}
+    notes, each = list(campaign.notes), {}
     for test in campaign.tests:
         try:
             found[test.name] = properties(test, campaign.specimen, asked)

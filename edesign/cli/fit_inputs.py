@@ -32,7 +32,7 @@ class FitInput:
         tests: to fit to; () for a property table.
         validation: tests to compare with only.
         table: properties; None when forces are fitted.
-        notes: on tests that have no properties.
+        notes: on columns that are not read, and on tests that have no properties.
     """
 
     against: str
@@ -71,8 +71,9 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
         raise InputError(f"{path}: no test has `use: fit`, so there is nothing to fit to")
     if against == "properties":
         table, notes = _properties(tests, campaign.specimen, path)
-        return FitInput("properties", title, campaign.specimen, campaign.law, (), (), table, notes)
-    return FitInput("forces", title, campaign.specimen, campaign.law, tests, campaign.used_for("validate"), None)
+        return FitInput("properties", title, campaign.specimen, campaign.law, (), (), table, campaign.notes + notes)
+    validation = campaign.used_for("validate")
+    return FitInput("forces", title, campaign.specimen, campaign.law, tests, validation, None, campaign.notes)
 
 
 def _properties(tests: Sequence[DamperTest], specimen: Specimen, path: Path) -> tuple[PropertyTable, tuple[str, ...]]:

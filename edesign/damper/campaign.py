@@ -86,6 +86,18 @@ class Campaign:
         """Tests to fit to, or those to compare with only."""
         return tuple(test for test in self.tests if test.use == use)
 
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What the reader of the files leaves out: columns of other quantities, one line for tests with the same."""
+        left_out: dict[tuple[str, ...], list[str]] = {}
+        for test in self.tests:
+            if test.unread:
+                left_out.setdefault(test.unread, []).append(test.name)
+        return tuple(
+            f"{', '.join(names)}: not read: {', '.join(f'`{header}`' for header in headers)}"
+            for headers, names in left_out.items()
+        )
+
 
 def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
     """Read and check a campaign file and the tests it names.

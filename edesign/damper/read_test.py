@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.archive.files import write_text
-from edesign.damper.column_units import columns_in_si, need
+from edesign.damper.column_units import columns_in_si, names_quantity, need
 from edesign.damper.csv_table import CsvTable, read_csv_table
 from edesign.damper.test_record import FEWEST, DamperTest, Use
 from edesign.errors import InputError
@@ -29,7 +29,8 @@ def read_test(
 
     Args:
         path: CSV with the headers `time_s,displacement_mm,force_kN[,temperature_C]`, in any order and in other units
-            (`displacement_m`, `force_N`, `time_ms`).
+            (`displacement_m`, `force_N`, `time_ms`), or the export of a test machine (`Axial Force (kN)`). Columns of
+            other quantities are not read.
         temperature_C: ambient; by default the mean of the file's column of temperatures.
         title: for people.
         use: whether laws are fitted to it.
@@ -40,7 +41,8 @@ def read_test(
         InputError: the file cannot be read or is wrong, or no temperature is known.
     """
     path = Path(path)
-    table, columns = _columns(path, ("time", "displacement", "force") if needs_force else ("time", "displacement"))
+    needed = ("time", "displacement", "force") if needs_force else ("time", "displacement")
+    table, columns, unread = _columns(path, needed)
     temperatures = columns.get("temperature")
     if temperature_C is None:
         if temperatures is None:
@@ -56,6 +58,7 @@ def read_test(
         title,
         use,
         str(path),
+        tuple(unread),
     )
 
 
@@ -65,7 +68,7 @@ def read_displacement(path: Path | str) -> tuple[np.ndarray, np.ndarray]:
     Raises:
         InputError: the file cannot be read or is wrong.
     """
-    _, columns = _columns(Path(path), ("time", "displacement"))
+    _, columns, _ = _columns(Path(path), ("time", "displacement"))
     return columns["time"], columns["displacement"]
 
 
@@ -88,10 +91,10 @@ def write_test(path: Path | str, test: DamperTest) -> None:
     write_text("\n".join([",".join(headers), *rows, ""]), Path(path))
 
 
-def _columns(path: Path, needed: tuple[str, ...]) -> tuple[CsvTable, dict[str, np.ndarray]]:
-    """Columns of a file in SI, checked as far as its lines matter."""
-    table = read_csv_table(path, _WHAT, EXAMPLE)
-    columns = columns_in_si(table)
+def _columns(path: Path, needed: tuple[str, ...]) -> tuple[CsvTable, dict[str, np.ndarray], list[str]]:
+    """Columns of a file in SI, checked as far as its lines matter, and the headers of those that are not read."""
+    table = read_csv_table(path, _WHAT, EXAMPLE, names_quantity)
+    columns, unread = columns_in_si(table)
     need(table, columns, *needed)
     time = columns["time"]
     if time.size < FEWEST:
@@ -103,4 +106,4 @@ def _columns(path: Path, needed: tuple[str, ...]) -> tuple[CsvTable, dict[str, n
         raise InputError(f"{table.where(row=at)}: the time {time[at]:g} s {same}; times must ascend")
     if np.ptp(columns["displacement"]) == 0.0:
         raise InputError(f"{table.where(row=0)}: the displacement is the same in all lines; nothing moved")
-    return table, columns
+    return table, columns, unread

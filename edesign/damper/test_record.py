@@ -30,6 +30,7 @@ class DamperTest:
         title: for people.
         use: whether laws are fitted to the test, or only compared with it.
         source: the file it comes from.
+        unread: headers of the file's columns that are no part of the test.
     """
 
     name: str
@@ -41,6 +42,7 @@ class DamperTest:
     title: str = ""
     use: Use = "fit"
     source: str = ""
+    unread: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         for name in ("time", "displacement", "force", "temperature_history"):

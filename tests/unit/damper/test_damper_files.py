@@ -45,6 +45,46 @@ def test_one_test_in_many_forms(tmp_path: Path, text: str) -> None:
     assert test.source == str(tmp_path / "a.csv")
 
 
+ROWS = "0.000,0.0,0.0\n0.001,1.5,2.0\n0.002,-2.0,3.5\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "unread"),
+    [
+        ("Time (sec),Stroke (mm),Load (kN)\n" + ROWS, ()),
+        ("Time,Displacement,Force\n(s),(mm),(kN)\n" + ROWS, ()),
+        (
+            "MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\n\nData Acquisition: Timed\nStation Name: frame\n"
+            "Time,Axial Displacement,Axial Force\nSec,mm,kN\n" + ROWS,
+            (),
+        ),
+        ("time_s;displacement_mm;force_kN\n" + ROWS.replace(",", ";").replace(".", ","), ()),
+        ("Running Time\tAxial Stroke\tLoad\n s\tmm\tkN\n" + ROWS.replace(",", "\t").replace(".", ","), ()),
+        ("time_s,displacement_mm,force_kN,\n" + ROWS.replace("\n", ",\n"), ()),
+        ("time_s,displacement_mm,force_kN,segment\n" + ROWS.replace("\n", ",1\n"), ("segment",)),
+        (
+            "Count,time_s,displacement_mm,force_kN,Valve (%)\n" + "".join(f"1,{r},2\n" for r in ROWS.split()),
+            ("Count", "Valve (%)"),
+        ),
+    ],
+)
+def test_exports_of_test_machines(tmp_path: Path, text: str, unread: tuple[str, ...]) -> None:
+    """Names of machines, units in a line of their own, lines above the headers, decimal commas, columns of others."""
+    test = read_test(write(tmp_path, text), temperature_C=20.0)
+    assert test.time == pytest.approx([0.0, 0.001, 0.002])
+    assert test.displacement == pytest.approx([0.0, 0.0015, -0.002])
+    assert test.force == pytest.approx([0.0, 2e3, 3.5e3])
+    assert test.unread == unread
+
+
+def test_columns_that_are_not_read_are_told(tmp_path: Path) -> None:
+    for name in ("test_01.csv", "test_02.csv"):
+        write(tmp_path, "time_s,displacement_mm,force_kN,segment\n" + ROWS.replace("\n", ",1\n"), name)
+    text = HEAD + "tests: [{file: test_01.csv, temperature_C: 20}, {file: test_02.csv, temperature_C: 20}]\n"
+    campaign = load_campaign(write(tmp_path, text, "campaign.yaml"))
+    assert campaign.notes == ("test_01, test_02: not read: `segment`",)
+
+
 def test_temperatures_of_the_file(tmp_path: Path) -> None:
     text = "time_s,displacement_mm,force_kN,temperature_F\n0,0,0,68\n1,1,1,77\n2,0,1,86\n"
     test = read_test(write(tmp_path, text))
@@ -71,7 +111,7 @@ def test_a_file_without_force(tmp_path: Path) -> None:
             GOOD.replace("force_kN", "forse_kN"),
             "a.csv:1, column 3 (`forse_kN`): the column is unknown; did you mean `force_kN`",
         ),
-        (GOOD.replace("force_kN", "load cell"), "column 3 (`load cell`): the column is unknown"),
+        (GOOD.replace("force_kN", "cell 7"), "no column of force, such as `force_kN` (the columns are: time_s, displ"),
         (GOOD.replace("force_kN", "force_mm"), "`mm` is a unit of displacement, not of force"),
         (GOOD.replace("displacement_mm", "displacement_kN"), "column 2 (`displacement_kN`): `kN` is a unit of force"),
         (GOOD.replace("force_kN", "force_kn"), "the unit `kn` is unknown; did you mean `force_kN`?"),
@@ -87,6 +127,11 @@ def test_a_file_without_force(tmp_path: Path) -> None:
         (GOOD.replace("1.5", "0").replace("-2", "0"), "a.csv:2: the displacement is the same in all lines"),
         ("time_s,displacement_mm,force_kN\n0,0,0\n1,1,1\n", "a.csv:3: a test needs at least 3 samples, not 2"),
         ("time_s\0,displacement_mm\n", "not a text file"),
+        ("rig 3\n1,2,3\n" + GOOD, "a.csv:1: numbers stand above the headers in line 3"),
+        (GOOD.replace("\n0,", "\nstart,"), "a.csv:2, column 1 (`time_s`): `start` is not a number"),
+        ("Time,Stroke,Load\ns,mm,mm\n0,0,0\n", "column 3 (`Load (mm)`): `mm` is a unit of displacement, not of force"),
+        ("Time,Stroke,Load\n0,0,0\n1,1,1\n2,2,2\n", "column 1 (`Time`): the unit is missing; write `time_s`"),
+        ("time_s;displacement_mm;force_kN\n0;0;0\n1;1.234,5;1\n", "`1.234,5` is not a number"),
     ],
 )
 def test_wrong_test_files(tmp_path: Path, text: str, said: str) -> None:
