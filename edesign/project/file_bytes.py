@@ -2,26 +2,54 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
+from typing import IO
 
 from edesign.errors import InputError
+from edesign.project.limits import TABLE_ADVICE, TABLE_BYTES, megabytes
+
+_CHUNK = 1 << 20  # bytes
 
 
-def read_file(path: Path, what: str) -> bytes:
+def read_file(path: Path, what: str, most: int = TABLE_BYTES, advice: str = TABLE_ADVICE) -> bytes:
     """Read a file.
 
     Args:
-        path: the file.
+        path: the file; what has no size, a pipe for instance, is read up to the limit.
         what: it is, for messages: "project file".
+        most: bytes that are read; a file of more is refused before it is read.
+        advice: what to do about a larger one.
 
     Raises:
-        InputError: missing, a folder, or unreadable.
+        InputError: missing, a folder, unreadable, or too large.
     """
     try:
-        return path.read_bytes()
+        with path.open("rb") as file:
+            size = os.fstat(file.fileno()).st_size
+            data = read_up_to(file, most) if size <= most else b""
     except FileNotFoundError:
         raise InputError(f"{path}: there is no such {what}") from None
     except IsADirectoryError:
         raise InputError(f"{path}: this is a folder; name the {what} in it") from None
     except OSError as error:
         raise InputError(f"{path}: the {what} cannot be read: {error.strerror}") from None
+    if size > most or len(data) > most:
+        raise too_large(path, what, max(size, len(data)), most, advice)
+    return data
+
+
+def read_up_to(file: IO[bytes], most: int) -> bytes:
+    """Read at most one byte more than `most`, by which a file that is too large is known."""
+    chunks: list[bytes] = []
+    left = most + 1
+    while left > 0 and (chunk := file.read(min(_CHUNK, left))):
+        chunks.append(chunk)
+        left -= len(chunk)
+    return b"".join(chunks)
+
+
+def too_large(path: Path, what: str, size: int, most: int, advice: str = TABLE_ADVICE) -> InputError:
+    """The error of a file that has `size` bytes (at least), of which `most` are read."""
+    seen = f"more than {megabytes(most)}" if size == most + 1 else megabytes(size)
+    return InputError(f"{path}: the {what} has {seen}; at most {megabytes(most)} are read: {advice}")

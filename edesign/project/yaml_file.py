@@ -10,6 +10,7 @@ from pydantic import BaseModel, ValidationError
 from edesign.errors import InputError
 from edesign.project.explain import explain
 from edesign.project.file_bytes import read_file
+from edesign.project.limits import YAML_ADVICE, YAML_BYTES
 from edesign.project.problems import Problem, Problems
 from edesign.project.yaml_nodes import Mark, parse
 
@@ -27,9 +28,9 @@ def read_yaml_text(path: Path, what: str) -> str:
         what: it is, for messages: "project file".
 
     Raises:
-        InputError: missing, a folder, unreadable, or not UTF-8.
+        InputError: missing, a folder, unreadable, too large, or not UTF-8.
     """
-    data = read_file(path, what)
+    data = read_file(path, what, YAML_BYTES, YAML_ADVICE)
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

@@ -13,10 +13,11 @@ from typing import Any, NamedTuple
 
 import yaml
 
+from edesign.project.limits import YAML_ADVICE, YAML_BYTES, YAML_DEPTH, YAML_VALUES, megabytes
+
 _INTEGER = re.compile(r"[-+]?[0-9]+")
 _FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
 _CONSTANTS: dict[str, Any] = {"": None, "null": None, "~": None, "true": True, "false": False}
-_DEEPEST = 30
 
 
 class Mark(NamedTuple):
@@ -40,11 +41,15 @@ class Node:
 
     Attributes:
         mark: where the value begins.
+        span: where it stands: index of its first character in the text, and of the one after its last.
+        flow: whether it is written in brackets or braces.
         text: the scalar as written.
         key_marks: where each key of a mapping stands.
     """
 
     mark: Mark
+    span: tuple[int, int] = (0, 0)
+    flow: bool = False
     value: Any = None
     text: str = ""
     items: list[Node] | None = None
@@ -72,8 +77,11 @@ def parse(text: str) -> tuple[Node, list[Fault]]:
     """Read YAML text.
 
     Returns:
-        The tree (of duplicated keys the first), and all faults found; after a syntax fault the tree is empty.
+        The tree (of duplicated keys the first), and all faults found; after a syntax fault, and of text beyond the
+        limits of `edesign.project.limits`, the tree is empty.
     """
+    if message := _too_large(text):
+        return Node(Mark(1, 1), entries={}), [Fault(Mark(1, 1), (), message)]
     reader = _Reader(text)
     try:
         return reader.document(), reader.faults
@@ -86,6 +94,27 @@ def parse(text: str) -> tuple[Node, list[Fault]]:
         before = text[: error.position]
         place = Mark(before.count("\n") + 1, len(before) - before.rfind("\n"))
         return Node(Mark(1, 1), entries={}), [Fault(place, (), f"this is not valid YAML: {error.reason}")]
+
+
+def top_level_keys(text: str) -> Iterator[str]:
+    """Yield the keys of the outermost mapping as far as they are asked for; of wrong YAML those before the fault."""
+    if _too_large(text):
+        return
+    depth, is_key = 0, False
+    try:
+        for event in yaml.parse(text, Loader=yaml.SafeLoader):
+            if depth == 1:  # keys and values in turn
+                is_key = not is_key
+                if is_key and isinstance(event, yaml.ScalarEvent):
+                    yield event.value
+            if isinstance(event, yaml.CollectionStartEvent):
+                if depth == 0 and isinstance(event, yaml.SequenceStartEvent):
+                    return
+                depth += 1
+            elif isinstance(event, yaml.CollectionEndEvent):
+                depth -= 1
+    except yaml.YAMLError:
+        return
 
 
 def find(root: Node, keys: Sequence[str | int]) -> Node:
@@ -118,25 +147,27 @@ class _Reader:
 
     def node(self, event: Any, keys: tuple[str | int, ...]) -> Node:
         mark = _mark(event)
-        if len(keys) > _DEEPEST:
-            raise yaml.MarkedYAMLError(problem=f"nested deeper than {_DEEPEST} levels", problem_mark=event.start_mark)
+        if len(keys) > YAML_DEPTH:
+            raise yaml.MarkedYAMLError(problem=f"nested deeper than {YAML_DEPTH} levels", problem_mark=event.start_mark)
         self._plain_only(event, keys, mark)
         if isinstance(event, yaml.SequenceStartEvent):
-            return self._list(mark, keys)
+            return self._list(event, keys)
         if isinstance(event, yaml.MappingStartEvent):
-            return self._mapping(mark, keys)
+            return self._mapping(event, keys)
+        node = Node(mark, (event.start_mark.index, event.end_mark.index))
         if isinstance(event, yaml.ScalarEvent):
-            return Node(mark, value=_scalar(event), text=event.value)
-        return Node(mark)
+            node.value, node.text = _scalar(event), event.value
+        return node
 
-    def _list(self, mark: Mark, keys: tuple[str | int, ...]) -> Node:
+    def _list(self, start: Any, keys: tuple[str | int, ...]) -> Node:
         items: list[Node] = []
         while not isinstance(event := next(self.events), yaml.SequenceEndEvent):
             items.append(self.node(event, (*keys, len(items))))
-        return Node(mark, items=items)
+        return Node(_mark(start), _span(start, event, items), start.flow_style, items=items)
 
-    def _mapping(self, mark: Mark, keys: tuple[str | int, ...]) -> Node:
-        node = Node(mark, entries={})
+    def _mapping(self, start: Any, keys: tuple[str | int, ...]) -> Node:
+        node = Node(_mark(start), flow=start.flow_style, entries={})
+        last: list[Node] = []
         entries = node.entries
         assert entries is not None
         while not isinstance(event := next(self.events), yaml.MappingEndEvent):
@@ -146,6 +177,7 @@ class _Reader:
             key = event.value if isinstance(event, yaml.ScalarEvent) else f"*{event.anchor}"
             place = _mark(event)
             child = self.node(next(self.events), (*keys, key))
+            last = [child]
             if key in entries:
                 first = node.key_marks[key]
                 message = f"the key comes twice; it stands already in line {first.line}, column {first.column}"
@@ -153,6 +185,7 @@ class _Reader:
                 continue
             entries[key] = child
             node.key_marks[key] = place
+        node.span = _span(start, event, last)
         return node
 
     def _plain_only(self, event: Any, keys: tuple[str | int, ...], mark: Mark) -> None:
@@ -167,6 +200,23 @@ class _Reader:
 
 def _mark(event: Any) -> Mark:
     return Mark(event.start_mark.line + 1, event.start_mark.column + 1)
+
+
+def _span(start: Any, end: Any, children: Sequence[Node]) -> tuple[int, int]:
+    """Where a list or mapping stands; the end event of one without brackets comes after the comments below it."""
+    if start.flow_style or not children:
+        return start.start_mark.index, end.end_mark.index
+    return start.start_mark.index, children[-1].span[1]
+
+
+def _too_large(text: str) -> str:
+    """What is said of text beyond the limits, "" if it is not; each value follows one of the signs that are counted."""
+    if len(text) > YAML_BYTES:
+        return f"the text has {megabytes(len(text))}; at most {megabytes(YAML_BYTES)} are read: {YAML_ADVICE}"
+    values = 1 + sum(text.count(sign) for sign in (",", "[", ":", "- ", "-\t", "-\n", "-\r"))
+    if values <= YAML_VALUES:
+        return ""
+    return f"the file has about {values} values; at most {YAML_VALUES} are read: {YAML_ADVICE}"
 
 
 def _scalar(event: Any) -> Any:

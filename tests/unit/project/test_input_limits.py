@@ -1,0 +1,141 @@
+"""Files that are too large are refused at once, whatever they are."""
+
+from __future__ import annotations
+
+import gzip
+import os
+import time
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+from edesign.calibrate.properties.campaign import load_property_campaign
+from edesign.calibrate.structure.campaign import load_structure_campaign
+from edesign.calibrate.structure.table import read_table
+from edesign.damper.campaign import load_campaign
+from edesign.damper.law_file import read_law_file
+from edesign.damper.programme_file import load_programme
+from edesign.damper.property_table import read_property_table
+from edesign.damper.read_test import read_test
+from edesign.errors import InputError
+from edesign.ground_motion.read import read_record_file
+from edesign.ground_motion.suite import load_suite
+from edesign.project import limits, load_project
+from edesign.project.reference_loader import load_reference
+from edesign.project.study_loader import is_study, load_study
+from edesign.project.yaml_nodes import parse, top_level_keys
+
+REFUSAL = 0.5
+"""s, for a refusal. It reads the size of a file, or counts signs in at most 4 MB, which takes some milliseconds; parsing
+the files of these tests takes from 20 s to minutes. The rest is for a loaded machine."""
+
+YAML_READERS: tuple[Callable[[Path], object], ...] = (
+    load_project,
+    load_study,
+    load_suite,
+    load_reference,
+    load_campaign,
+    load_structure_campaign,
+    load_property_campaign,
+    load_programme,
+    read_law_file,
+)
+TABLE_READERS: tuple[Callable[[Path], object], ...] = (read_record_file, read_test, read_property_table, read_table)
+
+
+@contextmanager
+def refused_at_once(said: str) -> Iterator[None]:
+    begin = time.process_time()
+    with pytest.raises(InputError) as caught:
+        yield
+    assert time.process_time() - begin < REFUSAL
+    assert said in str(caught.value)
+
+
+@pytest.mark.parametrize("read", YAML_READERS)
+def test_yaml_files(read: Callable[[Path], object], tmp_path: Path) -> None:
+    path = tmp_path / "large.yaml"
+    path.write_text("# a comment\n" * 5_000_000)
+    with refused_at_once(f"{path}: the ") as _:
+        read(path)
+    with refused_at_once("has 60 MB; at most 4 MB are read: name members by ranges"):
+        read(path)
+    path.write_text("edesign: 1\ntitle:\n" + "- a\n" * 600_000)
+    with refused_at_once("about 600003 values; at most 200000 are read: name members by ranges"):
+        read(path)
+
+
+def test_a_file_is_a_study_only_if_it_can_be_read(tmp_path: Path) -> None:
+    path = tmp_path / "large.yaml"
+    path.write_text("edesign_study: 1\ntitle:\n" + "- a\n" * 600_000)
+    assert not is_study(path)  # so it is read as a project, which is refused
+    assert list(top_level_keys("a: {edesign_study: 1}\nb: [c: d]\ne: 1\n")) == ["a", "b", "e"]
+    assert list(top_level_keys("- a: 1\n")) == list(top_level_keys("text")) == []
+    assert list(top_level_keys("a: 1\nb: ]\n")) == ["a", "b"]
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["- a\n" * 600_000, "-\n" * 600_000, "a: [" + "1," * 600_000 + "]", "[" * 600_000, '{"a":' * 300_000,
+     "".join(f"k{i}: 1\n" for i in range(250_000)), "{" + "a, " * 300_000 + "}"],
+)  # fmt: skip
+def test_every_way_to_write_many_values_is_counted(text: str) -> None:
+    begin = time.process_time()
+    root, faults = parse(text)
+    assert time.process_time() - begin < REFUSAL
+    assert not root.entries and len(faults) == 1 and "values; at most 200000" in faults[0].message
+
+
+def test_nesting_and_aliases_do_not_grow() -> None:
+    begin = time.process_time()
+    for text in ("a: " + "[" * 100_000, "\n".join(" " * i + "a:" for i in range(1_000))):
+        assert "nested deeper than 30 levels" in parse(text)[1][0].message
+    lines = ["a0: &a0 [x, x]", *(f"a{i}: &a{i} [{', '.join(9 * [f'*a{i - 1}'])}]" for i in range(1, 30))]
+    faults = parse("\n".join(lines))[1]  # 9^29 values if aliases stood for them
+    assert time.process_time() - begin < REFUSAL
+    assert faults[0].message.startswith("the anchor `&a0` is not allowed")
+
+
+@pytest.mark.parametrize("read", TABLE_READERS)
+def test_tables(read: Callable[[Path], object], tmp_path: Path) -> None:
+    path = tmp_path / "large.csv"
+    path.touch()
+    os.truncate(path, 2_500_000_000)  # takes no space on the disk
+    with refused_at_once(f"{path}: the "):
+        read(path)
+    with refused_at_once("has 2.5 GB; at most 300 MB are read: cut it into several files"):
+        read(path)
+
+
+def test_compressed_tables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("edesign.calibrate.structure.table.TABLE_BYTES", 1_000_000)
+    bomb = tmp_path / "bomb.csv.gz"
+    bomb.write_bytes(gzip.compress(bytes(40_000_000)))  # 40 kB
+    with refused_at_once(f"{bomb}: the record file has 40 MB; at most 1 MB are read"):
+        read_table(bomb)
+    bomb.write_bytes(gzip.compress(bytes(40_000_000)) + gzip.compress(b"1"))  # whose end tells one byte
+    with refused_at_once(f"{bomb}: the record file has more than 1 MB; at most 1 MB are read"):
+        read_table(bomb)
+    bomb.write_bytes(b"no compressed file, whose last bytes say nothing")
+    with pytest.raises(InputError, match="this is no compressed file"):
+        read_table(bomb)
+
+
+@pytest.mark.skipif(not Path("/dev/zero").exists(), reason="a device without end")
+def test_a_device_without_end_is_refused() -> None:
+    with refused_at_once("/dev/zero: the project file has more than 4 MB"):
+        load_project("/dev/zero")
+
+
+def test_the_limits_are_a_hundred_times_what_there_is() -> None:
+    folder = Path(__file__).parents[3]
+    files = [path for name in ("projects", "records") for path in (folder / name).rglob("*.yaml")]
+    texts = [path.read_text(encoding="utf-8") for path in files]
+    assert files and 100 * max(map(len, texts)) < limits.YAML_BYTES
+
+    def count(text: str) -> int:
+        return sum(text.count(sign) for sign in (",", "[", ":", "- "))  # no fewer than there are values
+
+    assert 100 * max(count(text) for text in texts) < limits.YAML_VALUES
