@@ -52,7 +52,7 @@ def run(
         how = (archive, listen, workers, only or (), fresh, backend, scheduler)
         if is_study(project):
             study = load_study(project)
-            summary = run_study(study.of(with_folders(study.base, folder or [])), *how)
+            summary = run_study(study.of(with_folders(study.base, folder)) if folder else study, *how)
         else:
             summary = run_project(with_folders(load_project(project), folder or []), *how)
     if not quiet:

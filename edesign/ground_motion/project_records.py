@@ -56,8 +56,7 @@ def find_recordings(project: Project, wanted: Iterable[str]) -> dict[str, Found]
                 suite = _suite(project, name, spec)
                 entries = tuple(entry for entry in suite.records if f"{name}/{entry.id}" in wanted)
                 part = suite.model_copy(update={"records": entries})
-                folders = [project.folder / folder for folder in spec.folders]
-                recordings = find_suite(part, folders, spec.stand_ins)
+                recordings = find_suite(part, project.suite_folders(name), spec.stand_ins)
                 found |= {f"{name}/{entry.id}": item for entry, item in zip(entries, recordings, strict=True)}
             else:
                 found[name] = _single(project, name, spec)
@@ -79,12 +78,7 @@ def with_folders(project: Project, folders: Sequence[Path]) -> Project:
             raise InputError(f"--folder: there is no folder {folder}")
     if not any(isinstance(spec, SuiteRecords) for spec in project.records.values()):
         raise InputError(f"--folder: {project.path} has no suite of recordings")
-    more = tuple(str(folder.resolve()) for folder in folders)
-    records = {
-        name: spec.model_copy(update={"folders": (*spec.folders, *more)}) if isinstance(spec, SuiteRecords) else spec
-        for name, spec in project.records.items()
-    }
-    return project.model_copy(update={"records": records})
+    return project.with_folders([folder.resolve() for folder in folders])
 
 
 def _spec(project: Project, name: str) -> FileRecord | StructdynRecord | FemaP695Record | SuiteRecords:

@@ -2,26 +2,92 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Self
+from typing import Any, ClassVar, Self
 
 from pydantic import PrivateAttr
 
+from edesign.errors import InputError
 from edesign.project.base import Model
+from edesign.project.problems import FileProblems, Problems, keys_text
+from edesign.project.values import KeyPath, changed_text, first_difference, shown
 from edesign.project.yaml_nodes import Node, find, parse
 
 
 class FileModel(Model):
-    """The content of a YAML file, with its place and its exact text."""
+    """The content of a YAML file, with its place and its exact text.
+
+    Text and values belong together: checksums and archives are of the text, analyses of the values. So values are
+    changed by `with_values`, and `check_unchanged` refuses a copy that was changed in another way.
+    """
+
+    kind: ClassVar[str] = "file"
+    """What it is, for messages."""
 
     _path: Path = PrivateAttr(default=Path())
     _text: str = PrivateAttr(default="")
     _root: Node | None = PrivateAttr(default=None)
+    _read: Callable[..., Any] | None = PrivateAttr(default=None)
 
-    def read_from(self, path: Path, text: str, root: Node) -> Self:
-        """Tell the model, once, where it comes from; `root` is the tree of the text."""
-        self._path, self._text, self._root = path, text, root
+    def read_from(self, path: Path, text: str, root: Node, read: Callable[..., Any] | None = None) -> Self:
+        """Tell the model, once, where it comes from.
+
+        Args:
+            path: of the file.
+            text: of the file.
+            root: the tree of the text.
+            read: reads another text in its place, as this one was read.
+        """
+        self._path, self._text, self._root, self._read = path, text, root, read
         return self
+
+    def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
+        """Return what the file would be with other values: its text is edited, read and checked again.
+
+            project.with_values("materials.S275.E", "100 GPa")
+            project.with_values({"frame.columns[0].section": "HEB300", "damping.ratio": "3 %"})
+
+        Text, checksum and values of the result belong together, as those of a file. Comments stay; the file itself
+        does not change. A key that may stand there and is missing is written.
+
+        Args:
+            values: new values by their places, which are written as in messages: `frame.columns[0].section`; or one
+                place. A new name with points in it needs its keys one by one: ("materials", "S355.J2").
+            value: the value at this one place: text with its unit, a number, a truth value, None for a key without a
+                value, a list or a mapping.
+
+        Raises:
+            FileProblems: a place does not exist, or the file would be wrong; with file, line, column and nearest names.
+            InputError: the copy was changed in another way before, or was not read from a file.
+        """
+        self.check_unchanged()
+        assert self._read is not None
+        wanted = values if isinstance(values, Mapping) else {values: value}
+        problems = Problems(self.root)
+        text = changed_text(self._text, self, wanted, problems)
+        if problems.found:
+            raise FileProblems(self._path, problems.found)
+        changed: Self = self._read(text)
+        return changed
+
+    def check_unchanged(self) -> None:
+        """Check that the values are those of the text.
+
+        Raises:
+            InputError: they are not; the message names the first place that differs.
+        """
+        if self._root is None or self._read is None:
+            raise InputError(f"this {self.kind} was not read from a file or text; read it by `load_{self.kind}`")
+        found = first_difference(self, type(self).model_validate(self._root.plain()))
+        if found is not None:
+            keys, mine, said = found
+            place = keys_text(keys)
+            raise InputError(
+                f"{self.where(*keys)}: {place}: this copy of the {self.kind} has {shown(mine)} here, and its text says "
+                f"{shown(said)}; change values by {self.kind}.with_values({place!r}, ...), which keeps text, checksum "
+                "and values together"
+            )
 
     @property
     def path(self) -> Path:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from functools import partial
 from pathlib import Path
 
 from edesign.project.checks_actions import check_actions
@@ -49,7 +50,8 @@ def parse_project(
     hint = "; `edesign new` writes one that runs"
     project, problems = check_model(text, Project, _WHAT, "edesign: 1", hint)
     if project is not None:
-        project.read_from(path, text, problems.root)
+        read = partial(parse_project, path=path, profiles=profiles, files=files)
+        project.read_from(path, text, problems.root, read)
         # cross checks need a whole project: they come in a second round, after the schema is satisfied
         check_frame(project, problems, profiles)
         check_actions(project, problems, files)

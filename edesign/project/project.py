@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Field, PrivateAttr
 
@@ -23,12 +23,15 @@ from edesign.project.materials import Material
 from edesign.project.outputs import Outputs
 from edesign.project.records import FileRecord, Record, SuiteRecords
 from edesign.project.sections import Fibres, Section
+from edesign.project.values import KeyPath
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]
 
 
 class Project(FileModel):
     """A validated project; all values are in SI. Made by `load_project`, which also keeps the text and its marks."""
+
+    kind: ClassVar[str] = "project"
 
     edesign: Literal[1]
     title: Annotated[str, Field(min_length=1)]
@@ -48,6 +51,17 @@ class Project(FileModel):
     outputs: Outputs = Outputs()
 
     _path: Path = PrivateAttr(default=Path("project.yaml"))
+    _more_folders: tuple[Path, ...] = PrivateAttr(default=())
+
+    def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
+        """Return what the file would be with other values; see `FileModel.with_values`."""
+        return super().with_values(values, value).with_folders(self._more_folders)
+
+    def with_folders(self, folders: Sequence[Path]) -> Self:
+        """Return the project with more folders for recordings of suites, after those that the file names."""
+        found = self.model_copy()
+        found._more_folders = (*self._more_folders, *folders)
+        return found
 
     @property
     def checksum(self) -> str:
@@ -74,6 +88,17 @@ class Project(FileModel):
         if not isinstance(record, FileRecord):
             raise KeyError(name)
         return self.folder / record.file
+
+    def suite_folders(self, name: str) -> list[Path]:
+        """The folders in which the recordings of a suite are looked for.
+
+        Raises:
+            KeyError: no record of this name is a suite.
+        """
+        record = self.records[name]
+        if not isinstance(record, SuiteRecords):
+            raise KeyError(name)
+        return [*(self.folder / folder for folder in record.folders), *self._more_folders]
 
     def suite_path(self, name: str) -> Path:
         """The suite file of a record that is given by `suite`.

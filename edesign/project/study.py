@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from pathlib import Path
-from typing import Annotated, Literal
+from typing import Annotated, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field, PrivateAttr
 
@@ -81,6 +81,8 @@ class StudyOutputs(Model):
 class Study(FileModel):
     """A validated study; all values are in SI. Made by `load_study`, which also loads the project."""
 
+    kind: ClassVar[str] = "study"
+
     edesign_study: Literal[1]
     title: Annotated[str, Field(min_length=1)]
     project: Annotated[str, Field(min_length=1)]
@@ -108,10 +110,21 @@ class Study(FileModel):
         return self._base
 
     def of(self, base: Project) -> Study:
-        """The same study of another project."""
-        study = self.model_copy()
-        study._base = base
-        return study
+        """Return the same study of another project, such as `study.base.with_values(...)`, checked against it.
+
+        Raises:
+            InputError: the study was changed otherwise than by `with_values`.
+            StudyError: the study does not fit the project; the message lists all problems.
+        """
+        self.check_unchanged()
+        assert self._read is not None
+        found: Study = self._read(self._text, base=base)
+        return found
+
+    def set_base(self, base: Project) -> Study:
+        """Tell the study, once, the project that it is of."""
+        self._base = base
+        return self
 
     @property
     def checksum(self) -> str:

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from functools import partial
 from pathlib import Path
 
 from edesign.project.checks_study import check_study
 from edesign.project.loader import load_project
-from edesign.project.problems import FileProblems
+from edesign.project.problems import FileProblems, Problems
 from edesign.project.project import Project
 from edesign.project.study import Study
-from edesign.project.yaml_file import check_model, read_yaml_text
-from edesign.project.yaml_nodes import parse
+from edesign.project.yaml_file import KINDS, check_model, read_yaml_text
+from edesign.project.yaml_nodes import top_level_keys
 
 _KIND = "edesign_study"
 _WHAT, _BEGINS = "study file", f"{_KIND}: 1"
@@ -22,12 +23,13 @@ class StudyError(FileProblems):
 
 
 def is_study(path: Path | str) -> bool:
-    """Whether a file is a study rather than a project.
+    """Whether a file is a study rather than a project, by the first of its keys that tells.
 
     Raises:
         InputError: it cannot be read.
     """
-    return parse(read_yaml_text(Path(path), "project or study file"))[0].child(_KIND) is not None
+    text = read_yaml_text(Path(path), "project or study file")
+    return next((key for key in top_level_keys(text) if key in KINDS), "") == _KIND
 
 
 def load_study(path: Path | str, profiles: Collection[str] | None = None) -> Study:
@@ -43,28 +45,44 @@ def load_study(path: Path | str, profiles: Collection[str] | None = None) -> Stu
         ProjectError: its project is wrong.
     """
     path = Path(path)
-    study, problems = check_model(read_yaml_text(path, _WHAT), Study, _WHAT, _BEGINS)
-    if study is None:
-        raise StudyError(path, problems.found)
-    project_path = path.parent / study.project
-    if not project_path.is_file():
-        message = f"there is no file `{project_path}` (the path is relative to the study file)"
-        problems.at_value(("project",), message)
-        raise StudyError(path, problems.found)
-    return parse_study(read_yaml_text(path, _WHAT), path, load_project(project_path, profiles))
+    return parse_study(read_yaml_text(path, _WHAT), path, profiles=profiles)
 
 
-def parse_study(text: str, path: Path | str, base: Project) -> Study:
-    """Check the text of a study file that (supposedly) stands at `path`, of a project that is at hand.
+def parse_study(
+    text: str,
+    path: Path | str,
+    base: Project | None = None,
+    profiles: Collection[str] | None = None,
+    of: str | None = None,
+) -> Study:
+    """Check the text of a study file that (supposedly) stands at `path`.
+
+    Args:
+        text, path: of the file.
+        base: the project, if it is at hand; otherwise the one that the file names is read.
+        profiles: as for `load_study`.
+        of: the `project` of the file that `base` stands for; where the text names another one, that is read.
 
     Raises:
         StudyError: the study is wrong; the message lists all problems with file, line and column.
+        ProjectError, InputError: its project is wrong, or cannot be read.
     """
     path = Path(path)
     study, problems = check_model(text, Study, _WHAT, _BEGINS)
-    if study is not None:
-        study = study.read_from(path, text, problems.root).of(base)
-        check_study(study, problems)
+    if study is not None and (base is None or of not in (None, study.project)):
+        base = _load_base(study, path, profiles, problems)
+    if study is not None and base is not None:
+        read = partial(parse_study, path=path, base=base, profiles=profiles, of=study.project)
+        check_study(study.read_from(path, text, problems.root, read).set_base(base), problems)
     if study is None or problems.found:
         raise StudyError(path, problems.found)
     return study
+
+
+def _load_base(study: Study, path: Path, profiles: Collection[str] | None, problems: Problems) -> Project | None:
+    project_path = path.parent / study.project
+    if project_path.is_file():
+        return load_project(project_path, profiles)
+    message = f"there is no file `{project_path}` (the path is relative to the study file)"
+    problems.at_value(("project",), message)
+    return None

@@ -47,10 +47,15 @@ def check_inputs(project: Project, specs: Iterable[Analysis]) -> dict[str, Found
         The recordings that they need, by reference, those of a suite all together.
 
     Raises:
-        InputError: a record cannot be read, applied or fitted to the spectrum, the frame cannot be built, is a
-            mechanism or has parts that are not connected, an output does not exist in it, or it has fewer modes than
-            are asked for.
+        InputError: the values are not those of the text, a record cannot be read, applied or fitted to the spectrum,
+            the frame cannot be built, is a mechanism or has parts that are not connected, an output does not exist in
+            it, or it has fewer modes than are asked for.
     """
+    project.check_unchanged()
+    return _check_inputs(project, specs)
+
+
+def _check_inputs(project: Project, specs: Iterable[Analysis]) -> dict[str, Found]:
     specs = tuple(specs)
     if project.hazard is not None:
         checked_hazard(project)
@@ -81,6 +86,8 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
     Raises:
         InputError: also if no damper reaches the target of a design, or a law has no parameters at a temperature.
     """
+    study.check_unchanged()
+    study.base.check_unchanged()
     references = [task.record for task in plan if task.record is not None]
     designs = wanted_designs(study, plan)
     verified = [item for name in designs for item in verification_records(study, name)]
@@ -92,7 +99,7 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
     details = study.outputs.details
     members = details.members if details is not None else ()
     base = study.base.model_copy(update={"outputs": Outputs(histories=(), members=members)})
-    found = check_inputs(base, [*(task.spec for task in plan), *histories])
+    found = _check_inputs(base, [*(task.spec for task in plan), *histories])
     modes = study.modal.modes
     if modes is not None and modes > (most := mode_count(study.base)):
         raise InputError(f"{study.where('modal', 'modes')}: modal.modes: {_no_mode(modes, most)}")
