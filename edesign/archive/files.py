@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import json
 import os
+import re
 from collections.abc import Callable
 from contextlib import suppress
+from itertools import count
 from pathlib import Path
 
-from edesign.errors import ArchiveError
+from edesign._version import __version__
+from edesign.errors import ArchiveError, InputError
+from edesign.input_files import note_output, spare_inputs
+
+_WRITTEN = re.compile(r"# Written by edesign \S+ from (\".*\")")  # how YAML files of results begin
 
 _HDF5 = b"\x89HDF\r\n\x1a\n"  # how a file of HDF5 begins
 
@@ -27,6 +34,17 @@ def check_folder(folder: Path) -> None:
         raise ArchiveError(f"{folder}: the folder {existing} cannot be written to")
 
 
+def check_csv_name(path: Path) -> None:
+    """Check the name of a table that is to be written: no file of another kind can be meant.
+
+    Raises:
+        InputError: it has another ending, or an input of the command stands there.
+    """
+    if path.suffix.lower() != ".csv":
+        raise InputError(f"{path}: the name of a table ends in .csv")
+    spare_inputs(path)
+
+
 def make_folder(folder: Path) -> None:
     """Make a folder if it is not there.
 
@@ -40,19 +58,48 @@ def make_folder(folder: Path) -> None:
         raise ArchiveError(f"{folder}: the folder cannot be made: {error.strerror}") from error
 
 
-def write_text(text: str, path: Path) -> None:
-    """Write a text file that appears only when it is whole; it never takes the place of an archive.
+def source_file(source: Path, result: Path) -> str:
+    """Return the path of the file that a result is of, from the result's folder: a pair that moves stays a pair."""
+    return Path(os.path.relpath(source.resolve(), result.parent.resolve())).as_posix()
+
+
+def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
+    """Check that a YAML file of results takes the place of an earlier result of the same source only.
+
+    Args:
+        path: where the results go.
+        source: the file that they are of.
+        overwrite: whether they may take the place of any other file.
 
     Raises:
-        ArchiveError: it cannot be written.
+        InputError: a file of another source is there, or one that edesign did not write; or an input of the command.
     """
-    if _is_hdf5(path):
-        raise ArchiveError(f"{path}: cannot be written: this file is an archive, and it is left as it is")
+    spare_inputs(path)
+    try:
+        with path.open(encoding="utf-8", errors="replace") as file:
+            written = _WRITTEN.match(file.readline(10_000))
+    except OSError:
+        return
+    other = "" if written is None else json.loads(written[1])
+    if overwrite or other == source_file(source, path):
+        return
+    what = f"this is the result of {other}" if other else "edesign did not write this file"
+    raise InputError(f"{path}: {what}, and it is left as it is; choose another --output, or --overwrite")
+
+
+def write_yaml(text: str, path: Path, source: Path) -> None:
+    """Write a YAML file of results under a line that says what it is of; otherwise as `write_text`."""
+    of = json.dumps(source_file(source, path))
+    write_text(f"# Written by edesign {__version__} from {of}; its next run replaces this file.\n{text}", path)
+
+
+def write_text(text: str, path: Path) -> None:
+    """Write a text file; otherwise as `write_whole`."""
     write_whole(path, lambda partial: partial.write_text(text, encoding="utf-8", newline="\n"))
 
 
 def write_whole(path: Path, write: Callable[[Path], object]) -> None:
-    """Let a function write a file that appears only when it is whole.
+    """Let a function write a file that appears only when it is whole; it never takes the place of an archive.
 
     Args:
         path: the file.
@@ -60,20 +107,38 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
 
     Raises:
         ArchiveError: it cannot be written.
+        InputError: an input of the command stands there.
     """
-    partial = path.with_name(f"{path.stem}.partial{path.suffix}")
+    if is_hdf5(path):
+        raise ArchiveError(f"{path}: cannot be written: this file is an archive, and it is left as it is")
+    spare_inputs(path)
+    partial: Path | None = None
     try:
+        partial = _new_file_beside(path)
         write(partial)
         os.replace(partial, path)
     except BaseException as error:
         with suppress(OSError):  # where nothing can be written, nothing can be deleted either
-            partial.unlink(missing_ok=True)
+            if partial is not None:
+                partial.unlink(missing_ok=True)
         if isinstance(error, OSError):
             raise ArchiveError(f"{path}: cannot be written: {error.strerror}") from error
         raise
+    note_output(path)
 
 
-def _is_hdf5(path: Path) -> bool:
+def _new_file_beside(path: Path) -> Path:
+    """An empty file of a name that nothing has yet, a file of the user neither: NAME.partial.SUFFIX."""
+    for number in count(1):
+        partial = path.with_name(f"{path.stem}.partial{number if number > 1 else ''}{path.suffix}")
+        with suppress(FileExistsError):
+            os.close(os.open(partial, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
+            return partial
+    raise AssertionError("there are more numbers than files")
+
+
+def is_hdf5(path: Path) -> bool:
+    """Whether a file begins as one of HDF5."""
     try:
         with path.open("rb") as file:
             return file.read(len(_HDF5)) == _HDF5

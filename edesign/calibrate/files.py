@@ -7,27 +7,38 @@ from pathlib import Path
 
 from edesign._version import __version__
 from edesign.archive.dataset import Group
-from edesign.archive.files import make_folder, write_text
+from edesign.archive.files import check_own_yaml, make_folder, source_file, write_text, write_yaml
+from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
 from edesign.calibrate.result import Calibration
 from edesign.calibrate.structure.campaign import StructureCampaign
 from edesign.calibrate.structure.write import law_texts, structure_text
 from edesign.calibrate.write import archive_groups, calibration_json, law_text
 from edesign.damper.campaign import Campaign
-from edesign.errors import InputError
+from edesign.input_files import spare_inputs
 
-NAMES = ("calibration.json", "law.yaml", "structure.yaml", "calibration.h5")
-"""Files that are written, and overwritten; laws beside that of an isolation layer have longer names."""
+LAWS, ARCHIVE = ("law.yaml", "structure.yaml"), "calibration.h5"
+NAMES = ("calibration.json", "calibration.html", *LAWS, ARCHIVE)
+"""Files that are written, in place of earlier ones of the same campaign; laws beside that of an isolation layer have
+longer names."""
 
 
-def check_names(campaign: Path, folder: Path) -> None:
-    """Refuse to write over the campaign file.
+def check_files(campaign: Path, title: str, folder: Path, overwrite: bool = False) -> None:
+    """Refuse to write over inputs, and over laws and archives that are no results of this campaign.
+
+    Args:
+        campaign: the campaign file.
+        title: of the calibration.
+        folder: where the files go.
+        overwrite: whether results of other campaigns, and laws that edesign did not write, may be replaced.
 
     Raises:
-        InputError: a file of the calibration would stand in its place.
+        InputError, ArchiveError: a file of the calibration would stand in the place of something else.
     """
-    if campaign.name in NAMES and campaign.parent.resolve() == folder.resolve():
-        raise InputError(f"{campaign}: the calibration writes a file of this name; choose another folder by --output")
+    spare_inputs(*(folder / name for name in NAMES))
+    for name in LAWS:
+        check_own_yaml(folder / name, campaign, overwrite)
+    check_owner(folder / ARCHIVE, _root(campaign, title, folder), overwrite)
 
 
 def write_files(found: Calibration, campaign: Campaign | StructureCampaign, folder: Path) -> list[Path]:
@@ -41,20 +52,24 @@ def write_files(found: Calibration, campaign: Campaign | StructureCampaign, fold
     """
     make_folder(folder)
     told = json.dumps(calibration_json(found), indent=1, allow_nan=False) + "\n"
-    texts = {"calibration.json": told, **_models(found, campaign)}
-    for name, text in texts.items():
-        write_text(text, folder / name)
-    root = Group(
-        attributes={"title": found.title, "kind": "calibration", "planned": [], "edesign_version": __version__}
-    )
+    write_text(told, folder / "calibration.json")
+    models = _models(found, campaign)
+    for name, text in models.items():
+        write_yaml(text, folder / name, campaign.path)
+    root = _root(campaign.path, found.title, folder)
     root.add("calibration", (), told, "", "calibration.json")
-    root.add("campaign", (), campaign.path.read_text(encoding="utf-8"), "", "the campaign file")
-    archive_path = folder / "calibration.h5"
-    with ArchiveWriter(archive_path, root) as writer:
+    root.add("campaign", (), campaign.text, "", "the campaign file")
+    with ArchiveWriter(folder / ARCHIVE, root) as writer:
         for name, group in archive_groups(found).items():
             writer.write(name, group)
         writer.finish({"status": "completed"})
-    return [*(folder / name for name in texts), archive_path]
+    return [folder / name for name in ("calibration.json", *models, ARCHIVE)]
+
+
+def _root(campaign: Path, title: str, folder: Path) -> Group:
+    source = source_file(campaign, folder / ARCHIVE)
+    about = {"title": title, "kind": "calibration", "source_file": source}
+    return Group(attributes={**about, "planned": [], "edesign_version": __version__})
 
 
 def _models(found: Calibration, campaign: Campaign | StructureCampaign) -> dict[str, str]:

@@ -26,6 +26,9 @@ def calibrate(
     ] = None,
     page: Annotated[bool, typer.Option("--page/--no-page", help="Write calibration.html.")] = True,
     json_output: Annotated[bool, typer.Option("--json", help="Print calibration.json instead of tables.")] = False,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace laws and results that are not of this campaign.")
+    ] = False,
     workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Processes.")] = 2,
     seconds: Annotated[
         float | None,
@@ -42,14 +45,12 @@ def calibrate(
 ) -> None:
     """Predict measured tests, find what the law or structure lacks, add it, and report errors before and after."""
     from edesign.archive.files import check_folder
-    from edesign.calibrate.files import check_names
     from edesign.errors import Interrupted
     from edesign.one_thread import one_thread
     from edesign.report.text import print_tables
 
     folder = campaign.parent if output is None else output
     check_folder(folder)  # rather than after the search
-    check_names(campaign, folder)
     begin = time.monotonic()
 
     def tell(what: str) -> None:
@@ -58,7 +59,7 @@ def calibrate(
 
     tell("reading the tests")
     with one_thread():
-        found = _run(campaign, _Search(workers, tell, math.inf if seconds == 0.0 else seconds))
+        found = _run(campaign, _Search(workers, tell, math.inf if seconds == 0.0 else seconds, folder, overwrite))
     written = found.write(folder)
     if page:
         tell("drawing the report")
@@ -84,10 +85,18 @@ class _Search:
     workers: int
     tell: Callable[[str], None]
     seconds: float | None
+    folder: Path
+    overwrite: bool
 
     def within(self, usual: float = math.inf) -> tuple[int, Callable[[str], None], float]:
         """As `calibrate` takes it."""
         return self.workers, self.tell, usual if self.seconds is None else self.seconds
+
+    def check(self, campaign: Path, title: str) -> None:
+        """Check that the files of the calibration take the place of nothing else, rather than after the search."""
+        from edesign.calibrate.files import check_files
+
+        check_files(campaign, title, self.folder, self.overwrite)
 
 
 @dataclass(frozen=True)
@@ -121,11 +130,13 @@ def _run(campaign: Path, search: _Search) -> _Found:
     loaded: Campaign | StructureCampaign
     if is_structure_campaign(campaign):
         loaded = load_structure_campaign(campaign)
+        search.check(campaign, loaded.title or loaded.name)
         found = calibrate_structure(loaded, *search.within())
     else:
         loaded = load_campaign(campaign)
         for note in loaded.notes:
             search.tell(note)
+        search.check(campaign, loaded.title or loaded.specimen.name)
         found = run(loaded, *search.within(_SECONDS))
     return _Found(
         lambda folder: write_files(found, loaded, folder),
@@ -144,7 +155,9 @@ def _properties(campaign: Path, search: _Search) -> _Found:
     from edesign.report.page.property_calibration import write_property_calibration_page
     from edesign.report.property_calibration import property_tables, property_verdict
 
-    found = calibrate_properties(load_property_campaign(campaign), *search.within())
+    loaded = load_property_campaign(campaign)
+    search.check(campaign, loaded.title or loaded.specimen.name)
+    found = calibrate_properties(loaded, *search.within())
     return _Found(
         lambda folder: write_property_files(found, folder),
         lambda path: write_property_calibration_page(found, path),

@@ -28,6 +28,7 @@ def compare(
     ] = False,
 ) -> None:
     """Print each printed value of a reference beside the one of an archive, with its difference."""
+    from edesign.archive.files import check_csv_name
     from edesign.archive.reader import open_archive
     from edesign.errors import AnalysisError
     from edesign.project.reference_loader import load_reference
@@ -37,6 +38,8 @@ def compare(
     from edesign.report.comparison_variants import variant_tables
     from edesign.report.text import print_tables
 
+    if csv is not None:
+        check_csv_name(csv)
     loaded = load_reference(reference)
     with open_archive(archive) as opened:
         if variants is not None:

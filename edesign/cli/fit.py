@@ -59,6 +59,9 @@ def fit(
         Path | None, typer.Option("--output", "-o", metavar="DIR", help="Write law.yaml and fit.json.")
     ] = None,
     json_output: Annotated[bool, typer.Option("--json", help="Print the fit as JSON instead of tables.")] = False,
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace a law.yaml that is no fit of this campaign or table.")
+    ] = False,
     figures: Annotated[
         Path | None, typer.Option("--figures", metavar="DIR", help="Draw measured and fitted loops of every test.")
     ] = None,
@@ -67,10 +70,11 @@ def fit(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
 ) -> None:
     """Fit damper laws to measured forces or properties; say how sure the parameters are, and which law suffices."""
-    from edesign.archive.files import check_folder, make_folder
+    from edesign.archive.files import check_folder, check_own_yaml, make_folder
     from edesign.cli import fit_inputs as read
     from edesign.damper.fitting import compare
     from edesign.errors import InputError
+    from edesign.input_files import spare_inputs
     from edesign.report.archive_figures import check_format
     from edesign.report.fit_figures import draw_fits
     from edesign.report.fit_tables import tables_of
@@ -93,6 +97,10 @@ def fit(
             typer.echo(f"note: not fitted to: {note}", err=True)
     laws = read.read_laws(law or [], given.law)
     alone = len(laws) == 1
+    places = {item.name: output if alone else output / item.name for item in laws} if output is not None else {}
+    for place in places.values():
+        spare_inputs(place / "fit.json")
+        check_own_yaml(place / "law.yaml", source, overwrite)
     options: dict[str, Any] = {"starts": starts, "seed": seed, "loss": loss, "workers": workers}
     options["temperature"] = temperature
     results = []
@@ -105,9 +113,8 @@ def fit(
         }
         results.append(_fit(item, given, begin, own, cross_validate, folds, quiet))
     try:
-        if output is not None:
-            for result in results:
-                _write(result, given, output if alone else output / result.fit.law.name)
+        for result in results if places else ():
+            _write(result, given, places[result.fit.law.name], source)
     finally:  # a full disk does not take the result of a long fit with it
         if json_output:
             found = [_json(result) for result in results]
@@ -167,12 +174,12 @@ def _json(result: _Result) -> dict[str, Any]:
     return found
 
 
-def _write(result: _Result, given: FitInput, folder: Path) -> None:
-    from edesign.archive.files import make_folder, write_text
+def _write(result: _Result, given: FitInput, folder: Path, source: Path) -> None:
+    from edesign.archive.files import make_folder, write_text, write_yaml
     from edesign.damper.fitting.write import law_yaml
 
     make_folder(folder)
-    write_text(law_yaml(result.fit, given.title, given.specimen), folder / "law.yaml")
+    write_yaml(law_yaml(result.fit, given.title, given.specimen), folder / "law.yaml", source)
     write_text(json.dumps(_json(result), indent=1, allow_nan=False) + "\n", folder / "fit.json")
 
 

@@ -27,6 +27,7 @@ from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
 from edesign.cli.test import test
 from edesign.errors import ArchiveError, EdesignError, Interrupted
+from edesign.input_files import noting_inputs
 
 EPILOG = (
     "Exit codes: 0 done; 2 something in the input is wrong; 3 an analysis failed (the others are archived); "
@@ -78,7 +79,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     logging.basicConfig(level=logging.INFO if debug else logging.CRITICAL, format="%(name)s: %(message)s")
     try:
         try:
-            app(words, prog_name="edesign")
+            with noting_inputs():
+                app(words, prog_name="edesign")
         except SystemExit as end:  # the end of every call: help, wrong usage, done
             sys.stdout.flush()
             if end.code == Interrupted.exit_code:  # what is made of a Ctrl-C between the steps that ask for it

@@ -54,6 +54,9 @@ def match(
     ] = None,
     figures: Annotated[Path | None, typer.Option("--figures", metavar="DIR", help="Draw spectra and records.")] = None,
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
+    overwrite: Annotated[
+        bool, typer.Option("--overwrite", help="Replace the archive of something else than these recordings.")
+    ] = False,
     workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Recordings at the same time.")] = 1,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
 ) -> None:
@@ -67,6 +70,7 @@ def match(
     from edesign.ground_motion.hazard import elastic_spectrum
     from edesign.ground_motion.matching import MatchOptions
     from edesign.ground_motion.write import write_csv
+    from edesign.input_files import spare_inputs
     from edesign.project.units import TIME
     from edesign.report.archive_figures import check_format, draw_figures
     from edesign.report.record_tables import choice_table, record_tables
@@ -95,10 +99,22 @@ def match(
             raise InputError("--select: the criteria need the fundamental period; give --t1, or --project")
         choice = choose_recordings(found, target, settings, period, select, max_per_event)
         found, tables = choice.recordings, [choice_table(choice)]
+    if csv is not None:
+        spare_inputs(*(csv / f"{name}.csv" for name in found))
     path = archive or Path(f"{name}_matched.h5")
     with listener(quiet) as listen:
         summary = match_recordings(
-            found, target, settings, path, period, name, f"{name} fitted to {target.label}", workers, listen
+            found,
+            target,
+            settings,
+            path,
+            period,
+            name,
+            f"{name} fitted to {target.label}",
+            workers,
+            listen,
+            inputs[0],
+            overwrite,
         )
     if not quiet:
         print_tables([*tables, *record_tables(summary.archive)])

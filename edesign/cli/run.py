@@ -24,6 +24,7 @@ def run(
         typer.Option("--folder", metavar="DIR", help="More folders with your recordings of suites; may be repeated."),
     ] = None,
     fresh: Annotated[bool, typer.Option("--fresh", help="Discard the results of an interrupted run.")] = False,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace the archive of another project.")] = False,
     workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Analyses that run at the same time.")] = 1,
     backend: Annotated[
         str, typer.Option("--backend", "-b", help="What runs the analyses: serial, threads, or dask.")
@@ -49,7 +50,7 @@ def run(
 
     backend = "dask" if scheduler is not None else backend
     with listener(quiet) as listen:
-        how = (archive, listen, workers, only or (), fresh, backend, scheduler)
+        how = (archive, listen, workers, only or (), fresh, backend, scheduler, overwrite)
         if is_study(project):
             study = load_study(project)
             summary = run_study(study.of(with_folders(study.base, folder)) if folder else study, *how)

@@ -53,6 +53,7 @@ def spectrum(
     """
     import numpy as np
 
+    from edesign.archive.files import check_csv_name
     from edesign.errors import InputError
     from edesign.ground_motion.hazard import code_spectra
     from edesign.project.units import TIME
@@ -68,6 +69,8 @@ def spectrum(
 
     if figure is not None:
         check_figure_name(figure)
+    if csv is not None:
+        check_csv_name(csv)
     loaded = action.load(project)
     options = {"code": code, "country": country, "zone": zone, "a_gR": a_gr, "ground": ground}
     options |= {"spectrum": spectrum_type, "damping": damping, "gamma": gamma}

@@ -27,10 +27,11 @@ def test(
     from edesign.cli.damper_progress import reporter
     from edesign.cli.progress import listener
     from edesign.damper.campaign import CAMPAIGN_FILE
-    from edesign.damper.programme import run_programme
+    from edesign.damper.programme import PROPERTIES_FILE, run_programme
     from edesign.damper.programme_file import load_programme
     from edesign.damper.property_table import from_properties, usable
     from edesign.errors import InputError
+    from edesign.input_files import spare_inputs
     from edesign.report.archive_figures import check_format
     from edesign.report.damper_figures import draw_tests
     from edesign.report.damper_tables import properties_table
@@ -39,13 +40,14 @@ def test(
     check_format(figure_format)
     plan = load_programme(programme)
     folder = output or Path(f"{programme.stem}_campaign")
-    if (folder / CAMPAIGN_FILE).exists() and not overwrite:
-        raise InputError(
-            f"{folder / CAMPAIGN_FILE}: there is a campaign already; choose another --output, or --overwrite"
-        )
-    for place in (folder, figures):
-        if place is not None:
-            check_folder(place)
+    places = folder / CAMPAIGN_FILE, folder / PROPERTIES_FILE
+    spare_inputs(*places)
+    for place, what in zip(places, ("campaign", "table of properties"), strict=True):
+        if place.exists() and not overwrite:
+            raise InputError(f"{place}: there is a {what} already; choose another --output, or --overwrite")
+    for written in (folder, figures):
+        if written is not None:
+            check_folder(written)
     with listener(quiet) as listen:
         run = run_programme(plan, folder, reporter(listen, "virtual tests"))
     if not quiet:

@@ -25,6 +25,7 @@ from edesign.damper.test_files import (
 )
 from edesign.damper.test_record import DamperTest, Use
 from edesign.errors import ArchiveError, InputError
+from edesign.input_files import spare_inputs
 from edesign.project.base import Model
 from edesign.project.problems import FileProblems, Problems
 from edesign.project.temperature import Temperature
@@ -74,6 +75,7 @@ class Campaign:
         tests: in the order of the file, which is that of the tests.
         path: the campaign file.
         title: for people.
+        text: of the campaign file.
     """
 
     specimen: Specimen
@@ -81,6 +83,7 @@ class Campaign:
     tests: tuple[DamperTest, ...]
     path: Path
     title: str = ""
+    text: str = ""
 
     def used_for(self, use: Use) -> tuple[DamperTest, ...]:
         """Tests to fit to, or those to compare with only."""
@@ -111,7 +114,8 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
         CampaignError: the file is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
-    file, problems = check_model(read_yaml_text(path, _WHAT), CampaignFile, _WHAT, _BEGINS)
+    text = read_yaml_text(path, _WHAT)
+    file, problems = check_model(text, CampaignFile, _WHAT, _BEGINS)
     if file is None:
         raise CampaignError(path, problems.found)
     check_specimen(file.specimen, problems)
@@ -142,7 +146,7 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
     if wrong:
         raise InputError("\n".join(wrong))
     law = None if file.law is None else file.law.choice
-    return Campaign(file.specimen.specimen, law, tuple(tests), path, file.title)
+    return Campaign(file.specimen.specimen, law, tuple(tests), path, file.title, text)
 
 
 def write_campaign(
@@ -166,20 +170,22 @@ def write_campaign(
 
     Raises:
         ArchiveError: a file cannot be written.
-        InputError: two tests have one name.
+        InputError: two tests have one name, or an input of the command stands where a file is to go.
     """
     folder = Path(folder)
     names = [test.name.lower() for test in tests]
     for name in names:
         if names.count(name) > 1:
             raise InputError(f"campaign {folder}: two tests are called {name}; their files would be one")
-    make_folder(folder)
     path = folder / CAMPAIGN_FILE
+    spare_inputs(path, *(folder / f"{test.name}.csv" for test in tests))
+    make_folder(folder)
     _remove(path)  # one that is replaced must not name tests of two campaigns if this is interrupted
     for test in tests:
         write_test(folder / f"{test.name}.csv", test)
-    write_text(_text(specimen, tests, law, title), path)
-    return Campaign(specimen, law, tuple(tests), path, title)
+    text = _text(specimen, tests, law, title)
+    write_text(text, path)
+    return Campaign(specimen, law, tuple(tests), path, title, text)
 
 
 def _remove(path: Path) -> None:

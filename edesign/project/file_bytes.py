@@ -4,10 +4,19 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import IO
+from typing import Protocol
 
 from edesign.errors import InputError
+from edesign.input_files import note_input
 from edesign.project.limits import TABLE_ADVICE, TABLE_BYTES, megabytes
+
+
+class Readable(Protocol):
+    """A file that is open for bytes."""
+
+    def read(self, size: int, /) -> bytes:
+        """Read at most `size` bytes."""
+
 
 _CHUNK = 1 << 20  # bytes
 
@@ -36,10 +45,11 @@ def read_file(path: Path, what: str, most: int = TABLE_BYTES, advice: str = TABL
         raise InputError(f"{path}: the {what} cannot be read: {error.strerror}") from None
     if size > most or len(data) > most:
         raise too_large(path, what, max(size, len(data)), most, advice)
+    note_input(path)
     return data
 
 
-def read_up_to(file: IO[bytes], most: int) -> bytes:
+def read_up_to(file: Readable, most: int) -> bytes:
     """Read at most one byte more than `most`, by which a file that is too large is known."""
     chunks: list[bytes] = []
     left = most + 1

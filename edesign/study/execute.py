@@ -9,6 +9,8 @@ from pathlib import Path
 from typing import Literal
 
 from edesign.archive.dataset import Group
+from edesign.archive.files import source_file
+from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.errors import EdesignError, Interrupted
 from edesign.study.backends import Backend
@@ -28,7 +30,13 @@ MATCHING = "matching"  # what the progress of the fit of the records is called
 
 
 def execute(
-    job: Job, path: Path, listener: Listener, backend: Backend, workers: int, fresh: bool = False
+    job: Job,
+    path: Path,
+    listener: Listener,
+    backend: Backend,
+    workers: int,
+    fresh: bool = False,
+    overwrite: bool = False,
 ) -> RunSummary:
     """Run the analyses of a plan and archive them.
 
@@ -43,13 +51,17 @@ def execute(
         backend: that does the work.
         workers: threads for the records.
         fresh: True discards the results of an interrupted run.
+        overwrite: True replaces the archive of another project too.
 
     Raises:
-        ArchiveError: the archive cannot be written; what was archived before stays in the partial file.
+        ArchiveError: the archive cannot be written, or is that of another project; what was archived before stays in
+            the partial file.
         EdesignError: of the back end or of a design; likewise.
         Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
     """
     started = time.monotonic()
+    job.root.attributes["source_file"] = source_file(job.path, path)
+    check_owner(path, job.root, overwrite)
     tasks = {task.path: task for task in job.tasks}
     earlier: dict[str, Outcome] = {}
 

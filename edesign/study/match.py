@@ -10,6 +10,8 @@ from functools import partial
 from pathlib import Path
 
 from edesign.archive.dataset import Group
+from edesign.archive.files import source_file
+from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
 from edesign.codes.ec8.accelerograms import DAMPING, Criterion
 from edesign.codes.ec8.elastic import ElasticSpectrum
@@ -57,6 +59,8 @@ def match_recordings(
     title: str = "",
     workers: int = 1,
     progress: Listener | None = None,
+    source: Path | None = None,
+    overwrite: bool = False,
 ) -> MatchSummary:
     """Fit recordings to a spectrum and archive originals, results, spectra, measures and criteria.
 
@@ -70,9 +74,11 @@ def match_recordings(
         title: one line for the archive.
         workers: recordings that are fitted at the same time, in threads; the results do not depend on it.
         progress: called with a `Progress` as each one is ready.
+        source: file of the suite, or of the first recording; a later matching of it replaces the archive.
+        overwrite: True replaces the archive of something else too.
 
     Raises:
-        ArchiveError: the archive cannot be written.
+        ArchiveError: the archive cannot be written, or is that of something else.
         AnalysisError: none of the recordings can be fitted.
         Interrupted: stopped by the user; nothing is written.
     """
@@ -95,6 +101,9 @@ def match_recordings(
             **versions(),
         }
     )
+    if source is not None:
+        root.attributes["source_file"] = source_file(source, Path(archive_path))
+    check_owner(Path(archive_path), root, overwrite)
     with ArchiveWriter(archive_path, root, extra={"provenance": circumstances()}) as writer:
         try:
             with stop_on_signals() as stop:

@@ -35,6 +35,7 @@ def run_project(
     fresh: bool = False,
     backend: str = "threads",
     scheduler: str | None = None,
+    overwrite: bool = False,
 ) -> RunSummary:
     """Run the analyses of a project and archive them.
 
@@ -50,13 +51,15 @@ def run_project(
         fresh: True discards the results of an interrupted run.
         backend: "serial", "threads", or "dask".
         scheduler: address of a dask scheduler, such as tcp://host:8786; None: a cluster on this machine.
+        overwrite: True replaces the archive of another project too; that of this project is replaced anyway.
 
     Returns:
         Where the archive is and how each analysis ended.
 
     Raises:
         InputError: an unknown name in `only`, a record that cannot be read, a frame that cannot be built.
-        ArchiveError: the archive cannot be written; what was archived before stays in the partial file.
+        ArchiveError: the archive cannot be written, or is that of another project; what was archived before stays in
+            the partial file.
         Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
     """
     plan = make_plan(project, only)
@@ -71,7 +74,7 @@ def run_project(
 
     job = Job(project.path, project, plan, recordings, root, notes, prepare)
     with make_backend(backend, workers, scheduler) as made:
-        return execute(job, path, progress or silent, made, workers, fresh)
+        return execute(job, path, progress or silent, made, workers, fresh, overwrite)
 
 
 def run_study(
@@ -83,6 +86,7 @@ def run_study(
     fresh: bool = False,
     backend: str = "threads",
     scheduler: str | None = None,
+    overwrite: bool = False,
 ) -> RunSummary:
     """Make the designs of a study, run its analyses, and archive all of it; otherwise as `run_project`.
 
@@ -102,7 +106,7 @@ def run_study(
 
     job = Job(study.path, study.base, plan, recordings, root, notes, prepare, resumable)
     with make_backend(backend, workers, scheduler) as made:
-        return execute(job, path, progress or silent, made, workers, fresh)
+        return execute(job, path, progress or silent, made, workers, fresh, overwrite)
 
 
 def default_archive_path(source: Project | Study, only: Sequence[str] = ()) -> Path:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import yaml
 
-from edesign.archive.files import make_folder, write_text
+from edesign.archive.files import make_folder, write_text, write_yaml
 from edesign.calibrate.properties.repeatability import QUANTITIES
 from edesign.calibrate.properties.result import PropertyCalibration
 from edesign.calibrate.properties.shape import relative
@@ -95,7 +95,7 @@ def write_property_files(calibration: PropertyCalibration, folder: Path) -> list
     make_folder(folder)
     json_path, law_path = folder / "calibration.json", folder / "law.yaml"
     write_text(json.dumps(property_calibration_json(calibration), indent=1, allow_nan=False) + "\n", json_path)
-    write_text(law_text(calibration), law_path)
+    write_yaml(law_text(calibration), law_path, calibration.campaign.path)
     return [json_path, law_path]
 
 

@@ -57,6 +57,7 @@ class StructureCampaign:
         tests: in the order of the file.
         path: the campaign file.
         title: for people.
+        text: of the campaign file.
     """
 
     name: str
@@ -66,6 +67,7 @@ class StructureCampaign:
     tests: tuple[StructureTest, ...]
     path: Path
     title: str = ""
+    text: str = ""
 
 
 def is_structure_campaign(path: Path | str) -> bool:
@@ -81,7 +83,8 @@ def load_structure_campaign(path: Path | str) -> StructureCampaign:
         CampaignError: the file is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
-    file, problems = check_model(read_yaml_text(path, _WHAT), StructureFile, _WHAT, _BEGINS)
+    text = read_yaml_text(path, _WHAT)
+    file, problems = check_model(text, StructureFile, _WHAT, _BEGINS)
     if file is None:
         raise CampaignError(path, problems.found)
     check_structure(file, problems)
@@ -116,6 +119,7 @@ def load_structure_campaign(path: Path | str) -> StructureCampaign:
         tuple(tests),
         path,
         file.title,
+        text,
     )
 
 

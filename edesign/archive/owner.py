@@ -1,0 +1,61 @@
+"""Whose archive a file is: results replace those of their own project, study or campaign, and no others."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from edesign.archive.dataset import Group
+from edesign.archive.files import is_hdf5
+from edesign.archive.reader import open_archive
+from edesign.archive.writer import partial_path
+from edesign.errors import ArchiveError
+from edesign.input_files import spare_inputs
+
+_NAMES = ("project_file", "study_file", "title")  # by which archives without `source_file` are known
+
+
+def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
+    """Refuse to replace the archive of something else, finished or interrupted, or an input of the command.
+
+    Args:
+        path: where an archive is to be written.
+        root: of this archive; the attribute `source_file` says what it is of. Of an archive without it, of an older
+            version, the names and the title in it do.
+        overwrite: whether the archive of something else may be replaced.
+
+    Raises:
+        ArchiveError: an archive stands there that is of something else, or that cannot be read.
+        InputError: an input of the command stands there.
+    """
+    spare_inputs(path, partial_path(path))
+    for place in (path, partial_path(path)):
+        if overwrite or not place.is_file() or not is_hdf5(place):
+            continue  # what is no archive is spared by the writer
+        try:
+            with open_archive(place) as archive:
+                old = archive.attributes
+        except ArchiveError as error:
+            if place != path:
+                continue  # what an interrupted run left damaged
+            raise ArchiveError(f"{error}; it is left as it is: choose another name, or --overwrite") from error
+        if _differs(old, root.attributes):
+            raise ArchiveError(
+                f"{place}: this is the archive of another {_described(old)}, and it is left as it is; choose another "
+                "name by `outputs: archive` or --archive, or --overwrite"
+            )
+
+
+def _differs(old: Mapping[str, object], new: Mapping[str, object]) -> bool:
+    names = ("source_file",) if "source_file" in old else _NAMES
+    return _kind(old) != _kind(new) or any(old.get(name) != new.get(name) for name in names)
+
+
+def _kind(attributes: Mapping[str, object]) -> str:
+    usual = "matching" if "target" in attributes and "project_file" not in attributes else "project"
+    return str(attributes.get("kind") or usual)
+
+
+def _described(old: Mapping[str, object]) -> str:
+    file = old.get("source_file") or old.get("study_file") or old.get("project_file")
+    return f"{_kind(old)} (`{old.get('title')}`{f', {file}' if file else ''})"
