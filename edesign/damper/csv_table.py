@@ -37,7 +37,13 @@ class CsvTable:
         return place if column is None else f"{place}, column {column + 1} (`{self.headers[column]}`)"
 
 
-def read_csv_table(path: Path, what: str, example: str, names: Callable[[str], bool] | None = None) -> CsvTable:
+def read_csv_table(
+    path: Path,
+    what: str,
+    example: str,
+    names: Callable[[str], bool] | None = None,
+    content: bytes | None = None,
+) -> CsvTable:
     """Read a table; blank lines and lines that begin with # are skipped.
 
     Exports of test machines are read too: lines above the headers, a line of units below them, columns without header
@@ -49,11 +55,12 @@ def read_csv_table(path: Path, what: str, example: str, names: Callable[[str], b
         example: headers of such a file.
         names: whether a cell is a header; the headers then stand in the first line with two of them. None: in the
             first line.
+        content: of the file, if it has been read.
 
     Raises:
         InputError: the file cannot be read, has no headers or rows, or a cell that is empty or no finite number.
     """
-    numbers, lines = _kept(path, what)
+    numbers, lines = _kept(path, read_file(path, what) if content is None else content)
     if not lines:
         raise InputError(f"{path}: the {what} is empty; its first line is like `{example}`")
     top, delimiter = _top(lines, names)
@@ -131,9 +138,8 @@ def _cells(line: str, delimiter: str) -> list[str]:
     return [cell.strip().strip('"').strip() for cell in line.split(delimiter)]
 
 
-def _kept(path: Path, what: str) -> tuple[list[int], list[str]]:
+def _kept(path: Path, data: bytes) -> tuple[list[int], list[str]]:
     """Numbers and text of the lines that are neither blank nor comments."""
-    data = read_file(path, what)
     if b"\0" in data:
         raise InputError(f"{path}: this is not a text file in UTF-8")
     lines = data.decode("utf-8-sig", errors="replace").splitlines()

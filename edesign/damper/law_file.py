@@ -21,7 +21,8 @@ from edesign.errors import InputError
 from edesign.project.dampers import LawDescription
 from edesign.project.explain import explain
 from edesign.project.problems import Keys, Problems, ProjectError, keys_text
-from edesign.project.yaml_file import check_model, read_yaml_text
+from edesign.project.project import Project
+from edesign.project.yaml_file import check_model, read_yaml_file, yaml_text
 from edesign.project.yaml_nodes import Node, find
 
 _WHAT = "law file"
@@ -75,13 +76,23 @@ class Source:
         return InputError(f"{self.path}:{mark.line}:{mark.column}: {keys_text(whole)}: {message}")
 
 
-def read_law_file(path: Path) -> tuple[LawDescription, Source]:
+def law_file_content(project: Project, file: str) -> bytes:
+    """Return the content of a law file of a project, as a run sees it; errors as `read_law_file`."""
+    return project.content(project.folder / file, lambda path: read_yaml_file(path, _WHAT))
+
+
+def read_law_file(path: Path, content: bytes | None = None) -> tuple[LawDescription, Source]:
     """Read a law file.
+
+    Args:
+        path: the file.
+        content: of the file, if it has been read.
 
     Raises:
         InputError: it cannot be read, or is wrong; the message has file, line, column and key.
     """
-    description, problems = check_model(read_yaml_text(path, _WHAT), LawDescription, _WHAT, "type: mgmm")
+    text = yaml_text(read_yaml_file(path, _WHAT) if content is None else content, path)
+    description, problems = check_model(text, LawDescription, _WHAT, "type: mgmm")
     if description is not None:
         for key in ("type", "parameters"):
             if getattr(description, key) is None:

@@ -16,7 +16,9 @@ from edesign.archive.files import write_text
 from edesign.damper.csv_table import read_csv_table
 from edesign.damper.properties import Properties
 from edesign.errors import InputError
+from edesign.project.file_bytes import read_file
 from edesign.project.problems import did_you_mean
+from edesign.project.project import Project
 
 COLUMNS = {  # header: attribute, and its SI unit in that of the header
     "temperature_C": ("temperature_C", 1.0),
@@ -27,6 +29,7 @@ COLUMNS = {  # header: attribute, and its SI unit in that of the header
     "loss_factor": ("loss_factor", 1.0),
 }
 _EXAMPLE = ",".join(COLUMNS)
+_WHAT = "property table"
 SAME_LEVEL = 0.03
 """Relative difference up to which measured strains, or frequencies, count as one level of the grid."""
 SAME_TEMPERATURE = 1.0  # degC
@@ -204,14 +207,23 @@ def from_properties(rows: Sequence[Properties], source: str = "property table") 
     return PropertyTable(**columns, source=source)
 
 
-def read_property_table(path: Path | str) -> PropertyTable:
+def property_table_content(project: Project, path: Path) -> bytes:
+    """Return the content of a table that a study of a project names, as a run sees it."""
+    return project.content(path, lambda path: read_file(path, _WHAT))
+
+
+def read_property_table(path: Path | str, content: bytes | None = None) -> PropertyTable:
     """Read a table from CSV with the columns of `COLUMNS`, in any order.
+
+    Args:
+        path: the file.
+        content: of the file, if it has been read.
 
     Raises:
         InputError: the file cannot be read, a column is unknown, missing or twice there, or a value is not positive.
     """
     path = Path(path)
-    table = read_csv_table(path, "property table", _EXAMPLE)
+    table = read_csv_table(path, _WHAT, _EXAMPLE, content)
     columns = {}
     for i, header in enumerate(table.headers):
         if header not in COLUMNS:

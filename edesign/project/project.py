@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal, Self
 
@@ -51,6 +51,7 @@ class Project(FileModel):
     outputs: Outputs = Outputs()
 
     _path: Path = PrivateAttr(default=Path("project.yaml"))
+    _contents: dict[Path, bytes] = PrivateAttr(default_factory=dict)
     _more_folders: tuple[Path, ...] = PrivateAttr(default=())
 
     def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
@@ -61,6 +62,25 @@ class Project(FileModel):
         """Return the project with more folders for recordings of suites, after those that the file names."""
         found = self.model_copy()
         found._more_folders = (*self._more_folders, *folders)
+        return found
+
+    def content(self, path: Path, read: Callable[[Path], bytes]) -> bytes:
+        """Return the content of a file that the project or a study of it names, as it was when first asked for.
+
+        So checksum, archive and all analyses of a run are of one state of the file, on whatever machine they run.
+
+        Args:
+            path: the file.
+            read: reads it.
+        """
+        if path not in self._contents:
+            self._contents[path] = read(path)
+        return self._contents[path]
+
+    def afresh(self) -> Self:
+        """Return the project without the contents of files that were read so far."""
+        found = self.model_copy()
+        found._contents = {}
         return found
 
     @property

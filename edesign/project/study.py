@@ -121,6 +121,10 @@ class Study(FileModel):
         found: Study = self._read(self._text, base=base)
         return found
 
+    def afresh(self) -> Study:
+        """Return the study without the contents of files that were read so far."""
+        return self.model_copy().set_base(self.base.afresh())
+
     def set_base(self, base: Project) -> Study:
         """Tell the study, once, the project that it is of."""
         self._base = base

@@ -30,7 +30,20 @@ def read_yaml_text(path: Path, what: str) -> str:
     Raises:
         InputError: missing, a folder, unreadable, too large, or not UTF-8.
     """
-    data = read_file(path, what, YAML_BYTES, YAML_ADVICE)
+    return yaml_text(read_yaml_file(path, what), path)
+
+
+def read_yaml_file(path: Path, what: str) -> bytes:
+    """Read the content of a YAML file; arguments and errors as `read_yaml_text`."""
+    return read_file(path, what, YAML_BYTES, YAML_ADVICE)
+
+
+def yaml_text(data: bytes, path: Path) -> str:
+    """Return the text of a YAML file.
+
+    Raises:
+        InputError: its content is not UTF-8.
+    """
     try:
         return data.decode("utf-8-sig")
     except UnicodeDecodeError as error:

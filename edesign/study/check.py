@@ -160,6 +160,7 @@ def check_project(project: Project) -> dict[str, str]:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
         AnalysisError: the first period cannot be found.
     """
+    project = project.afresh()
     plan = make_plan(project)
     found = check_inputs(project, [task.spec for task in plan])
     unused = [name for name in project.records if all(name != record_of(key) for key in found)]
@@ -193,6 +194,7 @@ def check_study(study: Study) -> dict[str, str]:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
         AnalysisError: the first period cannot be found.
     """
+    study = study.afresh()
     plan = make_study_plan(study)
     found = check_study_inputs(study, plan)
     period = fundamental_period(study.base)

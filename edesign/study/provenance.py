@@ -6,23 +6,27 @@ import hashlib
 import platform
 from collections.abc import Mapping
 from datetime import UTC, datetime
+from importlib import metadata
 from pathlib import Path
 
 import numpy as np
+import scipy
 
 import edesign
 from edesign import core
 from edesign._version import __version__
 from edesign.archive.dataset import Group
 from edesign.archive.hdf5 import library_versions
+from edesign.damper.law_file import law_file_content
+from edesign.damper.property_table import property_table_content
 from edesign.project.designs import FileProperties
 from edesign.project.project import Project
 from edesign.project.study import Study
 
-IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_version", "code_checksum")
-"""Root attributes that decide whether results of an interrupted run may be reused."""
+IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_version", "code_checksum", "libraries")
+"""Root attributes that decide whether results of an interrupted run may be reused: all that results depend on."""
 
-CODE = (".py", ".so", ".pyd", ".csv")  # suffixes of the files that results depend on
+CODE = (".py", ".so", ".pyd", ".csv", ".yaml", ".json")  # of files that results depend on; tables of codes, laws too
 
 
 def code_checksum() -> str:
@@ -42,9 +46,8 @@ def input_checksum(project: Project, records: Mapping[str, str]) -> str:
         project: its text counts, and the files of its laws of dampers.
         records: SHA-256 of the samples of each record, by name.
     """
-    laws = project.dampers.laws.values() if project.dampers is not None else ()
     parts = [project.checksum, *(f"{name} {records[name]}" for name in sorted(records))]
-    parts += [_file_checksum(project.folder / law.file) for law in laws if law.file is not None]
+    parts += [_checksum(file, content) for file, content in _law_files(project).values()]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
@@ -59,20 +62,35 @@ def study_root_group(study: Study, planned: list[str], records: Mapping[str, str
     group = root_group(study.base, planned, records)
     group.attributes |= {"kind": "study", "title": study.title, "study_file": study.path.name}
     group.attributes["project_checksum"] = study.checksum
-    chosen = [design.properties for design in study.designs.values()]
-    tables = [_file_checksum(study.folder / table.file) for table in chosen if isinstance(table, FileProperties)]
-    parts = [study.checksum, str(group.attributes["input_checksum"]), *tables]
+    tables = {
+        name: (design.properties.file, property_table_content(study.base, study.folder / design.properties.file))
+        for name, design in study.designs.items()
+        if isinstance(design.properties, FileProperties)
+    }
+    parts = [study.checksum, str(group.attributes["input_checksum"]), *(_checksum(*table) for table in tables.values())]
     group.attributes["input_checksum"] = hashlib.sha256("\n".join(parts).encode()).hexdigest()
     group.add("study_text", (), study.text, "", "text of the study file")
+    for name, table in tables.items():
+        _add_file(group, f"properties_text_{name}", "property table", *table)
     return group
 
 
-def _file_checksum(path: Path) -> str:
-    return f"{path.name} {hashlib.sha256(path.read_bytes()).hexdigest()}"
+def _law_files(project: Project) -> dict[str, tuple[str, bytes]]:
+    """Name and content of the files of laws, by law."""
+    laws = project.dampers.laws if project.dampers is not None else {}
+    return {name: (law.file, law_file_content(project, law.file)) for name, law in laws.items() if law.file is not None}
+
+
+def _checksum(file: str, content: bytes) -> str:
+    return f"{Path(file).name} {hashlib.sha256(content).hexdigest()}"
+
+
+def _add_file(group: Group, name: str, what: str, file: str, content: bytes) -> None:
+    group.add(name, (), content.decode("utf-8-sig", errors="replace"), "", f"text of the {what} {file}")
 
 
 def root_group(project: Project, planned: list[str], records: Mapping[str, str]) -> Group:
-    """Return the root of an archive: project text, file name, checksums, versions, names of the planned analyses.
+    """Return the root of an archive: texts of the project and its law files, checksums, versions, planned analyses.
 
     Args:
         project: from `load_project`.
@@ -92,12 +110,29 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
         }
     )
     group.add("project_text", (), project.text, "", "text of the project file")
+    for name, file in _law_files(project).items():
+        _add_file(group, f"law_text_{name}", "law file", *file)
     return group
 
 
 def versions() -> dict[str, str]:
     """Return what identifies the program that computes: versions, and the checksum of the package."""
-    return {"edesign_version": __version__, "core_version": core.version(), "code_checksum": code_checksum()}
+    return {
+        "edesign_version": __version__,
+        "core_version": core.version(),
+        "code_checksum": code_checksum(),
+        "libraries": ", ".join(f"{name} {version}" for name, version in libraries().items()),
+    }
+
+
+def libraries() -> dict[str, str]:
+    """Return the versions of what also computes numbers: their results may differ in the last digits."""
+    return {
+        "numpy": np.__version__,
+        "scipy": scipy.__version__,
+        "pint": metadata.version("pint"),
+        "processor": platform.machine(),
+    }
 
 
 def circumstances() -> Group:

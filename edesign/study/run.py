@@ -62,6 +62,7 @@ def run_project(
             the partial file.
         Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
     """
+    project = project.afresh()
     plan = make_plan(project, only)
     path = Path(archive_path) if archive_path is not None else default_archive_path(project, only)
     recordings = check_inputs(project, [task.spec for task in plan])
@@ -92,6 +93,7 @@ def run_study(
 
     A design that fails is archived with its history, and the analyses of its variants fail with its reason.
     """
+    study = study.afresh()
     plan = make_study_plan(study, only)
     path = Path(archive_path) if archive_path is not None else default_archive_path(study, only)
     recordings = check_study_inputs(study, plan)

@@ -5,16 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import cache
 
-import numpy as np
-import scipy
-
-from edesign.study.provenance import code_checksum
+from edesign.study.provenance import code_checksum, libraries
 
 
 @cache
 def program_state() -> Mapping[str, str]:
-    """Return what the results of this process depend on beside the input: edesign's code, numpy and scipy."""
-    return {"edesign": code_checksum(), "numpy": np.__version__, "scipy": scipy.__version__}
+    """Return what the results of this process depend on beside the input: edesign's code, and libraries."""
+    return {"edesign": code_checksum(), **libraries()}
 
 
 def difference(wanted: Mapping[str, str], found: Mapping[str, str]) -> str:

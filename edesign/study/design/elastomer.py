@@ -8,7 +8,7 @@ from pathlib import Path
 
 from edesign.building.devices import DeviceLaw
 from edesign.damper.harmonic import complex_stiffness
-from edesign.damper.property_table import PropertyTable, read_property_table
+from edesign.damper.property_table import PropertyTable, property_table_content, read_property_table
 from edesign.damper.temperature import REFERENCE_C
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
@@ -69,9 +69,10 @@ def _at_frequency(project: Project, name: str, spec: Design, folder: Path, tempe
         law = law_at(project, spec.law, temperature_C)
         return lambda frequency: law_moduli(law, spec.strain, frequency)
     if isinstance(chosen, FileProperties):
-        if not (folder / chosen.file).is_file():
-            raise InputError(f"designs.{name}.properties.file: there is no file `{folder / chosen.file}`")
-        table = read_property_table(folder / chosen.file)
+        path = folder / chosen.file
+        if not path.is_file():
+            raise InputError(f"designs.{name}.properties.file: there is no file `{path}`")
+        table = read_property_table(path, property_table_content(project, path))
     else:
         rows = measured()
         columns = (rows.temperature_C, rows.strain, rows.frequency, rows.G_storage, rows.G_eq, rows.loss_factor)

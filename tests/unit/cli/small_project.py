@@ -27,7 +27,7 @@ def project(folder: Path, names: str = "abcd", text: str = "title: small") -> Pr
     made = Project.model_construct(
         edesign=1, title="small", records={}, analyses=specs, outputs=Outputs(archive="small.h5")
     )
-    made.__pydantic_private__ = {"_path": folder / "project.yaml", "_text": text, "_root": None}
+    made.__pydantic_private__ = {"_path": folder / "project.yaml", "_text": text, "_root": None, "_contents": {}}
     return made
 
 

@@ -14,6 +14,7 @@ ROOT = (
     ("edesign", "edesign_version"),
     ("Numerical core", "core_version"),
     ("SHA-256 of the program", "code_checksum"),
+    ("Libraries", "libraries"),
     ("Study file", "study_file"),
     ("Project file", "project_file"),
     ("SHA-256 of the input files", "project_checksum"),
