@@ -42,7 +42,7 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
         if _differs(old, root.attributes):
             raise ArchiveError(
                 f"{place}: this is the archive of another {_described(old)}, and it is left as it is; choose another "
-                "name by `outputs: archive` or --archive, or --overwrite"
+                "name or folder (`outputs: archive`, --archive, --output), or --overwrite"
             )
 
 

@@ -12,15 +12,15 @@ from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
 from edesign.calibrate.result import Calibration
 from edesign.calibrate.structure.campaign import StructureCampaign
-from edesign.calibrate.structure.write import law_texts, structure_text
+from edesign.calibrate.structure.write import LAWS_BESIDE, law_texts, structure_text
 from edesign.calibrate.write import archive_groups, calibration_json, law_text
 from edesign.damper.campaign import Campaign
 from edesign.input_files import spare_inputs
 
-LAWS, ARCHIVE = ("law.yaml", "structure.yaml"), "calibration.h5"
+LAWS = ("law.yaml", "structure.yaml", *LAWS_BESIDE)
+ARCHIVE = "calibration.h5"
 NAMES = ("calibration.json", "calibration.html", *LAWS, ARCHIVE)
-"""Files that are written, in place of earlier ones of the same campaign; laws beside that of an isolation layer have
-longer names."""
+"""Files that are written, in place of earlier ones of the same campaign."""
 
 
 def check_files(campaign: Path, title: str, folder: Path, overwrite: bool = False) -> None:

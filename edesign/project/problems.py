@@ -13,9 +13,12 @@ from edesign.project.yaml_nodes import Mark, Node, find
 
 Keys = tuple[str | int, ...]
 
+MOST_SHOWN = 100
+"""Problems of a file in its message, some screens full; the mistake that the others come from is among the first."""
+
 
 class FileProblems(InputError):
-    """A YAML file is wrong; the message lists all problems found.
+    """A YAML file is wrong; the message lists the problems found, of very many the first.
 
     Attributes:
         problems: the problems in the order of the file.
@@ -24,9 +27,10 @@ class FileProblems(InputError):
     def __init__(self, path: Path, problems: Sequence[Problem]) -> None:
         self.path = path
         self.problems = tuple(sorted(set(problems), key=lambda p: (p.mark, p.keys_text, p.message)))
-        lines = [f"{path}:{p.mark.line}:{p.mark.column}: {p}" for p in self.problems]
-        if len(lines) > 1:
-            lines.append(f"{len(lines)} problems in {path}")
+        lines = [f"{path}:{p.mark.line}:{p.mark.column}: {p}" for p in self.problems[:MOST_SHOWN]]
+        if (count := len(self.problems)) > 1:
+            more = f", of which the first {MOST_SHOWN} are shown" if count > MOST_SHOWN else ""
+            lines.append(f"{count} problems in {path}{more}")
         super().__init__("\n".join(lines))
 
 

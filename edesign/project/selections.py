@@ -31,7 +31,8 @@ class NumberSelection:
         """Selected numbers among first..last, ascending, each once."""
         if self.is_all:
             return tuple(range(first, last + 1))
-        return tuple(n for n in range(first, last + 1) if any(a <= n <= b for a, b in self.ranges))
+        found = {n for a, b in self.ranges for n in range(max(a, first), min(b, last) + 1)}
+        return tuple(sorted(found))
 
     def __str__(self) -> str:
         return "all" if self.is_all else _text([_span(str(a), str(b)) for a, b in self.ranges])

@@ -6,10 +6,11 @@ import difflib
 import math
 import re
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from pydantic import BeforeValidator
+from pydantic_core import PydanticCustomError
 
 from edesign.project.base import refuse
 
@@ -85,7 +86,11 @@ def parse_quantity(value: Any, kind: Kind, sign: Sign = "any") -> float:
     if not unit:
         shown = f"{number} {kind.example.split(' ', 1)[1]}"
         raise refuse(f"the bare number `{value}` needs a unit; {a(kind.name)} is written like `{shown}`")
-    result = float(number) * _factor(str(value), unit, kind)
+    try:
+        factor = _known_factor(unit, kind)
+    except PydanticCustomError:
+        factor = _factor(str(value), unit, kind)  # whose message shows the value
+    result = float(number) * factor
     if not math.isfinite(result):
         raise refuse(f"`{value}` is not finite")
     if sign == "positive" and result <= 0.0:
@@ -130,6 +135,11 @@ def _registry() -> pint.UnitRegistry[float]:
 @cache
 def _dimension(unit: str) -> Any:
     return _registry().parse_units(unit).dimensionality
+
+
+@lru_cache(maxsize=1000)  # a project has few units, and thousands of values
+def _known_factor(unit: str, kind: Kind) -> float:
+    return _factor(unit, unit, kind)
 
 
 def _factor(value: str, unit: str, kind: Kind) -> float:

@@ -23,6 +23,9 @@ _BESIDE = {
 }
 """Effects of the isolation layer that are a damper law of their own, beside the declared one."""
 
+LAWS_BESIDE = ("law_beside_bouc_wen.yaml", "law_beside_elastic_plastic.yaml")
+"""Their law files."""
+
 
 def structure_text(found: Calibration, campaign: StructureCampaign) -> str:
     """The corrected building as `structure` and `law` of a campaign file; what these cannot say stands in comments."""

@@ -28,7 +28,7 @@ from edesign.project.study_loader import is_study, load_study
 from edesign.project.yaml_nodes import parse, top_level_keys
 
 REFUSAL = 0.5
-"""s, for a refusal. It reads the size of a file, or counts signs in at most 4 MB, which takes some milliseconds; parsing
+"""s, for a refusal. It reads the size of a file, or counts signs in 4 MB, which takes some milliseconds. To parse
 the files of these tests takes from 20 s to minutes. The rest is for a loaded machine."""
 
 YAML_READERS: tuple[Callable[[Path], object], ...] = (
@@ -139,3 +139,13 @@ def test_the_limits_are_a_hundred_times_what_there_is() -> None:
         return sum(text.count(sign) for sign in (",", "[", ":", "- "))  # no fewer than there are values
 
     assert 100 * max(count(text) for text in texts) < limits.YAML_VALUES
+
+
+def test_of_very_many_problems_the_first_are_shown(tmp_path: Path) -> None:
+    path = tmp_path / "project.yaml"
+    path.write_text("edesign: 1\n" + "".join(f"key_{i}: 1\n" for i in range(1000)))
+    with pytest.raises(InputError) as caught:
+        load_project(path)
+    lines = str(caught.value).splitlines()
+    assert len(lines) == 101 and "key_0" in str(caught.value)
+    assert lines[-1].endswith(f" problems in {path}, of which the first 100 are shown")
