@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from functools import partial
+from dataclasses import dataclass
 from pathlib import Path
 
 from edesign.project.checks_actions import check_actions
@@ -50,8 +50,7 @@ def parse_project(
     hint = "; `edesign new` writes one that runs"
     project, problems = check_model(text, Project, _WHAT, "edesign: 1", hint)
     if project is not None:
-        read = partial(parse_project, path=path, profiles=profiles, files=files)
-        project.read_from(path, text, problems.root, read)
+        project.read_from(path, text, problems.root, _Reader(path, profiles, files))
         # cross checks need a whole project: they come in a second round, after the schema is satisfied
         check_frame(project, problems, profiles)
         check_actions(project, problems, files)
@@ -61,3 +60,15 @@ def parse_project(
     if project is None or problems.found:
         raise ProjectError(path, problems.found)
     return project
+
+
+@dataclass(frozen=True)
+class _Reader:
+    """Reads another text in the place of one that was read; equal for projects that were read alike."""
+
+    path: Path
+    profiles: Collection[str] | None
+    files: bool
+
+    def __call__(self, text: str) -> Project:
+        return parse_project(text, self.path, self.profiles, self.files)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
-from functools import partial
+from dataclasses import dataclass
 from pathlib import Path
 
 from edesign.project.checks_study import check_study
@@ -72,7 +72,7 @@ def parse_study(
     if study is not None and (base is None or of not in (None, study.project)):
         base = _load_base(study, path, profiles, problems)
     if study is not None and base is not None:
-        read = partial(parse_study, path=path, base=base, profiles=profiles, of=study.project)
+        read = _Reader(path, base, profiles, study.project)
         check_study(study.read_from(path, text, problems.root, read).set_base(base), problems)
     if study is None or problems.found:
         raise StudyError(path, problems.found)
@@ -86,3 +86,16 @@ def _load_base(study: Study, path: Path, profiles: Collection[str] | None, probl
     message = f"there is no file `{project_path}` (the path is relative to the study file)"
     problems.at_value(("project",), message)
     return None
+
+
+@dataclass(frozen=True)
+class _Reader:
+    """Reads another text in the place of one that was read; equal for studies that were read alike."""
+
+    path: Path
+    base: Project
+    profiles: Collection[str] | None
+    of: str
+
+    def __call__(self, text: str, base: Project | None = None) -> Study:
+        return parse_study(text, self.path, base or self.base, self.profiles, self.of)

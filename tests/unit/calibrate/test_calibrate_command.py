@@ -51,7 +51,7 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
     assert told["search"] == "interrupted"
     assert [effect["name"] for effect in told["effects"]] == ["hardening"]
-    assert "the search interrupted" in (tmp_path / "out/law.yaml").read_text(encoding="utf-8").splitlines()[0]
+    assert "the search interrupted" in (tmp_path / "out/law.yaml").read_text(encoding="utf-8").splitlines()[1]
     # before there is an effect nothing is written
     monkeypatch.setattr(Rounds, "one_more", interrupt)
     monkeypatch.setattr(BesideDeclared, "one", interrupt)

@@ -48,6 +48,7 @@ def test_a_value_changes_in_text_checksum_and_model(project: Project) -> None:
     assert changed.checksum == hashlib.sha256(changed.text.encode()).hexdigest() != project.checksum
     assert changed.path == project.path
     changed.check_unchanged()
+    assert changed.with_values("materials.S275.E", "210 GPa") == project
     # what is read from the text that is stored is what runs
     assert parse_project(changed.text, changed.path, PROFILES).materials == changed.materials
 
