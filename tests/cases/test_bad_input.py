@@ -203,10 +203,13 @@ def test_what_is_no_project_is_refused(tmp_path: Path, capsys: Capture) -> None:
 def test_a_file_of_another_kind_is_not_replaced_by_an_archive(tmp_path: Path, capsys: Capture) -> None:
     path = write(tmp_path)
     before = path.read_bytes()
-    message = refused(capsys, "run", path, "--archive", path, code=4)
+    assert "this is an input, and no output" in refused(capsys, "run", path, "--archive", path)
+    (tmp_path / "notes.txt").write_text("by hand\n")
+    message = refused(capsys, "run", path, "--archive", tmp_path / "notes.txt", "--overwrite", code=4)
     assert "this file is no archive, and it is left as it is" in message and path.read_bytes() == before
+    assert (tmp_path / "notes.txt").read_text() == "by hand\n"
     assert "not a regular file" in refused(capsys, "run", path, "--archive", "/dev/zero", code=4)
-    assert sorted(item.name for item in tmp_path.iterdir()) == ["motion.AT2", "project.yaml"]
+    assert sorted(item.name for item in tmp_path.iterdir()) == ["motion.AT2", "notes.txt", "project.yaml"]
     assert main(["run", str(path), "--quiet"]) == 0 and main(["run", str(path), "--quiet"]) == 0  # an older archive is
 
 

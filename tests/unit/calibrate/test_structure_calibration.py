@@ -13,7 +13,7 @@ from typer.testing import CliRunner
 from edesign.archive.reader import open_archive
 from edesign.calibrate.structure.campaign import load_structure_campaign
 from edesign.calibrate.structure.problem import StructureProblem
-from edesign.cli.main import app
+from edesign.cli.main import app, main
 from edesign.damper.law_file import read_law_file, resolve
 
 STEP, SAMPLES = 0.02, 300
@@ -137,8 +137,8 @@ def test_floors_against_the_base_are_refused(folder: Path, tmp_path: Path) -> No
     assert code != 0 and "must point the same way" in text
 
 
-def test_the_campaign_is_not_written_over(folder: Path) -> None:
+def test_the_campaign_is_not_written_over(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     (folder / "structure.yaml").write_text(CAMPAIGN)
-    code, text = run(folder / "structure.yaml")
-    assert code != 0 and "choose another folder" in text
+    assert main(["calibrate", str(folder / "structure.yaml"), "--overwrite"]) == 2
+    assert "structure.yaml: this is an input, and no output takes its place" in capsys.readouterr().err
     assert (folder / "structure.yaml").read_text() == CAMPAIGN
