@@ -223,7 +223,7 @@ def read_property_table(path: Path | str, content: bytes | None = None) -> Prope
         InputError: the file cannot be read, a column is unknown, missing or twice there, or a value is not positive.
     """
     path = Path(path)
-    table = read_csv_table(path, _WHAT, _EXAMPLE, content)
+    table = read_csv_table(path, _WHAT, _EXAMPLE, content=content)
     columns = {}
     for i, header in enumerate(table.headers):
         if header not in COLUMNS:
