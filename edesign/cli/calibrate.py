@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -55,7 +56,7 @@ def calibrate(
 
     def tell(what: str) -> None:
         if not quiet:
-            typer.echo(f"{time.monotonic() - begin:6.1f} s  {what}", err=True)
+            print(f"{time.monotonic() - begin:6.1f} s  {what}", file=sys.stderr, flush=True)
 
     tell("reading the tests")
     with one_thread():
@@ -65,12 +66,12 @@ def calibrate(
         tell("drawing the report")
         written.append(found.page(folder / "calibration.html"))
     if json_output:
-        typer.echo(json.dumps(found.json(), indent=1, allow_nan=False))
+        print(json.dumps(found.json(), indent=1, allow_nan=False))
     elif not quiet:
         print_tables(found.tables())
-        typer.echo(found.verdict())
+        print(found.verdict())
         for path in written:
-            typer.echo(f"written: {path}")
+            print(f"written: {path}")
     if found.interrupted:
         raise Interrupted(f"the search was interrupted; what it had found is in {folder}")
 

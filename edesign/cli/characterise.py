@@ -77,7 +77,7 @@ def characterise(
     notes += left_out
     if as_json:
         data = {**properties_data(found, each), "notes": notes}
-        typer.echo(json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False))
+        print(json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False))
     else:
         specimen = campaign.specimen
         title = (

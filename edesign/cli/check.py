@@ -12,9 +12,10 @@ def check(project: Annotated[Path, typer.Argument(help="The project or study fil
     """Check a project or study file, its records and its frame; print a summary."""
     from edesign.building.project_file import load_project, load_study
     from edesign.project.study_loader import is_study
+    from edesign.report.visible import visible_line
     from edesign.study.check import check_project, check_study
 
     found = check_study(load_study(project)) if is_study(project) else check_project(load_project(project))
     for label, text in found.items():
-        typer.echo(f"{label + ':':<11} {text}")
-    typer.echo("ok")
+        print(visible_line(f"{label + ':':<11} {text}"))
+    print("ok")

@@ -47,7 +47,7 @@ def compare(
             return
         comparison = compare_archive(opened, loaded)
     if as_json:
-        typer.echo(json.dumps(comparison_data(comparison), indent=2, allow_nan=False, ensure_ascii=False))
+        print(json.dumps(comparison_data(comparison), indent=2, allow_nan=False, ensure_ascii=False))
     else:
         print_tables(block_tables(comparison, bars))
     if csv is not None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -94,7 +95,7 @@ def fit(
             check_folder(folder)  # rather than after a long fit
     if not quiet:
         for note in given.notes:
-            typer.echo(f"note: not fitted to: {note}", err=True)
+            print(f"note: not fitted to: {note}", file=sys.stderr, flush=True)
     laws = read.read_laws(law or [], given.law)
     alone = len(laws) == 1
     places = {item.name: output if alone else output / item.name for item in laws} if output is not None else {}
@@ -118,7 +119,7 @@ def fit(
     finally:  # a full disk does not take the result of a long fit with it
         if json_output:
             found = [_json(result) for result in results]
-            typer.echo(json.dumps(found[0] if alone else found, indent=1, allow_nan=False))
+            print(json.dumps(found[0] if alone else found, indent=1, allow_nan=False))
         elif not quiet:
             fits, outs = [result.fit for result in results], [result.held_out for result in results]
             comparison = compare.comparison(fits, outs) if cross_validate or not alone else None
@@ -156,7 +157,11 @@ def _fit(
     for test in () if quiet else given.validation:
         if not low <= test.temperature_C <= high:
             span = f"{low:g} degC" if low == high else f"{low:g} to {high:g} degC"
-            typer.echo(f"note: test {test.name} is at {test.temperature_C:g} degC, those fitted at {span}", err=True)
+            print(
+                f"note: test {test.name} is at {test.temperature_C:g} degC, those fitted at {span}",
+                file=sys.stderr,
+                flush=True,
+            )
     held_out = None
     if out:
         held_out = cross_validate(law, given.tests, begin, folds=folds, whole=found, told=progress, **options)
@@ -187,6 +192,6 @@ def _progress(name: str) -> Progress:
     """Tell on standard error which start of which law is done."""
 
     def tell(what: str, done: int, of: int) -> None:
-        typer.echo(f"{name}: {what} {done}/{of}", err=True)
+        print(f"{name}: {what} {done}/{of}", file=sys.stderr, flush=True)
 
     return tell

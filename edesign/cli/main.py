@@ -8,7 +8,7 @@ import os
 import sys
 import traceback
 from collections.abc import Sequence
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -25,6 +25,7 @@ from edesign.cli.report import report
 from edesign.cli.run import run
 from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
+from edesign.cli.streams import visible_streams
 from edesign.cli.test import test
 from edesign.errors import ArchiveError, EdesignError, Interrupted
 from edesign.input_files import noting_inputs
@@ -33,6 +34,9 @@ EPILOG = (
     "Exit codes: 0 done; 2 something in the input is wrong; 3 an analysis failed (the others are archived); "
     "4 an archive cannot be read or written; 130 interrupted; 1 an error in edesign itself."
 )
+
+_WRONG_USAGE: Any = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
+"""What typer raises for words that it cannot take; not all of its versions have it in a public place."""
 
 app = typer.Typer(
     name="edesign",
@@ -49,7 +53,7 @@ for command in (new, check, run, show, compare, report, spectrum, match, laws, t
 
 def _version(asked: bool) -> None:
     if asked:
-        typer.echo(f"edesign {__version__}")
+        print(f"edesign {__version__}")
         raise typer.Exit
 
 
@@ -73,24 +77,29 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit code.
     """
     words = list(sys.argv[1:] if arguments is None else arguments)
-    _open_missing_streams()
     debug = "--debug" in words
-    words = [word for word in words if word != "--debug"]
-    logging.basicConfig(level=logging.INFO if debug else logging.CRITICAL, format="%(name)s: %(message)s")
+    with visible_streams():
+        logging.basicConfig(level=logging.INFO if debug else logging.CRITICAL, format="%(name)s: %(message)s")
+        return _run([word for word in words if word != "--debug"], debug)
+
+
+def _run(words: list[str], debug: bool) -> int:
     try:
-        try:
-            with noting_inputs():
-                app(words, prog_name="edesign")
-        except SystemExit as end:  # the end of every call: help, wrong usage, done
-            sys.stdout.flush()
-            if end.code == Interrupted.exit_code:  # what is made of a Ctrl-C between the steps that ask for it
-                return _fail("interrupted", Interrupted.exit_code, debug)
-            return end.code if isinstance(end.code, int) else int(end.code is not None)
+        with noting_inputs():
+            code = app(words, prog_name="edesign", standalone_mode=False)  # which leaves errors and exit codes to this
+        sys.stdout.flush()
+        if code == Interrupted.exit_code:  # what is made of a Ctrl-C between the steps that ask for it
+            return _fail("interrupted", code, debug)
+        return code if isinstance(code, int) else 0
+    except _WRONG_USAGE as error:  # a word of the command line
+        if error.format_message():  # else the help was printed
+            error.show()
+        return error.exit_code
     except KeyboardInterrupt:
         return _fail("interrupted", Interrupted.exit_code, debug)
     except EdesignError as error:
         return _fail(str(error), error.exit_code, debug)
-    except BrokenPipeError:  # the reader of a pipe left, as `head` does
+    except (BrokenPipeError, SystemExit):  # the reader of a pipe left, as `head` does; typer makes an exit of it
         _give_up_output()
         return 0
     except OSError as error:
@@ -100,19 +109,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return _fail(f"the output cannot be written: {error.strerror}", ArchiveError.exit_code, debug)
     except Exception as error:
         return _fail(_unexpected(error), 1, debug)
-    return 0
 
 
 def _unexpected(error: Exception) -> str:
     return f"an error in edesign itself ({type(error).__name__}: {error}); please report it with the output of --debug"
-
-
-def _open_missing_streams() -> None:
-    """Give a process that was started without standard output or error (`>&-`) a place where they are lost."""
-    if sys.stdout is None:
-        sys.stdout = open(os.devnull, "w", encoding="utf-8")
-    if sys.stderr is None:
-        sys.stderr = open(os.devnull, "w", encoding="utf-8")
 
 
 def _give_up_output() -> None:

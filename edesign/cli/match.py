@@ -118,7 +118,7 @@ def match(
         )
     if not quiet:
         print_tables([*tables, *record_tables(summary.archive)])
-        typer.echo(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
+        print(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
     if csv is not None:
         make_folder(csv)
         for motion in summary.motions.values():

@@ -15,4 +15,4 @@ def new(
     from edesign.project.template import new_project
 
     path = new_project(folder)
-    typer.echo(f"{path} written. Next: edesign check {path}; edesign run {path}")
+    print(f"{path} written. Next: edesign check {path}; edesign run {path}")

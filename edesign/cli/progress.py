@@ -8,6 +8,7 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
+from edesign.report.visible import visible, visible_line
 from edesign.study.progress import Listener, Progress, Tally, silent
 
 LINE_EVERY = 0.1  # of an analysis, where no bar can be shown
@@ -51,7 +52,7 @@ class PlainLines:
             if tenths <= self._told.get(report.analysis, 0) or report.fraction >= 1:
                 return
             self._told[report.analysis] = tenths
-            text = f"{place(report)}{report.analysis}: {tenths * LINE_EVERY:.0%}"
+            text = f"{visible_line(place(report) + report.analysis)}: {tenths * LINE_EVERY:.0%}"
         try:
             print(text, file=sys.stderr, flush=True)
         except OSError:  # nobody reads on, or the disk of a log is full: no reason to stop a run
@@ -64,14 +65,14 @@ def place(report: Progress) -> str:
 
 
 def describe(report: Progress) -> str:
-    """Return the report as one line."""
+    """Return the report as a line; the reason of a failure may have more. Control characters are written out."""
+    message = visible(report.message)
     if report.event == "note":
-        return report.message
+        return message
+    name = place(report) + visible_line(report.analysis)
     if report.event == "start":
-        return f"{place(report)}{report.analysis}"
-    if report.event == "reuse":
-        return f"{place(report)}{report.analysis}: reused"
-    return f"{place(report)}{report.analysis}: {report.message} ({duration(report.seconds)})"
+        return name
+    return f"{name}: reused" if report.event == "reuse" else f"{name}: {message} ({duration(report.seconds)})"
 
 
 def duration(seconds: float) -> str:
@@ -98,17 +99,17 @@ def remaining(seconds: float | None, before: str = "") -> str:
 def _bars() -> Iterator[Listener]:
     """A bar for the run if it has several analyses, and one for each that is running."""
     from rich.console import Console
-    from rich.markup import escape
     from rich.progress import BarColumn, TaskID, TaskProgressColumn, TextColumn, TimeElapsedColumn
     from rich.progress import Progress as Bars
+    from rich.text import Text  # in which brackets and colons are no markup
 
-    console = Console(stderr=True)
+    console = Console(file=sys.stderr)
     columns = (
-        TextColumn("{task.description}"),
+        TextColumn("{task.description}", markup=False),
         BarColumn(),
         TaskProgressColumn(),
         TimeElapsedColumn(),
-        TextColumn("{task.fields[left]}"),
+        TextColumn("{task.fields[left]}", markup=False),
     )
     with Bars(*columns, console=console, transient=True) as bars:
         tasks: dict[str, TaskID] = {}
@@ -120,13 +121,13 @@ def _bars() -> Iterator[Listener]:
             if tally.count > 1 and not overall:
                 overall.append(bars.add_task("", total=1.0, left=""))
             if report.event == "start":
-                tasks[report.analysis] = bars.add_task(escape(describe(report)), total=1.0, left="")
+                tasks[report.analysis] = bars.add_task(describe(report), total=1.0, left="")
             elif report.event == "advance" and report.analysis in tasks:
                 bars.update(tasks[report.analysis], completed=report.fraction)
             else:
                 if report.analysis in tasks:
                     bars.remove_task(tasks.pop(report.analysis))
-                console.print(escape(describe(report)), highlight=False)
+                console.print(Text(describe(report)))
             for task in overall:
                 done = f"{tally.done}/{tally.count} analyses"
                 left = remaining(tally.left, "about ")

@@ -23,7 +23,7 @@ def report(
     from edesign.report.page.document import write_page
 
     page = write_page(archive, output, (lambda line: None) if quiet else _Progress())
-    typer.echo(f"report: {page} ({page.stat().st_size / 1e6:.1f} MB)")
+    print(f"report: {page} ({page.stat().st_size / 1e6:.1f} MB)")
 
 
 class _Progress:

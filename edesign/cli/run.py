@@ -58,7 +58,7 @@ def run(
             summary = run_project(with_folders(load_project(project), folder or []), *how)
     if not quiet:
         print_tables(overview(summary.archive))
-        typer.echo(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
+        print(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
     if summary.failed:
         alike: dict[str, list[str]] = {}
         for outcome in summary.failed:

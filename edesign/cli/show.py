@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -28,11 +29,11 @@ def show(
 
     check_format(figure_format)
     if as_json:
-        typer.echo(json.dumps(summarise(archive, analysis), indent=2, allow_nan=False, ensure_ascii=False))
+        print(json.dumps(summarise(archive, analysis), indent=2, allow_nan=False, ensure_ascii=False))
     elif analysis is not None:
         print_tables(details(archive, analysis))
     else:
         print_tables(overview(archive))
     if figures is not None and not draw_figures(archive, figures, figure_format):
         nothing = "nothing to draw: no record is fitted or of a suite, and no history of dampers was kept"
-        typer.echo(nothing, err=True)
+        print(nothing, file=sys.stderr, flush=True)

@@ -53,7 +53,7 @@ def test(
     if not quiet:
         title = f"{len(run.campaign.tests)} tests of {run.campaign.specimen.name}"
         print_tables([properties_table(title, run.properties, [f"note: {text}" for text in run.warnings])])
-        typer.echo(f"campaign: {run.campaign.path}")
+        print(f"campaign: {run.campaign.path}")
     if figures is not None:
         rows = usable(run.properties)[0]
         table = from_properties(rows) if rows else None

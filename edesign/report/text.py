@@ -1,4 +1,4 @@
-"""Tables on a terminal (rich) or as plain text, for files and pipes."""
+"""Tables on a terminal (rich) or as plain text, for files and pipes; control characters in them are written out."""
 
 from __future__ import annotations
 
@@ -7,17 +7,27 @@ from collections.abc import Iterable
 from typing import TextIO
 
 from edesign.report.table import Table
+from edesign.report.visible import visible, visible_line
 
 _GAP = 3  # between columns on a terminal
+_COLOURS = {"completed": "green", "failed": "red", "not run": "yellow"}  # of cells, on a terminal
 
 
 def print_tables(tables: Iterable[Table], stream: TextIO | None = None) -> None:
     """Print tables: with rich where the stream is a terminal, as plain aligned text elsewhere."""
     stream = sys.stdout if stream is None else stream
+    shown = [_visible(table) for table in tables]
     if stream.isatty():
-        _print_rich(tables, stream)
+        _print_rich(shown, stream)
     else:
-        stream.write("\n\n".join(plain(table) for table in tables) + "\n")
+        stream.write("\n\n".join(plain(table) for table in shown) + "\n")
+
+
+def _visible(table: Table) -> Table:
+    """The table with the control characters of its texts written out, so that columns are as wide as they look."""
+    rows = [[visible_line(cell) for cell in row] for row in table.rows]
+    columns = [visible_line(header) for header in table.columns]
+    return Table(visible_line(table.title), columns, rows, [visible(note) for note in table.notes], table.left)
 
 
 def plain(table: Table) -> str:
@@ -64,26 +74,21 @@ def folded(table: Table, width: int) -> list[Table]:
 def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
     from rich.box import SIMPLE_HEAD
     from rich.console import Console
-    from rich.markup import escape
     from rich.table import Table as RichTable
+    from rich.text import Text  # in which brackets and colons are no markup
 
     console = Console(file=stream, highlight=False)
     for table in [part for whole in tables for part in folded(whole, console.width)]:
         if table.title:
-            console.print(f"[bold]{escape(table.title)}[/bold]")
+            console.print(Text(table.title, style="bold"))
         if table.rows:
             shown = RichTable(box=SIMPLE_HEAD, show_header=bool(table.columns), pad_edge=False)
             for i in range(len(table.rows[0])):
-                header = escape(table.columns[i]) if table.columns else ""
+                header = Text(table.columns[i]) if table.columns else ""
                 shown.add_column(header, justify="left" if i < table.left else "right", overflow="fold")
             for row in table.rows:
-                shown.add_row(*(_coloured(escape(cell)) for cell in row))
+                shown.add_row(*(Text(cell, style=_COLOURS.get(cell, "")) for cell in row))
             console.print(shown)
         for note in table.notes:
-            console.print(escape(note))
+            console.print(Text(note))
         console.print()
-
-
-def _coloured(cell: str) -> str:
-    colour = {"completed": "green", "failed": "red", "not run": "yellow"}.get(cell)
-    return f"[{colour}]{cell}[/{colour}]" if colour else cell
