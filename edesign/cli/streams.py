@@ -63,7 +63,7 @@ def visible_streams() -> Iterator[None]:
     output, errors = (
         VisibleStream(open(os.devnull, "w", encoding="utf-8") if stream is None else stream) for stream in before
     )
-    sys.stdout, sys.stderr = output, errors  # type: ignore[assignment]
+    sys.stdout, sys.stderr = output, errors
     try:
         yield
     finally:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.interpolate import RegularGridInterpolator
 
-from edesign.archive.files import write_text
+from edesign.archive.csv_files import write_csv_file
 from edesign.damper.csv_table import read_csv_table
 from edesign.damper.properties import Properties
 from edesign.errors import InputError
@@ -252,8 +252,7 @@ def write_property_table(table: PropertyTable, path: Path | str) -> None:
         ArchiveError: it cannot be written.
     """
     columns = [(getattr(table, name) * factor).tolist() for name, factor in COLUMNS.values()]
-    lines = (",".join(f"{value:.7g}" for value in row) for row in zip(*columns, strict=True))
-    write_text("\n".join([_EXAMPLE, *lines, ""]), Path(path))
+    write_csv_file(list(COLUMNS), zip(*columns, strict=True), Path(path), digits=7)
 
 
 def _grouped(values: np.ndarray, absolute: float, relative: float) -> tuple[np.ndarray, np.ndarray]:

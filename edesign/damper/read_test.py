@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.archive.files import write_text
+from edesign.archive.csv_files import write_csv_file
 from edesign.damper.column_units import columns_in_si, names_quantity, need
 from edesign.damper.csv_table import CsvTable, read_csv_table
 from edesign.damper.test_record import FEWEST, DamperTest, Use
@@ -86,9 +86,7 @@ def write_test(path: Path | str, test: DamperTest) -> None:
     if test.temperature_history is not None:
         headers.append("temperature_C")
         columns.append(test.temperature_history)
-    line = ",".join(["%.9g"] * len(columns))
-    rows = (line % row for row in zip(*(column.tolist() for column in columns), strict=True))
-    write_text("\n".join([",".join(headers), *rows, ""]), Path(path))
+    write_csv_file(headers, zip(*(column.tolist() for column in columns), strict=True), Path(path), digits=9)
 
 
 def _columns(path: Path, needed: tuple[str, ...]) -> tuple[CsvTable, dict[str, np.ndarray], list[str]]:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from edesign.archive.files import write_text
+from edesign.archive.csv_files import write_csv_file
 from edesign.ground_motion.record import Record
 
-HEADER = "time_s,acceleration_m_s2"
+HEADERS = ("time_s", "acceleration_m_s2")
 
 
 def write_csv(record: Record, path: Path) -> None:
@@ -18,5 +18,5 @@ def write_csv(record: Record, path: Path) -> None:
     Raises:
         ArchiveError: it cannot be written.
     """
-    rows = (f"{i * record.time_step:.9g},{value!r}\n" for i, value in enumerate(record.acceleration.tolist()))
-    write_text(f"{HEADER}\n{''.join(rows)}", path)
+    rows = ((f"{i * record.time_step:.9g}", value) for i, value in enumerate(record.acceleration.tolist()))
+    write_csv_file(HEADERS, rows, path)

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from pathlib import Path
 from typing import Any
 
-from edesign.archive.files import write_text
+from edesign.archive.csv_files import Cell, write_csv_file
 from edesign.report.compared import ComparedCell, ComparedChange, Comparison
 from edesign.report.summary import finite
 
@@ -65,13 +63,7 @@ def write_comparison(comparison: Comparison, path: Path) -> None:
     Raises:
         ArchiveError: the file cannot be written.
     """
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
-    writer.writerow(HEADERS)
-    for table in comparison.tables:
-        for cell in table.cells:
-            writer.writerow(_line(table.title, cell))
-    write_text(text.getvalue(), path)
+    write_csv_file(HEADERS, (_line(table.title, cell) for table in comparison.tables for cell in table.cells), path)
 
 
 def _cell(cell: ComparedCell) -> dict[str, Any]:
@@ -82,11 +74,11 @@ def _change(change: ComparedChange) -> dict[str, Any]:
     return {**vars(change), "difference": change.difference}
 
 
-def _line(title: str, cell: ComparedCell) -> list[str]:
-    def text(value: float | None, factor: float = 1.0) -> str:
-        return "" if value is None else repr(factor * value)
+def _line(title: str, cell: ComparedCell) -> list[Cell]:
+    def percent(ratio: float | None) -> float | None:
+        return None if ratio is None else 100.0 * ratio
 
-    counts = [str(cell.count), str(cell.of)] if cell.statistic else ["", ""]
+    counts = [cell.count, cell.of] if cell.statistic else [None, None]
     return [
         title,
         cell.quantity,
@@ -96,11 +88,11 @@ def _line(title: str, cell: ComparedCell) -> list[str]:
         cell.level,
         cell.index,
         cell.unit,
-        text(cell.reference),
-        text(cell.found),
-        text(cell.difference, 100.0),
-        text(cell.within, 100.0),
-        "" if cell.inside is None else str(cell.inside).lower(),
+        cell.reference,
+        cell.found,
+        percent(cell.difference),
+        percent(cell.within),
+        cell.inside,
         *counts,
         " ".join(cell.missing),
         cell.reason,

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import csv
-import io
 from collections.abc import Mapping
 from pathlib import Path
 
 import numpy as np
 
-from edesign.archive.files import write_text
+from edesign.archive.csv_files import write_csv_file
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
@@ -72,11 +70,7 @@ def write_columns(columns: list[Column], path: Path) -> None:
     Raises:
         ArchiveError: it cannot be written.
     """
-    text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")  # puts quotes around a name with a comma
-    writer.writerow(header for header, _ in columns)
-    writer.writerows([repr(float(value)) for value in row] for row in zip(*(v for _, v in columns), strict=True))
-    write_text(text.getvalue(), path)
+    write_csv_file([header for header, _ in columns], zip(*(v.tolist() for _, v in columns), strict=True), path)
 
 
 def draw_spectra(

@@ -99,7 +99,6 @@ def test_messages_of_errors(tmp_path: Path, capsys: pytest.CaptureFixture[str]) 
         (["show", str(tmp_path / "\udcff.h5")], 4),  # one that is no UTF-8
         (["show", f"--{HOSTILE}"], 2),  # what typer says
         (["laws", HOSTILE], 2),
-        (["run", "project.yaml", "--backend", HOSTILE], 2),
     ):
         assert main(words) == code
         output, errors = capsys.readouterr()

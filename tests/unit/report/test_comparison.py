@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -228,6 +229,10 @@ def test_files_hold_every_cell(tmp_path: Path) -> None:
         lines = list(csv.DictReader(file))
     assert len(lines) == len(comparison.cells)
     assert float(lines[0]["found"]) == cell(comparison, "drift").found and lines[0]["inside"] == "false"
+    titled = replace(comparison, tables=tuple(replace(table, title="=1+1") for table in comparison.tables))
+    write_comparison(titled, tmp_path / "cells.csv")
+    with (tmp_path / "cells.csv").open(encoding="utf-8", newline="") as file:
+        assert {line["table"] for line in csv.DictReader(file)} == {"'=1+1"}  # no formula of a spreadsheet
     data = comparison_data(comparison)
     assert [len(table["cells"]) for table in data["tables"]] == [8, 6, 1] and data["outside"] == len(comparison.outside)
     assert data["tables"][0]["cells"][0]["difference"] == cell(comparison, "drift").difference
