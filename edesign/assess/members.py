@@ -110,7 +110,7 @@ def i_section(project: Project, run: ColumnRun | BeamRun) -> ISection | None:
     own = project.sections.get(run.section)
     if isinstance(material, ElasticMaterial) or (own is not None and not isinstance(own, PlateSection)):
         return None
-    if own is None and run.section not in profile_names():
+    if own is None and profile_names().canonical(run.section) is None:
         return None
     shape = cross_section(project, run.section)
     if not isinstance(shape, CrossSection):

@@ -14,6 +14,7 @@ from edesign.project import names
 from edesign.project.dampers import BraceSection, BraceStiffness, DamperBetween, DamperRun
 from edesign.project.problems import did_you_mean, keys_text
 from edesign.project.project import Project
+from edesign.project.sections import no_section
 
 UX, UY = 0, 1
 Term = tuple[float, int, int]
@@ -225,10 +226,9 @@ def _brace(project: Project, run: DamperRun | DamperBetween, place: _Place, devi
     if not isinstance(run.brace, BraceSection):
         return 0.0
     name = run.brace.section
-    known = [*project.sections, *profile_names()]
-    if name not in known:
+    if name not in project.sections and profile_names().canonical(name) is None:
         keys = ("dampers", "devices", device, "brace", "section")
-        message = f"there is no section `{name}`{did_you_mean(name, known)}"
+        message = no_section(name, project.sections, profile_names())
         raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {message}")
     axial = project.materials[run.brace.material].E * cross_section(project, name).area / place.length
     return place.braces * axial * place.cosine**2

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import csv
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cache
 from importlib import resources
 
+from edesign.building.section_names import SectionNames
 from edesign.errors import InputError
 
 _MM = 1e-3
@@ -35,26 +35,25 @@ class Profile:
     inertia: float
 
 
-def profile_names() -> tuple[str, ...]:
+@cache
+def profile_names() -> SectionNames:
     """Return the names of all catalogue sections."""
-    return tuple(_catalogue())
+    return SectionNames(tuple(_catalogue()))
 
 
 def profile(name: str) -> Profile:
     """Return a section of the catalogue.
 
     Args:
-        name: such as "IPE450" or "HEB300".
+        name: such as "IPE450" or "HEB300", or as it is usually written (`SectionNames.canonical`).
 
     Raises:
-        InputError: there is no such section; the message offers the nearest names.
+        InputError: there is no such section; the message says what there is near it.
     """
-    found = _catalogue().get(name)
-    if found is not None:
-        return found
-    near = get_close_matches(name.replace(" ", "").upper(), _catalogue(), n=3, cutoff=0.6)
-    hint = f"; did you mean {', '.join(near)}?" if near else ""
-    raise InputError(f"there is no section `{name}` in the catalogue{hint}")
+    known = profile_names().canonical(name)
+    if known is None:
+        raise InputError(f"there is no section `{name}`; {profile_names().near(name)}")
+    return _catalogue()[known]
 
 
 @cache

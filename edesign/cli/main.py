@@ -23,6 +23,7 @@ from edesign.cli.match import match
 from edesign.cli.new import new
 from edesign.cli.report import report
 from edesign.cli.run import run
+from edesign.cli.sections import sections
 from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
 from edesign.cli.streams import visible_streams
@@ -47,7 +48,9 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-for command in (new, check, run, show, compare, report, spectrum, match, laws, test, characterise, fit, calibrate):
+_PROJECTS = (new, check, run, show, compare, report)
+_PARTS = (spectrum, match, sections, laws, test, characterise, fit, calibrate)
+for command in (*_PROJECTS, *_PARTS):
     app.command()(command)
 
 

@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 
 from edesign.project import names
 from edesign.project.frame import Frame
 from edesign.project.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun
 from edesign.project.problems import Keys, Problems, did_you_mean, listed, unknown_name
 from edesign.project.project import Project
-from edesign.project.sections import ElasticSection, PlateSection
+from edesign.project.sections import Catalogue, ElasticSection, PlateSection, no_section
 from edesign.project.selections import LineSelection, NumberSelection
 
 Run = ColumnRun | BeamRun | BraceRun
 
 
-def check_frame(project: Project, problems: Problems, profiles: Collection[str] | None) -> None:
+def check_frame(project: Project, problems: Problems, profiles: Catalogue | None) -> None:
     """Check the frame and its sections and materials.
 
     Args:
@@ -172,7 +172,7 @@ def _releases(frame: Frame, problems: Problems, check: Selections) -> None:
             check.standing_columns((*keys, "columns"), release.columns)
 
 
-def _sections(project: Project, problems: Problems, profiles: Collection[str] | None) -> None:
+def _sections(project: Project, problems: Problems, profiles: Catalogue | None) -> None:
     for name, section in project.sections.items():
         if profiles is not None and name in profiles:
             problems.at_key(("sections", name), "this is the name of a catalogue profile; choose another name")
@@ -185,13 +185,10 @@ def _sections(project: Project, problems: Problems, profiles: Collection[str] | 
                 problems.at_value(("sections", name, "web"), message)
 
 
-def _section_of(project: Project, problems: Problems, keys: Keys, run: Run, profiles: Collection[str] | None) -> None:
+def _section_of(project: Project, problems: Problems, keys: Keys, run: Run, profiles: Catalogue | None) -> None:
     own = project.sections.get(run.section)
     if own is None and profiles is not None and run.section not in profiles:
-        known = [*project.sections, *profiles]
-        message = f"there is no section `{run.section}`{did_you_mean(run.section, known)}"
-        own_names = f"own sections: {listed(project.sections)}"
-        problems.at_value((*keys, "section"), f"{message} ({own_names}; catalogue: {listed(profiles, 4)})")
+        problems.at_value((*keys, "section"), no_section(run.section, project.sections, profiles))
     if isinstance(own, ElasticSection) and own.inertia is None and not isinstance(run, BraceRun):
         message = f"the section `{run.section}` has no `inertia`; only a brace can do without"
         problems.at_value((*keys, "section"), message)

@@ -2,29 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypeVar
 
 from edesign.project.checks_actions import check_actions
 from edesign.project.checks_dampers import check_dampers
 from edesign.project.checks_frame import check_frame
 from edesign.project.checks_hazard import check_hazard
 from edesign.project.checks_outputs import check_outputs
+from edesign.project.dampers import BraceSection
+from edesign.project.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.problems import ProjectError
 from edesign.project.project import Project
+from edesign.project.sections import Catalogue
 from edesign.project.yaml_file import check_model, read_yaml_text
 
 _WHAT = "project file"
+S = TypeVar("S", ColumnRun, BeamRun, BraceRun, BraceSection)
 
 
-def load_project(path: Path | str, profiles: Collection[str] | None = None) -> Project:
+def load_project(path: Path | str, profiles: Catalogue | None = None) -> Project:
     """Read and check a project file.
 
     Args:
         path: the YAML file, UTF-8.
-        profiles: names of the catalogue's sections; None leaves unchecked section names that the project does not
-            define.
+        profiles: names of the catalogue's sections, which take the place of other spellings of them in the project;
+            None leaves unchecked section names that the project does not define.
 
     Returns:
         The project, all values in SI.
@@ -38,7 +42,7 @@ def load_project(path: Path | str, profiles: Collection[str] | None = None) -> P
 
 
 def parse_project(
-    text: str, path: Path | str = "project.yaml", profiles: Collection[str] | None = None, files: bool = True
+    text: str, path: Path | str = "project.yaml", profiles: Catalogue | None = None, files: bool = True
 ) -> Project:
     """Check the text of a project file that (supposedly) stands at `path`; otherwise as `load_project`.
 
@@ -50,6 +54,8 @@ def parse_project(
     hint = "; `edesign new` writes one that runs"
     project, problems = check_model(text, Project, _WHAT, "edesign: 1", hint)
     if project is not None:
+        if profiles is not None:
+            project = _with_catalogue_names(project, profiles)
         project.read_from(path, text, problems.root, _Reader(path, profiles, files))
         # cross checks need a whole project: they come in a second round, after the schema is satisfied
         check_frame(project, problems, profiles)
@@ -67,8 +73,30 @@ class _Reader:
     """Reads another text in the place of one that was read; equal for projects that were read alike."""
 
     path: Path
-    profiles: Collection[str] | None
+    profiles: Catalogue | None
     files: bool
 
     def __call__(self, text: str) -> Project:
         return parse_project(text, self.path, self.profiles, self.files)
+
+
+def _with_catalogue_names(project: Project, catalogue: Catalogue) -> Project:
+    """The project with the catalogue's own names of sections, however they are written; own sections go before."""
+
+    def named(part: S) -> S:
+        written = part.section
+        known = None if written in project.sections else catalogue.canonical(written)
+        return part if known in (None, written) else part.model_copy(update={"section": known})
+
+    frame = project.frame
+    members = {kind: tuple(map(named, getattr(frame, kind))) for kind in ("columns", "beams", "braces")}
+    changed: dict[str, object] = {"frame": frame.model_copy(update=members)}
+    if project.dampers is not None:
+        devices = tuple(
+            device.model_copy(update={"brace": named(device.brace)})
+            if isinstance(device.brace, BraceSection)
+            else device
+            for device in project.dampers.devices
+        )
+        changed["dampers"] = project.dampers.model_copy(update={"devices": devices})
+    return project.model_copy(update=changed)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import Annotated, Any
+from collections.abc import Collection, Mapping
+from typing import Annotated, Any, Protocol
 
 from pydantic import BaseModel, Discriminator, Field, Tag
 
 from edesign.project.base import Model
+from edesign.project.problems import did_you_mean, listed
 from edesign.project.units import Length, PositiveArea, PositiveInertia, PositiveLength
 
 FibreCount = Annotated[int, Field(ge=1, le=1000)]
@@ -70,3 +71,19 @@ class Fibres(Model):
     web_height: FibreCount = 16
     web_thickness: FibreCount = 2
     fillets: bool = False
+
+
+class Catalogue(Collection[str], Protocol):
+    """The names of sections that a project need not define."""
+
+    def canonical(self, name: str) -> str | None:
+        """The catalogue's own name of a section that may be written in another way; None if it has no such section."""
+
+    def near(self, name: str) -> str:
+        """What the catalogue has near a name that it has not, as a clause."""
+
+
+def no_section(name: str, own: Collection[str], catalogue: Catalogue) -> str:
+    """The message on a name that is neither one of a project's own sections nor one of the catalogue."""
+    hint = did_you_mean(name, own) or f"; {catalogue.near(name)}"
+    return f"there is no section `{name}`{hint} (own sections: {listed(own)}; `edesign sections` lists the catalogue)"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -10,6 +9,7 @@ from edesign.project.checks_study import check_study
 from edesign.project.loader import load_project
 from edesign.project.problems import FileProblems, Problems
 from edesign.project.project import Project
+from edesign.project.sections import Catalogue
 from edesign.project.study import Study
 from edesign.project.yaml_file import KINDS, check_model, read_yaml_text
 from edesign.project.yaml_nodes import top_level_keys
@@ -32,7 +32,7 @@ def is_study(path: Path | str) -> bool:
     return next((key for key in top_level_keys(text) if key in KINDS), "") == _KIND
 
 
-def load_study(path: Path | str, profiles: Collection[str] | None = None) -> Study:
+def load_study(path: Path | str, profiles: Catalogue | None = None) -> Study:
     """Read and check a study file and its project.
 
     Args:
@@ -52,7 +52,7 @@ def parse_study(
     text: str,
     path: Path | str,
     base: Project | None = None,
-    profiles: Collection[str] | None = None,
+    profiles: Catalogue | None = None,
     of: str | None = None,
 ) -> Study:
     """Check the text of a study file that (supposedly) stands at `path`.
@@ -79,7 +79,7 @@ def parse_study(
     return study
 
 
-def _load_base(study: Study, path: Path, profiles: Collection[str] | None, problems: Problems) -> Project | None:
+def _load_base(study: Study, path: Path, profiles: Catalogue | None, problems: Problems) -> Project | None:
     project_path = path.parent / study.project
     if project_path.is_file():
         return load_project(project_path, profiles)
@@ -94,7 +94,7 @@ class _Reader:
 
     path: Path
     base: Project
-    profiles: Collection[str] | None
+    profiles: Catalogue | None
     of: str
 
     def __call__(self, text: str, base: Project | None = None) -> Study:

@@ -1,7 +1,8 @@
 """Write profiles.csv, the catalogue of rolled I sections, from the tables of the package structuralcodes.
 
 Run it by hand after an update of the package: python edesign/building/data/generate_profiles.py
-Sections with parallel flanges only: of the tapered IPN the fillets would not be those of `section.py`.
+Sections with parallel flanges only: of the tapered IPN the fillets would not be those of `section.py`. A `#` behind a
+name is a mark of the table, not of the section.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ def main() -> None:
             for name in family.profiles():
                 made = family(name)
                 sizes = [f"{value:g}" for value in (made.h, made.b, made.tw, made.tf, made.r)]
-                writer.writerow([name, *sizes, f"{made.A:.6g}", f"{made.Iy:.6g}"])
+                writer.writerow([name.rstrip("#"), *sizes, f"{made.A:.6g}", f"{made.Iy:.6g}"])
 
 
 if __name__ == "__main__":

@@ -129,5 +129,5 @@ def test_an_unknown_section_says_where_and_what_is_near() -> None:
     changed = unchecked.model_copy(update={"frame": unchecked.frame.model_copy(update={"columns": (run,)})})
     changed.frame.__dict__.pop("members", None)
     changed.frame.__dict__.pop("column_at", None)
-    with pytest.raises(InputError, match=r"section HEB261: .*did you mean .*HEB260"):
+    with pytest.raises(InputError, match=r"section HEB261: .*near it .*`HEB260`"):
         build_frame(changed)

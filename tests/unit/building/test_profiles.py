@@ -43,7 +43,7 @@ def test_all_families_are_there() -> None:
 
 
 def test_an_unknown_name_offers_the_nearest() -> None:
-    with pytest.raises(InputError, match="no section `HEB 460` in the catalogue; did you mean .*HEB450"):
+    with pytest.raises(InputError, match="no section `HEB 460`; of HEB the catalogue has near it .*`HEB450`"):
         profile("HEB 460")
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
+from edesign.building.section_names import SectionNames
 from edesign.project import Problem, ProjectError, parse_project
 
 SMALL = """\
@@ -45,7 +46,7 @@ outputs:
   members: [C_A_1]
 """
 
-PROFILES = ("HEB240", "HEB260", "IPE360", "IPE400")
+PROFILES = SectionNames(("HEB240", "HEB260", "IPE360", "IPE400"))
 
 
 @pytest.fixture

@@ -83,7 +83,7 @@ ONE_PROBLEM = {
     "one mode twice": ("ratio: 2 %", "ratio: 2 %, modes: «[3, 3]", "damping.modes", "two different modes"),
     "mode zero": ("ratio: 2 %", "ratio: 2 %, modes: [«0, 3]", "damping.modes[0]", "at least 1"),
     # names
-    "unknown section": ("HEB260", "«HEB265", "frame.columns[0].section", "did you mean `HEB260`?"),
+    "unknown section": ("HEB260", "«HEB265", "frame.columns[0].section", "near it `HEB240`, `HEB260`"),
     "section without inertia": ("section: HEB260", "section: «rod", "frame.columns[0].section", "no `inertia`"),
     "own name of a profile": ("  rod: {", "  «IPE360: {", "sections.IPE360", "catalogue"),
     "unknown material": (

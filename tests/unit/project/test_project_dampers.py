@@ -207,7 +207,7 @@ WRONG = {
         BRACE,
         "brace: {section: «HEB105, material: S275}",
         "devices[1].brace.section",
-        ["`HEB105`", "did you mean `HEB100`?"],
+        ["`HEB105`", "of HEB the catalogue has near it `HEB100`"],
     ),
     "unknown material": (
         BRACE,

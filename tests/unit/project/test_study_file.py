@@ -214,7 +214,10 @@ def test_dampers_of_a_project_that_has_none(tmp_path: Path) -> None:
 def test_a_mistake_of_the_project_is_told_with_its_own_place(tmp_path: Path) -> None:
     path = write(tmp_path, project=(("section: HEB200", "section: HEB201"),))
     ((place, message),) = faults(path)
-    assert place == place_of(tmp_path / "project.yaml", "HEB201") and "did you mean `HEB200`?" in message
+    assert (
+        place == place_of(tmp_path / "project.yaml", "HEB201")
+        and "of HEB the catalogue has near it `HEB180`, `HEB200`" in message
+    )
 
 
 def test_a_law_without_parameters_at_the_temperature_of_a_variant(tmp_path: Path) -> None:

@@ -1,0 +1,34 @@
+"""`edesign sections`: the catalogue of rolled sections."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def sections(
+    what: Annotated[
+        str | None,
+        typer.Argument(
+            metavar="[FAMILY|NAME|PATTERN]",
+            help="HEB, HE (all that begin so), a name as you write it, or a pattern such as 'UB457*' or 'W14x*'.",
+            show_default=False,
+        ),
+    ] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of a table.")] = False,
+    csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write the table.")] = None,
+) -> None:
+    """Print the rolled sections that a project may name, with their properties."""
+    from edesign.report.section_table import chosen_sections, section_data, section_table, write_sections
+    from edesign.report.text import print_tables
+
+    names = chosen_sections(what)
+    if as_json:
+        print(json.dumps(section_data(names), indent=2, allow_nan=False, ensure_ascii=False))
+    else:
+        print_tables([section_table(names)])
+    if csv is not None:
+        write_sections(names, csv)
