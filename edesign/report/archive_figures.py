@@ -13,6 +13,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean
 from edesign.report.axial_figures import axial_figures
+from edesign.report.captions import UniqueNames
 from edesign.report.damper_loops import damper_figures
 from edesign.report.design_figures import design_figures
 from edesign.report.energy_figures import energy_figures
@@ -79,10 +80,11 @@ def draw_figures(archive: str | os.PathLike[str], folder: Path, figure_format: s
     """
     suffix = check_format(figure_format)
     written: list[Path] = []
+    unique = UniqueNames()
     with open_archive(archive) as opened:
         for name, _, figure in all_figures(opened):
             if not written:
                 make_folder(folder)
-            written.append(folder / f"{name}.{suffix}")
+            written.append(folder / f"{unique(name)}.{suffix}")
             save(figure, written[-1])
     return tuple(written)

@@ -11,7 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name, plain
-from edesign.report.figures import MEAN, grid_figure, label_outer, some_of, styled
+from edesign.report.figures import MEAN, grid_figure, label_outer, legend_label, some_of, styled
 from edesign.report.histories import by_level, histories, missing_text, names_of, variant_colors
 from edesign.study.plan import ANALYSES
 
@@ -111,7 +111,9 @@ def axial_figure(variants: Sequence[AxialForces], gravity: Mapping[Place, float]
         axis.grid(axis="y", visible=False)
     label_outer(cells, COLUMNS, "axial force (kN)", "storey")
     many = max(next(iter(one.smallest.values())).size for one in variants) > 1
-    handles: list[Line2D | Patch] = [Patch(color=one.color, lw=0.0, label=one.label) for one in variants if one.label]
+    handles: list[Line2D | Patch] = [
+        Patch(color=one.color, lw=0.0, label=legend_label(one.label)) for one in variants if one.label
+    ]
     if many:
         handles.append(Line2D([], [], color=MEAN, lw=0.9, label="range over the records"))
     if gravity:

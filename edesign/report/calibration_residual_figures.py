@@ -103,7 +103,7 @@ def _harmonics(view: View, stage: Stage) -> list[Harmonics]:
 
 @styled
 def _harmonics_figure(view: View, found: dict[Stage, list[Harmonics]]) -> Figure:
-    from matplotlib.ticker import FuncFormatter
+    from matplotlib.ticker import FuncFormatter, NullFormatter
 
     count = len(found["declared"])
     figure, cells = grid_figure(count, 3, 2.4, 1.8)
@@ -124,6 +124,7 @@ def _harmonics_figure(view: View, found: dict[Stage, list[Harmonics]]) -> Figure
         axis.set_ylim(*limits)
         axis.set_xticks(orders)
         axis.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.yaxis.set_minor_formatter(NullFormatter())
     label_outer(cells, 3, "harmonic", "amplitude (%)")
     handles, labels = cells[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2)

@@ -10,7 +10,8 @@ import numpy as np
 from edesign.calibrate.result import Series
 from edesign.report.calibration_units import scale_of
 from edesign.report.calibration_view import COLOURS, MEASURED, View, outline
-from edesign.report.figures import grid_figure, new_figure, styled
+from edesign.report.captions import file_name
+from edesign.report.figures import grid_figure, logarithmic, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -63,7 +64,7 @@ def history_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
             f"{_title(test)}: all channels, measured (wide, grey) and predicted, about the largest error of the "
             "building as declared."
         )
-        yield f"history-{test.of_test}", caption, _histories_figure(view, channels)
+        yield file_name(f"history-{test.of_test.replace('/', '-')}"), caption, _histories_figure(view, channels)
 
 
 @styled
@@ -93,7 +94,7 @@ def spectrum_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
             f"{_title(test)}: Fourier amplitudes of all channels, smoothed. A peak beside the measured one is an error "
             "of stiffness or mass, a higher or lower one an error of damping."
         )
-        yield f"spectrum-{test.of_test}", caption, _spectra_figure(view, channels)
+        yield file_name(f"spectrum-{test.of_test.replace('/', '-')}"), caption, _spectra_figure(view, channels)
 
 
 @styled
@@ -110,7 +111,7 @@ def _spectra_figure(view: View, channels: list[Series]) -> Figure:
         for stage, label in view.stages.items():
             shown = _smooth(frequency, one.predicted[stage] / scale, last)
             axis.plot(*shown, color=COLOURS[stage], lw=0.9, label=label)
-        axis.set_xscale("log")
+        logarithmic(axis)
         axis.set_xlim(0.5 * float(frequency[first]), float(frequency[last]))
         axis.set_ylim(bottom=0.0)
         axis.set_xlabel("frequency (Hz)")

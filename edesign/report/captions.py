@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
+from collections import Counter
+
+LONGEST = 64  # characters of a part of a file name; file systems take 255 bytes for all parts
 
 
 def plain(value: float, digits: int = 3) -> str:
@@ -21,8 +25,32 @@ def record_label(reference: str) -> str:
 
 
 def file_name(*parts: str) -> str:
-    """A name of a file of words, those that are empty left out."""
-    return "_".join(re.sub(r"[^A-Za-z0-9_.-]+", "-", part.rpartition("/")[2]) for part in parts if part)
+    """A name of a file of words, those that are empty left out; also good as an anchor of a page.
+
+    Signs other than letters and digits of ASCII become hyphens; words that lose letters by that, or are too long, get
+    a mark of their own, so that they do not become alike.
+    """
+    return re.sub(r"^\.+", "-", "_".join(_word(part.rpartition("/")[2]) for part in parts if part))
+
+
+def _word(part: str) -> str:
+    plain = re.sub(r"[^A-Za-z0-9_.-]+", "-", part)
+    if part.isascii() and len(plain) <= LONGEST:
+        return plain
+    return f"{plain[:LONGEST]}-{hashlib.sha256(part.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}"
+
+
+class UniqueNames:
+    """Names of files or anchors that differ in more than capitals: of equal ones the second gets -2, and so on."""
+
+    def __init__(self) -> None:
+        self._count: Counter[str] = Counter()
+
+    def __call__(self, name: str) -> str:
+        """Return the name, with a number if it was there."""
+        self._count[name.lower()] += 1
+        number = self._count[name.lower()]
+        return name if number == 1 else self(f"{name}-{number}")
 
 
 def at_level(level: str) -> str:

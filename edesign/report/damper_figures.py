@@ -13,6 +13,7 @@ from edesign.damper.cycles import find_blocks
 from edesign.damper.property_table import PropertyTable
 from edesign.damper.specimen import Specimen
 from edesign.damper.test_record import DamperTest
+from edesign.report.captions import UniqueNames, file_name
 from edesign.report.figures import AFTER, BEFORE, logarithmic, new_figure, save, styled
 
 if TYPE_CHECKING:
@@ -42,8 +43,9 @@ def draw_tests(
     """
     make_folder(folder)
     written = []
+    unique = UniqueNames()
     for test in campaign.tests:
-        written.append(folder / f"{test.name.replace('/', '_')}.{figure_format}")
+        written.append(folder / f"{unique(file_name(test.name.replace('/', '_')))}.{figure_format}")
         save(test_figure(test, campaign.specimen), written[-1])
     if table is not None:
         for celsius in table.levels[0]:
@@ -67,7 +69,7 @@ def test_figure(test: DamperTest, specimen: Specimen) -> Figure:
         (axes[1][0], 1e-3 * force, "force (kN)", AFTER),
     ):
         axis.plot(test.time, values, color=colour, lw=0.6)
-        axis.set_ylabel(label)
+        axis.set_ylabel(label, parse_math=True)
         axis.set_xlim(float(test.time[0]), float(test.time[-1]))
     axes[0][0].tick_params(labelbottom=False)
     axes[1][0].set_xlabel("time (s)")

@@ -11,7 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name, plain
-from edesign.report.figures import MEAN, TARGET, VARIANTS, grid_figure, label_outer, styled
+from edesign.report.figures import MEAN, TARGET, VARIANTS, grid_figure, label_outer, legend_label, styled
 from edesign.report.histories import by_temperature, histories, names_of, variant_colors, with_results
 
 if TYPE_CHECKING:
@@ -109,7 +109,11 @@ def loops_figure(histories: Sequence[Loops]) -> Figure:
         place_of: Any = {"xycoords": "axes fraction", "textcoords": "offset points", "ha": "right", "bbox": box}
         axis.annotate(title, (1.0, 0.0), (-3.0, 4.0), **place_of)  # loops leave this corner free
     label_outer(cells, columns, "deformation (mm)", "force (kN)")
-    handles = [Line2D([], [], color=one.color, lw=1.2, label=one.label) for one in histories if len(histories) > 1]
+    handles = [
+        Line2D([], [], color=one.color, lw=1.2, label=legend_label(one.label))
+        for one in histories
+        if len(histories) > 1
+    ]
     if np.isfinite(limit) and 1e3 * limit < span:
         strain = _common([one.along("damper_tested_strain") for one in histories])
         label = f"tested to a strain of {100.0 * strain:g} %" if np.isfinite(strain) else "tested"

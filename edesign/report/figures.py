@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 import numpy as np
 
 from edesign.archive.files import write_whole
+from edesign.report.visible import visible
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -42,6 +43,7 @@ _STYLE: Any = {
     "legend.frameon": False,
     "svg.hashsalt": "edesign",  # the same figure is the same file
     "svg.fonttype": "none",
+    "text.parse_math": False,  # dollar signs in users' texts are dollar signs
 }
 
 
@@ -80,19 +82,33 @@ def save(figure: Figure, path: Path) -> None:
     import matplotlib
 
     suffix = path.suffix.lower()
-    metadata = {"Date": None} if suffix == ".svg" else {"CreationDate": None} if suffix == ".pdf" else None
+    if suffix == ".svg":
+        text = _svg_file(figure)
+        write_whole(path, lambda partial: partial.write_text(text, encoding="utf-8"))
+        return
+    metadata = {"CreationDate": None} if suffix == ".pdf" else None
     with matplotlib.rc_context(_STYLE):
         write_whole(path, lambda partial: figure.savefig(partial, dpi=160, metadata=metadata))
 
 
 def svg_text(figure: Figure) -> str:
     """Return a figure, as drawn by a `styled` function, as an <svg> element; its ids are its own only."""
+    text = _svg_file(figure)
+    return text[text.index("<svg") :]
+
+
+def _svg_file(figure: Figure) -> str:
     import matplotlib
 
     text = StringIO()
     with matplotlib.rc_context(_STYLE):
         figure.savefig(text, format="svg", metadata={"Date": None})
-    return text.getvalue()[text.getvalue().index("<svg") :]
+    return visible(text.getvalue())  # XML has no control characters
+
+
+def legend_label(text: str) -> str:
+    """Return a user's text as a label; one that begins with an underscore would be left out of legends."""
+    return f" {text}" if text.startswith("_") else text
 
 
 def grid_figure(count: int, columns: int, width: float, height: float) -> tuple[Figure, list[Axes]]:

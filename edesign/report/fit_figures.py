@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,6 +10,7 @@ import numpy as np
 
 from edesign.damper.fitting import Fit
 from edesign.damper.nrms import nrms
+from edesign.report.captions import UniqueNames, file_name
 from edesign.report.figures import AFTER, BEFORE, new_figure, save, styled
 from edesign.report.table import number
 
@@ -65,17 +65,14 @@ def draw_fits(fits: Sequence[Fit], tests: Sequence[DamperTest], folder: Path, su
         ArchiveError: one cannot be written.
     """
     paths = []
+    unique = UniqueNames()
     for fit in fits:
         for test in tests:
             predicted = fit.damper(test.temperature_C).force(test.time, test.displacement)
             kind = "" if test.name in fit.nrms else "; not fitted"
             error = number(nrms(predicted, test.measured_force()), 3, 1e-2)
             title = f"{fit.law.name}: {test.label}, {test.temperature_C:g} °C, NRMS {error} %{kind}"
-            path = folder / f"{_file_name(f'{fit.law.name}_{test.name}')}.{suffix}"
+            path = folder / f"{unique(file_name(fit.law.name, test.name.replace('/', '_')))}.{suffix}"
             save(fit_figure(test, predicted, fit.law.name, title), path)
             paths.append(path)
     return paths
-
-
-def _file_name(name: str) -> str:
-    return re.sub(r"[^A-Za-z0-9._-]+", "_", name)

@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.report.captions import plain
-from edesign.report.figures import MEAN, VARIANTS, new_figure, some_of, styled
+from edesign.report.figures import MEAN, VARIANTS, legend_label, new_figure, some_of, styled
 from edesign.report.histories import variant_colors
 from edesign.study.plan import ANALYSES
 
@@ -81,7 +81,7 @@ def mode_figure(structures: Sequence[Shapes]) -> Figure:
             shape = np.concatenate(([0.0], one.shape[mode])) / (np.max(np.abs(one.shape[mode])) or 1.0)
             shape = -shape if shape[-1] < 0.0 else shape  # the roof to the right
             style: Any = {"color": one.color, "lw": 1.5, "ls": _STYLES[i % len(_STYLES)], "marker": "o", "ms": 2.4}
-            axis.plot(shape, floors, label=one.label, **style)
+            axis.plot(shape, floors, label=legend_label(one.label), **style)
             above = 4.0 + 9.5 * (len(structures) - 1 - i)
             text = f"{one.label} {plain(float(one.period[mode]))} s"
             axis.annotate(

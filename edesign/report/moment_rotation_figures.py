@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name, plain
-from edesign.report.figures import MEAN, new_figure, styled
+from edesign.report.figures import MEAN, legend_label, new_figure, styled
 from edesign.report.histories import by_motion, histories, names_of, variant_colors, with_results
 
 if TYPE_CHECKING:
@@ -70,7 +70,8 @@ def moment_rotation_figure(
         for end, axis in enumerate(row):
             for i, (label, loop) in enumerate(loops.items()):
                 rotation, moment = 1e3 * loop[key][:, end], 1e-3 * loop[MOMENT][:, end]
-                axis.plot(rotation, moment, color=colors[label], lw=_WIDTHS[min(i, 2)], label=label or None)
+                in_legend = legend_label(label) or None
+                axis.plot(rotation, moment, color=colors[label], lw=_WIDTHS[min(i, 2)], label=in_legend)
             _centre(axis, span, tallest)
             axis.set_xlabel(f"{ROTATIONS[key]} (mrad)")
             axis.set_title(f"{ends[end]} end" if key == shown[0] else "", loc="left")

@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.report.captions import record_label
+from edesign.report.captions import file_name, record_label
 from edesign.report.match_figure import match_figure
 from edesign.report.spectra_figure import spectra_figure
 from edesign.study.record_results import RECORDS
@@ -25,13 +25,13 @@ def record_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         if not archive.group_attributes(place).get("suite"):
             group = archive.group(place)
             if _is_fitted(group):
-                yield name, _match_caption(group), match_figure(group)
+                yield file_name(name), _match_caption(group), match_figure(group)
             continue
         members = {member: archive.group(f"{place}/{member}") for member in archive.names(place)}
         yield from _suite_figures(name, archive.group(place), members)
         for member, group in members.items():
             if _is_fitted(group):
-                yield member, _match_caption(group), match_figure(group)
+                yield file_name(member), _match_caption(group), match_figure(group)
 
 
 def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterator[tuple[str, str, Figure]]:
@@ -40,7 +40,7 @@ def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterat
         spectra = {member: group.variables["psa"].values for member, group in members.items()}
         period = next(iter(members.values())).coords["period"].values
         title = f"{name}: {_origins(members)}, {_damping(members)}"
-        yield f"{name}_spectra", f"Elastic spectra of {title}.", spectra_figure(period, spectra, title=title)
+        yield file_name(name, "spectra"), f"Elastic spectra of {title}.", spectra_figure(period, spectra, title=title)
         return
     period, target = suite.coords["period"].values, suite.variables["target"].values
     goal, damping = {str(suite.attributes["target"]): target}, _damping(fitted)
@@ -53,16 +53,16 @@ def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterat
     against = f"their mean, and the target {suite.attributes['target']}"
     before, after = f"{name}: {kinds}", f"{name}: matched, {damping}"
     caption = f"Spectra of {name} as recorded ({kinds}), {against}."
-    yield f"{name}_before", caption, spectra_figure(period, recorded, goal, before)
+    yield file_name(name, "before"), caption, spectra_figure(period, recorded, goal, before)
     caption = f"Spectra of {name} after matching ({damping}), {against}."
-    yield f"{name}_after", caption, spectra_figure(period, matched, goal, after)
+    yield file_name(name, "after"), caption, spectra_figure(period, matched, goal, after)
     means = {
         "mean, unscaled": np.mean(list(recorded.values()), axis=0),
         "mean, matched": np.mean(list(matched.values()), axis=0),
     }
     title = f"{name}: means, {kinds}"
     caption = f"Mean spectra of {name} before and after matching ({kinds})."
-    yield f"{name}_mean", caption, spectra_figure(period, means, goal, title, mean=False)
+    yield file_name(name, "mean"), caption, spectra_figure(period, means, goal, title, mean=False)
 
 
 def _match_caption(group: Group) -> str:

@@ -11,7 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name, plain
-from edesign.report.figures import BEFORE, MEAN, new_figure, styled
+from edesign.report.figures import BEFORE, MEAN, legend_label, new_figure, styled
 from edesign.report.histories import by_motion, histories, missing_text, variant_colors, with_results
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ def response_figure(series: Sequence[Series]) -> Figure:
                 continue
             time = one.group.coords["time"].values
             at = int(np.argmax(np.abs(values)))
-            axis.plot(time, values, color=one.color, lw=_WIDTHS[min(i, 1)], label=one.label or None)
+            axis.plot(time, values, color=one.color, lw=_WIDTHS[min(i, 1)], label=legend_label(one.label) or None)
             axis.plot(time[at], values[at], marker="o", ms=3.4, mfc=one.color, mec=MEAN, mew=0.5, ls="none")
         axis.axhline(0.0, color=MEAN, lw=0.5, zorder=0.9)
         axis.set_ylim(-1.15 * largest or -1.0, 1.15 * largest or 1.0)

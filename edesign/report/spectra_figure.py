@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.project.units import STANDARD_GRAVITY
-from edesign.report.figures import BEFORE, MEAN, TARGET, new_figure, styled
+from edesign.report.figures import BEFORE, MEAN, TARGET, legend_label, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -37,7 +37,7 @@ def spectra_figure(
     figure, ((axes,),) = new_figure(1, 1, 6.3, 4.0)
     for i, (name, psa) in enumerate(spectra.items()):
         if len(spectra) <= FEW:
-            axes.plot(period, psa / STANDARD_GRAVITY, lw=1.1, label=name)
+            axes.plot(period, psa / STANDARD_GRAVITY, lw=1.1, label=legend_label(name))
         else:
             label = f"{len(spectra)} records" if i == 0 else None
             axes.plot(period, psa / STANDARD_GRAVITY, color=BEFORE, lw=0.5, label=label)
@@ -45,7 +45,8 @@ def spectra_figure(
         average = np.mean(list(spectra.values()), axis=0)
         axes.plot(period, average / STANDARD_GRAVITY, color=MEAN, lw=1.6, label="mean")
     for i, (label, target) in enumerate((targets or {}).items()):
-        axes.plot(period, target / STANDARD_GRAVITY, color=TARGET, lw=1.4, ls=DASHES[min(i, 1)], label=label)
+        style = DASHES[min(i, 1)]
+        axes.plot(period, target / STANDARD_GRAVITY, color=TARGET, lw=1.4, ls=style, label=legend_label(label))
     axes.set_xlim(0.0, float(period[-1]))
     axes.set_ylim(bottom=0.0)
     axes.set_xlabel("period (s)")

@@ -16,9 +16,10 @@ def visible(text: str) -> str:
     Written out are the controls of ISO 6429 (C0 but for line feed and tab, DEL, C1), which move the cursor, set
     titles and colours; the marks, embeddings, overrides and isolates of the Unicode bidirectional algorithm (UAX 9),
     which let a text be read in another order than it is stored; line and paragraph separators; lone surrogates.
-    JSON writes characters in the same way, so JSON stays JSON with the same values.
+    Line ends of Windows become line feeds. JSON writes characters in the same way, so JSON stays JSON with the same
+    values.
     """
-    return text.translate(_IN_LINES)
+    return text.replace("\r\n", "\n").translate(_IN_LINES)
 
 
 def visible_line(text: str) -> str:

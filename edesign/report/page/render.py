@@ -13,6 +13,7 @@ from markupsafe import Markup, escape
 from edesign._version import __version__
 from edesign.report.page.section import Part, Section
 from edesign.report.table import Table
+from edesign.report.visible import visible
 
 GOOD = {"met", "passed", "satisfied", "completed", "achieved", "yes"}
 BAD = {"not met", "failed", "missed", "collapsed", "collapse", "not achieved", "no"}
@@ -44,7 +45,7 @@ class Cover:
 
 
 def render(cover: Cover, sections: Sequence[Section]) -> str:
-    """Return the page; all text is escaped, only the figures are taken as they are.
+    """Return the page; all text is escaped and without control characters, only the figures are taken as they are.
 
     Args:
         cover: title and what stands around the sections.
@@ -57,7 +58,7 @@ def render(cover: Cover, sections: Sequence[Section]) -> str:
     environment.filters |= {"typeset": typeset, "alignments": alignments, "state": state, "runs": runs}
     css = resources.files("edesign.report.page").joinpath("page.css").read_text(encoding="utf-8")
     page = environment.get_template("page.html")
-    return page.render(**vars(cover), sections=sections, css=css, version=__version__) + "\n"
+    return visible(page.render(**vars(cover), sections=sections, css=css, version=__version__)) + "\n"
 
 
 def typeset(text: str) -> Markup:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
@@ -15,7 +17,7 @@ from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.report.archived import archived_project, archived_study
 from edesign.report.assessment_tables import read_histories
-from edesign.report.captions import file_name
+from edesign.report.captions import UniqueNames, file_name
 from edesign.report.page.inline_svg import inline_svg
 from edesign.report.page.section import Heading, Part, Picture
 from edesign.report.summary import entry, planned, results
@@ -24,6 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Figures = Callable[[Archive], Iterator[tuple[str, str, "Figure"]]]
+log = logging.getLogger("edesign")
 ALONG_TIME = ("time", "matched_time", "step")
 
 
@@ -45,6 +48,7 @@ class Source:
         self.attributes = archive.attributes
         self.left_out: list[str] = []
         self._tell = tell
+        self._unique = UniqueNames()
 
     @cached_property
     def groups(self) -> dict[str, Group]:
@@ -113,13 +117,23 @@ class Source:
         """
         found = []
         for maker in makers:
-            try:
+            with self._or_left_out(maker.__name__.replace("_", " ")):
                 for name, caption, figure in maker(self.archive):
                     self._tell(f"figure {name}")
-                    found.append(picture_of(name, caption, figure))
-            except EdesignError as error:  # the rest of the report is worth having
-                self.left_out.append(f"{maker.__name__.replace('_', ' ')}: {error}")
+                    with self._or_left_out(f"figure {name}"):
+                        found.append(picture_of(self._unique(name), caption, figure))
         return tuple(found)
+
+    @contextmanager
+    def _or_left_out(self, what: str) -> Iterator[None]:
+        """Whatever goes wrong with a figure, the rest of the report is worth having."""
+        try:
+            yield
+        except EdesignError as error:
+            self.left_out.append(f"{what}: {error}")
+        except Exception as error:
+            log.exception(what)
+            self.left_out.append(f"{what}: {type(error).__name__}: {str(error).strip().partition(chr(10))[0]}")
 
 
 def by_level(pictures: Iterable[Picture], levels: Iterable[str]) -> dict[str, list[Picture]]:
