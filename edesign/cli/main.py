@@ -83,6 +83,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     debug = "--debug" in words
     with visible_streams():
         logging.basicConfig(level=logging.INFO if debug else logging.CRITICAL, format="%(name)s: %(message)s")
+        if arguments is None:  # in this process nobody else wants Python's warnings; --debug shows them
+            logging.captureWarnings(True)
         return _run([word for word in words if word != "--debug"], debug)
 
 

@@ -69,7 +69,7 @@ def test_figure(test: DamperTest, specimen: Specimen) -> Figure:
         (axes[1][0], 1e-3 * force, "force (kN)", AFTER),
     ):
         axis.plot(test.time, values, color=colour, lw=0.6)
-        axis.set_ylabel(label, parse_math=True)
+        axis.set_ylabel(label)
         axis.set_xlim(float(test.time[0]), float(test.time[-1]))
     axes[0][0].tick_params(labelbottom=False)
     axes[1][0].set_xlabel("time (s)")
@@ -133,7 +133,7 @@ def properties_figure(table: PropertyTable, temperature_C: float) -> Figure:
         if len(table.levels[2]) == 1:
             axis.set_xlim(0.5 * table.levels[2][0], 2.0 * table.levels[2][0])
         axis.set_ylim(bottom=0.0)
-        axis.set_ylabel(label)
+        axis.set_ylabel(label, parse_math=True)
     for axis in axes[1]:
         axis.set_xlabel("frequency (Hz)")
     figure.suptitle(f"Properties at {temperature_C:.3g} °C", fontsize=9.0, x=0.01, ha="left")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import pickle
 import time
 from collections.abc import Mapping
@@ -38,6 +39,7 @@ class Share(WorkerPlugin):  # type: ignore[misc, unused-ignore]
     def setup(self, worker: Worker) -> None:
         """Called by dask on each worker."""
         log.setLevel(self.level)
+        logging.captureWarnings(True)  # this process has the terminal of the one that wants the results
 
 
 class _RemoteControl:
