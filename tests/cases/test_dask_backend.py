@@ -7,6 +7,7 @@ import json
 import os
 import shutil
 import signal
+import socket
 import subprocess
 import sys
 import time
@@ -27,7 +28,8 @@ from edesign.study.check import check_inputs
 from edesign.study.motions import project_motions
 from edesign.study.plan import make_plan
 
-pytest.importorskip("distributed")
+distributed = pytest.importorskip("distributed")
+pytest.importorskip("cryptography")  # a cluster of this machine has certificates of its own
 
 ROOT = Path(edesign.__file__).parents[1]
 TESTS = ROOT / "tests"
@@ -61,6 +63,47 @@ def test_an_analysis_gives_the_same_bits(backend: Backend, tmp_path: Path) -> No
 
 def test_workers_compute_with_one_thread_of_linear_algebra(backend: Backend) -> None:
     assert set(run_all(backend, [Work("blas", toy_works.blas_threads)])["blas"].value or []) == {1}
+
+
+def test_only_this_run_is_let_in(backend: Backend) -> None:
+    """Every port on which this process and its workers listen: no answer without TLS, no scheduler without its key."""
+    ports = _listening_ports()
+    assert len(ports) >= 3  # the scheduler, two workers
+    for port in ports:
+        assert _plain_answer(port) in (b"", b"HTTP/1.1 404 Not Found"), port
+    address = backend._address  # type: ignore[attr-defined]
+    assert address.startswith("tls://")
+    stranger = distributed.Security.temporary()
+    for other, security in ((address.replace("tls://", "tcp://"), None), (address, stranger), (address, None)):
+        with pytest.raises((OSError, TypeError, ValueError)):
+            distributed.Client(other, timeout=2.0, security=security, set_as_default=False)
+
+
+def _listening_ports() -> set[int]:
+    """Ports of TCP on which this process or a child of it listens (/proc, state 0A)."""
+    family = {os.getpid()}
+    parents = {int(path.name): path / "stat" for path in Path("/proc").iterdir() if path.name.isdigit()}
+    for _ in range(3):  # workers are children of this process or of a server that forks
+        for pid, stat in parents.items():
+            with contextlib.suppress(OSError):
+                if int(stat.read_text().rpartition(")")[2].split()[1]) in family:
+                    family.add(pid)
+    sockets = set()
+    for pid in family:
+        with contextlib.suppress(OSError):
+            sockets |= {os.readlink(entry) for entry in Path(f"/proc/{pid}/fd").iterdir() if entry.is_symlink()}
+    rows = [line.split() for name in ("tcp", "tcp6") for line in Path(f"/proc/net/{name}").read_text().splitlines()[1:]]
+    return {int(row[1].rpartition(":")[2], 16) for row in rows if row[3] == "0A" and f"socket:[{row[9]}]" in sockets}
+
+
+def _plain_answer(port: int) -> bytes:
+    """The first line that somebody gets who asks without TLS for pages of dask."""
+    try:
+        with socket.create_connection(("127.0.0.1", port), timeout=5.0) as connection:
+            connection.sendall(b"GET /json/counts.json HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n")
+            return connection.recv(4096).partition(b"\r\n")[0]
+    except (ConnectionError, TimeoutError):
+        return b""
 
 
 def test_works_run_at_the_same_time_and_tell_their_progress(backend: Backend, tmp_path: Path) -> None:

@@ -270,6 +270,7 @@ def test_back_ends_give_the_same_bits(tmp_path: Path, undisturbed: dict[str, Any
     name, workers = how
     if name == "dask":
         pytest.importorskip("distributed")
+        pytest.importorskip("cryptography")
     path = write(tmp_path)
     call = edesign("run", path, "--backend", name, "--workers", str(workers), "--quiet")
     assert call.returncode == 0 and call.stdout == call.stderr == ""

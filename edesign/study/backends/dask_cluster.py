@@ -41,10 +41,11 @@ class DaskBackend:
     def __enter__(self) -> DaskBackend:
         with ExitStack() as stack:
             stack.enter_context(_silence())
-            address = self.scheduler
+            address, security = self.scheduler, None
             if address is None:
-                address = stack.enter_context(_cluster(self.workers)).scheduler_address
-            self._client = stack.enter_context(_connect(address))
+                security = _certificates()
+                address = stack.enter_context(_cluster(self.workers, security)).scheduler_address
+            self._client = stack.enter_context(_connect(address, security))
             self._address = address
             try:
                 self._client.wait_for_workers(1, timeout=JOIN)
@@ -76,30 +77,50 @@ class DaskBackend:
             yield from session.results()
 
 
+def _certificates() -> distributed.Security:
+    """A key and a certificate of this run, in memory only: whoever has them is of the run, all others are refused.
+
+    A port of this machine is open to all its users, and whoever a scheduler or worker listens to can run code.
+
+    Raises:
+        InputError: the package that makes them is not installed.
+    """
+    try:
+        return distributed.Security.temporary()
+    except ImportError as error:
+        raise InputError(
+            "the back end 'dask' on this machine needs the package cryptography, so that no other user can run code in "
+            "its processes: pip install 'edesign[cluster]' (or: pip install cryptography), or use 'threads'"
+        ) from error
+
+
 @contextmanager
-def _cluster(workers: int) -> Iterator[distributed.LocalCluster]:
+def _cluster(workers: int, security: distributed.Security) -> Iterator[distributed.LocalCluster]:
     # The thread that this one starts inherits the mask, and so do the workers that it starts now and later: Ctrl-C in
     # a terminal goes to all processes, but only this one is to act on it.
     resource_tracker.ensure_running()  # which unblocks the signal when it is started
     previous = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
-        cluster = distributed.LocalCluster(
-            n_workers=workers,
-            threads_per_worker=1,
-            processes=True,
-            dashboard_address="127.0.0.1:0",
-            silence_logs=logging.CRITICAL,
-            scheduler_kwargs={"allowed_failures": DEATHS},
-        )
+        with dask.config.set({f"distributed.{part}.http.routes": [] for part in ("scheduler", "worker")}):
+            cluster = distributed.LocalCluster(
+                n_workers=workers,
+                threads_per_worker=1,
+                processes=True,
+                protocol="tls://",
+                security=security,
+                dashboard_address="127.0.0.1:0",
+                silence_logs=logging.CRITICAL,
+                scheduler_kwargs={"allowed_failures": DEATHS, "dashboard": False},
+            )
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, previous)
     with cluster:
         yield cluster
 
 
-def _connect(address: str) -> distributed.Client:
+def _connect(address: str, security: distributed.Security | None) -> distributed.Client:
     try:
-        return distributed.Client(address, timeout=CONNECT, set_as_default=False)
+        return distributed.Client(address, timeout=CONNECT, set_as_default=False, security=security)
     except (OSError, ValueError, TypeError) as error:
         reason = str(error).splitlines()[0] if str(error) else type(error).__name__
         raise InputError(f"there is no dask scheduler at {address}: {reason}") from error

@@ -170,3 +170,18 @@ def _identical(one: Any, other: Any) -> None:
         assert one.dtype == other.dtype and one.tobytes() == other.tobytes()
     else:
         assert one == other
+
+
+def test_dask_on_this_machine_without_certificates_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Rather than to let other users of the machine in; a scheduler elsewhere needs none of its own."""
+    distributed = pytest.importorskip("distributed")
+
+    def missing() -> None:
+        raise ImportError("Using `Security.temporary` requires `cryptography`")
+
+    monkeypatch.setattr(distributed.Security, "temporary", missing)
+    with (
+        pytest.raises(InputError, match="needs the package cryptography, so that no other user can run code"),
+        make_backend("dask", 2),
+    ):
+        pass
