@@ -40,6 +40,24 @@ class DeviceLaw:
 
 
 @dataclass(frozen=True)
+class BraceBar:
+    """A brace of a damper that is given by its section.
+
+    Attributes:
+        length: m.
+        share: its axial force / the force of the damper.
+        alternates: one of a pair, of which one is compressed whichever way the damper acts; otherwise a damper that
+            shortens compresses it.
+    """
+
+    section: str
+    material: str
+    length: float
+    share: float
+    alternates: bool
+
+
+@dataclass(frozen=True)
 class Device:
     """A damper in the frame model.
 
@@ -53,6 +71,7 @@ class Device:
         force_scale, deformation_scale: F = force_scale * law(deformation_scale * u).
         brace: N/m; 0: rigid.
         tested_strain: of its law.
+        brace_bar: the brace as a bar; None: it has none, or only its stiffness is known.
     """
 
     name: str
@@ -66,6 +85,7 @@ class Device:
     deformation_scale: float
     brace: float
     tested_strain: float | None = None
+    brace_bar: BraceBar | None = None
 
 
 @dataclass(frozen=True)
@@ -122,7 +142,7 @@ def add_devices(
                 number = model.damper(name, law.law, place.terms, brace, force_scale, deformation_scale)
             except CoreError as error:  # an effect that the law cannot have with a brace
                 raise InputError(f"{where}: {error}") from error
-            scales = (force_scale, deformation_scale, brace, law.tested_strain)
+            scales = (force_scale, deformation_scale, brace, law.tested_strain, _brace_bar(run, place))
             found.append(Device(name, number, run.law, law.law, place.storey, place.terms, thickness, *scales))
     return tuple(found)
 
@@ -217,6 +237,13 @@ def _scales(run: DamperRun | DamperBetween, law: DeviceLaw, place: _Place) -> tu
 
 def _of_storey(values: float | tuple[float, ...], place: _Place) -> float:
     return values[place.index] if isinstance(values, tuple) else values
+
+
+def _brace_bar(run: DamperRun | DamperBetween, place: _Place) -> BraceBar | None:
+    if not isinstance(run.brace, BraceSection):
+        return None
+    share = 1.0 / (place.braces * place.cosine)
+    return BraceBar(run.brace.section, run.brace.material, place.length, share, place.braces > 1)
 
 
 def _brace(project: Project, run: DamperRun | DamperBetween, place: _Place, device: int) -> float:

@@ -17,5 +17,7 @@ def check(project: Annotated[Path, typer.Argument(help="The project or study fil
 
     found = check_study(load_study(project)) if is_study(project) else check_project(load_project(project))
     for label, text in found.items():
-        print(visible_line(f"{label + ':':<11} {text}"))
-    print("ok")
+        for i, line in enumerate(text.split("\n")):
+            print(visible_line(f"{label + ':' if i == 0 else '':<11} {line}"))
+    count = len(found.get("warnings", "").splitlines())
+    print("ok" if not count else f"ok, with {count} warning{'s' * (count > 1)}")

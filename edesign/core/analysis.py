@@ -16,7 +16,7 @@ from edesign.core.errors import CoreError, status_name
 from edesign.core.integrators import Integrator, Newmark
 from edesign.core.model import Model
 from edesign.core.modes import Modes, natural_modes
-from edesign.core.response import ENERGIES, KINDS, RUNGS, Channel, Passed, Response
+from edesign.core.response import ENERGIES, KINDS, RUNGS, Channel, Passed, Response, energy_error
 
 DEGREES = {"ux": 0, "uy": 1, "rz": 2}
 STIFFNESS = {
@@ -34,6 +34,7 @@ SETTINGS = {
     "energy": lib.ED_ENERGY,
 }
 AVERAGE_ACCELERATION = Newmark()
+DEFAULT_TOLERANCE = 1e-7  # as the core's
 NO_LIMITS: Mapping[str, float] = {}
 _PIECE = 0.2  # seconds of computing between looks at the stop flag
 
@@ -60,6 +61,7 @@ class Analysis:
         status = ffi.new("int *")
         message = ffi.new("char[]", 1024)
         self.model = model
+        self.tolerance = DEFAULT_TOLERANCE
         handle = lib.ed_analysis_new(model.freeze(), status, message, 1024)
         if handle == ffi.NULL:
             raise CoreError(status_name(status[0]), ffi.string(message).decode(errors="replace"))
@@ -80,6 +82,8 @@ class Analysis:
         if name not in SETTINGS:
             raise ValueError(f"unknown setting {name!r}; known: {', '.join(SETTINGS)}")
         self._check(lib.ed_set(self._c, SETTINGS[name], float(value)))
+        if name == "tolerance":
+            self.tolerance = float(value)
 
     def stiffness(self) -> scipy.sparse.csc_matrix:
         """Tangent stiffness over the equations at the present state, N/m."""
@@ -169,10 +173,20 @@ class Analysis:
             raise ValueError("this state belongs to another analysis")
         self._check(lib.ed_state_set(self._c, _doubles(np.ascontiguousarray(state))))
 
-    def static(self, pattern: int, factor: float = 1.0, steps: int = 1, channels: Sequence[Channel] = ()) -> Response:
-        """Load control: bring a pattern to `factor` in equal steps; it stays on for later runs."""
+    def static(
+        self,
+        pattern: int,
+        factor: float = 1.0,
+        steps: int = 1,
+        channels: Sequence[Channel] = (),
+        limits: Mapping[str, float] = NO_LIMITS,
+    ) -> Response:
+        """Load control: bring a pattern to `factor` in equal steps; it stays on for later runs.
+
+        Limits as in `history`.
+        """
         self._check(lib.ed_static_begin(self._c, pattern, factor, steps))
-        return self._run(steps, channels, 1, None, None)
+        return self._run(steps, channels, 1, None, None, limits)
 
     def pushover(
         self,
@@ -184,10 +198,14 @@ class Analysis:
         channels: Sequence[Channel] = (),
         progress: Callable[[int, int], None] | None = None,
         stop: Callable[[], bool] | None = None,
+        limits: Mapping[str, float] = NO_LIMITS,
     ) -> Response:
-        """Displacement control: move a degree to `target` (m or rad) in equal steps under a pattern of nodal loads."""
+        """Displacement control: move a degree to `target` (m or rad) in equal steps under a pattern of nodal loads.
+
+        Limits as in `history`.
+        """
         self._check(lib.ed_pushover_begin(self._c, pattern, node, DEGREES[degree], target, steps))
-        return self._run(steps, channels, 1, progress, stop)
+        return self._run(steps, channels, 1, progress, stop, limits)
 
     def history(
         self,
@@ -319,7 +337,9 @@ class Analysis:
         lib.ed_run_end(self._c)
         after = self._statistics()
         statistics = {k: after[k] - before[k] for k in after if k not in ("worst_unbalance", "energy_error")}
-        statistics |= {"worst_unbalance": after["worst_unbalance"], "energy_error": after["energy_error"], "cpu_s": cpu}
+        energies = {name: energy[:n, i].copy() for i, name in enumerate(ENERGIES)}
+        error = energy_error(energies, self.tolerance)
+        statistics |= {"worst_unbalance": after["worst_unbalance"], "energy_error": error, "cpu_s": cpu}
         return Response(
             status=status,
             reason=reason,
@@ -330,7 +350,7 @@ class Analysis:
             final=last,
             time_of_maximum=at_maximum,
             time_of_minimum=at_minimum,
-            energy={name: energy[:n, i].copy() for i, name in enumerate(ENERGIES)},
+            energy=energies,
             events=events,
             statistics=statistics,
             passed=passed,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -77,7 +78,7 @@ class Response:
         maximum, minimum, final, time_of_maximum, time_of_minimum: of every channel, every step counted.
         energy: (nt,) J of each of ENERGIES.
         events: rungs of the failure ladder that were used: time, step, rung, halvings, success, iterations.
-        statistics: counts, worst relative unbalance, energy error relative to the largest input, CPU seconds.
+        statistics: counts, worst relative unbalance, `energy_error` (see the function), CPU seconds.
         passed: the limit that ended the run, if the status is "limit".
     """
 
@@ -100,6 +101,35 @@ class Response:
         return max(abs(self.maximum[name]), abs(self.minimum[name]))
 
     @property
+    def finite(self) -> bool:
+        """Whether every extreme and every energy is a finite number."""
+        extremes = [*self.maximum.values(), *self.minimum.values(), *self.final.values()]
+        return bool(np.all(np.isfinite(extremes)) and all(np.all(np.isfinite(e)) for e in self.energy.values()))
+
+    @property
     def load_factor(self) -> np.ndarray:
         """The abscissa of a run in load control."""
         return self.time
+
+
+def energy_error(energy: Mapping[str, np.ndarray], tolerance: float) -> float:
+    """Return the largest error of the energy balance in a run over the largest energy that was put in.
+
+    Both count from the start of the run: what gravity has put in before would hide the error of a small motion. The
+    input is taken as at least `tolerance` times all that was ever put in: equilibrium is not solved more closely.
+
+    Args:
+        energy: (nt,) J of each of ENERGIES.
+        tolerance: dimensionless, of equilibrium.
+
+    Returns:
+        A ratio; infinite if an energy is not finite, 0 without any.
+    """
+    given, missing = energy["input"], energy["residual"]
+    if not given.size:
+        return 0.0
+    if not (np.all(np.isfinite(given)) and np.all(np.isfinite(missing))):
+        return float("inf")
+    error = float(np.max(np.abs(missing - missing[0])))
+    put_in = max(float(np.max(np.abs(given - given[0]))), tolerance * float(np.max(np.abs(given))))
+    return error / put_in if put_in > 0.0 else 0.0

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import get_args
 
 from edesign.project import names
-from edesign.project.analyses import GravityAnalysis, HistoryAnalysis
+from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
 from edesign.project.checks_frame import Selections
 from edesign.project.damping import RayleighDamping
 from edesign.project.matching import Matching
@@ -32,6 +32,7 @@ def check_actions(project: Project, problems: Problems, files: bool = True) -> N
         check.nodes(("loads", "nodes", i), point.lines, point.floors)
     _masses(project, problems, check)
     _damping(project, problems)
+    _validity(project, problems)
     _records(project, problems)
     if files:
         _record_files(project, problems)
@@ -65,6 +66,27 @@ def _damping(project: Project, problems: Problems) -> None:
     damping = project.damping
     if isinstance(damping, RayleighDamping) and damping.modes[0] == damping.modes[1]:
         problems.at_value(("damping", "modes"), f"two different modes are needed, not twice mode {damping.modes[0]}")
+
+
+def _validity(project: Project, problems: Problems) -> None:
+    validity = project.validity
+    if validity.energy_error_warning > validity.energy_error:
+        message = (
+            f"{validity.energy_error_warning:g} is greater than `energy_error` ({validity.energy_error:g}), "
+            "beyond which an analysis has failed"
+        )
+        problems.at_value(("validity", "energy_error_warning"), message)
+
+
+def check_drift(project: Project, problems: Problems, keys: Keys, drift: float | None) -> None:
+    """A drift that an analysis is to reach is not beyond the one up to which its result counts."""
+    largest = project.largest_drift
+    if drift is not None and largest is not None and drift > largest:
+        problems.at_value(
+            keys,
+            f"{100.0 * drift:g} % is beyond {100.0 * largest:.3g} %, where the geometry of the model no longer holds; "
+            "corotational columns (`elements.geometry`) have no such limit, `validity.drift` is another",
+        )
 
 
 def _records(project: Project, problems: Problems) -> None:
@@ -154,6 +176,9 @@ def _analyses(project: Project, problems: Problems) -> None:
         first.setdefault(analysis.name, i)
         if isinstance(analysis, HistoryAnalysis):
             _history(project, problems, keys, analysis)
+            check_drift(project, problems, (*keys, "collapse_drift"), analysis.collapse_drift)
+        if isinstance(analysis, PushoverAnalysis):
+            check_drift(project, problems, (*keys, "roof_drift"), analysis.roof_drift)
         if not isinstance(analysis, GravityAnalysis) and project.masses is None:
             message = f"the {analysis.kind} analysis `{analysis.name}` needs `masses`, and the file has none"
             problems.at_value(keys, message)

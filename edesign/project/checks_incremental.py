@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from edesign.project.checks_actions import check_drift
 from edesign.project.checks_names import ALL, check_names, check_records
 from edesign.project.incremental import COLLAPSE, Incremental, LevelFactorStudy
 from edesign.project.problems import Keys, Problems, unknown_name
@@ -35,6 +36,7 @@ def check_incremental(
                     f"`{name}` is not fitted to the spectrum of the hazard, so that it has no level to be scaled from"
                 )
                 problems.at_item((*keys, "records"), i, message)
+    check_drift(base, problems, (*keys, "collapse_drift"), incremental.collapse_drift)
     values = incremental.intensities
     if any(later <= earlier for earlier, later in zip(values, values[1:], strict=False)):
         problems.at_value((*keys, "levels"), "intensities must ascend: each greater than the one before it")

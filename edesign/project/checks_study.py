@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.project.checks_actions import check_drift
 from edesign.project.checks_criteria import check_criteria
 from edesign.project.checks_designs import check_design
 from edesign.project.checks_incremental import check_incremental
@@ -58,6 +59,7 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
     if histories.variants != (ALL,):
         check_names(problems, (*keys, "variants"), "variant", histories.variants, study.variants)
     check_records(problems, (*keys, "records"), histories.records, base)
+    check_drift(base, problems, (*keys, "collapse_drift"), histories.collapse_drift)
     fitted = []
     for name in dict.fromkeys(map(record_of, histories.records)):
         if name not in base.records:

@@ -6,6 +6,7 @@ from typing import Literal
 
 from edesign.project.base import Model
 from edesign.project.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
+from edesign.project.units import PositiveRatio
 
 BraceKind = Literal["rising", "falling", "cross"]
 
@@ -39,13 +40,17 @@ class BeamRun(BeamPlaces):
 
 
 class BraceRun(Model):
-    """Pin-ended braces; rising and falling are seen from left to right, cross is both."""
+    """Pin-ended braces; rising and falling are seen from left to right, cross is both.
+
+    Their buckling length is `buckling_length_factor` times the length between nodes.
+    """
 
     bays: Numbers
     storeys: Numbers
     kind: BraceKind
     section: str
     material: str
+    buckling_length_factor: PositiveRatio = 1.0
 
 
 class Missing(Model):

@@ -23,6 +23,7 @@ from edesign.project.materials import Material
 from edesign.project.outputs import Outputs
 from edesign.project.records import FileRecord, Record, SuiteRecords
 from edesign.project.sections import Fibres, Section
+from edesign.project.validity import Validity
 from edesign.project.values import KeyPath
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]
@@ -45,6 +46,7 @@ class Project(FileModel):
     dampers: Dampers | None = None
     damping: Damping | None = None
     integration: Integration | None = None
+    validity: Validity = Validity()
     hazard: Hazard | None = None
     records: dict[Identifier, Record] = {}
     analyses: Annotated[tuple[Analysis, ...], Field(min_length=1)]
@@ -97,6 +99,13 @@ class Project(FileModel):
     def hazard_levels(self) -> Mapping[str, Level]:
         """The levels of the hazard by name; none without a hazard."""
         return self.hazard.levels if self.hazard is not None else {}
+
+    @property
+    def largest_drift(self) -> float | None:
+        """Drift ratio beyond which an analysis has failed; None: the geometry of corotational columns has no limit."""
+        if self.validity.drift is not None:
+            return self.validity.drift
+        return None if self.elements.geometry.columns == "corotational" else self.validity.geometric_drift
 
     def record_path(self, name: str) -> Path:
         """The file of a record that is given by `file`.

@@ -30,8 +30,6 @@ def dampers_table(groups: Mapping[str, Group]) -> Table:
         worst = str(group.coords["damper"].values[int(np.argmax(deformation))]) if deformation is not None else "-"
         work = group.variables.get("damper_work_final")
         total = float(np.sum(work.values)) if work is not None else None
-        warnings = group.attributes.get("damper_warnings")
-        table.notes += [f"{name}: {warning}" for warning in (warnings if isinstance(warnings, list) else [])]
         table.rows.append([name, *cells, worst, number(total, scale=1e3), number(_share(group), scale=0.01)])
     return table
 

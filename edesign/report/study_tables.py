@@ -20,6 +20,7 @@ from edesign.report.table import Table, number, seconds, whole
 from edesign.report.verdict_tables import objectives_table, performance_table, verdicts_table
 from edesign.study.outcome import COLLAPSED, COMPLETED, SKIPPED
 from edesign.study.plan import DESIGNS, INCREMENTAL
+from edesign.study.warnings import warning_lines
 
 EXPECTED = (COLLAPSED, SKIPPED)  # ends of histories of incremental studies that are no failures
 
@@ -53,8 +54,7 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
     """Return how many analyses of each variant and level there are, how many completed, and what they cost.
 
     Of incremental studies there is a row for each variant, with the histories that ended in collapse, and those that
-    were skipped after one. Failed analyses are named with their reasons below, and dampers that strained beyond their
-    tests.
+    were skipped after one. Failed analyses are named with their reasons below, and what is doubtful about the others.
 
     Args:
         archive: complete or partial.
@@ -76,7 +76,7 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
         table.rows.append([title, str(len(found)), *counts, *cells])
         told = [item for item in entries if item["reason"] and item["status"] not in EXPECTED]
         table.notes += [f"{item['name']}: {item['status']}: {item['reason']}" for item in told]
-        table.notes += _beyond_tests(title, found)
+        table.notes += [f"{title}: {line}" if len(found) > 1 else line for line in warning_lines(found)]
     return table
 
 
@@ -98,29 +98,6 @@ def _entry_of(name: str, group: Group, stripes: tuple[str, ...]) -> str:
             return title
     kind = group.attributes.get("kind")
     return (name.rpartition(".")[0] if kind == "history" or kind is None else name) or name
-
-
-def _beyond_tests(title: str, found: Mapping[str, Group]) -> list[str]:
-    """A line where dampers strained beyond the tests of their law, for all histories together."""
-    warned = {name: group.attributes.get("damper_warnings") for name, group in found.items()}
-    told = {name: texts for name, texts in warned.items() if isinstance(texts, list) and texts}
-    if not told:
-        return []
-    if len(found) == 1:
-        return [f"{title}: {text}" for texts in told.values() for text in texts]
-    worst = max(told, key=lambda name: _largest_strain(found[name]))
-    record = worst.removeprefix(f"{title}.")
-    return [
-        f"{title}: in {len(told)} of {len(found)} histories dampers strain beyond their tests, most in {record}: "
-        + "; ".join(told[worst])
-    ]
-
-
-def _largest_strain(group: Group) -> float:
-    found = [
-        group.variables[key].values for key in ("damper_strain_max", "damper_strain_min") if key in group.variables
-    ]
-    return max((float(abs(values).max()) for values in found if values.size), default=0.0)
 
 
 def _sum(cost: list[Mapping[str, float | None]], key: str) -> float | None:

@@ -15,6 +15,7 @@ from edesign.errors import InputError
 from edesign.project.problems import did_you_mean, listed
 from edesign.study.plan import ANALYSES
 from edesign.study.record_results import RECORDS
+from edesign.study.warnings import ATTRIBUTE, warnings_of
 
 STATISTICS = ("steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error")
 ROOT = ("title", "status", "project_file", "project_checksum", "input_checksum", "edesign_version", "core_version")
@@ -28,10 +29,11 @@ def summarise(archive: str | os.PathLike[str], analysis: str | None = None) -> d
         analysis: name of one analysis; all if None.
 
     Returns:
-        {"archive": {title, status, complete, versions ...}, "records": [...], "analyses": [{"name", "kind", "variant",
-        "record", "level", "status", "reason", "measures": {...}, "statistics": {...}}]}. Analyses that were planned and
-        have no result have the status "not run". Records have the attributes of their groups, and those of suites stand
-        under "records" of their suite; they are left out when one analysis is asked for.
+        {"archive": {title, status, complete, versions, warnings ...}, "records": [...], "analyses": [{"name", "kind",
+        "variant", "record", "level", "status", "reason", "warnings": [...], "measures": {...}, "statistics": {...}}]}.
+        Analyses that were planned and have no result have the status "not run". Warnings are sentences; those of the
+        archive are doubts about the input. Records have the attributes of their groups, and those of suites stand under
+        "records" of their suite; they are left out when one analysis is asked for.
 
     Raises:
         ArchiveError: the archive cannot be read.
@@ -40,6 +42,7 @@ def summarise(archive: str | os.PathLike[str], analysis: str | None = None) -> d
     with open_archive(archive) as opened:
         names = planned(opened) if analysis is None else [find(opened, analysis)]
         about = {name: opened.attributes.get(name) for name in ROOT} | {"complete": opened.complete}
+        about[ATTRIBUTE] = input_warnings(opened)
         found = {"archive": finite(about), "analyses": [entry(name, results(opened, name)) for name in names]}
         return found if analysis is not None else {**found, "records": finite(record_entries(opened, RECORDS))}
 
@@ -76,6 +79,12 @@ def find(archive: Archive, name: str) -> str:
     return name
 
 
+def input_warnings(archive: Archive) -> list[str]:
+    """Return what was doubtful about the input of a run, a sentence each."""
+    found = archive.attributes.get(ATTRIBUTE)
+    return [str(text) for text in found] if isinstance(found, list) else []
+
+
 def results(archive: Archive, name: str) -> Group:
     """Return the results of an analysis; one that was planned and has none is a group with the status "not run"."""
     path = f"{ANALYSES}/{name}"
@@ -104,6 +113,7 @@ def entry(name: str, group: Group) -> dict[str, Any]:
             **labels,
             "status": str(attributes.get("status", "")),
             "reason": str(attributes.get("reason") or ""),
+            ATTRIBUTE: [warning.text for warning in warnings_of(group)],
             "measures": response_measures(group),
             "statistics": {key: statistics.get(key) for key in STATISTICS} | dict(statistics),
         }

@@ -14,8 +14,9 @@ from edesign.report.damper_results import damper_stiffness_table, dampers_table,
 from edesign.report.measure_columns import FRAME_COLUMNS, ROUNDING
 from edesign.report.record_tables import tables_of
 from edesign.report.study_tables import study_tables
-from edesign.report.summary import entry, find, planned, results
+from edesign.report.summary import entry, find, input_warnings, planned, results
 from edesign.report.table import Table, number, seconds, whole
+from edesign.study.warnings import warning_lines, warnings_of
 
 PROFILE_COLUMNS = (
     ("floor u [m]", "floor_displacement", 1.0),
@@ -36,10 +37,10 @@ def overview(archive: str | os.PathLike[str]) -> list[Table]:
     """
     with open_archive(archive) as opened:
         if is_study_archive(opened):
-            return [_heading(opened), *tables_of(opened), *study_tables(opened)]
+            return [_heading(opened), warnings_table(opened), *tables_of(opened), *study_tables(opened)]
         groups = {name: results(opened, name) for name in planned(opened)}
         entries = [entry(name, group) for name, group in groups.items()]
-        tables = [_heading(opened), *tables_of(opened), analyses_table(entries)]
+        tables = [_heading(opened), warnings_table(opened, groups), *tables_of(opened), analyses_table(entries)]
         tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
         tables += [measures_table(entries), dampers_table(groups), statistics_table(entries)]
         return [table for table in tables if table.rows or table.notes]
@@ -57,6 +58,7 @@ def details(archive: str | os.PathLike[str], name: str) -> list[Table]:
         entries = [entry(name, group)]
         tables = [
             analyses_table(entries),
+            Table("Warnings", notes=[warning.text for warning in warnings_of(group)]),
             periods_table(name, group),
             damper_stiffness_table(name, group),
             measures_table(entries),
@@ -65,6 +67,11 @@ def details(archive: str | os.PathLike[str], name: str) -> list[Table]:
         ]
         tables += [statistics_table(entries), fallbacks_table(name, group)]
         return [table for table in tables if table.rows or table.notes]
+
+
+def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:
+    """Return what is doubtful about the input and, of the analyses that are given, about their results; no columns."""
+    return Table("Warnings", notes=[*input_warnings(archive), *warning_lines(groups or {})])
 
 
 def analyses_table(entries: list[dict[str, Any]]) -> Table:
@@ -88,7 +95,7 @@ def measures_table(entries: list[dict[str, Any]]) -> Table:
         cells = [number(item["measures"][measure], scale=unit, negligible=ROUNDING) for _, measure, unit in shown]
         table.rows.append([item["name"] + mark, *cells])
     if any(item["status"] != "completed" for item in rows):
-        table.notes.append("* not completed: as far as the analysis came")
+        table.notes.append("* not completed: as far as the analysis came, and not to be relied on")
     return table
 
 

@@ -2,31 +2,50 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
+from edesign.errors import AnalysisError
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.checks_criteria import objective_level
+from edesign.project.checks_designs import design_warnings
 from edesign.project.materials import ElasticMaterial
 from edesign.project.problems import listed
 from edesign.project.project import Project
 from edesign.project.sections import ElasticSection
 from edesign.project.study import Study
+from edesign.study.buckling import slender_braces
+from edesign.study.dampers import law_warnings
+from edesign.study.modal import fundamental_period
 from edesign.study.plan import Task
+from edesign.study.plausibility import implausible
+from edesign.study.structure import make_frame
+from edesign.study.variants import variant_warnings
 
 STEPS_A_PERIOD = 10  # Bathe (2014), 9.4.4: the trapezoidal rule lengthens a period by 3 % at ten steps
 
 
-def advice(project: Project, period: float | None, records: Mapping[str, Record]) -> list[str]:
-    """Return one sentence for each thing that the author should know.
+def project_warnings(project: Project, records: Mapping[str, Record]) -> list[str]:
+    """Return one sentence for each doubt about the input of a project, without those about its records.
 
     Args:
         project: the validated project.
-        period: fundamental period of its frame, s; None if it has no masses.
         records: as recorded, those that its histories use, by reference.
+
+    Raises:
+        InputError: the frame cannot be built, or a law has no parameters at its temperature.
     """
-    found = []
+    return [*frame_warnings(project, records), *law_warnings(project)]
+
+
+def frame_warnings(project: Project, records: Mapping[str, Record]) -> list[str]:
+    """Return the doubts about a frame and its analysis; arguments and errors as `project_warnings`."""
+    try:
+        period = fundamental_period(project)
+    except AnalysisError:
+        period = None  # the analyses will say why
+    found = implausible(project, period) + slender_braces(project, make_frame(project, dampers=True))
     staying = [
         name
         for name, run in project.frame.members.items()
@@ -38,7 +57,6 @@ def advice(project: Project, period: float | None, records: Mapping[str, Record]
             f"{listed(staying, 3)} will not yield: a section given by `area` and `inertia` stays elastic whatever its "
             "material; give plates or `rectangles` for a section that yields"
         )
-    found += [f"record {name}: {doubt}" for name, record in records.items() for doubt in doubts(record)]
     given = project.integration.time_step if project.integration is not None else None
     if given is not None:
         passed = {name: r.time_step for name, r in records.items() if given > r.time_step * (1 + 1e-9)}
@@ -54,6 +72,27 @@ def advice(project: Project, period: float | None, records: Mapping[str, Record]
             f"the time step of {longest:g} s is longer than 1/{STEPS_A_PERIOD} of the period T1 = {period:.4g} s"
         )
     return found
+
+
+def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Record]) -> list[str]:
+    """Return one sentence for each doubt about the input of a study, without those about its records.
+
+    Args:
+        study: the validated study.
+        plan: of the study.
+        records: as recorded, those that its histories use, by reference.
+
+    Raises:
+        InputError: the frame cannot be built, or a law has no parameters at a temperature.
+    """
+    found = frame_warnings(study.base, records)
+    found += [f"design {name}: {text}" for name, spec in study.designs.items() for text in design_warnings(spec)]
+    return [*found, *variant_warnings(study, plan)]
+
+
+def record_warnings(records: Mapping[str, Record]) -> list[str]:
+    """Return the doubts about records, which the tables of a run show beside each."""
+    return [f"record {name}: {doubt}" for name, record in records.items() for doubt in doubts(record)]
 
 
 def unjudged(study: Study, plan: Iterable[Task]) -> list[str]:

@@ -14,15 +14,13 @@ from edesign.ground_motion.hazard import checked_hazard
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found
 from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
-from edesign.project.checks_designs import design_warnings
 from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.outputs import Outputs
 from edesign.project.problems import keys_text
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords, record_of
 from edesign.project.study import Study
-from edesign.study.advice import advice, unjudged
-from edesign.study.dampers import law_warnings
+from edesign.study.advice import project_warnings, record_warnings, study_warnings, unjudged
 from edesign.study.design.design import check_sizing
 from edesign.study.history import check_motion
 from edesign.study.modal import fundamental_period, mode_count
@@ -154,7 +152,7 @@ def check_project(project: Project) -> dict[str, str]:
 
     Returns:
         Text by label: title, frame, members, period (first period under gravity), records, analyses, archive;
-        and notes, if something is allowed but may not be meant.
+        and warnings, one a line, if something is allowed but may not be meant.
 
     Raises:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
@@ -166,8 +164,8 @@ def check_project(project: Project) -> dict[str, str]:
     unused = [name for name in project.records if all(name != record_of(key) for key in found)]
     others = find_recordings(project, [key for name in unused for key in references(project, name)])
     period = fundamental_period(project)
-    notes = advice(project, period, {name: item.record for name, item in found.items()})
-    notes += law_warnings(project)
+    recorded = {name: item.record for name, item in found.items()}
+    warnings = [*project_warnings(project, recorded), *record_warnings(recorded)]
     return {
         "title": project.title,
         "frame": _frame(project),
@@ -177,7 +175,7 @@ def check_project(project: Project) -> dict[str, str]:
         "records": _records(project, {**found, **others}),
         "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
         "archive": str(project.archive_path),
-        **({"notes": "; ".join(notes)} if notes else {}),
+        **({"warnings": "\n".join(warnings)} if warnings else {}),
     }
 
 
@@ -188,7 +186,8 @@ def check_study(study: Study) -> dict[str, str]:
         study: from `load_study`.
 
     Returns:
-        Text by label: title, project, frame, records, designs, variants, analyses, criteria, archive; and notes.
+        Text by label: title, project, frame, records, designs, variants, analyses, criteria, archive; and
+        warnings, one a line.
 
     Raises:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
@@ -199,10 +198,8 @@ def check_study(study: Study) -> dict[str, str]:
     found = check_study_inputs(study, plan)
     period = fundamental_period(study.base)
     entries = Counter(task.entry for task in plan)
-    notes = advice(study.base, period, {name: item.record for name, item in found.items()})
-    notes += [f"design {name}: {text}" for name, spec in study.designs.items() for text in design_warnings(spec)]
-    notes += variant_warnings(study, plan)
-    notes += unjudged(study, plan)
+    recorded = {name: item.record for name, item in found.items()}
+    warnings = [*study_warnings(study, plan, recorded), *record_warnings(recorded), *unjudged(study, plan)]
     return {
         "title": study.title,
         "project": str(study.base.path),
@@ -214,7 +211,7 @@ def check_study(study: Study) -> dict[str, str]:
         "analyses": ", ".join(f"{name} ({count})" if count > 1 else name for name, count in entries.items()),
         "criteria": str(len(study.criteria) + len(study.objectives)),
         "archive": str(study.archive_path),
-        **({"notes": "; ".join(notes)} if notes else {}),
+        **({"warnings": "\n".join(warnings)} if warnings else {}),
     }
 
 

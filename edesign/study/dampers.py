@@ -13,6 +13,7 @@ from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
 from edesign.project.dampers import LawDescription, TunedMass
 from edesign.project.project import Project
+from edesign.study.warnings import AnalysisWarning
 
 WATER = 1000.0  # kg/m3
 
@@ -58,7 +59,7 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     return DeviceLaw(numbers, *size, strain_of_tests(described), spec.property_factor), warnings
 
 
-def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[str]:
+def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[AnalysisWarning]:
     """Dampers that strained beyond the tests of their law, a line for each law.
 
     Args:
@@ -73,10 +74,11 @@ def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[str]:
     for (name, tested), places in beyond.items():
         most = max(places, key=lambda i: strain[i])
         count = "1 damper strains" if len(places) == 1 else f"{len(places)} dampers strain"
-        found.append(
+        text = (
             f"law {name}: {count} beyond its tests, which went to {100.0 * tested:g} %: "
             f"{devices[most].name} to {100.0 * strain[most]:.3g} %"
         )
+        found.append(AnalysisWarning("damper_strain", text, float(strain[most]) / tested))
     return found
 
 

@@ -24,6 +24,7 @@ from edesign.study.plan import Task, waves
 from edesign.study.progress import Listener, Progress
 from edesign.study.provenance import IDENTITY, circumstances
 from edesign.study.record_results import project_record_groups
+from edesign.study.warnings import ATTRIBUTE
 from edesign.study.works import analyse, analyse_stripe
 
 MATCHING = "matching"  # what the progress of the fit of the records is called
@@ -75,6 +76,7 @@ def execute(
         return True
 
     extra = {"provenance": circumstances()}
+    job.root.attributes[ATTRIBUTE] = list(job.warnings)
     with ArchiveWriter(path, job.root, IDENTITY, None if fresh else accept, extra) as writer:
         run = Execution(job, listener, backend, workers, writer)
         if writer.note:
@@ -83,8 +85,8 @@ def execute(
         if kept or run.resumable:
             found = f", with {_places(run)}" if run.resumable else ""
             run.note(f"continuing an interrupted run: {len(kept)} of {len(tasks)} analyses are reused{found}")
-        for note in job.notes:
-            run.note(note)
+        for warning in job.warnings:
+            run.note(f"warning: {warning}")
         for place in kept:
             run.ended(earlier[place])
         with stop_on_signals(run.stop, lambda: run.critical):

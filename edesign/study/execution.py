@@ -35,7 +35,7 @@ class Job:
         tasks: the plan.
         recordings: what the plan needs, by reference.
         root: of the archive.
-        notes: doubts about the input, for the user.
+        warnings: doubts about the input, for the user and the archive.
         prepare: called once the records are ready, before the first task.
         resumable: places of other groups in the archive that an interrupted run may have left.
     """
@@ -45,7 +45,7 @@ class Job:
     tasks: tuple[Task, ...]
     recordings: Mapping[str, Found]
     root: Group
-    notes: tuple[str, ...]
+    warnings: tuple[str, ...]
     prepare: Callable[[Execution], Prepared]
     resumable: tuple[str, ...] = ()
 

@@ -7,8 +7,11 @@ from edesign.building.frame import FrameModel
 from edesign.project.analyses import GravityAnalysis
 from edesign.project.project import Project
 from edesign.study import quantities as q
+from edesign.study.buckling import buckling_warnings
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.structure import make_structure
+from edesign.study.validity import judged, rotation_limits, rotation_names
+from edesign.study.warnings import store_warnings
 
 
 def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
@@ -23,7 +26,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     q.coordinates(group, frame)
     coordinate(group, "node", list(frame.nodes), "", "name of the node")
     coordinate(group, "support", list(frame.supports), "", "name of the supported node")
-    drifts = q.line_drifts(frame)
+    drifts, rotations = q.line_drifts(frame), q.chord_rotations(frame)
     recorded = [
         q.floor_displacements(frame, history=False),
         q.storey_drifts(frame, history=False),
@@ -35,9 +38,14 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
         *_node_displacements(frame),
         *_reactions(frame),
     ]
-    response = structure.analysis.static(frame.gravity, 1.0, spec.steps, channels([*recorded, drifts]))
+    names = rotation_names(frame, drifts, [*recorded, rotations])
+    response = structure.analysis.static(
+        frame.gravity, 1.0, spec.steps, channels([*recorded, drifts, rotations]), rotation_limits(project, names)
+    )
+    response, doubts = judged(response, project, names, "load factor")
     store(group, recorded, response, "step")
     q.store_drift_extremes(group, frame, drifts, response)
+    store_warnings(group, [*doubts, *buckling_warnings(group, project, frame)])
     store_run(group, response)
     return group
 

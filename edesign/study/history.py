@@ -19,6 +19,7 @@ from edesign.project.integration import HHTIntegration, Integration, NewmarkInte
 from edesign.project.project import Project
 from edesign.project.records import record_of
 from edesign.study import quantities as q
+from edesign.study.buckling import buckling_warnings
 from edesign.study.collapse import collapse_reason, drift_limits
 from edesign.study.dampers import strain_warnings
 from edesign.study.modal import fundamental_period
@@ -27,6 +28,8 @@ from edesign.study.recording import Quantity, channels, coordinate, store, store
 from edesign.study.requested import requested_quantities
 from edesign.study.residual import DEFINITION, residual
 from edesign.study.structure import Structure, make_structure
+from edesign.study.validity import judged, rotation_limits, rotation_names
+from edesign.study.warnings import store_warnings
 
 MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; every quantity keeps 8 bytes of each step in memory
 
@@ -77,6 +80,7 @@ def run_history(
         *q.dampers(frame, "dampers" in wanted),
         *requested,
     ]
+    names = rotation_names(frame, drifts, others)
     period = _damp(project, structure)
     group.attributes |= _provenance(motion, factor, ground, spec) | {"fundamental_period_s": period}
     # Every step is recorded, whatever is kept later: the residual response does not depend on what is kept.
@@ -87,9 +91,11 @@ def run_history(
         channels=channels([displacements, drift, drifts, *others]),
         progress=progress,
         stop=stop,
-        limits=drift_limits(drifts, spec.collapse_drift),
+        limits=rotation_limits(project, names) | drift_limits(drifts, spec.collapse_drift),
     )
-    reason = collapse_reason(response, drifts, q.line_drift_storeys(frame))
+    counted, doubts = judged(response, project, names)
+    reason = collapse_reason(response, drifts, q.line_drift_storeys(frame)) if counted is response else ""
+    response = counted
     if reason:
         response = replace(response, status="failed", reason=reason)
         group.attributes["collapsed"] = True
@@ -101,7 +107,7 @@ def run_history(
     q.store_drift_extremes(group, frame, drifts, response)
     if "damper_strain_max" in group.variables:
         strain = np.maximum(group.variables["damper_strain_max"].values, -group.variables["damper_strain_min"].values)
-        group.attributes["damper_warnings"] = strain_warnings(frame.devices, strain)
+        doubts += strain_warnings(frame.devices, strain)
     _store_energy(group, response, every, "energy" in wanted)
     if response.status == "completed":
         floors_left = residual(displacements.values(response), ground.time_step, period)
@@ -113,6 +119,7 @@ def run_history(
         group.add(
             "residual_storey_drift", ("storey",), residual(drift.values(response), ground.time_step, period), "1", label
         )
+    store_warnings(group, [*doubts, *buckling_warnings(group, project, frame)])
     store_run(group, response, "time", "s")
     return group
 

@@ -12,9 +12,12 @@ from edesign.errors import AnalysisError
 from edesign.project.analyses import PushoverAnalysis
 from edesign.project.project import Project
 from edesign.study import quantities as q
+from edesign.study.buckling import buckling_warnings
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.requested import requested_quantities
 from edesign.study.structure import make_frame, make_structure
+from edesign.study.validity import judged, rotation_limits, rotation_names
+from edesign.study.warnings import store_warnings
 
 
 def run_pushover(
@@ -55,6 +58,7 @@ def run_pushover(
         *q.dampers(frame, history=False),
         *requested_quantities(project, frame, group),
     ]
+    names = rotation_names(frame, drifts, recorded)
     target = spec.roof_drift * frame.frame.height
     response = structure.analysis.pushover(
         lateral,
@@ -65,10 +69,13 @@ def run_pushover(
         channels([*recorded, drifts]),
         progress,
         stop,
+        rotation_limits(project, names),
     )
+    response, doubts = judged(response, project, names, "displacement")
     coordinate(group, "step", np.arange(response.time.size), "1", "step, 0 is under gravity alone")
     store(group, recorded, response, "step")
     q.store_drift_extremes(group, frame, drifts, response)
+    store_warnings(group, [*doubts, *buckling_warnings(group, project, frame)])
     store_run(group, response, "displacement of the controlled node", "m")
     coordinate(group, "loaded_node", list(loads), "", "name of the node with a lateral load")
     label = "share of the node in the lateral load"

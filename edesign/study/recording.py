@@ -37,9 +37,14 @@ class Quantity:
     history: bool = False
     keep: tuple[str, ...] = ("max", "min", "final")
 
+    @property
+    def keys(self) -> dict[int, str]:
+        """Name of the channel of each component that has terms."""
+        return {i: self._key(i) for i, terms in enumerate(self.cells) if terms}
+
     def channels(self) -> list[Channel]:
         """Channels of the components that have terms."""
-        return [Channel(self._key(i), terms, self.history) for i, terms in enumerate(self.cells) if terms]
+        return [Channel(key, self.cells[i], self.history) for i, key in self.keys.items()]
 
     def values(self, response: Response) -> np.ndarray:
         """Values at every time, shape (nt, *shape)."""

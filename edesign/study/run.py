@@ -8,10 +8,9 @@ from pathlib import Path
 
 from edesign.project.project import Project
 from edesign.project.study import Study
-from edesign.study.advice import unjudged
+from edesign.study.advice import project_warnings, study_warnings, unjudged
 from edesign.study.backends import make_backend
 from edesign.study.check import check_inputs, check_study_inputs
-from edesign.study.dampers import law_warnings
 from edesign.study.designing import study_designs
 from edesign.study.execute import execute
 from edesign.study.execution import Execution, Job, Prepared
@@ -21,7 +20,6 @@ from edesign.study.plan import DESIGNS, make_plan
 from edesign.study.progress import Listener, silent
 from edesign.study.provenance import root_group, study_root_group
 from edesign.study.study_plan import make_study_plan
-from edesign.study.variants import variant_warnings
 
 __all__ = ["Outcome", "RunSummary", "default_archive_path", "run_project", "run_study"]
 
@@ -68,12 +66,12 @@ def run_project(
     recordings = check_inputs(project, [task.spec for task in plan])
     checksums = {name: found.record.checksum for name, found in recordings.items()}
     root = root_group(project, [task.name for task in plan], checksums)
-    notes = tuple(law_warnings(project)) if any(task.spec.dampers for task in plan) else ()
+    warnings = tuple(project_warnings(project, {name: item.record for name, item in recordings.items()}))
 
     def prepare(run: Execution) -> Prepared:
         return lambda task: (project, task.spec)
 
-    job = Job(project.path, project, plan, recordings, root, notes, prepare)
+    job = Job(project.path, project, plan, recordings, root, warnings, prepare)
     with make_backend(backend, workers, scheduler) as made:
         return execute(job, path, progress or silent, made, workers, fresh, overwrite)
 
@@ -100,13 +98,14 @@ def run_study(
     checksums = {name: found.record.checksum for name, found in recordings.items()}
     root = study_root_group(study, [task.name for task in plan], checksums)
     resumable = tuple(f"{DESIGNS}/{name}" for name in study.designs)
-    notes = (*variant_warnings(study, plan), *(() if only else unjudged(study, plan)))
+    warnings = study_warnings(study, plan, {name: item.record for name, item in recordings.items()})
+    warnings += [] if only else unjudged(study, plan)
 
     def prepare(run: Execution) -> Prepared:
         frames = study_designs(study, run)
         return frames if run.stopped() else study_stripes(study, run, frames)
 
-    job = Job(study.path, study.base, plan, recordings, root, notes, prepare, resumable)
+    job = Job(study.path, study.base, plan, recordings, root, tuple(warnings), prepare, resumable)
     with make_backend(backend, workers, scheduler) as made:
         return execute(job, path, progress or silent, made, workers, fresh, overwrite)
 

@@ -52,6 +52,8 @@ class Structure:
         response = self.analysis.static(self.frame.gravity, factor=1.0, steps=GRAVITY_STEPS)
         if response.status != "completed":
             raise AnalysisError(f"under the gravity loads: {response.reason}")
+        if not response.finite:
+            raise AnalysisError("under the gravity loads: a result is not a finite number")
         return response
 
 

@@ -14,7 +14,9 @@ from edesign.report.measure_tables import missing_notes
 from edesign.report.page.section import Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.sections.verdicts import judged, verdict_tiles
 from edesign.report.page.source import Source
+from edesign.report.summary import input_warnings
 from edesign.report.table import Table, number
+from edesign.study.warnings import warning_lines
 
 Measured = tuple[HistorySet, dict[str, Statistics]]
 TILES = (  # label, measure, unit, unit in SI
@@ -38,7 +40,7 @@ NAMED = 20
 
 def summary(source: Source) -> Section:
     """What a reader should know who reads nothing else."""
-    parts: list[Part] = [*_failures(source.entries)]
+    parts: list[Part] = [*_failures(source.entries), *_warnings(source)]
     verdicts, tables = judged(source)
     parts += [Headlines(tiles) for tiles in (verdict_tiles(verdicts), _tiles(source.statistics)) if tiles]
     parts += tables
@@ -152,6 +154,12 @@ def _plural(kind: str, count: int) -> str:
 def _listed(names: Iterable[str]) -> str:
     found = [name for name in dict.fromkeys(names) if name]
     return found[0] if len(found) == 1 else f"{', '.join(found[:-1])} and {found[-1]}" if found else ""
+
+
+def _warnings(source: Source) -> list[Part]:
+    """What is doubtful: about the input, and about results, those of one kind together."""
+    lines = [*input_warnings(source.archive), *warning_lines(source.groups)]
+    return [Warnings("Warnings", tuple(lines))] if lines else []
 
 
 def _failures(entries: Sequence[dict[str, Any]]) -> list[Part]:

@@ -1,0 +1,128 @@
+"""Members as struts: the compression at which they buckle by EN 1993-1-1, which the analysis does not follow.
+
+A brace is a bar between two nodes and carries compression as it carries tension; a column is analysed in the plane of
+the frame only. Both axes count here, with the buckling length between nodes (of braces times their factor).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Literal
+
+from edesign.building.frame import FrameModel
+from edesign.building.named_section import cross_section
+from edesign.building.profiles import profile
+from edesign.building.section import CrossSection
+from edesign.codes.ec3.buckling import (
+    Curve,
+    buckling_resistance,
+    critical_force,
+    reduction_factor,
+    rolled_i_curve,
+    slenderness,
+    solid_curve,
+    welded_i_curve,
+)
+from edesign.project.materials import ElasticMaterial, Material
+from edesign.project.members import BraceRun
+from edesign.project.project import Project
+from edesign.project.sections import PlateSection
+
+AxisData = tuple[float, Curve]  # second moment of area, m4, and buckling curve
+
+
+Kind = Literal["column", "brace", "brace of a damper"]
+
+
+@dataclass(frozen=True)
+class Strut:
+    """A member in compression.
+
+    Attributes:
+        length: L_cr, m.
+        slenderness: non-dimensional, about the axis that governs; of a steel that does not yield it is infinite.
+        resistance: N_b,Rd, N; of a steel that does not yield N_cr.
+        squash: A f_y, N; of a steel that does not yield infinite.
+    """
+
+    length: float
+    slenderness: float
+    resistance: float
+    squash: float
+
+
+@dataclass(frozen=True)
+class Bar:
+    """A member of a frame that is compressed.
+
+    Attributes:
+        name: of the column or brace, or of the damper that the brace belongs to.
+        section: its name.
+        strut: None: the section has no second moment of area.
+    """
+
+    name: str
+    kind: Kind
+    section: str
+    strut: Strut | None
+
+
+def strut(project: Project, section: str, material: str, length: float) -> Strut | None:
+    """Return a member as a strut; None if its section has no second moment of area.
+
+    Rolled profiles have the properties of the catalogue, fillets included. An own elastic section has one axis, and
+    curve c: its shape is not known. A stack of rectangles is taken as solid.
+
+    Args:
+        project: the validated project.
+        section, material: names in it.
+        length: L_cr about both axes, m.
+
+    Source: EN 1993-1-1:2005, 6.3.1.
+    """
+    steel = project.materials[material]
+    area, axes = _section(project, section, steel)
+    if not axes:
+        return None
+    critical = [(critical_force(steel.E, inertia, length), curve) for inertia, curve in axes]
+    if isinstance(steel, ElasticMaterial):
+        return Strut(length, math.inf, min(force for force, _ in critical), math.inf)
+    squash = area * steel.fy
+    slendernesses = [(slenderness(area, steel.fy, force), curve) for force, curve in critical]
+    chi, governing = min((reduction_factor(value, curve), value) for value, curve in slendernesses)
+    return Strut(length, governing, buckling_resistance(area, steel.fy, chi), squash)
+
+
+def frame_bars(project: Project, frame: FrameModel) -> list[Bar]:
+    """Return the columns and braces of a frame, and the braces of its dampers that are given by their section."""
+    found = []
+    for member in (*frame.of_kind("column"), *frame.of_kind("brace")):
+        run = project.frame.members[member.name]
+        (x0, y0), (x1, y1) = (frame.frame.nodes[node] for node in (member.start, member.end))
+        length = math.hypot(x1 - x0, y1 - y0) * (run.buckling_length_factor if isinstance(run, BraceRun) else 1.0)
+        kind: Kind = "brace" if member.kind == "brace" else "column"
+        found.append(Bar(member.name, kind, run.section, strut(project, run.section, run.material, length)))
+    for device in frame.devices:
+        bar = device.brace_bar
+        if bar is not None:
+            made = strut(project, bar.section, bar.material, bar.length)
+            found.append(Bar(device.name, "brace of a damper", bar.section, made))
+    return found
+
+
+def _section(project: Project, name: str, steel: Material) -> tuple[float, list[AxisData]]:
+    """Area (m2), and about each axis second moment of area and buckling curve."""
+    own = project.sections.get(name)
+    shape = cross_section(project, name)
+    if not isinstance(shape, CrossSection):
+        return shape.area, [] if shape.inertia is None else [(shape.inertia, solid_curve())]
+    weak = sum(strip.depth * strip.width**3 / 12.0 for strip in shape.strips)  # fillets add nothing that counts
+    if isinstance(own, PlateSection):
+        return shape.area, [(shape.inertia, welded_i_curve(own.flange, "y")), (weak, welded_i_curve(own.flange, "z"))]
+    if own is not None:
+        return shape.area, [(shape.inertia, solid_curve()), (weak, solid_curve())]
+    rolled = profile(name)
+    fy = 0.0 if isinstance(steel, ElasticMaterial) else steel.fy
+    curves = [rolled_i_curve(rolled.h, rolled.b, rolled.tf, axis, fy) for axis in ("y", "z")]
+    return rolled.area, [(rolled.inertia, curves[0]), (weak, curves[1])]

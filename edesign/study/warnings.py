@@ -1,0 +1,78 @@
+"""What is doubtful about the result of an analysis: found by the analysis, archived with it, told by tables and report.
+
+Doubts about the input stand in the root of the archive, as sentences (`edesign.study.advice`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass
+from typing import Literal
+
+from edesign.archive.dataset import Group
+
+ATTRIBUTE = "warnings"
+Kind = Literal["energy_error", "damper_strain", "brace_buckling", "column_buckling"]
+
+ALIKE: Mapping[Kind, str] = {
+    "energy_error": "the energy balance is doubtful",
+    "damper_strain": "dampers strain beyond the tests of their law",
+    "brace_buckling": "braces carry more compression than their buckling resistance",
+    "column_buckling": "columns carry more compression than their buckling resistance",
+}
+"""What analyses with a warning of one kind have in common."""
+
+
+@dataclass(frozen=True)
+class AnalysisWarning:
+    """A doubt about the result of an analysis.
+
+    Attributes:
+        kind: a key of `ALIKE`.
+        text: a sentence without its full stop, with the numbers.
+        ratio: the value over the one from which it is doubtful, to find the worst of several analyses.
+    """
+
+    kind: Kind
+    text: str
+    ratio: float
+
+
+def store_warnings(group: Group, warnings: Iterable[AnalysisWarning]) -> None:
+    """Add warnings to those of an analysis."""
+    group.attributes[ATTRIBUTE] = [
+        *(asdict(warning) for warning in warnings_of(group)),
+        *(asdict(warning) for warning in warnings),
+    ]
+
+
+def warnings_of(group: Group) -> list[AnalysisWarning]:
+    """Return the warnings of an analysis, as archived."""
+    found = group.attributes.get(ATTRIBUTE)
+    items = found if isinstance(found, list) else []
+    return [
+        AnalysisWarning(item["kind"], str(item["text"]), float(item["ratio"]))
+        for item in items
+        if isinstance(item, Mapping) and item.get("kind") in ALIKE
+    ]
+
+
+def warning_lines(groups: Mapping[str, Group]) -> list[str]:
+    """Return the warnings of analyses, those of one kind in several analyses as one line with the worst of them.
+
+    Args:
+        groups: results of analyses by name; the line says of how many.
+    """
+    lines = []
+    for kind, alike in ALIKE.items():
+        told = {name: [w for w in warnings_of(group) if w.kind == kind] for name, group in groups.items()}
+        told = {name: several for name, several in told.items() if several}
+        if not told:
+            continue
+        worst = max(told, key=lambda name: max(warning.ratio for warning in told[name]))
+        if len(told) == 1:
+            lines += [f"{worst}: {warning.text}" for warning in told[worst]]
+        else:
+            texts = "; ".join(warning.text for warning in told[worst])
+            lines.append(f"in {len(told)} of {len(groups)} analyses {alike}, most in {worst}: {texts}")
+    return lines
