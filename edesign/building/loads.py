@@ -30,3 +30,11 @@ def node_loads(project: Project, factors: Combination) -> dict[str, float]:
             name = names.node_name(*place)
             found[name] = found.get(name, 0.0) + combined(load, factors)
     return {name: value for name, value in found.items() if value != 0.0}
+
+
+def gravity_load(project: Project) -> float:
+    """Return the sum of the loads of the gravity combination on beams and nodes, N, positive downwards."""
+    widths = project.frame.bay_widths
+    on_beams = beam_loads(project, project.loads.gravity)
+    uniform = sum(on_beams.get(names.beam_name(*place), 0.0) * widths[place[0] - 1] for place in project.frame.beam_at)
+    return uniform + sum(node_loads(project, project.loads.gravity).values())

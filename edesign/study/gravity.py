@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel
+from edesign.building.loads import beam_loads, gravity_load
+from edesign.building.named_section import cross_section
+from edesign.core import Response
 from edesign.project.analyses import GravityAnalysis
 from edesign.project.project import Project
 from edesign.study import quantities as q
@@ -26,7 +31,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     q.coordinates(group, frame)
     coordinate(group, "node", list(frame.nodes), "", "name of the node")
     coordinate(group, "support", list(frame.supports), "", "name of the supported node")
-    drifts, rotations = q.line_drifts(frame), q.chord_rotations(frame)
+    drifts = q.line_drifts(frame)
     recorded = [
         q.floor_displacements(frame, history=False),
         q.storey_drifts(frame, history=False),
@@ -38,16 +43,54 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
         *_node_displacements(frame),
         *_reactions(frame),
     ]
-    names = rotation_names(frame, drifts, [*recorded, rotations])
+    names = rotation_names(frame, drifts, recorded)
     response = structure.analysis.static(
-        frame.gravity, 1.0, spec.steps, channels([*recorded, drifts, rotations]), rotation_limits(project, names)
+        frame.gravity, 1.0, spec.steps, channels([*recorded, drifts]), rotation_limits(project, names)
     )
     response, doubts = judged(response, project, names, "load factor")
+    reason = _sunk(project, frame, response)
+    if response.status == "completed" and reason:
+        response, doubts = replace(response, status="failed", reason=reason), []
     store(group, recorded, response, "step")
     q.store_drift_extremes(group, frame, drifts, response)
     store_warnings(group, [*doubts, *buckling_warnings(group, project, frame)])
     store_run(group, response)
     return group
+
+
+def _sunk(project: Project, frame: FrameModel, response: Response) -> str:
+    """Say how far the loads sank if that is meaningless, "" if not.
+
+    The work of loads W that grow in proportion, on a frame that stays elastic, is W d/2 with the mean d of their
+    displacements, wherever they stand on the members. That is seen over half a bay, as the slope of a beam that sags.
+    """
+    loads, largest = gravity_load(project), project.largest_drift
+    if loads <= 0.0 or largest is None or not response.energy["input"].size:
+        return ""
+    work = float(response.energy["input"][-1]) + _work_inside(project, frame)
+    sunk = 2.0 * work / loads
+    half = 0.5 * sum(project.frame.bay_widths) / project.frame.n_bays
+    if sunk <= largest * half:
+        return ""
+    return (
+        f"the loads sank by {sunk:.3g} m on average, {100.0 * sunk / half:.3g} % of half a bay; the geometry of the "
+        f"model holds up to {100.0 * largest:.3g} % (`validity.drift`)"
+    )
+
+
+def _work_inside(project: Project, frame: FrameModel) -> float:
+    """Work of the loads on elastic beams as if they were simply supported, J, which the energy balance leaves out.
+
+    It is the same for any moments at their ends: q^2 l^5 / (240 E I).
+    """
+    total = 0.0
+    for name, load in beam_loads(project, project.loads.gravity).items():
+        run, member = project.frame.members[name], frame.members[name]
+        inertia = cross_section(project, run.section).inertia
+        if member.layers is None and inertia is not None:
+            span = frame.frame.nodes[member.end][0] - frame.frame.nodes[member.start][0]
+            total += load**2 * span**5 / (240.0 * project.materials[run.material].E * inertia)
+    return total
 
 
 def _node_displacements(frame: FrameModel) -> list[Quantity]:

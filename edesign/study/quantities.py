@@ -180,14 +180,6 @@ def plastic_rotations(frame: FrameModel) -> list[Quantity]:
     return found
 
 
-def chord_rotations(frame: FrameModel) -> Quantity:
-    """Rotations of the ends of columns and beams from the line between their ends; not stored as such."""
-    members = bending_members(frame)
-    cells = tuple(((1.0, "deformation", member.element, 1 + end),) for member in members for end in (0, 1))
-    name = "rotation of the node against the line between the member's ends"
-    return Quantity("end_chord_rotation", ("member", "end"), (len(members), 2), cells, "rad", name, keep=())
-
-
 def dampers(frame: FrameModel, history: bool) -> list[Quantity]:
     """Force, deformation and work of the dampers; with layers also their shear strain."""
     numbers = [device.number for device in frame.devices]

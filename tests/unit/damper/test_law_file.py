@@ -109,7 +109,8 @@ def test_strains_beyond_the_tests_are_told(folder):
     assert devices[0].tested_strain == 0.5
     assert strain_warnings(devices, np.array([0.5])) == []
     (warning,) = strain_warnings(devices, np.array([0.62]))
-    assert warning == "law rubber: 1 damper strains beyond its tests, which went to 50 %: S_1_1 to 62 %"
+    assert warning.text == "law rubber: 1 damper strains beyond its tests, which went to 50 %: S_1_1 to 62 %"
+    assert warning.kind == "damper_strain" and warning.ratio == pytest.approx(1.24)
 
 
 def test_published_parameters_know_their_tests():

@@ -333,6 +333,6 @@ def test_a_place_of_a_design_that_the_frame_lacks(tmp_path: Path) -> None:
 
 def test_what_nothing_will_be_judged_by_is_noted(tmp_path: Path) -> None:
     study = load_study(write(tmp_path, ("criteria:\n", f"criteria:\n{AT_MCE}"), ("levels: [DBE, MCE]", "levels: DBE")))
-    notes = check_study(study)["notes"]
-    assert notes.count("will not be judged") == 1
-    assert "criterion `at MCE` will not be judged: no history at `MCE` is planned" in notes
+    warnings = check_study(study)["warnings"]
+    assert warnings.count("will not be judged") == 1
+    assert "criterion `at MCE` will not be judged: no history at `MCE` is planned" in warnings

@@ -17,6 +17,7 @@ from edesign.project.analyses import HistoryAnalysis
 from edesign.project.incremental import LevelFactorStudy, PeakAccelerationStudy, SpectralAccelerationStudy
 from edesign.project.study_loader import StudyError
 from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.validity import Validity
 from edesign.study.analyses import run_analysis
 from edesign.study.incremental import incremental_group
 from edesign.study.intensity import first_period, level_intensity, record_intensity
@@ -145,7 +146,8 @@ def test_without_a_limit_equilibrium_is_lost_at_a_large_drift(tmp_path: Path) ->
     spec = HistoryAnalysis(kind="history", name="strong", record="shake", scale=50.0).model_copy(
         update={"free_vibration": 20.0}
     )
-    group = run_analysis(study(tmp_path).base, spec)
+    base = study(tmp_path).base
+    group = run_analysis(base.model_copy(update={"validity": Validity(drift=1000.0)}), spec)
     assert group.attributes["status"] == "failed"
     assert group.attributes["collapsed"] is True
     assert "equilibrium was lost" in group.attributes["reason"] and "drift of storey 1" in group.attributes["reason"]
