@@ -27,7 +27,7 @@ def collapse_reason(response: Response, drifts: Quantity, storeys: Sequence[int]
         drifts: on all column lines, as `quantities.line_drifts` gives them.
         storeys: of these drifts, from 1.
     """
-    if response.status not in ("limit", "failed") or not response.finite:
+    if response.status not in ("limit", "failed"):
         return ""
     last = np.abs(drifts.extreme(response, "final"))
     worst = int(np.argmax(last))

@@ -50,10 +50,11 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     response, doubts = judged(response, project, names, "load factor")
     reason = _sunk(project, frame, response)
     if response.status == "completed" and reason:
-        response, doubts = replace(response, status="failed", reason=reason), []
+        response, doubts = replace(response, status="failed", reason=reason), None
     store(group, recorded, response, "step")
     q.store_drift_extremes(group, frame, drifts, response)
-    store_warnings(group, [*doubts, *buckling_warnings(group, project, frame)])
+    warnings = buckling_warnings(group, project, frame)
+    store_warnings(group, [] if doubts is None else [*doubts, *warnings])
     store_run(group, response)
     return group
 

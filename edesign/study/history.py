@@ -93,9 +93,8 @@ def run_history(
         stop=stop,
         limits=rotation_limits(project, names) | drift_limits(drifts, spec.collapse_drift),
     )
-    counted, doubts = judged(response, project, names)
-    reason = collapse_reason(response, drifts, q.line_drift_storeys(frame)) if counted is response else ""
-    response = counted
+    response, doubts = judged(response, project, names)
+    reason = "" if doubts is None else collapse_reason(response, drifts, q.line_drift_storeys(frame))
     if reason:
         response = replace(response, status="failed", reason=reason)
         group.attributes["collapsed"] = True
@@ -105,9 +104,11 @@ def run_history(
     group.add("ground_acceleration", ("time",), samples, "m/s^2", "ground acceleration as applied")
     store(group, [_kept(displacements, floors), _kept(drift, storeys), *others], response, "time", every)
     q.store_drift_extremes(group, frame, drifts, response)
+    warnings = buckling_warnings(group, project, frame)
     if "damper_strain_max" in group.variables:
         strain = np.maximum(group.variables["damper_strain_max"].values, -group.variables["damper_strain_min"].values)
-        doubts += strain_warnings(frame.devices, strain)
+        warnings += strain_warnings(frame.devices, strain)
+    store_warnings(group, [] if doubts is None else [*doubts, *warnings])
     _store_energy(group, response, every, "energy" in wanted)
     if response.status == "completed":
         floors_left = residual(displacements.values(response), ground.time_step, period)
@@ -119,7 +120,6 @@ def run_history(
         group.add(
             "residual_storey_drift", ("storey",), residual(drift.values(response), ground.time_step, period), "1", label
         )
-    store_warnings(group, [*doubts, *buckling_warnings(group, project, frame)])
     store_run(group, response, "time", "s")
     return group
 

@@ -75,7 +75,8 @@ def run_pushover(
     coordinate(group, "step", np.arange(response.time.size), "1", "step, 0 is under gravity alone")
     store(group, recorded, response, "step")
     q.store_drift_extremes(group, frame, drifts, response)
-    store_warnings(group, [*doubts, *buckling_warnings(group, project, frame)])
+    warnings = buckling_warnings(group, project, frame)
+    store_warnings(group, [] if doubts is None else [*doubts, *warnings])
     store_run(group, response, "displacement of the controlled node", "m")
     coordinate(group, "loaded_node", list(loads), "", "name of the node with a lateral load")
     label = "share of the node in the lateral load"

@@ -37,7 +37,7 @@ def rotation_names(frame: FrameModel, drifts: Quantity, others: Iterable[Quantit
     """
     storeys = q.line_drift_storeys(frame)
     found = {key: f"the drift of storey {storeys[i]}" for i, key in drifts.keys.items()}
-    kinds = {"column": frame.of_kind("column"), "beam": frame.of_kind("beam"), "member": q.bending_members(frame)}
+    kinds = {"column": frame.of_kind("column"), "beam": frame.of_kind("beam")}
     for quantity in others:
         if quantity.unit == "rad" and len(quantity.dims) == 2 and quantity.dims[0] in kinds:
             members = kinds[quantity.dims[0]]
@@ -54,8 +54,10 @@ def rotation_limits(project: Project, names: Mapping[str, str]) -> dict[str, flo
 
 def judged(
     response: Response, project: Project, names: Mapping[str, str], along: str = "time"
-) -> tuple[Response, list[AnalysisWarning]]:
-    """Return a response, as failed if it does not count, and what is doubtful about it otherwise.
+) -> tuple[Response, list[AnalysisWarning] | None]:
+    """Return a response, as failed if it does not count, and what is doubtful about its energy balance.
+
+    Doubts about a result that does not count are None: nothing more is to be said of its numbers.
 
     Args:
         response: of a run; one that ended at a limit is failed, or collapsed by what comes after.
@@ -67,7 +69,9 @@ def judged(
         return response, []
     reason = _run_away(response, project, names, along)
     if reason:
-        return replace(response, status="failed", reason=reason), []
+        if response.status == "failed":
+            reason = f"{reason}; {response.reason}"
+        return replace(response, status="failed", reason=reason), None
     if response.status != "completed":
         return response, []
     return response, _doubtful_energy(response, project.validity)
@@ -78,10 +82,11 @@ def _run_away(response: Response, project: Project, names: Mapping[str, str], al
     validity = project.validity
     passed, largest = response.passed, project.largest_drift
     if passed is not None and passed.channel in names and largest is not None and abs(passed.value) > largest:
-        share = f"{100.0 * abs(passed.value):.3g} %" if "drift" in names[passed.channel] else f"{passed.value:.3g} rad"
+        drift = "drift" in names[passed.channel]
+        value, limit = (_percent(x) if drift else f"{x:.3g} rad" for x in (abs(passed.value), largest))
         return (
-            f"{names[passed.channel]} reached {share} {AT[along].format(passed.time)}; the geometry of the model holds "
-            f"up to {100.0 * largest:.3g} % (`validity.drift`)"
+            f"{names[passed.channel]} reached {value} {AT[along].format(passed.time)}; the geometry of the model holds "
+            f"up to {limit} (`validity.drift`)"
         )
     if not response.finite:
         return "a result is not a finite number"

@@ -30,6 +30,7 @@ def core(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Core:
     stand_in = Core()
     monkeypatch.setattr(analyses, "run_analysis", stand_in)
     monkeypatch.setattr(run, "check_inputs", lambda *_: {})  # the small project has no frame
+    monkeypatch.setattr(run, "project_warnings", lambda *_: [])
     monkeypatch.setattr(study_loader, "is_study", lambda path: False)
     monkeypatch.setattr(loader, "load_project", lambda path, *_, **__: project(tmp_path, "ab"))
     return stand_in

@@ -23,6 +23,7 @@ from edesign.study.run import run_project
 def use(monkeypatch: pytest.MonkeyPatch, core: Core) -> Core:
     monkeypatch.setattr(analyses, "run_analysis", core)
     monkeypatch.setattr(run, "check_inputs", lambda *_: {})  # the small project has no frame
+    monkeypatch.setattr(run, "project_warnings", lambda *_: [])
     return core
 
 
