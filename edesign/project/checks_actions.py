@@ -70,7 +70,7 @@ def _damping(project: Project, problems: Problems) -> None:
 
 def _validity(project: Project, problems: Problems) -> None:
     validity = project.validity
-    if validity.energy_error_warning > validity.energy_error:
+    if "energy_error_warning" in validity.model_fields_set and validity.energy_error_warning > validity.energy_error:
         message = (
             f"{validity.energy_error_warning:g} is greater than `energy_error` ({validity.energy_error:g}), "
             "beyond which an analysis has failed"

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 
 from edesign.assess.measures import located_measure
+from edesign.assess.members import ELASTIC_ROTATION
 from edesign.building.loads import gravity_load
 from edesign.building.masses import node_masses
 from edesign.project.analyses import GravityAnalysis
@@ -34,8 +35,6 @@ LARGEST_DAMPING = 0.28
 """EN 1998-1, 3.2.2.2(3), Eq. 3.6: eta = sqrt(10/(5 + xi)) >= 0.55 counts no more, whatever dissipates."""
 LARGEST_GRAVITY_DRIFT = 0.01
 """EN 1998-1, 4.4.3.2(1)c: what the earthquake of damage limitation may cause; gravity alone leaves a frame upright."""
-ELASTIC_ROTATION = 1e-3
-"""Plastic rotation, rad, up to which only outer fibres have yielded, about a tenth of the rotation at yielding."""
 
 
 def implausible(project: Project, period: float | None) -> list[str]:
