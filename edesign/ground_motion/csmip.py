@@ -12,7 +12,9 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import number, read_lines
 
 DATA = re.compile(
-    r"\s*([0-9]+)\s+points\s+of\s+accel\w*\s+data\s+equally\s+spaced\s+at\s+(\S+)\s+sec\s*,\s*in\s+(\S+)", re.IGNORECASE
+    r"\s*([0-9]+)\s+points\s+of\s+accel\w*\s+data\s+equally\s+spaced\s+at\s+(\S+)\s+sec\s*"
+    r"(?:,\s*in\s+|[.,]*\s*\(units:\s*)([^\s)]+)",  # the latter in files of the 1980s
+    re.IGNORECASE,
 )
 _CHANNEL = re.compile(r"\bChan\s+([0-9]+)\s*:\s*(\S+(?:\s+Deg)?)", re.IGNORECASE)
 _MAGNITUDE = re.compile(r"\bM[A-Za-z]\s*[:=]\s*([0-9.]+)")
@@ -57,8 +59,10 @@ def _channel(path: Path, lines: list[str], start: int, at: int, match: re.Match[
     if step <= 0.0:
         raise InputError(f"{where}: the time step must be greater than zero, not {step:g} s")
     if unit not in _UNITS:
-        raise InputError(f"{where}: unknown unit of acceleration `{unit}`; cm/sec2 is read from CSMIP files")
-    layout = field_format(lines[at], path, at + 1)
+        raise InputError(
+            f"{where}: unknown unit of acceleration `{unit}`; of CSMIP files volume 2 is read, which has cm/sec2"
+        )
+    layout = _layout(lines, at, path)
     values = read_fields(lines, at + 1, count, layout, path)
     _no_more(path, lines, at, count, layout)
     texts = [" ".join(line.split()) for line in lines[start:at]]
@@ -69,6 +73,19 @@ def _channel(path: Path, lines: list[str], start: int, at: int, match: re.Match[
     label = ": ".join(part for part in (number_of, orientation) if part)
     about = ", ".join(part for part in ("CSMIP volume 2", *parts, *magnitudes) if part)
     return Channel(label, tuple(n for n in names if n), [0.01 * value for value in values], step, about)
+
+
+def _layout(lines: list[str], at: int, path: Path) -> FieldFormat:
+    """The format in the line that announces the data; where it has none, that of the first line of the data.
+
+    Fortran writes a number at the right end of its field, so a line ends with a field, and its width is the length of
+    the line over the number of decimal points. The other lines are checked against it as they are read.
+    """
+    first = lines[at + 1].rstrip() if at + 1 < len(lines) else ""
+    fields = first.count(".")
+    if "(" in re.sub(r"\(units:[^)]*\)", "", lines[at], flags=re.IGNORECASE) or not fields or len(first) % fields:
+        return field_format(lines[at], path, at + 1)
+    return FieldFormat(fields, len(first) // fields, whole=False)
 
 
 def _no_more(path: Path, lines: list[str], at: int, count: int, layout: FieldFormat) -> None:

@@ -8,17 +8,18 @@ from pathlib import Path
 from typing import Literal
 
 from edesign.errors import InputError
-from edesign.ground_motion import at2, cosmos, csmip, csv_record, esm, knet
+from edesign.ground_motion import afad, at2, cosmos, csmip, csv_record, esm, knet
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
 from edesign.project.problems import did_you_mean
 
-FileFormat = Literal["at2", "cosmos", "csmip", "esm", "knet", "table"]
+FileFormat = Literal["at2", "cosmos", "csmip", "esm", "afad", "knet", "table"]
 FORMATS: dict[FileFormat, str] = {
     "at2": "PEER .AT2",
     "cosmos": "COSMOS .V1/.V2/.V2c",
     "csmip": "older CSMIP .V2",
     "esm": "ESM/ITACA ASCII",
+    "afad": "AFAD text with three components",
     "knet": "K-NET/KiK-net ASCII",
     "table": "columns of text (.csv, .txt, .dat, .acc)",
 }
@@ -29,7 +30,7 @@ _SUFFIXES: dict[str, FileFormat] = {
     **dict.fromkeys((".ns", ".ew", ".ud", *(f".{c}{k}" for c in ("ns", "ew", "ud") for k in (1, 2))), "knet"),
     **dict.fromkeys((".csv", ".tsv", ".dat", ".acc"), "table"),
 }
-_SEVERAL = ("cosmos", "csmip", "esm", "knet")  # formats whose files name their component
+_SEVERAL = ("cosmos", "csmip", "esm", "afad", "knet")  # formats whose files name their component
 _POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; doubts come far earlier
 _HEAD = 100  # lines in which the marks of a format stand
 
@@ -102,6 +103,7 @@ def _read(
         "cosmos": cosmos.read_cosmos,
         "csmip": csmip.read_csmip,
         "esm": esm.read_esm,
+        "afad": afad.read_afad,
         "knet": knet.read_knet,
     }
     return readers[found](path, component, name)
@@ -121,6 +123,8 @@ def detect(path: Path) -> FileFormat:
         return "csmip"
     if {esm.STEP, esm.COUNT} & {match[1] for line in head if (match := esm.KEY.match(line))}:
         return "esm"
+    if any(afad.FIRST in line for line in head[:1]):
+        return "afad"
     if any(line.startswith(knet.FIRST) for line in head[:1]) and any(line.startswith(knet.RATE) for line in head):
         return "knet"
     if at2.has_header(lines):

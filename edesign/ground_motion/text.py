@@ -9,8 +9,12 @@ from edesign.errors import InputError
 from edesign.project.file_bytes import read_file
 
 
-def read_lines(path: Path) -> list[str]:
+def read_lines(path: Path, otherwise: str = "latin-1") -> list[str]:
     """Read the lines of a text file.
+
+    Args:
+        path: the file.
+        otherwise: its encoding, of one byte a character, if it is not UTF-8.
 
     Raises:
         InputError: missing, a folder, unreadable, empty, or not text.
@@ -20,7 +24,10 @@ def read_lines(path: Path) -> list[str]:
         raise InputError(f"{path}: the file is empty")
     if b"\0" in data:
         raise InputError(f"{path}: this is not a text file")
-    return data.decode("utf-8-sig", errors="replace").splitlines()
+    try:
+        return data.decode("utf-8-sig").splitlines()
+    except UnicodeDecodeError:
+        return data.decode(otherwise, errors="replace").splitlines()
 
 
 def number(word: str, path: Path, line: int, what: str = "an acceleration") -> float:

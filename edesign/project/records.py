@@ -13,7 +13,7 @@ from edesign.project.matching import Matching
 from edesign.project.processing import Step
 from edesign.project.units import PositiveTime
 
-FileFormat = Literal["at2", "cosmos", "csmip", "esm", "knet", "table"]
+FileFormat = Literal["at2", "cosmos", "csmip", "esm", "afad", "knet", "table"]
 AccelerationUnit = Literal["g", "m/s^2", "cm/s^2", "mm/s^2"]
 Column = Annotated[int, Field(ge=1)] | Annotated[str, Field(min_length=1)]
 

@@ -86,6 +86,56 @@ def csmip_channel(values: np.ndarray, number: int = 1, orientation: str = "360 D
     )
 
 
+def csmip_channel_of_1983(
+    values: np.ndarray, number: int = 1, orientation: str = "90 DEG", unit: str = "CM/SEC/SEC"
+) -> str:
+    """One channel of a CSMIP volume 2 file as in 1983: no format of the numbers is announced."""
+    announced = f"{values.size:5d} POINTS OF {{}} DATA EQUALLY SPACED AT  .020 SEC.  (UNITS: {{}})\n"
+    texts = [f"CORRECTED ACCELEROGRAM   00001-S0001-83001.01       CHAN  {number}: {orientation}     FROM"]
+    texts += ["UNCORRECTED ACCELEROGRAM DATA              PROCESSED:  6/06/83, CDMG", "NOWHERE EARTHQUAKE"]
+    texts += ["MAY 2, 1983 16:42 PDT", "00001-S0001-83001.01", "STATION NO. 00001", "NOWHERE FAULT ZONE 14"]
+    texts += [f"CHAN  {number}: {orientation}", "NOWHERE EARTHQUAKE     MAY 2, 1983 16:42 PDT"]
+    texts += ["HYPOCENTER(BRK): 36.25N,120.28W, H=9KM. PRELIMINARY SOLUTION.  ML=6.5(BRK)"]
+    block = fixed(values, 8, 10, 3)
+    return (
+        "\n".join(texts)
+        + "\n"
+        + announced.format("ACCEL", unit)
+        + block
+        + announced.format("VELOC", "CM/SEC")
+        + block
+        + announced.format("DISPL", "CM")
+        + block
+        + f"/&  ----------  END OF DATA FOR CHANNEL {number:2d}  ----------\n"
+    )
+
+
+def afad_file(values: np.ndarray, **changed: str | None) -> bytes:
+    """A file of AFAD: N-S, E-W and U-D are 1, -2 and 0.5 times the values; keys by their first word."""
+    columns = np.outer(values, [1.0, -2.0, 0.5])
+    peaks = np.max(np.abs(columns), axis=0)
+    header = {
+        "PLACE": "AYDIN GERMENCIK".replace("I", "\u0131", 1),
+        "EARTHQUAKE DATE": "2017/07/20 22:31:09 (GMT)",
+        "EPICENTER COORDINATES": "36.91980N-27.44350E",
+        "EARTHQUAKE DEPTH (km)": "19.44",
+        "EARTHQUAKE MAGNITUDE": "6.5 Mw",
+        "STATION ID": "0921",
+        "RECORD TIME": "20/07/2017 22:30:58.000000 (GMT)",
+        "NUMBER OF DATA": str(values.size),
+        "SAMPLING INTERVAL (sec)": "0.01",
+        "RAW PGA VALUES (gal)": f"(N-S) {peaks[0]:.6f} (E-W) {peaks[1]:.6f} (U-D) {peaks[2]:.6f}",
+    }
+    lines = ["STRONG GROUND MOTION RECORDS OF TURKIYE"]
+    for key, value in header.items():
+        new = changed.get(key.split()[0], value)
+        if new is not None:
+            lines.append(f"{key:<24}: {new}")
+    lines += ["Copyright EARTHQUAKE DEPARTMENT", "DISASTER AND EMERGENCY MANAGEMENT PRESIDENCY"]
+    lines += ["       N-S          E-W          U-D", *(f"{a:12.6f} {b:13.6f} {c:12.6f}" for a, b, c in columns)]
+    return ("\r\n".join(lines) + "\r\n").encode("iso-8859-9")
+
+
 def esm_file(values: np.ndarray, **changed: str | None) -> str:
     """A file of the Engineering Strong Motion database, 64 lines of header; `None` leaves a key out."""
     header = dict.fromkeys(

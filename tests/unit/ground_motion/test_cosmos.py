@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from strong_motion_samples import cosmos_channel, csmip_channel, motion
+from strong_motion_samples import cosmos_channel, csmip_channel, csmip_channel_of_1983, fixed, motion
 
 from edesign.errors import InputError
 from edesign.ground_motion.cosmos import read_cosmos
@@ -158,6 +158,29 @@ def test_csmip_faults(tmp_path: Path, old: str, new: str, line: int, said: str) 
     with pytest.raises(InputError) as caught:
         read_csmip(path)
     assert said in str(caught.value) and str(caught.value).startswith(f"{path}:{line}: ")
+
+
+def test_csmip_of_the_eighties(tmp_path: Path) -> None:
+    """The file announces no format of its numbers: width 10 follows from a line of 80 characters with 8 points.
+
+    Reference: the data line of the 1983 Coalinga record of Parkfield Fault Zone 14 (CDMG QC83A456), which was read too.
+    """
+    values = motion(20, -1267.957)  # such values fill their fields
+    text = csmip_channel_of_1983(values) + csmip_channel_of_1983(0.5 * values, 2, "UP")
+    record = read_csmip(write(tmp_path, text), "90")
+    np.testing.assert_allclose(record.acceleration, 0.01 * values, atol=0.5e-5)
+    assert record.time_step == 0.02
+    for said in ("NOWHERE EARTHQUAKE     MAY 2, 1983".replace("     ", " "), "NOWHERE FAULT ZONE 14", "1: 90 DEG"):
+        assert said in record.source
+    np.testing.assert_allclose(read_csmip(write(tmp_path, text), "up").acceleration, 0.005 * values, atol=0.5e-5)
+    short = csmip_channel_of_1983(values).replace("   20 POINTS OF ACCEL", "   24 POINTS OF ACCEL")
+    with pytest.raises(InputError, match=":14: 4 fields of 10 characters; 8 are expected"):
+        read_csmip(write(tmp_path, short))
+    with pytest.raises(InputError, match=":11: unknown unit of acceleration `g`; of CSMIP files volume 2 is read"):
+        read_csmip(write(tmp_path, csmip_channel_of_1983(values, unit="G")))
+    uneven = csmip_channel_of_1983(values).replace(fixed(values, 8, 10, 3)[:10], "1.5")
+    with pytest.raises(InputError, match=":11: no format of the numbers"):
+        read_csmip(write(tmp_path, uneven))
 
 
 def test_csmip_without_data(tmp_path: Path) -> None:

@@ -1,0 +1,71 @@
+"""Files of AFAD composed here: three components in gal, checked against the peaks in their own header."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from strong_motion_samples import afad_file, motion
+
+from edesign.errors import InputError
+from edesign.ground_motion.read import read_record_file
+
+PEAK = float(np.max(np.abs(motion(40))))  # gal
+
+
+def write(folder: Path, data: bytes) -> Path:
+    path = folder / "20170720223109_0921.txt"
+    path.write_bytes(data)
+    return path
+
+
+@pytest.mark.parametrize(("component", "factor"), [("N-S", 1.0), ("ew", -2.0), ("U", 0.5)])
+def test_a_component_in_gal(tmp_path: Path, component: str, factor: float) -> None:
+    values = motion(40)
+    record = read_record_file(write(tmp_path, afad_file(values)), component=component)
+    np.testing.assert_allclose(record.acceleration, 0.01 * factor * values, atol=0.5e-8)
+    assert record.time_step == 0.01 and record.acceleration.size == 40
+    for said in ("AFAD, unprocessed", "2017/07/20", "6.5 Mw", "0921 AYD\u0131N GERMENCIK"):
+        assert said in record.source
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"NUMBER": "41"}, ":54: 40 lines of samples, but NUMBER OF DATA = 41 in line 9"),
+        ({"NUMBER": None}, "the header has no line `NUMBER OF DATA`"),
+        ({"SAMPLING": "0"}, ":10: SAMPLING INTERVAL must be greater than zero, in sec, not `0 sec`"),
+        ({"SAMPLING": "fast"}, ":10: `fast` is not a number"),
+        ({"RAW": ""}, ":11: `RAW PGA VALUES` has no value"),
+        ({"RAW": "(N-S) 67.5 (E-W) 135"}, ":11: the header has a peak of"),
+        ({"RAW": f"(N-S) {PEAK:.3f} (E-W) {2 * PEAK:.3f}"}, ":11: RAW PGA VALUES has no value of U-D"),
+    ],
+)
+def test_faults_of_the_header(tmp_path: Path, changed: dict[str, str | None], said: str) -> None:
+    path = write(tmp_path, afad_file(motion(40), **changed))
+    with pytest.raises(InputError) as caught:
+        read_record_file(path, component="N-S")
+    assert said in str(caught.value) and str(caught.value).startswith(f"{path}")
+
+
+def test_faults_of_the_samples(tmp_path: Path) -> None:
+    text = afad_file(motion(40)).decode("iso-8859-9")
+    path = write(tmp_path, text.encode("iso-8859-9"))
+    with pytest.raises(InputError, match="3 components; name one: `N-S`, `E-W`, `U-D`"):
+        read_record_file(path)
+    lines = text.splitlines()
+    for changed, said in (
+        (lines[20].replace(lines[20].split()[1], ""), ":21: 2 numbers; each line has one of each of the 3 components"),
+        (lines[20].replace(lines[20].split()[1], "x"), ":21: `x` is not a number"),
+    ):
+        path.write_text("\n".join([*lines[:20], changed, *lines[21:]]))
+        with pytest.raises(InputError, match=said):
+            read_record_file(path, component="N-S")
+    path.write_text(text.replace("(gal)", "(mg)"))
+    with pytest.raises(InputError, match=":11: unknown unit `mg` of RAW PGA VALUES"):
+        read_record_file(path, component="N-S")
+    exchanged = text.replace("N-S          E-W", "E-W          N-S")
+    path.write_text(exchanged)
+    with pytest.raises(InputError, match="its columns are not what the header says"):
+        read_record_file(path, component="N-S")
