@@ -46,6 +46,8 @@ def match(
     no_stand_ins: source.NoStandIns = False,
     unit: source.Unit = None,
     time_step: source.TimeStep = None,
+    layout: source.Layout = None,
+    component: source.Component = None,
     archive: Annotated[
         Path | None, typer.Option("--archive", "-a", help="Where to write; NAME_matched.h5 here by default.")
     ] = None,
@@ -90,8 +92,8 @@ def match(
     target = elastic_spectrum(hazard, level)
     band = (action.quantity(periods[0], TIME, "--periods"), action.quantity(periods[1], TIME, "--periods"))
     settings = MatchOptions(method=method, periods=band, scale_bounds=scale_bounds, damping=hazard.damping)  # type: ignore[arg-type]
-    step = action.quantity(time_step, TIME, "--time-step") if time_step else None
-    name, found = source.read_inputs(inputs, folder or [], not no_stand_ins, unit, step)
+    reading = source.Reading.of(unit, time_step, layout, component)
+    name, found = source.read_inputs(inputs, folder or [], not no_stand_ins, reading)
     period = action.fundamental_period(loaded, t1)
     tables = []
     if select is not None:

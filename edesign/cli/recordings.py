@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -12,6 +13,7 @@ import typer
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
+    from edesign.ground_motion.record import Record
     from edesign.ground_motion.sources import Found
 
 LONGEST_NAME = 64  # as in suites
@@ -26,13 +28,42 @@ Folder = Annotated[
 ]
 Unit = Annotated[str | None, typer.Option("--unit", help="Of tables of text (.csv, .txt): g, m/s^2, cm/s^2, mm/s^2.")]
 TimeStep = Annotated[str | None, typer.Option("--time-step", help="Of tables without a column of times: `0.01s`.")]
+Layout = Annotated[
+    str | None,
+    typer.Option("--layout", help="Of tables: columns (a line is one instant), or rows (several samples a line)."),
+]
+Component = Annotated[
+    str | None, typer.Option("--component", help="Which one of files that hold several: number, orientation or name.")
+]
 NoStandIns = Annotated[
     bool, typer.Option("--no-stand-ins", help="Refuse simulated motions in place of missing recordings.")
 ]
 
 
+@dataclass(frozen=True)
+class Reading:
+    """How record files are read, by options of the command line; the step in s."""
+
+    unit: str | None = None
+    time_step: float | None = None
+    layout: str | None = None
+    component: str | None = None
+
+    @classmethod
+    def of(cls, unit: str | None, time_step: str | None, layout: str | None, component: str | None) -> Reading:
+        """The options as they are written.
+
+        Raises:
+            InputError: the time step is none.
+        """
+        from edesign.cli.hazard_options import quantity
+        from edesign.project.units import TIME
+
+        return cls(unit, quantity(time_step, TIME, "--time-step") if time_step else None, layout, component)
+
+
 def read_inputs(
-    inputs: Sequence[Path], folders: Sequence[Path], stand_ins: bool, unit: str | None, time_step: float | None
+    inputs: Sequence[Path], folders: Sequence[Path], stand_ins: bool, reading: Reading
 ) -> tuple[str, dict[str, Found]]:
     """Return the name of the whole, and its recordings by name.
 
@@ -46,8 +77,10 @@ def read_inputs(
     if any(is_suite(path) for path in inputs):
         if len(inputs) > 1:
             raise InputError(f"{inputs[0]}: one suite file, or record files; not both, and not two suites")
-        if unit is not None or time_step is not None:
-            raise InputError("--unit, --time-step: only for record files; a suite file says these itself")
+        if reading != Reading():
+            raise InputError(
+                "--unit, --time-step, --layout, --component: only for record files; a suite file says these itself"
+            )
         name = _name(inputs[0])
         suite = load_suite(inputs[0])
         found = find_suite(suite, folders, stand_ins)
@@ -56,7 +89,7 @@ def read_inputs(
         raise InputError("--folder: only with a suite file, whose recordings are looked for there")
     if not stand_ins:
         raise InputError("--no-stand-ins: only with a suite file")
-    return "records", _files(inputs, unit, time_step)
+    return "records", _files(inputs, reading)
 
 
 def is_suite(path: Path) -> bool:
@@ -64,34 +97,51 @@ def is_suite(path: Path) -> bool:
     return path.suffix.lower() in (".yaml", ".yml")
 
 
-def _files(inputs: Sequence[Path], unit: str | None, time_step: float | None) -> dict[str, Found]:
-    from edesign.ground_motion.read import detect, read_record_file
+def _files(inputs: Sequence[Path], reading: Reading) -> dict[str, Found]:
+    from edesign.ground_motion.read import detect, names_components
     from edesign.ground_motion.sources import Found
-    from edesign.ground_motion.units import ACCELERATION_UNITS
 
     recordings: dict[str, Found] = {}
-    tables = 0
     for path in inputs:
         name = _name(path)
         if name.lower() in map(str.lower, recordings):  # names of files, and some systems do not tell a from A
             raise InputError(f"{path}: another of the files is called {name} too; rename one of them")
-        if detect(path) == "table":
-            tables += 1
-            if unit is None:
-                raise InputError(
-                    f"{path}: a table does not say the unit of its accelerations; declare it: --unit "
-                    f"{', '.join(ACCELERATION_UNITS)}"
-                )
-            record = read_record_file(path, acceleration_unit=unit, time_step=time_step, name=name)
-        else:
-            record = read_record_file(path, name=name)
+        record = _record(path, name, reading)
         twin = next((other for other, item in recordings.items() if item.record.checksum == record.checksum), None)
         if twin is not None:
             raise InputError(f"{path}: the same recording as {recordings[twin].detail}; leave one of them out")
         recordings[name] = Found(record, "file", str(path))
-    if not tables and (unit is not None or time_step is not None):
-        raise InputError("--unit, --time-step: only for tables of text; these files say unit and time step themselves")
+    of_tables = reading.unit, reading.time_step, reading.layout
+    if of_tables != (None, None, None) and not any(detect(path) == "table" for path in inputs):
+        raise InputError(
+            "--unit, --time-step, --layout: only for tables of text; these files say unit and time step themselves"
+        )
+    if reading.component is not None and not any(names_components(path) for path in inputs):
+        raise InputError("--component: only for files that name their components; these hold one")
     return recordings
+
+
+def _record(path: Path, name: str, reading: Reading) -> Record:
+    """Read a file with those of the options that belong to its format."""
+    from edesign.ground_motion.read import detect, names_components, read_record_file
+    from edesign.ground_motion.units import ACCELERATION_UNITS
+
+    if names_components(path):
+        return read_record_file(path, component=reading.component, name=name)
+    if detect(path) != "table":
+        return read_record_file(path, name=name)
+    if reading.unit is None:
+        raise InputError(
+            f"{path}: a table does not say the unit of its accelerations; declare it: --unit "
+            f"{', '.join(ACCELERATION_UNITS)}"
+        )
+    return read_record_file(
+        path,
+        acceleration_unit=reading.unit,
+        time_step=reading.time_step,
+        layout=reading.layout,  # type: ignore[arg-type]
+        name=name,
+    )
 
 
 def _name(path: Path) -> str:

@@ -44,6 +44,8 @@ def spectrum(
     no_stand_ins: source.NoStandIns = False,
     unit: source.Unit = None,
     time_step: source.TimeStep = None,
+    layout: source.Layout = None,
+    component: source.Component = None,
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write the table.")] = None,
     figure: Annotated[Path | None, typer.Option("--figure", metavar="FILE", help="Draw: .svg, .png or .pdf.")] = None,
 ) -> None:
@@ -78,10 +80,10 @@ def spectrum(
     first, last = (action.quantity(text, TIME, "--periods") for text in periods)
     if first >= last:
         raise InputError(f"--periods: the shorter period stands first, not {first:g} s before {last:g} s")
-    step = action.quantity(time_step, TIME, "--time-step") if time_step else None
+    reading = source.Reading.of(unit, time_step, layout, component)
     found: dict[str, Found] = {}
     if inputs:
-        _, found = source.read_inputs(inputs, folder or [], not no_stand_ins, unit, step)
+        _, found = source.read_inputs(inputs, folder or [], not no_stand_ins, reading)
     records = {name: item.record for name, item in found.items()}
     elastic, design = code_spectra(hazard, level, vertical, q)
     grid = np.geomspace(first, last, points)

@@ -1,23 +1,35 @@
-"""Reader of records in tables of text (.csv, .txt, .dat, .acc): accelerations, or times and accelerations."""
+"""Reader of records in tables of text (.csv, .txt, .dat, .acc): columns, or lines of several samples in turn."""
 
 from __future__ import annotations
 
 import csv
 import re
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.ground_motion.plausibility import LONGEST_STEP
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import number, read_lines
 from edesign.ground_motion.units import ACCELERATION_UNITS
-from edesign.project.problems import did_you_mean
+from edesign.project.problems import did_you_mean, listed
+from edesign.project.records import Layout
+
+LAYOUTS: tuple[Layout, ...] = ("columns", "rows")
+"""How samples stand in a table: each line is one instant, or the samples run on along the lines."""
 
 _UNEVEN = 0.1  # of a step: times in files are rounded; a missing line moves the others by half a step or more
 _ROUNDING = 1e-6  # relative, between a given step and that of the time column
+_PROOF = 5  # numbers that rise evenly and so are times: three samples in a row do so by chance, five hardly ever
 _COMMENTS = ("#", "%")
 _HEADER_WORD = re.compile(r"\S+(?: [(\[][^)\]]*[)\]])?")  # between blanks; `Time (s)` is one
+ROWS, COLUMNS = "`layout: rows` (--layout rows)", "`layout: columns` (--layout columns)"
+_OTHERWISE = (
+    "; if the first column is not the time, name the columns by `columns` in a project or suite file, or, if both are "
+    f"samples, write {ROWS}"
+)
 
 
 def read_csv(
@@ -27,11 +39,13 @@ def read_csv(
     time_column: int | str | None = None,
     acceleration_column: int | str | None = None,
     name: str = "",
+    layout: Layout | None = None,
 ) -> Record:
-    """Read a record from a table separated by commas, semicolons or blanks, with or without one line of headers.
+    """Read a record from a table separated by commas, semicolons or blanks.
 
-    Without columns named, one column is the acceleration, and of two the first is the time (s). The motion begins at
-    the first sample, whatever time it bears.
+    With headers or columns named, each line is one instant. Without, one number a line is the acceleration, and of two
+    the first is the time (s) if it rises evenly; what may be read in more than one way is refused. The motion begins
+    at the first sample, whatever time it bears.
 
     Args:
         path: the file.
@@ -39,10 +53,12 @@ def read_csv(
         time_step: s; needed without a time column, and checked against it otherwise.
         time_column, acceleration_column: header, or number from 1.
         name: of the record; its file name without ending by default.
+        layout: "columns", or "rows" of several samples in turn; found from the file by default.
 
     Raises:
-        InputError: unreadable file, unknown unit or column, something else than finite numbers, lines of different
-            length, fewer than two samples, no time step, or times that are not evenly spaced.
+        InputError: unreadable file, unknown unit, column or layout, something else than finite numbers, lines of
+            different length, fewer than two samples, no time step, times that are not evenly spaced, or a file that
+            does not show its layout.
     """
     path = Path(path)
     if not acceleration_unit:
@@ -51,22 +67,30 @@ def read_csv(
         )
     if acceleration_unit not in ACCELERATION_UNITS:
         raise InputError(f"{path}: unknown unit `{acceleration_unit}`; allowed: {', '.join(ACCELERATION_UNITS)}")
-    header, rows, places = _table(path)
-    width = len(rows[0])
-    if acceleration_column is None:
-        if width > 2:
-            raise InputError(f"{path}:{places[0]}: {width} columns; name the one that is the acceleration")
-        at, when = width - 1, 0 if width == 2 and time_column is None else None
+    if layout is not None and layout not in LAYOUTS:
+        hint = did_you_mean(str(layout), LAYOUTS)
+        raise InputError(f"{path}: unknown layout `{layout}`{hint}; allowed: {listed(LAYOUTS)}")
+    table = _Table.read(path)
+    named = time_column is not None or acceleration_column is not None
+    if layout == "rows":
+        if named:
+            raise InputError(f"{path}: {ROWS} has no columns, but columns are named; give one or the other")
+        samples = _along_rows(table)
     else:
-        at, when = _column(path, acceleration_column, header, width), None
-    if time_column is not None:
-        when = _column(path, time_column, header, width)
-        if when == at:
-            raise InputError(f"{path}: column {at + 1} cannot be both time and acceleration")
-    samples = [number(row[at], path, line) for row, line in zip(rows, places, strict=True)]
-    if when is not None:
-        times = [number(row[when], path, line, "a time in s") for row, line in zip(rows, places, strict=True)]
-        time_step = _uniform_step(path, np.array(times), places, time_step)
+        table.check_width(may_be_rows=layout is None)
+        when, at = _columns_of(table, time_column, acceleration_column)
+        if when is None and table.width > 1 and layout is None and not table.header:
+            raise InputError(
+                f"{table.where}: {table.width} numbers a line without headers may be {table.width} channels, or "
+                f"{table.width} samples in turn; write {COLUMNS}, or {ROWS} without `columns`"
+            )
+        samples = table.numbers(at)
+        if when is not None:
+            times = np.array(table.numbers(when, "a time in s"))
+            found = _uniform_step(table, times, time_step, "" if named else _OTHERWISE)
+            if layout is None and not (named or table.header or time_step):
+                _check_proof(table, found)
+            time_step = found
     if time_step is None:
         raise InputError(f"{path}: the file has no column of times; a time step is needed")
     if not time_step > 0.0:
@@ -75,30 +99,125 @@ def read_csv(
     return Record(name or path.stem, factor * np.array(samples), time_step, f"{path.name} in {acceleration_unit}")
 
 
-def _table(path: Path) -> tuple[list[str], list[list[str]], list[int]]:
-    """Header (empty if there is none), rows of text, and the line of each row; blank lines and comments are skipped."""
-    lines = read_lines(path)
-    kept = table_lines(lines)
-    if not kept:
-        raise InputError(f"{path}: the file has no samples")
-    places = [i for i, _ in kept]
-    delimiter = _delimiter(kept)
-    if delimiter:
-        rows = [[cell.strip() for cell in row] for row in csv.reader((line for _, line in kept), delimiter=delimiter)]
+@dataclass(frozen=True)
+class _Table:
+    """The cells of a file as text; blank lines and comments are left out.
+
+    Attributes:
+        path: of the file.
+        header: names of the columns, empty if there are none.
+        rows: cells of each line below.
+        places: number of each of these lines, from 1.
+    """
+
+    path: Path
+    header: list[str]
+    rows: list[list[str]]
+    places: list[int]
+
+    @classmethod
+    def read(cls, path: Path) -> _Table:
+        lines = read_lines(path)
+        kept = table_lines(lines)
+        if not kept:
+            raise InputError(f"{path}: the file has no samples")
+        places = [i for i, _ in kept]
+        delimiter = _delimiter(kept)
+        if delimiter:
+            cells = csv.reader((line for _, line in kept), delimiter=delimiter)
+            rows = [[cell.strip() for cell in row] for row in cells]
+        else:
+            rows = [line.split() for _, line in kept]
+        if any(is_number(cell) for cell in rows[0]):
+            return cls(path, [], rows, places)
+        if len(rows) == 1:
+            raise InputError(f"{path}:{len(lines)}: a record needs at least two samples, not 0")
+        return cls(path, rows[0] if delimiter else _HEADER_WORD.findall(kept[0][1]), rows[1:], places[1:])
+
+    @property
+    def width(self) -> int:
+        """Number of columns."""
+        return len(self.header or self.rows[0])
+
+    @property
+    def where(self) -> str:
+        """File and line of the first numbers."""
+        return f"{self.path}:{self.places[0]}"
+
+    def numbers(self, column: int, what: str = "an acceleration") -> list[float]:
+        """Return the numbers of a column."""
+        return [number(row[column], self.path, i, what) for row, i in zip(self.rows, self.places, strict=True)]
+
+    def check_width(self, may_be_rows: bool) -> None:
+        """Check that the lines are of one length, and two at least."""
+        hint = f"; if the numbers are samples in turn, write {ROWS}"
+        if self.header or self.width == 1 or not may_be_rows:
+            hint = ""
+        for row, line in zip(self.rows, self.places, strict=True):
+            if len(row) != self.width:
+                raise InputError(f"{self.path}:{line}: {len(row)} columns; the lines before have {self.width}{hint}")
+        if len(self.rows) < 2:
+            raise InputError(f"{self.where}: a record needs at least two samples, not {len(self.rows)}{hint}")
+
+
+def _columns_of(
+    table: _Table, time_column: int | str | None, acceleration_column: int | str | None
+) -> tuple[int | None, int]:
+    """Columns of times, if there are any, and of accelerations; of two without a name the first has the times."""
+    if acceleration_column is None and table.width > 2:
+        hint = "" if table.header else f"; if they are samples in turn, write {ROWS}"
+        raise InputError(
+            f"{table.where}: {table.width} columns; name the one that is the acceleration, by `columns` in a project "
+            f"or suite file{hint}"
+        )
+    if time_column is None and acceleration_column is None:
+        return (0 if table.width == 2 else None), table.width - 1
+    at = table.width - 1 if acceleration_column is None else _column(table, acceleration_column)
+    when = None if time_column is None else _column(table, time_column)
+    if when == at:
+        raise InputError(f"{table.path}: column {at + 1} cannot be both time and acceleration")
+    return when, at
+
+
+def _check_proof(table: _Table, step: float) -> None:
+    """The first of two numbers a line is a time only if enough of them show it, at a step that recorders have."""
+    if len(table.rows) < _PROOF:
+        doubt = f"{len(table.rows)} lines do not show it"
+    elif step > LONGEST_STEP:
+        doubt = f"the step would be {step:g} s, and recorders have at most {LONGEST_STEP:g} s"
     else:
-        rows = [line.split() for _, line in kept]
-    header: list[str] = []
-    if not any(is_number(cell) for cell in rows[0]):
-        header, rows, places = rows[0], rows[1:], places[1:]
-        if not delimiter:
-            header = _HEADER_WORD.findall(kept[0][1])
-    if len(rows) < 2:
-        raise InputError(f"{path}:{len(lines)}: a record needs at least two samples, not {len(rows)}")
-    width = len(header or rows[0])
-    for row, line in zip(rows, places, strict=True):
-        if len(row) != width:
-            raise InputError(f"{path}:{line}: {len(row)} columns; the lines before have {width}")
-    return header, rows, places
+        return
+    raise InputError(
+        f"{table.where}: is the first of two numbers a line the time? {doubt}; write {COLUMNS} if it is, or {ROWS} if "
+        "both are samples"
+    )
+
+
+def _along_rows(table: _Table) -> list[float]:
+    """The numbers of all lines one after the other; the last line may be shorter."""
+    if table.header:
+        raise InputError(
+            f"{table.path}:{table.places[0] - 1}: {ROWS} is for lines of numbers alone; put # before a line of text "
+            f"(`{' '.join(table.header)[:40]}`)"
+        )
+    rows = [row[:-1] if len(row) > 1 and not row[-1] else row for row in table.rows]  # a comma may end a line
+    width = len(rows[0])
+    for row, line in zip(rows, table.places, strict=True):
+        if len(row) != width and not (row is rows[-1] and len(row) < width):
+            raise InputError(f"{table.path}:{line}: {len(row)} samples; the others have {width}, the last perhaps less")
+    values = [[number(cell, table.path, i) for cell in row] for row, i in zip(rows, table.places, strict=True)]
+    full = np.array([row for row in values if len(row) == width])
+    rising = [k for k in range(width) if _rises_evenly(full[:, k])]
+    if len(full) >= _PROOF and 0 < len(rising) < width:
+        step = full[1, rising[0]] - full[0, rising[0]]
+        raise InputError(
+            f"{table.where}: in {ROWS} every number is a sample, but number {rising[0] + 1} of each line rises "
+            f"evenly by {step:g}, as times do; leave the times out, or give one time and one sample a line"
+        )
+    samples = [value for row in values for value in row]
+    if len(samples) < 2:
+        raise InputError(f"{table.where}: a record needs at least two samples, not {len(samples)}")
+    return samples
 
 
 def table_lines(lines: list[str]) -> list[tuple[int, str]]:
@@ -122,7 +241,8 @@ def is_number(cell: str) -> bool:
     return True
 
 
-def _column(path: Path, wanted: int | str, header: list[str], width: int) -> int:
+def _column(table: _Table, wanted: int | str) -> int:
+    path, header, width = table.path, table.header, table.width
     if isinstance(wanted, int):
         if not 1 <= wanted <= width:
             raise InputError(f"{path}: there is no column {wanted}; the columns are numbered 1 to {width}")
@@ -137,26 +257,34 @@ def _column(path: Path, wanted: int | str, header: list[str], width: int) -> int
     return header.index(wanted)
 
 
-def _uniform_step(path: Path, times: np.ndarray, places: list[int], given: float | None) -> float:
+def _uniform_step(table: _Table, times: np.ndarray, given: float | None, hint: str) -> float:
     """The step of evenly spaced times, s; a given one is returned if it is the same."""
+    path, places = table.path, table.places
     steps = np.diff(times)
     backwards = np.flatnonzero(steps <= 0.0)
     if backwards.size:
         at = int(backwards[0]) + 1
         raise InputError(
-            f"{path}:{places[at]}: the time {times[at]:g} s is not after the time {times[at - 1]:g} s before it"
+            f"{path}:{places[at]}: the time {times[at]:g} s is not after the time {times[at - 1]:g} s before it{hint}"
         )
     mean = float((times[-1] - times[0]) / steps.size)
-    even = times[0] + mean * np.arange(times.size)
-    if np.max(np.abs(times - even)) > _UNEVEN * mean:
+    if not _rises_evenly(times):
         usual = float(np.sort(steps)[(steps.size - 1) // 2])  # the median, one of the steps that occur
         at = int(np.argmax(np.abs(steps - usual))) + 1
         raise InputError(
             f"{path}:{places[at]}: the times are not evenly spaced: here the step is {steps[at - 1]:g} s, "
-            f"mostly {usual:g} s"
+            f"mostly {usual:g} s{hint}"
         )
     if given is not None:
         if abs(given - mean) > max(_ROUNDING, _UNEVEN / steps.size) * mean:
-            raise InputError(f"{path}: the time column has a step of {mean:g} s, but {given:g} s is given")
+            raise InputError(f"{path}: the time column has a step of {mean:g} s, but {given:g} s is given{hint}")
         return given
     return float(f"{mean:.9g}")  # the decimal number that the file means
+
+
+def _rises_evenly(values: np.ndarray) -> bool:
+    """Whether numbers rise by one step but for the rounding of times in files."""
+    if values.size < 2 or np.any(np.diff(values) <= 0.0):
+        return False
+    mean = (values[-1] - values[0]) / (values.size - 1)
+    return bool(np.max(np.abs(values - (values[0] + mean * np.arange(values.size)))) <= _UNEVEN * mean)

@@ -10,7 +10,9 @@ from edesign.project.units import STANDARD_GRAVITY
 
 _LARGEST_PGA = 3.0 * STANDARD_GRAVITY  # m/s2; few recordings of any earthquake exceed 2 g
 _SMALLEST_PGA = 0.001 * STANDARD_GRAVITY
-_LONGEST_STEP, _SHORTEST_STEP = 0.05, 0.0005  # s; instruments sample at 50 to 1000 Hz
+LONGEST_STEP = 0.05
+"""Time step of the slowest recorders, s; instruments sample at 50 to 1000 Hz."""
+_SHORTEST_STEP = 0.0005  # s
 _OFFSET = 0.02  # of the PGA: the median of a recorded motion is far below
 _CLIPPED = 4  # equal samples in a row at the extreme
 _END_VELOCITY = 0.1  # of the PGV; processed records end below 3 %
@@ -27,7 +29,7 @@ def doubts(record: Record) -> tuple[str, ...]:
         found.append(f"the peak is {shown}, more than earthquakes reach: is the unit right (m/s2 or cm/s2 read as g)?")
     if pga < _SMALLEST_PGA:
         found.append(f"the peak is only {shown}: is the unit right (g read as m/s2, or m/s2 as cm/s2)?")
-    if record.time_step > _LONGEST_STEP:
+    if record.time_step > LONGEST_STEP:
         found.append(f"the time step of {record.time_step:g} s is too coarse for frequencies above 5 Hz: is it right?")
     if record.time_step < _SHORTEST_STEP:
         found.append(f"the time step of {record.time_step:g} s is shorter than that of any recorder: is it in seconds?")

@@ -123,6 +123,7 @@ def _read_file(path: Path, spec: FileRecord | StructdynRecord, name: str) -> Rec
         time_step=spec.time_step,
         time_column=spec.columns.time if spec.columns else None,
         acceleration_column=spec.columns.acceleration if spec.columns else None,
+        layout=spec.layout,
         component=spec.component,
         name=name,
     )

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Literal
 
 from edesign.errors import InputError
 from edesign.ground_motion import afad, at2, cosmos, csmip, csv_record, esm, knet
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
 from edesign.project.problems import did_you_mean
+from edesign.project.records import FileFormat, Layout
 
-FileFormat = Literal["at2", "cosmos", "csmip", "esm", "afad", "knet", "table"]
 FORMATS: dict[FileFormat, str] = {
     "at2": "PEER .AT2",
     "cosmos": "COSMOS .V1/.V2/.V2c",
@@ -30,7 +29,13 @@ _SUFFIXES: dict[str, FileFormat] = {
     **dict.fromkeys((".ns", ".ew", ".ud", *(f".{c}{k}" for c in ("ns", "ew", "ud") for k in (1, 2))), "knet"),
     **dict.fromkeys((".csv", ".tsv", ".dat", ".acc"), "table"),
 }
-_SEVERAL = ("cosmos", "csmip", "esm", "afad", "knet")  # formats whose files name their component
+_READERS: dict[FileFormat, Callable[..., Record]] = {  # of the formats whose files name their components
+    "cosmos": cosmos.read_cosmos,
+    "csmip": csmip.read_csmip,
+    "esm": esm.read_esm,
+    "afad": afad.read_afad,
+    "knet": knet.read_knet,
+}
 _POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; doubts come far earlier
 _HEAD = 100  # lines in which the marks of a format stand
 
@@ -43,6 +48,7 @@ def read_record_file(
     time_step: float | None = None,
     time_column: int | str | None = None,
     acceleration_column: int | str | None = None,
+    layout: Layout | None = None,
     component: str | int | None = None,
     name: str = "",
 ) -> Record:
@@ -54,6 +60,7 @@ def read_record_file(
         acceleration_unit: of tables, which do not say it: "g", "m/s^2", "cm/s^2" or "mm/s^2".
         time_step: s; of tables without a column of times.
         time_column, acceleration_column: of tables; header, or number from 1.
+        layout: of tables: "columns", or "rows" of several samples in turn; found from the file by default.
         component: of formats whose files name their components; needed where a file holds several.
         name: of the record; its file name by default.
 
@@ -62,51 +69,42 @@ def read_record_file(
             reader of the format finds, or peaks that no ground motion has.
     """
     path = Path(path)
-    arguments = (file_format, acceleration_unit, time_step, time_column, acceleration_column, component, name)
-    record = _read(path, *arguments)
+    of_tables = {
+        "acceleration_unit": acceleration_unit,
+        "time_step": time_step,
+        "time_column": time_column,
+        "acceleration_column": acceleration_column,
+        "layout": layout,
+    }
+    found = _known(path, file_format) if file_format is not None else detect(path)
+    _check_arguments(path, found, of_tables, component)
+    if found == "table":
+        columns = (time_step, time_column, acceleration_column, name, layout)
+        record = csv_record.read_csv(path, acceleration_unit or "", *columns)
+    elif found == "at2":
+        record = at2.read_at2(path, name)
+    else:
+        record = _READERS[found](path, component, name)
     low, high = _POSSIBLE_PGA
     if record.pga > high or 0.0 < record.pga < low:
         raise InputError(f"{path}: the peak of {record.pga:g} m/s2 is that of no ground motion; is the unit right?")
     return record
 
 
-def _read(
-    path: Path,
-    file_format: FileFormat | None,
-    acceleration_unit: str | None,
-    time_step: float | None,
-    time_column: int | str | None,
-    acceleration_column: int | str | None,
-    component: str | int | None,
-    name: str,
-) -> Record:
-    if file_format is not None and file_format not in FORMATS:
+def _known(path: Path, file_format: FileFormat) -> FileFormat:
+    if file_format not in FORMATS:
         hint = did_you_mean(str(file_format), FORMATS)
         raise InputError(f"{path}: unknown format `{file_format}`{hint} (formats: {', '.join(FORMATS)})")
-    found = file_format or detect(path)
-    _check_arguments(
-        path,
-        found,
-        {
-            "acceleration_unit": acceleration_unit,
-            "time_step": time_step,
-            "time_column": time_column,
-            "acceleration_column": acceleration_column,
-        },
-        component,
-    )
-    if found == "table":
-        return csv_record.read_csv(path, acceleration_unit or "", time_step, time_column, acceleration_column, name)
-    if found == "at2":
-        return at2.read_at2(path, name)
-    readers: dict[str, Callable[..., Record]] = {
-        "cosmos": cosmos.read_cosmos,
-        "csmip": csmip.read_csmip,
-        "esm": esm.read_esm,
-        "afad": afad.read_afad,
-        "knet": knet.read_knet,
-    }
-    return readers[found](path, component, name)
+    return file_format
+
+
+def names_components(path: Path) -> bool:
+    """Return whether a file is of a format that names its components.
+
+    Raises:
+        InputError: as `detect`.
+    """
+    return detect(path) in _READERS
 
 
 def detect(path: Path) -> FileFormat:
@@ -138,13 +136,13 @@ def detect(path: Path) -> FileFormat:
 
 
 def _check_arguments(
-    path: Path, file_format: FileFormat, of_tables: dict[str, object], component: str | int | None
+    path: Path, file_format: FileFormat, of_tables: Mapping[str, object], component: str | int | None
 ) -> None:
     given = [key for key, value in of_tables.items() if value is not None]
     if given and file_format != "table":
         raise InputError(
             f"{path}: {', '.join(given)}: only for tables; a file of the format {FORMATS[file_format]} says this itself"
         )
-    if component is not None and file_format not in _SEVERAL:
+    if component is not None and file_format not in _READERS:
         instead = "choose the column of accelerations" if file_format == "table" else "its files hold one component"
         raise InputError(f"{path}: component `{component}`: not for the format {FORMATS[file_format]}; {instead}")

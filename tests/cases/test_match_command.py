@@ -105,7 +105,7 @@ def test_the_best_of_a_library_are_chosen(tmp_path: Path, capsys: pytest.Capture
         (["set.yaml", *SITE, "--scale-bounds", "2", "1"], "scale_bounds"),
         (["set.yaml", *SITE, "--no-stand-ins"], "third: this recording was not found"),
         (["set.yaml", *SITE, "--folder", "nowhere"], "there is no such folder"),
-        (["set.yaml", *SITE, "--unit", "g"], "--unit, --time-step: only for record files"),
+        (["set.yaml", *SITE, "--unit", "g"], "--unit, --time-step, --layout, --component: only for record files"),
         (["set.yaml", "first.csv", *SITE], "one suite file, or record files"),
         (["first.csv", *SITE], "declare it: --unit g"),
         (["first.csv", "FIRST.txt", *SITE, "--unit", "g"], "another of the files is called FIRST too"),
@@ -201,6 +201,31 @@ def test_a_disk_that_is_full_leaves_nothing_behind(
     words = ["match", str(suite), *SITE, "--method", "scale", "--archive", str(tmp_path / "out.h5")]
     assert main(words) == 4
     assert "the disk is full" in capsys.readouterr().err and not list(tmp_path.glob("out*"))
+
+
+def test_several_samples_a_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A table of eight samples a line is refused until the layout is said, and then it is the record it was."""
+    suite_project.write_suite(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    record = read_csv("first.csv", "m/s^2")
+    words = [f"{value!r}" for value in record.acceleration.tolist()]
+    Path("rows.txt").write_text("\n".join(" ".join(words[k : k + 8]) for k in range(0, len(words), 8)))
+    table = ["--unit", "m/s^2", "--time-step", f"{record.time_step!r} s"]
+    for command in (["spectrum", "rows.txt", *SITE], ["match", "rows.txt", *SITE, *FIT, "--archive", "out.h5"]):
+        assert main([*command, *table]) == 2
+        assert "write `layout: rows` (--layout rows)" in capsys.readouterr().err
+        assert main([*command, *table, "--layout", "rows"]) == 0
+        capsys.readouterr()
+    with open_archive("out.h5") as opened:
+        assert np.array_equal(
+            opened.group("records/records/rows").variables["acceleration"].values, record.acceleration
+        )
+    assert main(["spectrum", "first.csv", *SITE, "--unit", "m/s^2", "--component", "1"]) == 2
+    assert "--component: only for files that name their components" in capsys.readouterr().err
+    assert main(["spectrum", "suite.yaml", *SITE, "--layout", "rows"]) == 2
+    assert "--layout, --component: only for record files" in capsys.readouterr().err
 
 
 def test_a_unit_that_cannot_be_right_is_doubted(

