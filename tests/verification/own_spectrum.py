@@ -13,9 +13,10 @@ from edesign.ground_motion.response_spectrum import psa
 
 @dataclass(frozen=True)
 class Own:
-    """The spectrum of a record as a target."""
+    """The spectrum of a record as a target, times a slow wave in log period if `ripple` is its height."""
 
     record: Record
+    ripple: float = 0.0
     damping: float = 0.05
     label: str = "its own spectrum"
 
@@ -24,7 +25,8 @@ class Own:
         return self.record.pga
 
     def acceleration(self, period: Any) -> np.ndarray:
-        return psa(self.record.acceleration, self.record.time_step, period)
+        wave = 1.0 + self.ripple * np.sin(3.0 * np.log(np.asarray(period)))
+        return psa(self.record.acceleration, self.record.time_step, period) * wave
 
     def displacement(self, period: Any) -> np.ndarray:
         return self.acceleration(period) * (np.asarray(period) / (2.0 * np.pi)) ** 2

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from scipy.sparse.linalg import lsmr
 
+from edesign.ground_motion.matching.closeness import Closeness, Closest
 from edesign.ground_motion.matching.drift import DriftCorrection
 from edesign.ground_motion.matching.fourier_factor import TRANSITION, FourierFactor
 from edesign.ground_motion.matching.options import MatchOptions
@@ -24,7 +27,7 @@ _PATIENCE = 8  # steps without a gain of one part in a hundred, after which it e
 def adjust(
     acceleration: np.ndarray,
     time_step: float,
-    target: np.ndarray,
+    target: Callable[[np.ndarray], np.ndarray],
     periods: np.ndarray,
     options: MatchOptions,
     zero_period: float | None = None,
@@ -36,7 +39,7 @@ def adjust(
     such steps end by circling. Then the factor is found by damped least squares with the derivatives of the ordinates
     (Gauss-Newton steps after Levenberg and Marquardt), with a small weight on the whole factor. After each step what
     the factor added is tapered at the ends of the duration and loses its drift, within the iteration, so that the
-    spectrum makes up for it. The best motion of all steps is returned.
+    spectrum makes up for it. The closest motion of all steps is returned, the given one if none came closer.
 
     Arguments and result are those of `edesign.ground_motion.matching.result.Adjust`. If `zero_period` is given, the
     peak ground acceleration counts as one more ordinate, and frequencies up to an octave above the band may change.
@@ -45,7 +48,7 @@ def adjust(
     the ratio; Marquardt (1963), Journal of SIAM 11, for the damping.
     """
     given = np.asarray(acceleration, dtype=float)
-    wanted = np.concatenate(([zero_period or 1.0], target))
+    wanted = np.concatenate(([zero_period or 1.0], target(periods)))
     weight = np.ones(wanted.size)
     weight[0] = 0.0 if zero_period is None else 1.0
     factor = _factor(given.size, time_step, periods, beyond=zero_period is not None)
@@ -58,7 +61,8 @@ def adjust(
         ratio = np.append(peak, psa(motion, time_step, periods, options.damping)) / wanted
         return -np.log(ratio), float(np.sqrt(np.average((ratio - 1.0) ** 2, weights=weight)))
 
-    motion, best, whole = given, given, np.zeros(factor.nodes.size)
+    motion, whole = given, np.zeros(factor.nodes.size)
+    closest = Closest(given, Closeness(target, periods, time_step, options.damping, zero_period))
     missing, error = log_ratio(given)
     history, damping = [error], _FIRST_DAMPING
     while len(history) <= options.iterations and min(history) > options.tolerance and not _stalled(history):
@@ -73,10 +77,9 @@ def adjust(
         if len(history) > _RATIO_STEPS:
             damping = max(_LEAST_DAMPING, _EASED * damping) if error < history[-1] else _STIFFENED * damping
             damping = min(damping, _MOST_DAMPING)
-        if error < min(history):
-            best = motion
+        closest.try_(motion)
         history.append(error)
-    return Adjusted(best, len(history) - 1, tuple(history))
+    return Adjusted(closest.motion, len(history) - 1, tuple(history))
 
 
 def _factor(samples: int, time_step: float, periods: np.ndarray, beyond: bool) -> FourierFactor:

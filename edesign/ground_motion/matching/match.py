@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -9,6 +10,7 @@ import numpy as np
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
 from edesign.ground_motion.intensity import husid, measures
+from edesign.ground_motion.matching.closeness import Closeness, judging_periods
 from edesign.ground_motion.matching.options import MatchOptions, Method
 from edesign.ground_motion.matching.result import Adjust, Adjusted, Match, misfit
 from edesign.ground_motion.matching.shape import compare
@@ -16,7 +18,6 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.one_thread import one_thread
 
-_CHECKED = 300  # periods at which the result is judged, at least; three times the matching periods, at least
 _LEAST_CYCLES = 2.0  # of the longest period that a record must have room for
 _QUIET = 1e-3  # of the Arias intensity: before and after it, the motion counts as not begun and over
 
@@ -44,16 +45,23 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
     scale, notes = _scale(record, wanted, periods, options)
     scaled, lead = record.scaled(scale), 0.0
     matched, adjusted = scaled, Adjusted(scaled.acceleration, 0, ())
-    if options.method != "scale":
+
+    def ordinates(at: np.ndarray) -> np.ndarray:
+        return _ordinates(target, at, options)[0]
+
+    if options.method != "scale" and not _fits(scaled, ordinates, periods, options, zero_period):
         scaled, lead = _with_room(scaled, options)
         adjust = _method(options.method)
         with one_thread():
-            adjusted = adjust(scaled.acceleration, scaled.time_step, wanted, periods, options, zero_period=zero_period)
-        band = f"{periods[0]:g} to {periods[-1]:g} s"
-        source = f"{scaled.source}; matched to {target.label} over {band} ({options.method})"
-        matched = replace(scaled, acceleration=adjusted.acceleration, source=source)
+            adjusted = adjust(scaled.acceleration, scaled.time_step, ordinates, periods, options, zero_period)
+        if np.array_equal(adjusted.acceleration, scaled.acceleration):
+            matched, notes = scaled, (*notes, "no step came closer to the target; the record is scaled only")
+        else:
+            band = f"{periods[0]:g} to {periods[-1]:g} s"
+            source = f"{scaled.source}; matched to {target.label} over {band} ({options.method})"
+            matched = replace(scaled, acceleration=adjusted.acceleration, source=source)
 
-    checked = np.geomspace(*options.periods, max(_CHECKED, 3 * options.points))
+    checked = judging_periods(periods)
     goal, _ = _ordinates(target, checked, options)
     psa_before = psa(scaled.acceleration, scaled.time_step, checked, options.damping)
     psa_after = psa(matched.acceleration, matched.time_step, checked, options.damping)
@@ -103,6 +111,18 @@ def check_record(record: Record, options: MatchOptions) -> None:
             f"{record.name}: the band ends at {longest:g} s, but a record of {record.duration:g} s has no room for two "
             f"cycles of periods above {record.duration / _LEAST_CYCLES:.4g} s; end the band there or earlier"
         )
+
+
+def _fits(
+    scaled: Record,
+    target: Callable[[np.ndarray], np.ndarray],
+    periods: np.ndarray,
+    options: MatchOptions,
+    zero_period: float,
+) -> bool:
+    """Whether a scaled record is within the tolerance as it is, so that its shape is left alone."""
+    closeness = Closeness(target, periods, scaled.time_step, options.damping, zero_period)
+    return closeness(scaled.acceleration) <= options.tolerance
 
 
 def _method(method: Method) -> Adjust:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -35,7 +36,9 @@ class Ordinates:
         return bool(np.isfinite(self.target[-1]))
 
 
-def ordinates(periods: np.ndarray, target: np.ndarray, damping: float, zero_period: float | None) -> Ordinates:
+def ordinates(
+    periods: np.ndarray, target: Callable[[np.ndarray], np.ndarray], damping: float, zero_period: float | None
+) -> Ordinates:
     """Return the matching periods and, if they are far apart, ordinates between them.
 
     Where the peak of an oscillator passes from one time to another with the period, the spectrum has a notch that is
@@ -43,23 +46,17 @@ def ordinates(periods: np.ndarray, target: np.ndarray, damping: float, zero_peri
 
     Args:
         periods: matching periods, increasing, shape (n,), s.
-        target: there, shape (n,), m/s2.
+        target: ordinates wanted at periods, m/s2; asked at each period, not interpolated.
         damping: ratio of critical.
         zero_period: target of the ground, m/s2; None: not matched.
     """
     spacing = float(np.log(periods[-1] / periods[0])) / (periods.size - 1)
     parts = int(np.ceil(spacing / _COARSE - 1e-9))
-    periods, target = between(periods, target, parts)
+    position = np.arange(parts * (periods.size - 1) + 1) / parts
+    periods = np.exp(np.interp(position, np.arange(periods.size), np.log(periods)))
     seats = np.arange(0, periods.size, max(1, round(_SEAT * parts / spacing)))
     ground = np.inf if zero_period is None else zero_period
-    return Ordinates(periods, np.append(target, ground), seats, damping)
-
-
-def between(periods: np.ndarray, target: np.ndarray, parts: int) -> tuple[np.ndarray, np.ndarray]:
-    """Periods and target with each interval cut into equal parts in log period; logarithms are interpolated."""
-    position = np.arange(parts * (periods.size - 1) + 1) / parts
-    known = np.arange(periods.size)
-    return np.exp(np.interp(position, known, np.log(periods))), np.exp(np.interp(position, known, np.log(target)))
+    return Ordinates(periods, np.append(target(periods), ground), seats, damping)
 
 
 class State:

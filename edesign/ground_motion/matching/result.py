@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Protocol
 
@@ -49,7 +50,8 @@ class Adjusted:
     """What a matching method returns.
 
     Attributes:
-        acceleration: as many samples as were given, end velocity and displacement corrected, m/s2.
+        acceleration: as many samples as were given, end velocity and displacement corrected, m/s2; those given if no
+            iteration came closer to the target.
         iterations: how many were done.
         history: misfit (rms over the matching periods, period zero among them if it is matched) before the first
             and after each iteration.
@@ -69,7 +71,7 @@ class Adjust(Protocol):
         self,
         acceleration: np.ndarray,
         time_step: float,
-        target: np.ndarray,
+        target: Callable[[np.ndarray], np.ndarray],
         periods: np.ndarray,
         options: MatchOptions,
         zero_period: float | None = None,
@@ -79,7 +81,7 @@ class Adjust(Protocol):
         Args:
             acceleration: the scaled motion, with zeros before and after where they are needed, shape (n,), m/s2.
             time_step: s.
-            target: ordinates wanted, greater than zero, shape (n_p,), m/s2.
+            target: ordinates wanted at periods (s), greater than zero, m/s2; may be asked between the matching ones.
             periods: matching periods, increasing, greater than zero, shape (n_p,), s.
             options: damping, iterations and tolerance are read here.
             zero_period: the target's ordinate at period zero (peak ground acceleration), m/s2; None: not matched.

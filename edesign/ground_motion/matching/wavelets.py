@@ -6,24 +6,22 @@ from collections.abc import Callable
 
 import numpy as np
 
+from edesign.ground_motion.matching.closeness import SPREAD, Closeness, Closest
 from edesign.ground_motion.matching.drift import DriftCorrection
 from edesign.ground_motion.matching.options import MatchOptions
-from edesign.ground_motion.matching.ordinates import Ordinates, State, between, ordinates
+from edesign.ground_motion.matching.ordinates import Ordinates, State, ordinates
 from edesign.ground_motion.matching.peaks import PeakFinder
 from edesign.ground_motion.matching.result import Adjusted
 from edesign.ground_motion.matching.wavelet_step import Step
-from edesign.ground_motion.response_spectrum import psa
 
 _WAYS = (1.5, 0.8, 0.4)  # damping of the first step of up to three ways from the scaled motion
-_SPREAD = 4.0  # largest misfit over the rms that is asked for
-_CHECKED = 4  # parts of each interval between matching periods, on which a way is judged
 _SETTLED = 1.45  # times the tolerance: no other way is tried
 
 
 def adjust(
     acceleration: np.ndarray,
     time_step: float,
-    target: np.ndarray,
+    target: Callable[[np.ndarray], np.ndarray],
     periods: np.ndarray,
     options: MatchOptions,
     zero_period: float | None = None,
@@ -33,7 +31,8 @@ def adjust(
     In each iteration the peaks of the oscillators are found, wavelets of each period are set where they bring about
     those peaks, the response of every oscillator at its peaks to every wavelet is a matrix in closed form, and damped
     least squares give the smallest amplitudes that bring the largest peaks to their targets and no other above. If that
-    ends in a local minimum, it is tried again from the start with another first step. The best motion is returned.
+    ends in a local minimum, it is tried again from the start with another first step. The closest motion of all steps
+    is returned, the given one if none came closer.
 
     Arguments and result are those of `edesign.ground_motion.matching.result.Adjust`.
 
@@ -44,33 +43,31 @@ def adjust(
     goal = ordinates(periods, target, options.damping, zero_period)
     correction, nothing = DriftCorrection(given.size, time_step, float(periods[-1])), np.zeros(given.size)
     find = PeakFinder(time_step, goal.periods, options.damping)
-    checked, wanted = between(periods, target, _CHECKED)
+    closeness = Closeness(target, periods, time_step, options.damping, zero_period)
 
     def state_of(motion: np.ndarray) -> State:
         at_rest = motion + correction(nothing, motion)
         return State(at_rest, find(at_rest), goal)
 
-    def verdict(state: State) -> float:
-        """Misfit between the matching periods too: the rms, or the part of the largest that should be within it."""
-        error = np.abs(psa(state.motion, time_step, checked, options.damping) / wanted - 1.0)
-        return max(float(np.sqrt(np.mean(error**2))), float(np.max(error)) / _SPREAD)
-
     start = state_of(given)
-    best, judged, history = start, np.inf, [start.rms]
+    closest = Closest(given, closeness)
+    closest.try_(start.motion)
+    history = [start.rms]
     for damping in _WAYS:
         way = _Way(start, goal, time_step, damping)
         while len(history) <= options.iterations and not way.over and not _within(way.state, options.tolerance):
+            before = way.state
             history.append(way.go(state_of))
-        if way.state is not start and (misfit := verdict(way.state)) < judged:
-            best, judged = way.state, misfit
-        if way.state is start or judged <= _SETTLED * options.tolerance:
+            if way.state is not before:
+                closest.try_(way.state.motion)
+        if way.state is start or closest.misfit <= _SETTLED * options.tolerance:
             break
-    return Adjusted(best.motion, len(history) - 1, tuple(history))
+    return Adjusted(closest.motion, len(history) - 1, tuple(history))
 
 
 def _within(state: State, tolerance: float) -> bool:
     """Whether the rms is within the tolerance and no ordinate stays far behind."""
-    return state.rms <= tolerance and state.largest <= _SPREAD * tolerance
+    return state.rms <= tolerance and state.largest <= SPREAD * tolerance
 
 
 class _Way:
