@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Collection, Mapping
+
 import numpy as np
 
 from edesign.ground_motion.intensity import velocity
@@ -16,6 +19,15 @@ _SHORTEST_STEP = 0.0005  # s
 _OFFSET = 0.02  # of the PGA: the median of a recorded motion is far below
 _CLIPPED = 4  # equal samples in a row at the extreme
 _END_VELOCITY = 0.1  # of the PGV; processed records end below 3 %
+
+USUAL_SCALES = (1.0 / 3.0, 3.0)
+"""Factors on records that practice takes for modest.
+
+Source: FEMA P-751 (2012), NEHRP Recommended Provisions: Design Examples, 3.3.1.4: scale factors "should be modest
+(usually falling between 1/3 and 3)"; beyond, the recorded event is likely inconsistent with the one that is modelled.
+"""
+_NAMED = 3  # of records that are scaled beyond the usual, so many are named
+_ROUNDING = 1e-9  # relative: a factor of 3 as written is not beyond 3
 
 
 def doubts(record: Record) -> tuple[str, ...]:
@@ -47,6 +59,27 @@ def doubts(record: Record) -> tuple[str, ...]:
             "or needs a baseline correction"
         )
     return tuple(found)
+
+
+def unusual_scales(factors: Mapping[str, float], stand_ins: Collection[str] = ()) -> tuple[str, ...]:
+    """Return a sentence if records are scaled by more, or less, than practice takes for modest; nothing otherwise.
+
+    Args:
+        factors: on each record, by its name.
+        stand_ins: names of those that are simulated.
+    """
+    low, high = USUAL_SCALES
+    beyond = {name: f for name, f in factors.items() if not low * (1.0 - _ROUNDING) <= f <= high * (1.0 + _ROUNDING)}
+    if not beyond:
+        return ()
+    worst = sorted(beyond, key=lambda name: -abs(math.log(beyond[name])))
+    named = [f"{name} by {beyond[name]:.3g}{' (a stand-in)' if name in stand_ins else ''}" for name in worst[:_NAMED]]
+    more = [f"{len(beyond) - _NAMED} more"] if len(beyond) > _NAMED else []
+    which = f"{len(beyond)} of {len(factors)} records are scaled" if len(factors) > 1 else "the record is scaled"
+    return (
+        f"{which} beyond the usual 1/3 to 3 (FEMA P-751, 3.3.1.4): {', '.join(named + more)}; such an earthquake is "
+        "likely not the one that is meant",
+    )
 
 
 def _longest_run_at_extreme(acceleration: np.ndarray) -> tuple[int, int]:

@@ -8,6 +8,7 @@ from typing import Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
+from edesign.ground_motion.plausibility import unusual_scales
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.table import Table, number
 from edesign.study.match import Choice
@@ -39,11 +40,13 @@ def tables_of(archive: Archive) -> list[Table]:
     """Return the tables of all records of an open archive; [] if it has none."""
     groups: dict[str, Group] = {}
     tables: list[Table] = []
+    warnings: list[str] = []
     names = archive.names(RECORDS)
     for name in names:
         place = f"{RECORDS}/{name}"
         if archive.group_attributes(place).get("suite"):
             suite = archive.group(place)
+            warnings += [f"{name}: {text}" for text in suite.attributes.get("warnings", ())]
             prefix = f"{name}/" if len(names) > 1 else ""  # of a single suite it would only widen the tables
             groups |= {f"{prefix}{member}": archive.group(f"{place}/{member}") for member in archive.names(place)}
             if "criteria" in suite.attributes:
@@ -54,6 +57,7 @@ def tables_of(archive: Archive) -> list[Table]:
         return []
     fitted = {name: group for name, group in groups.items() if "match_method" in group.attributes}
     first = [origins_table(groups)]
+    first[0].notes += warnings
     return [*first, *([changes_table(fitted), misfit_table(fitted)] if fitted else []), *tables]
 
 
@@ -67,6 +71,9 @@ def choice_table(choice: Choice) -> Table:
         f"scaled mean / target - 1: {100 * found.deviation:.1f} % rms, {100 * found.largest_deviation:.1f} % at most; "
         f"scatter {100 * found.scatter:.0f} %; {how}"
     )
+    stand_ins = {name for name, item in choice.recordings.items() if item.origin == "stand-in"}
+    factors = dict(zip(choice.recordings, found.factors.tolist(), strict=True))
+    table.notes += unusual_scales(factors, stand_ins)
     for criterion in found.after.failed:
         table.notes.append(f"scaled only, not met: {criterion.clause}, {criterion.text}: {criterion.value:.3g}")
     return table
@@ -83,7 +90,7 @@ def origins_table(groups: Mapping[str, Group]) -> Table:
         table.rows.append([name, str(about["origin"]), *cells, end, str(about["detail"])])
         if about["reason"]:
             table.notes.append(str(about["reason"]))
-        table.notes += [f"{name}: {doubt}" for doubt in about["doubts"]]
+        table.notes += [f"{name}: {text}" for text in (*about["doubts"], *about.get("warnings", ()))]
     return table
 
 

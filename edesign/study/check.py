@@ -24,11 +24,12 @@ from edesign.study.advice import project_warnings, record_warnings, study_warnin
 from edesign.study.design.design import check_sizing
 from edesign.study.history import check_motion
 from edesign.study.modal import fundamental_period, mode_count
-from edesign.study.motions import check_fits
+from edesign.study.motions import Motion, check_fits, expected_scale
 from edesign.study.plan import Task, make_plan
 from edesign.study.requested import requested_quantities
 from edesign.study.structure import make_frame, make_structure
 from edesign.study.study_plan import make_study_plan, recordings
+from edesign.study.suitability import scale_warnings
 from edesign.study.variants import variant_warnings
 
 ORIGINS = {"file": "from files", "package": "from packages", "stand-in": "simulated"}
@@ -165,7 +166,7 @@ def check_project(project: Project) -> dict[str, str]:
     others = find_recordings(project, [key for name in unused for key in references(project, name)])
     period = fundamental_period(project)
     recorded = {name: item.record for name, item in found.items()}
-    warnings = [*project_warnings(project, recorded), *record_warnings(recorded)]
+    warnings = [*project_warnings(project, recorded), *record_warnings(recorded), *_scales(project, plan, found)]
     return {
         "title": project.title,
         "frame": _frame(project),
@@ -200,6 +201,7 @@ def check_study(study: Study) -> dict[str, str]:
     entries = Counter(task.entry for task in plan)
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*study_warnings(study, plan, recorded), *record_warnings(recorded), *unjudged(study, plan)]
+    warnings += _scales(study.base, plan, found)
     return {
         "title": study.title,
         "project": str(study.base.path),
@@ -213,6 +215,14 @@ def check_study(study: Study) -> dict[str, str]:
         "archive": str(study.archive_path),
         **({"warnings": "\n".join(warnings)} if warnings else {}),
     }
+
+
+def _scales(project: Project, plan: Sequence[Task], found: Mapping[str, Found]) -> list[str]:
+    """What is unusual about the factors on the records, before they are fitted."""
+    motions = {reference: Motion(reference, item) for reference, item in found.items()}
+    scales = {reference: expected_scale(project, reference, item) for reference, item in found.items()}
+    warnings = scale_warnings(project, plan, motions, scales)
+    return [f"records {name}: {text}" for name, texts in warnings.items() for text in texts]
 
 
 def _dampers(project: Project) -> str:

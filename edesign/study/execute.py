@@ -23,7 +23,8 @@ from edesign.study.outcome import COLLAPSED, COMPLETED, FAILED, SKIPPED, Outcome
 from edesign.study.plan import Task, waves
 from edesign.study.progress import Listener, Progress
 from edesign.study.provenance import IDENTITY, circumstances
-from edesign.study.record_results import project_record_groups
+from edesign.study.record_results import failed_criteria, project_record_groups
+from edesign.study.suitability import scale_warnings, variant_periods
 from edesign.study.warnings import ATTRIBUTE
 from edesign.study.works import analyse, analyse_stripe
 
@@ -115,6 +116,7 @@ def _carry_out(run: Execution) -> None:
     prepared = run.job.prepare(run)
     if run.stopped():
         return
+    _archive_records(run, prepared)
     fallen: dict[str, str] = {}  # why the rest of a chain is skipped
     for wave in waves(run.job.tasks):
         for task, stripe in ((task, task.stripe) for task in wave if task.stripe is not None):
@@ -146,7 +148,7 @@ def _perform(run: Execution, tasks: Sequence[Task], prepared: Prepared) -> None:
 
 
 def _prepare_records(run: Execution) -> dict[str, Motion]:
-    """Fit the records to the spectrum where the project says so, and archive them."""
+    """Fit the records to the spectrum where the project says so."""
     started = time.monotonic()
     project, recordings = run.job.project, run.job.recordings
     fits = [name for name in recordings if match_options(project, name) is not None]
@@ -165,10 +167,21 @@ def _prepare_records(run: Execution) -> dict[str, Motion]:
     period = cache(partial(fundamental_period, project))
     motions = project_motions(project, recordings, period, run.workers, each, run.stopped)
     tell("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
-    if not run.stopped():
-        for place, group in project_record_groups(project, motions, period):
-            run.archive(place, group)
     return motions
+
+
+def _archive_records(run: Execution, prepared: Prepared) -> None:
+    """Archive the records with what is doubtful about their use, which the periods of designed frames decide too."""
+    project, motions = run.job.project, run.motions
+    warnings = scale_warnings(project, run.job.tasks, motions)
+    for name, texts in warnings.items():
+        for text in texts:
+            run.note(f"warning: records {name}: {text}")
+    period = cache(partial(fundamental_period, project))
+    for place, group in project_record_groups(project, motions, period, variant_periods(run, prepared), warnings):
+        run.archive(place, group)
+        for text in failed_criteria(group.attributes["name"], group):
+            run.note(f"warning: {text}")
 
 
 def _archive(run: Execution, task: Task, result: Result) -> None:

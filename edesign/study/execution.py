@@ -38,6 +38,7 @@ class Job:
         warnings: doubts about the input, for the user and the archive.
         prepare: called once the records are ready, before the first task.
         resumable: places of other groups in the archive that an interrupted run may have left.
+        damper_strains: shear strain at which the dampers of a variant count for its period, where its design says it.
     """
 
     path: Path
@@ -48,6 +49,7 @@ class Job:
     warnings: tuple[str, ...]
     prepare: Callable[[Execution], Prepared]
     resumable: tuple[str, ...] = ()
+    damper_strains: Mapping[str, float | None] = field(default_factory=dict)
 
 
 @dataclass

@@ -17,6 +17,7 @@ from edesign.codes.ec8.accelerograms import DAMPING, Criterion
 from edesign.codes.ec8.elastic import ElasticSpectrum
 from edesign.errors import AnalysisError, Interrupted
 from edesign.ground_motion.matching import MatchOptions
+from edesign.ground_motion.plausibility import unusual_scales
 from edesign.ground_motion.selection import Selection, select_records
 from edesign.ground_motion.selection_scaling import SelectionOptions
 from edesign.ground_motion.sources import Found
@@ -117,7 +118,10 @@ def match_recordings(
                 reasons = "".join(f"\n  {motion.failure}" for motion in motions.values())
                 raise AnalysisError(f"none of the recordings can be fitted:{reasons}")
             verdicts = criteria(fitted, target, fundamental_period)
-            for place, group in suite_groups(name, list(motions.values()), target, verdicts):
+            factors = {motion.name: motion.scale for motion in fitted}
+            stand_ins = {motion.name for motion in fitted if motion.found.origin == "stand-in"}
+            warnings = unusual_scales(factors, stand_ins)
+            for place, group in suite_groups(name, list(motions.values()), target, verdicts, warnings=warnings):
                 writer.write(place, group)
             writer.finish({"status": "completed" if len(fitted) == len(motions) else "failed"})
         except BaseException:

@@ -11,7 +11,7 @@ from edesign.codes.ec8.elastic import ElasticSpectrum
 from edesign.errors import EdesignError, InputError
 from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
-from edesign.ground_motion.matching.match import check_record
+from edesign.ground_motion.matching.match import check_record, constant_factor
 from edesign.ground_motion.matching.raising import raised, suite_factor
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.sources import Found
@@ -36,6 +36,11 @@ class Motion:
     found: Found
     match: Match | None = None
     failure: str = ""
+
+    @property
+    def scale(self) -> float:
+        """Constant factor between the recording and what is applied: that of the fit, and of its suite."""
+        return self.match.scale * self.match.suite_factor if self.match else 1.0
 
     @property
     def record(self) -> Record:
@@ -143,6 +148,14 @@ def match_options(project: Project, reference: str) -> MatchOptions | None:
     return MatchOptions(
         method=spec.method, periods=spec.periods, scale_bounds=spec.scale_bounds, damping=project.hazard.damping
     )
+
+
+def expected_scale(project: Project, reference: str, found: Found) -> float:
+    """Return the factor that the fit of a recording begins with; 1 for one that is not fitted."""
+    options = match_options(project, reference)
+    if options is None or project.hazard is None:
+        return 1.0
+    return constant_factor(found.record, elastic_spectrum(project.hazard), options)
 
 
 def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:

@@ -20,19 +20,27 @@ from edesign.project.project import Project
 from edesign.project.records import SuiteRecords, record_of
 from edesign.study.motions import Motion
 
+MEAN_SPECTRUM = "3.2.3.1.2(4)c"  # clause of the criterion that depends on the period
 RECORDS = "records"  # their group in the archive
 PERIODS = np.geomspace(0.02, 10.0, 300)  # of the spectra of records that are not fitted
 SEISMOLOGY = {"event", "year", "station", "component", "magnitude", "distance", "v_s30", "rsn", "pair", "direction"}
 
 
 def project_record_groups(
-    project: Project, motions: Mapping[str, Motion], fundamental_period: Callable[[], float | None]
+    project: Project,
+    motions: Mapping[str, Motion],
+    fundamental_period: Callable[[], float | None],
+    variant_periods: Mapping[str, Mapping[str, float]],
+    warnings: Mapping[str, Sequence[str]],
 ) -> Iterator[tuple[str, Group]]:
     """Yield place and group of all recordings of a run, those of suites under their suite.
 
     Args:
         project: the validated project.
         motions: its recordings, made ready, by reference.
+        fundamental_period: gives T1 of the bare frame, s.
+        variant_periods: T1 of other frames that a suite acts on, s, by suite and name of the frame.
+        warnings: what the user should know, by record of the project.
 
     Raises:
         AnalysisError: the period of the frame, which a criterion needs, cannot be found.
@@ -40,16 +48,21 @@ def project_record_groups(
     for order, name in enumerate(dict.fromkeys(record_of(reference) for reference in motions)):
         spec = project.records[name]
         if not isinstance(spec, SuiteRecords):
-            yield f"{RECORDS}/{name}", record_group(motions[name], order)
+            yield f"{RECORDS}/{name}", record_group(motions[name], order, warnings.get(name, ()))
             continue
         members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
         target = elastic_spectrum(project.hazard) if project.hazard and spec.match else None
-        verdicts = criteria(members, target, fundamental_period()) if target else ()
-        yield from suite_groups(name, members, target, verdicts, order)
+        verdicts: tuple[Criterion, ...] = ()
+        if target is not None:
+            verdicts = criteria(members, target, fundamental_period(), variant_periods.get(name, {}))
+        yield from suite_groups(name, members, target, verdicts, order, warnings.get(name, ()))
 
 
 def criteria(
-    motions: Sequence[Motion], target: ElasticSpectrum, fundamental_period: float | None
+    motions: Sequence[Motion],
+    target: ElasticSpectrum,
+    fundamental_period: float | None,
+    variant_periods: Mapping[str, float] | None = None,
 ) -> tuple[Criterion, ...]:
     """Check recordings that were fitted against the code's criteria for a set of them.
 
@@ -57,12 +70,30 @@ def criteria(
         motions: those that could not be fitted are left out.
         target: the elastic spectrum.
         fundamental_period: T1 of the structure, s; None leaves the criterion on 0.2 T1 to 2 T1 open.
+        variant_periods: T1 of other structures that the set acts on, s, by name; each adds that criterion.
 
     Source: EN 1998-1:2004, 3.2.3.1.2(4).
     """
     matches = [motion.match for motion in motions if motion.match is not None]
     if not matches:
         return ()
+    others = variant_periods or {}
+    verdicts = list(_checked(matches, target, fundamental_period))
+    of_mean = next(i for i, verdict in enumerate(verdicts) if verdict.clause == MEAN_SPECTRUM)
+    if others:
+        verdicts[of_mean] = replace(verdicts[of_mean], text=f"{verdicts[of_mean].text}, bare frame")
+    names: dict[float, list[str]] = {}
+    for name, period in others.items():
+        names.setdefault(period, []).append(name)
+    for period, of in reversed(names.items()):  # the period shows in the band of the text
+        (found,) = (verdict for verdict in _checked(matches, target, period) if verdict.clause == MEAN_SPECTRUM)
+        verdicts.insert(of_mean + 1, replace(found, text=f"{found.text}, {', '.join(of)}"))
+    return tuple(verdicts)
+
+
+def _checked(
+    matches: Sequence[Match], target: ElasticSpectrum, fundamental_period: float | None
+) -> tuple[Criterion, ...]:
     records = [match.matched for match in matches]
     periods = check_periods(fundamental_period) if fundamental_period is not None else PERIODS
     spectra = [psa(record.acceleration, record.time_step, periods, DAMPING) for record in records]
@@ -74,9 +105,19 @@ def criteria(
         return verdicts
     outside = f"; fitted were {first:g} s to {last:g} s only"
     return tuple(
-        replace(verdict, detail=verdict.detail + outside) if verdict.clause.endswith("c") else verdict
+        replace(verdict, detail=verdict.detail + outside) if verdict.clause == MEAN_SPECTRUM else verdict
         for verdict in verdicts
     )
+
+
+def failed_criteria(name: str, group: Group) -> list[str]:
+    """Return a sentence for each criterion of the mean of a suite that is not met, from its group."""
+    return [
+        f"records {name}: not met: {found['clause']}, {found['text']}: {found['value']:.3g} {found['unit']}".rstrip()
+        + f", required {found['required']:.3g}"
+        for found in group.attributes.get("criteria", ())
+        if found["passed"] is False
+    ]
 
 
 def suite_groups(
@@ -85,6 +126,7 @@ def suite_groups(
     target: ElasticSpectrum | None = None,
     verdicts: Sequence[Criterion] = (),
     order: int = 0,
+    warnings: Sequence[str] = (),
 ) -> Iterator[tuple[str, Group]]:
     """Yield place and group of a suite, then of its recordings.
 
@@ -94,9 +136,11 @@ def suite_groups(
         target: the spectrum they were fitted to; None if they were not.
         verdicts: from `criteria`.
         order: place of the suite among all records.
+        warnings: what the user should know of the whole.
     """
     fitted = [motion.match for motion in motions if motion.match is not None]
     group = Group(attributes={"order": order, "name": name, "suite": True, "records": len(motions)})
+    group.attributes["warnings"] = list(warnings)
     group.attributes["origins"] = dict(Counter(motion.found.origin for motion in motions))
     if target is not None and fitted:
         periods = fitted[0].periods
@@ -116,12 +160,13 @@ def suite_groups(
         yield f"{RECORDS}/{name}/{motion.name.rpartition('/')[2]}", record_group(motion, place)
 
 
-def record_group(motion: Motion, order: int) -> Group:
+def record_group(motion: Motion, order: int, warnings: Sequence[str] = ()) -> Group:
     """Return a recording: samples, spectrum, measures, origin, and if it was fitted all that came of it.
 
     Args:
         motion: the recording.
         order: its place among those of its suite.
+        warnings: what the user should know, beside the doubts about the record itself.
     """
     found, record = motion.found, motion.found.record
     group = Group(
@@ -134,6 +179,7 @@ def record_group(motion: Motion, order: int) -> Group:
             "source": record.source,
             "checksum": record.checksum,
             "doubts": list(doubts(record)),
+            "warnings": list(warnings),
             "status": "failed" if motion.failure else "completed",
             "reason": motion.failure,
             "recorded": asdict(measures(record)),

@@ -105,7 +105,12 @@ def run_study(
         frames = study_designs(study, run)
         return frames if run.stopped() else study_stripes(study, run, frames)
 
-    job = Job(study.path, study.base, plan, recordings, root, tuple(warnings), prepare, resumable)
+    strains = {
+        name: study.designs[variant.design].strain
+        for name, variant in study.variants.items()
+        if variant.design is not None
+    }
+    job = Job(study.path, study.base, plan, recordings, root, tuple(warnings), prepare, resumable, strains)
     with make_backend(backend, workers, scheduler) as made:
         return execute(job, path, progress or silent, made, workers, fresh, overwrite)
 

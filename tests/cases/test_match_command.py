@@ -228,6 +228,20 @@ def test_several_samples_a_line(
     assert "--layout, --component: only for record files" in capsys.readouterr().err
 
 
+def test_scaling_beyond_the_usual_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    suite, archive = suite_project.write_suite(tmp_path), tmp_path / "out.h5"
+    site = ["--a-gr", "9g", "--ground", "B", "--method", "scale", "--periods", "0.1s", "2s", "--t1", "0.5s"]
+    words = ["match", str(suite), *site, "--scale-bounds", "0.1", "100", "--select", "3", "--archive", str(archive)]
+    assert main(words) == 0
+    output = " ".join(capsys.readouterr().out.split())
+    assert output.count("3 of 3 records are scaled beyond the usual 1/3 to 3") == 2  # of the choice and of the fit
+    with open_archive(archive) as opened:
+        about = [opened.group_attributes(f"records/set/{name}") for name in ("first", "second", "third")]
+        (said,) = opened.group_attributes("records/set")["warnings"]
+    assert all(f"by {one['match_scale'] * one['suite_factor']:.3g}" in said for one in about)
+    assert "(a stand-in)" in said and f"set: {said}" in output
+
+
 def test_a_unit_that_cannot_be_right_is_doubted(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

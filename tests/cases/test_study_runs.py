@@ -23,6 +23,8 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.building.project_file import load_study
 from edesign.cli.main import main
 from edesign.errors import AnalysisError, InputError, Interrupted
+from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.ground_motion.response_spectrum import psa
 from edesign.report.summary import summarise
 from edesign.study import designing
 from edesign.study import run as runs
@@ -160,6 +162,51 @@ def test_a_variant_and_a_history_at_a_temperature_are_the_same(archive: Path) ->
     assert warm.variables["storey_drift_max"].values.tobytes() == history.variables["storey_drift_max"].values.tobytes()
     assert own.variables["storey_drift_max"].values.tobytes() != warm.variables["storey_drift_max"].values.tobytes()
     assert (history.attributes["variant"], history.attributes["temperature_C"]) == ("damped", 35.0)
+
+
+def test_the_mean_spectrum_is_checked_at_the_period_of_every_variant(
+    told: subprocess.CompletedProcess[str], archive: Path
+) -> None:
+    """EN 1998-1, 3.2.3.1.2(4)c. T1 is that of the modal analysis of the variant; the ratio is computed here anew."""
+    with open_archive(archive) as opened:
+        suite = opened.group("records/set")
+        members = [opened.group(f"records/set/{name}") for name in opened.names("records/set")]
+        periods = {
+            name: float(opened.group(f"analyses/{name}.modes").variables["period"].values[0])
+            for name in ("bare", "damped", "upper", "warm")
+        }
+        target = elastic_spectrum(load_study(archive.parent / "study.yaml").base.hazard)
+    names = {"bare": "bare frame", "damped": "damped", "upper": "upper", "warm": "warm, damped at 35 degC"}
+    found = {c["text"]: c for c in suite.attributes["criteria"] if c["clause"] == "3.2.3.1.2(4)c"}
+    assert len(found) == 5  # and damped at 10 degC
+    for name, period in periods.items():
+        grid = np.geomspace(0.2 * period, 2.0 * period, 201)
+        spectra = []
+        for member in members:
+            samples = member.variables["matched_acceleration"].values
+            step = float(np.diff(member.coords["matched_time"].values[:2])[0])
+            spectra.append(psa(samples, step, grid, 0.05))
+        ratio = float(np.min(np.mean(spectra, axis=0) / target.acceleration(grid)))
+        text = f"from {0.2 * period:.3g} s to {2.0 * period:.3g} s (0.2 T_1 to 2 T_1), {names[name]}"
+        (one,) = (c for key, c in found.items() if key.endswith(text))
+        assert one["value"] == pytest.approx(ratio, rel=1e-6) and one["passed"] is (ratio >= 0.9)
+        said = f"records set: not met: 3.2.3.1.2(4)c, {one['text']}: {ratio:.3g}, required 0.9"
+        assert (said in told.stderr) is not one["passed"] and one["text"] in told.stdout
+    assert {c["passed"] for c in found.values()} == {True, False}  # the shortest period passes, that of the bare fails
+
+
+def test_scaling_beyond_the_usual_is_told_by_run_and_archive(
+    told: subprocess.CompletedProcess[str], archive: Path
+) -> None:
+    """The factors at the MCE are match_scale (1.54 to 1.59) times suite_factor (1.5) times gamma_I (1.71): above 3."""
+    with open_archive(archive) as opened:
+        (said,) = opened.group_attributes("records/set")["warnings"]
+        of = {name: opened.group_attributes(f"records/set/{name}") for name in opened.names("records/set")}
+        level = opened.group_attributes("analyses/bare.MCE.first")["scale_factor"]
+    assert said.startswith("MCE: 3 of 3 records are scaled beyond the usual 1/3 to 3 (FEMA P-751, 3.3.1.4): ")
+    for name, about in of.items():
+        assert f"{name} by {about['match_scale'] * about['suite_factor'] * level:.3g}" in said
+    assert f"records set: {said}" in told.stderr and f"set: {said}" in told.stdout
 
 
 def test_details_are_kept_of_the_records_that_are_named(archive: Path) -> None:

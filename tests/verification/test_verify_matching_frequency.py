@@ -16,6 +16,7 @@ from shared_records import needs_recordings, recordings
 from edesign.codes.ec8 import ElasticSpectrum, HorizontalParameters
 from edesign.ground_motion.intensity import displacement, velocity
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
+from edesign.ground_motion.matching.closeness import Closeness
 from edesign.ground_motion.matching.fourier_factor import FourierFactor
 from edesign.ground_motion.matching.frequency import adjust
 from edesign.ground_motion.matching.sensitivity import Sensitivity
@@ -98,8 +99,10 @@ def test_scaling_the_record_does_not_matter(matched: Match) -> None:
 
 
 def test_a_matched_record_matched_again_to_a_multiple_is_that_multiple(matched: Match) -> None:
-    # its misfit is the tolerance now: nothing is left to do but to scale it
-    options = replace(OPTIONS, tolerance=1.05 * min(matched.history))
+    # its misfit is below the tolerance now: nothing is left to do but to scale it
+    motion, periods = matched.matched, OPTIONS.matching_periods
+    measure = Closeness(DBE.acceleration, periods, motion.time_step, OPTIONS.damping, DBE.zero_period)
+    options = replace(OPTIONS, tolerance=1.05 * measure(motion.acceleration))
     again = match_record(matched.matched, Times(DBE, 1.7), options)
     assert again.iterations == 0
     # the best constant factor in the logarithms is within the misfit of one

