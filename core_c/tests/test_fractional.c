@@ -104,6 +104,38 @@ static double maxwell_ramp(const double *p, double t)
   return p[0] * (1.0 - half(sqrt(t) / p[1]));
 }
 
+/* Of a series; f is its Laplace transform times i w. */
+static double complex modulus(const ed_prony *series, double omega)
+{
+  double complex sum = series->spring + I * omega * series->dashpot;
+  for (int i = 0; i < series->branches; i++)
+    sum += series->stiffness[i] * I * omega / (series->rate[i] + I * omega);
+  return sum;
+}
+
+/* Orders down to the least double, where the power is 1 and the law a spring, and up to the last one below 1: against
+ * (i w)^alpha, and (i w)^alpha / ((i w)^alpha + 1/a) of E_alpha(-t^alpha / a), from 2e-3 to 50 Hz, to the documented 1e-4. */
+static void check_orders_near_the_ends(double alpha)
+{
+  static const double a[] = {0.05, 1.0, 20.0};
+  const double least = fmin(alpha, 1.0 - alpha), loss = alpha < 0.5 ? alpha : 1.0;
+  for (double omega = 2.0 * M_PI * 2e-3; omega < 2.0 * M_PI * 50.0; omega *= 1.7) {
+    const double complex power = cpow(I * omega, alpha);
+    ed_prony series;
+    ed_spectrum_of_power(&series, alpha);
+    /* what the quadrature errs by is a share of the spectrum, and that is of the size of the order or of what it lacks to 1 */
+    CHECK_NEAR(cabs(modulus(&series, omega) / power - 1.0), 0.0, 2e-3 * least + 1e-12);
+    for (int i = 0; i < (int)(sizeof a / sizeof *a); i++) {
+      ed_spectrum_of_mittag_leffler(&series, alpha, a[i], 0);
+      const double complex zener = power / (power + 1.0 / a[i]);
+      CHECK_NEAR(cabs(modulus(&series, omega) / zener - 1.0), 0.0, 1e-4);
+      CHECK_NEAR(cimag(modulus(&series, omega)), cimag(zener), 1e-3 * loss * cabs(zener) + 1e-13);
+      ed_spectrum_of_mittag_leffler(&series, alpha, a[i], 1);
+      CHECK_NEAR(cabs(modulus(&series, omega) / (I * omega / (1.0 + a[i] * power)) - 1.0), 0.0, 1e-4);
+    }
+  }
+}
+
 static void check_parameters(void)
 {
   static const int laws[] = {ED_LAW_FRACTIONAL_KELVIN, ED_LAW_FRACTIONAL_MAXWELL};
@@ -126,6 +158,13 @@ int main(void)
     for (int j = 0; j < (int)(sizeof a / sizeof *a); j++)
       check_sums(ORDERS[i], a[j]);
   }
+  for (double size = 1e-3; size > 1e-300; size *= size > 1e-17 ? 0.3 : 1e-40) {
+    check_orders_near_the_ends(size);
+    if (1.0 - size < 1.0)
+      check_orders_near_the_ends(1.0 - size);
+  }
+  check_orders_near_the_ends(5e-324);
+  check_orders_near_the_ends(nextafter(1.0, 0.0));
   for (int i = 3; i <= 7; i++)
     check_ramp_and_hold(ED_LAW_FRACTIONAL_KELVIN, 3, (const double[]){3e6, 0.4, ORDERS[i]}, kelvin_ramp);
   check_ramp_and_hold(ED_LAW_FRACTIONAL_ZENER, 4, (const double[]){3e6, 0.05, 0.8, 0.5}, zener_ramp);

@@ -16,6 +16,14 @@ static int check(const ed_damper *damper, const char *const *name, int order, ch
   return ED_OK;
 }
 
+static void scale(ed_prony *series, double factor)
+{
+  series->spring *= factor;
+  series->dashpot *= factor;
+  for (int i = 0; i < series->branches; i++)
+    series->stiffness[i] *= factor;
+}
+
 /* F = k0 (u + c D^alpha u): beside the spring a relaxation modulus k0 c t^-alpha / Gamma(1 - alpha). */
 static int kelvin(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
@@ -25,9 +33,8 @@ static int kelvin(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   const double *p = damper->parameter;
   ed_prony series;
   ed_spectrum_of_power(&series, p[2]);
-  series.spring = p[0];
-  for (int i = 0; i < series.branches; i++)
-    series.stiffness[i] *= p[0] * p[1];
+  scale(&series, p[0] * p[1]);
+  series.spring += p[0];
   return ed_prony_prepare(damper, &series, message);
 }
 
@@ -42,9 +49,8 @@ static int zener(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
     return ed_refuse_parameter(message, "b", p[2], "it must be above a, or the device would give more energy than it took");
   ed_prony series;
   ed_spectrum_of_mittag_leffler(&series, p[3], p[1], 0);
-  series.spring = p[0];
-  for (int i = 0; i < series.branches; i++)
-    series.stiffness[i] *= p[0] * ((p[2] - p[1]) / p[1]);
+  scale(&series, p[0] * ((p[2] - p[1]) / p[1]));
+  series.spring += p[0];
   return ed_prony_prepare(damper, &series, message);
 }
 
@@ -57,8 +63,7 @@ static int maxwell(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   const double *p = damper->parameter;
   ed_prony series;
   ed_spectrum_of_mittag_leffler(&series, p[2], p[1], 1);
-  for (int i = 0; i < series.branches; i++)
-    series.stiffness[i] *= p[0];
+  scale(&series, p[0]);
   return ed_prony_prepare(damper, &series, message);
 }
 

@@ -13,6 +13,8 @@ int ed_prony_prepare(ed_damper *damper, const ed_prony *series, char message[ED_
 {
   const int n = series->branches;
   const size_t size = (size_t)n * sizeof(double);
+  if (!isfinite(series->spring))
+    return ed_refuse_parameter(message, "stiffness", series->spring, "it must be finite");
   if (!isfinite(series->dashpot))
     return ed_refuse_parameter(message, "damping coefficient", series->dashpot, "it must be finite");
   for (int i = 0; i < n; i++) {
