@@ -35,7 +35,8 @@ extern "C" {
   X(ED_E_NOT_FINITE, -10, "a result is not a finite number") \
   X(ED_E_STATE, -11, "this call is not allowed in the present state") \
   X(ED_E_UNSTABLE, -12, "the structure is unstable under its loads") \
-  X(ED_E_DAMPER, -13, "a damper state was not found")
+  X(ED_E_DAMPER, -13, "a damper state was not found") \
+  X(ED_E_STOPPED, -14, "the call was asked to stop")
 
 #define ED_STATUS_ENUM(name, value, text) name = value,
 typedef enum { ED_STATUS_LIST(ED_STATUS_ENUM) ED_STATUS_END = 99 } ed_status;
@@ -43,6 +44,13 @@ typedef enum { ED_STATUS_LIST(ED_STATUS_ENUM) ED_STATUS_END = 99 } ed_status;
 const char *ed_status_name(int status);
 const char *ed_status_text(int status);
 const char *ed_version(void);
+
+/* Whether a long call shall end. `asked` is called with `data` in the thread of the call, about five times a second, and never by
+ * calls that last less than that. Another answer than 0 ends the call with ED_E_STOPPED. It must not use the object that is busy. */
+typedef struct {
+  int (*asked)(void *data);
+  void *data;
+} ed_stop;
 
 typedef struct ed_model ed_model;
 typedef struct ed_analysis ed_analysis;
@@ -103,6 +111,8 @@ int ed_model_point_load(ed_model *model, int pattern, int element, double positi
 ed_analysis *ed_analysis_new(const ed_model *model, int *status, char *message, int size);
 void ed_analysis_free(ed_analysis *analysis);
 const char *ed_analysis_message(const ed_analysis *analysis);
+/* Whom runs of this analysis ask whether to stop; NULL, or before this call: nobody. */
+void ed_analysis_ask(ed_analysis *analysis, const ed_stop *stop);
 
 int ed_n_equations(const ed_analysis *analysis);
 int ed_n_nonzeros(const ed_analysis *analysis);
@@ -180,7 +190,8 @@ int ed_history_begin(ed_analysis *analysis, int n, double dt, const double *grou
                      const double *parameters);
 void ed_run_buffers(ed_analysis *analysis, int every, double *abscissa, double *values, double *energy);
 /* Returns ED_OK while all went well, ED_LIMIT when a channel has exceeded its limit (the step stands, it is the last), an error when
- * the run cannot go on (the last good state stands). */
+ * the run cannot go on (the last good state stands). After ED_E_STOPPED it can: the step that was left is done anew. With ED_E_NOT_FINITE
+ * a channel or an energy may be what is not finite, of the step that was done last. */
 int ed_run_advance(ed_analysis *analysis, int max_steps);
 int ed_run_steps_done(const ed_analysis *analysis);
 int ed_run_rows(const ed_analysis *analysis);
@@ -223,7 +234,8 @@ typedef struct {
 int ed_n_events(const ed_analysis *analysis); /* kept: the first 10 000 */
 void ed_get_event(const ed_analysis *analysis, int index, ed_event *event);
 
-/* State of the present commit, for tests and restarts. */
+/* State of the present commit, for tests and restarts. What is set must come from an analysis of the same model; ED_E_NOT_FINITE,
+ * ED_E_ARGUMENT: it cannot, and nothing has changed. */
 int ed_state_size(const ed_analysis *analysis); /* doubles */
 void ed_state_get(const ed_analysis *analysis, double *state);
 int ed_state_set(ed_analysis *analysis, const double *state);
@@ -296,6 +308,8 @@ int ed_damper_amend(ed_damper *damper, int kind, int inside, int n_parameters, c
 /* What a damper went through before it starts, for laws that extremes soften (ED_LAW_MGMM; others do not mind): largest deformation
  * and velocity (>= 0), smallest ones (<= 0), in the order largest u, smallest u, largest v, smallest v. ED_E_ARGUMENT: they are not so. */
 int ed_damper_been(ed_damper *damper, const double extremes[4]);
+/* Whom calls with this damper ask whether to stop; NULL, or before this call: nobody. */
+void ed_damper_ask(ed_damper *damper, const ed_stop *stop);
 int ed_damper_state_size(const ed_damper *damper);            /* doubles */
 void ed_damper_start(const ed_damper *damper, double *state); /* at rest */
 
@@ -331,7 +345,8 @@ int ed_damper_history_in_series(const ed_damper *damper, int n, const double *ti
                                 const double *factor, const double *added, const double *spring, const ed_rig *rig, double *force,
                                 double *own, int *done);
 
-/* q_0 = before, q_i = decay_(i-1) q_(i-1) + made_(i-1). q: n >= 1; decay, made: n - 1. What is not finite is passed on. */
+/* q_0 = before, q_i = decay_(i-1) q_(i-1) + made_(i-1). q: n >= 1; decay, made: n - 1. What is not finite is passed on to all that
+ * follows, and ED_E_NOT_FINITE says that there is some. */
 int ed_fading(int n, const double *decay, const double *made, double before, double *q);
 /* The same of complex numbers, real and imaginary part side by side. */
 int ed_swinging(int n, const double *decay, const double *made, const double *before, double *q);
@@ -343,24 +358,24 @@ int ed_swinging(int n, const double *decay, const double *made, const double *be
  * falls to zero within one step after the last. Between samples the peak is that of a harmonic of the oscillator's frequency
  * through three of them. period (time), damping (ratio of critical), sd, sv, sa: n_oscillators each; sv and sa may both be NULL.
  * Periods are at least ED_MIN_PERIOD_STEPS dt; 0 <= damping < 1. The result of an oscillator is the same bit for bit whatever the
- * others are. ED_E_ARGUMENT: one of these is out of range, and nothing is written; ED_E_NOT_FINITE: a sample or a result is not
- * finite, and what is written is of no use. */
+ * others are. stop: may be NULL. ED_E_ARGUMENT: one of these is out of range, and nothing is written; ED_E_NOT_FINITE: a sample or a
+ * result is not finite, and what is written is of no use, as after ED_E_STOPPED. */
 #define ED_MIN_PERIOD_STEPS 4
 int ed_response_spectrum(int n, double dt, const double *acceleration, int n_oscillators, const double *period,
-                         const double *damping, double *sd, double *sv, double *sa);
+                         const double *damping, double *sd, double *sv, double *sa, const ed_stop *stop);
 /* Largest displacements under two components at right angles, in the directions k pi / n_angles from the first towards the
  * second, k = 0 .. n_angles - 1 (1 <= n_angles <= ED_MAX_ANGLES). first, second: n samples each. sd: n_oscillators x n_angles,
  * the angles of an oscillator side by side. Otherwise as above; also ED_E_MEMORY. */
 #define ED_MAX_ANGLES 360
 int ed_rotated_spectrum(int n, double dt, const double *first, const double *second, int n_oscillators,
-                        const double *period, const double *damping, int n_angles, double *sd);
+                        const double *period, const double *damping, int n_angles, double *sd, const ed_stop *stop);
 
 /* Local maxima of |y|, largest first, of recursions y_i = b0 x_i + b1 x_(i-1) + b2 x_(i-2) - a1 y_(i-1) - a2 y_(i-2) from rest.
  * samples: x, n >= 3. numerator: b0 b1 b2, denominator: a1 a2 of each recursion. Those from `share` (0..1) of the largest sample on
  * are kept, at most `most` (>= 1) of each. count: n_recursions; place (in samples from the first, between them by a parabola) and
- * value (signed): n_recursions x most, of which the first `count` are set. Also ED_E_MEMORY, ED_E_NOT_FINITE. */
+ * value (signed): n_recursions x most, of which the first `count` are set. Also ED_E_MEMORY, ED_E_NOT_FINITE, ED_E_STOPPED. */
 int ed_recursion_peaks(int n, const double *samples, int n_recursions, const double *numerator, const double *denominator,
-                       double share, int most, int *count, double *place, double *value);
+                       double share, int most, int *count, double *place, double *value, const ed_stop *stop);
 
 #ifdef __cplusplus
 }

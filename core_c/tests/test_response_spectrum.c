@@ -14,7 +14,7 @@ static const double ROUNDING = 1e-11; /* of 20 000 steps */
 static double sd_of(int n, const double *a, double period, double damping)
 {
   double sd = NAN;
-  CHECK_STATUS(ed_response_spectrum(n, DT, a, 1, &period, &damping, &sd, NULL, NULL), ED_OK);
+  CHECK_STATUS(ed_response_spectrum(n, DT, a, 1, &period, &damping, &sd, NULL, NULL, NULL), ED_OK);
   return sd;
 }
 
@@ -36,7 +36,7 @@ static void check_step(double *a)
   }
   const double period[2] = {0.25, 40.0}, damping[2] = {0.0, 0.0};
   double sd[2], sv[2], sa[2];
-  CHECK_STATUS(ed_response_spectrum(N, DT, a, 2, period, damping, sd, sv, sa), ED_OK);
+  CHECK_STATUS(ed_response_spectrum(N, DT, a, 2, period, damping, sd, sv, sa, NULL), ED_OK);
   for (int i = 0; i < 2; i++) {
     CHECK_NEAR(sv[i] * 2.0 * M_PI / period[i], 1.0, ROUNDING);
     CHECK_NEAR(sa[i], 2.0, 2.0 * ROUNDING);
@@ -94,13 +94,13 @@ static void check_same_bits(double *a)
     a[i] = i < LENGTH ? next_number(&source, -1.0, 1.0) : 0.0;
   for (int i = 0; i < M; i++)
     period[i] = ED_MIN_PERIOD_STEPS * DT * exp(0.1 * i), damping[i] = i % 4 * 0.1;
-  CHECK_STATUS(ed_response_spectrum(LENGTH, DT, a, M, period, damping, sd, sv, sa), ED_OK);
-  CHECK_STATUS(ed_response_spectrum(LENGTH, DT, a, M, period, damping, alone, NULL, NULL), ED_OK);
+  CHECK_STATUS(ed_response_spectrum(LENGTH, DT, a, M, period, damping, sd, sv, sa, NULL), ED_OK);
+  CHECK_STATUS(ed_response_spectrum(LENGTH, DT, a, M, period, damping, alone, NULL, NULL, NULL), ED_OK);
   CHECK_SAME(alone, sd, M);
-  CHECK_STATUS(ed_response_spectrum(N, DT, a, M, period, damping, longer, NULL, NULL), ED_OK);
+  CHECK_STATUS(ed_response_spectrum(N, DT, a, M, period, damping, longer, NULL, NULL, NULL), ED_OK);
   CHECK_SAME(longer, sd, M);
   for (int i = 0; i < M; i++) {
-    CHECK_STATUS(ed_response_spectrum(LENGTH, DT, a, 1, period + i, damping + i, one, one + 1, one + 2), ED_OK);
+    CHECK_STATUS(ed_response_spectrum(LENGTH, DT, a, 1, period + i, damping + i, one, one + 1, one + 2, NULL), ED_OK);
     CHECK_SAME(one, sd + i, 1);
     CHECK_SAME(one + 1, sv + i, 1);
     CHECK_SAME(one + 2, sa + i, 1);
@@ -136,10 +136,10 @@ static void check_rotated(double *a, double *b)
     period[i] = 0.05 * exp(0.12 * i), damping[i] = 0.05;
   for (int i = 0; i < LENGTH; i++)
     a[i] = next_number(&source, -1.0, 1.0);
-  CHECK_STATUS(ed_response_spectrum(LENGTH, DT, a, M, period, damping, along, NULL, NULL), ED_OK);
+  CHECK_STATUS(ed_response_spectrum(LENGTH, DT, a, M, period, damping, along, NULL, NULL, NULL), ED_OK);
   for (int i = 0; i < LENGTH; i++)
     b[i] = sin(phi) * a[i], a[i] *= cos(phi);
-  CHECK_STATUS(ed_rotated_spectrum(LENGTH, DT, a, b, M, period, damping, ANGLES, sd), ED_OK);
+  CHECK_STATUS(ed_rotated_spectrum(LENGTH, DT, a, b, M, period, damping, ANGLES, sd, NULL), ED_OK);
   for (int i = 0; i < M; i++)
     for (int k = 0; k < ANGLES; k++)
       CHECK_NEAR(sd[i * ANGLES + k] / along[i], fabs(cos(M_PI * k / ANGLES - phi)), ROUNDING);
@@ -151,29 +151,29 @@ static void check_errors(double *a)
   double sd = -1.0, sv;
   for (int i = 0; i < 10; i++)
     a[i] = 1.0;
-  CHECK_STATUS(ed_response_spectrum(0, DT, a, 1, good, good + 1, &sd, NULL, NULL), ED_E_ARGUMENT);
-  CHECK_STATUS(ed_response_spectrum(10, DT, a, 1, good, good + 1, NULL, NULL, NULL), ED_E_ARGUMENT);
-  CHECK_STATUS(ed_response_spectrum(10, DT, a, 1, good, good + 1, &sd, &sv, NULL), ED_E_ARGUMENT);
-  CHECK_STATUS(ed_response_spectrum(10, DT, a, -1, good, good + 1, &sd, NULL, NULL), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_response_spectrum(0, DT, a, 1, good, good + 1, &sd, NULL, NULL, NULL), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_response_spectrum(10, DT, a, 1, good, good + 1, NULL, NULL, NULL, NULL), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_response_spectrum(10, DT, a, 1, good, good + 1, &sd, &sv, NULL, NULL), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_response_spectrum(10, DT, a, -1, good, good + 1, &sd, NULL, NULL, NULL), ED_E_ARGUMENT);
   const double steps[] = {0.0, -0.01, NAN, INFINITY};
   for (int i = 0; i < 4; i++)
-    CHECK_STATUS(ed_response_spectrum(10, steps[i], a, 1, good, good + 1, &sd, NULL, NULL), ED_E_ARGUMENT);
+    CHECK_STATUS(ed_response_spectrum(10, steps[i], a, 1, good, good + 1, &sd, NULL, NULL, NULL), ED_E_ARGUMENT);
   const double periods[] = {0.0, -1.0, 0.039, NAN, INFINITY};
   for (int i = 0; i < 5; i++)
-    CHECK_STATUS(ed_response_spectrum(10, DT, a, 1, periods + i, good + 1, &sd, NULL, NULL), ED_E_ARGUMENT);
+    CHECK_STATUS(ed_response_spectrum(10, DT, a, 1, periods + i, good + 1, &sd, NULL, NULL, NULL), ED_E_ARGUMENT);
   const double dampings[] = {-0.01, 1.0, 5.0, NAN};
   for (int i = 0; i < 4; i++)
-    CHECK_STATUS(ed_response_spectrum(10, DT, a, 1, good, dampings + i, &sd, NULL, NULL), ED_E_ARGUMENT);
-  CHECK_STATUS(ed_rotated_spectrum(10, DT, a, a, 1, good, good + 1, 0, &sd), ED_E_ARGUMENT);
-  CHECK_STATUS(ed_rotated_spectrum(10, DT, a, a, 1, good, good + 1, ED_MAX_ANGLES + 1, &sd), ED_E_ARGUMENT);
+    CHECK_STATUS(ed_response_spectrum(10, DT, a, 1, good, dampings + i, &sd, NULL, NULL, NULL), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_rotated_spectrum(10, DT, a, a, 1, good, good + 1, 0, &sd, NULL), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_rotated_spectrum(10, DT, a, a, 1, good, good + 1, ED_MAX_ANGLES + 1, &sd, NULL), ED_E_ARGUMENT);
   CHECK(sd == -1.0);
-  CHECK_STATUS(ed_response_spectrum(10, DT, a, 0, good, good + 1, &sd, NULL, NULL), ED_OK);
+  CHECK_STATUS(ed_response_spectrum(10, DT, a, 0, good, good + 1, &sd, NULL, NULL, NULL), ED_OK);
   const double wrong[] = {NAN, INFINITY, -INFINITY};
   for (int i = 0; i < 3; i++)
     for (int at = 0; at < 10; at += 3) {
       a[at] = wrong[i];
-      CHECK_STATUS(ed_response_spectrum(10, DT, a, 1, good, good + 1, &sd, NULL, NULL), ED_E_NOT_FINITE);
-      CHECK_STATUS(ed_rotated_spectrum(10, DT, a, a, 1, good, good + 1, 1, &sd), ED_E_NOT_FINITE);
+      CHECK_STATUS(ed_response_spectrum(10, DT, a, 1, good, good + 1, &sd, NULL, NULL, NULL), ED_E_NOT_FINITE);
+      CHECK_STATUS(ed_rotated_spectrum(10, DT, a, a, 1, good, good + 1, 1, &sd, NULL), ED_E_NOT_FINITE);
       a[at] = 1.0;
     }
 }

@@ -17,6 +17,8 @@ from edesign.core.integrators import Integrator, Newmark
 from edesign.core.model import Model
 from edesign.core.modes import Modes, natural_modes
 from edesign.core.response import ENERGIES, KINDS, RUNGS, Channel, Passed, Response, energy_error
+from edesign.core.stop import STOP, raise_if_stopped
+from edesign.stopping import stoppable
 
 DEGREES = {"ux": 0, "uy": 1, "rz": 2}
 STIFFNESS = {
@@ -66,6 +68,7 @@ class Analysis:
         if handle == ffi.NULL:
             raise CoreError(status_name(status[0]), ffi.string(message).decode(errors="replace"))
         self._c = ffi.gc(handle, lib.ed_analysis_free)
+        lib.ed_analysis_ask(handle, STOP)
         for name, value in settings.items():
             self.set(name, value)
         n_nodes = len(model.node_names)
@@ -74,6 +77,7 @@ class Analysis:
         lib.ed_equations(self._c, ffi.from_buffer("int[]", self.equations))
 
     def _check(self, status: int) -> None:
+        raise_if_stopped(status)
         if status < 0:
             raise CoreError(status_name(status), ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace"))
 
@@ -309,10 +313,15 @@ class Analysis:
         cpu = 0.0
         while done < steps:
             wall, start = clock.perf_counter(), clock.thread_time()
-            result = lib.ed_run_advance(self._c, piece)
+            with stoppable(stop):
+                result = lib.ed_run_advance(self._c, piece)
             cpu += clock.thread_time() - start
             wall = clock.perf_counter() - wall
             done = int(lib.ed_run_steps_done(self._c))
+            if result == lib.ED_E_STOPPED and stop is not None and stop():
+                status, reason = "interrupted", f"stopped after {done} of {steps} steps"
+                break
+            raise_if_stopped(result)
             if result < 0:
                 status, reason = "failed", ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace")
                 break

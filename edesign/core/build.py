@@ -20,6 +20,8 @@ import cffi
 
 CORE = Path("core_c")
 HEADER = CORE / "include" / "edcore.h"
+# What the core may call in Python.
+CALLBACKS = 'extern "Python" int edesign_stop_asked(void *);\n'
 # No contraction: results must not depend on whether a machine has fused multiply-add. Hidden symbols: calls inside the
 # library may be inlined. gnu11 for M_PI and clock_gettime. No -march=native: a built package moves between machines.
 FLAGS = ["-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden", "-Wall", "-Wextra"]
@@ -76,7 +78,7 @@ def ffibuilder() -> cffi.FFI:
         raise SystemExit(f"no C sources under {CORE.resolve()}: build from the root of the source tree")
     found = library_flags()
     builder = cffi.FFI()
-    builder.cdef(declarations())
+    builder.cdef(declarations() + CALLBACKS)
     builder.set_source(
         "edesign.core._edcore",
         '#include "edcore.h"\n',

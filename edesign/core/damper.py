@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
 from edesign.core.errors import CoreError, status_name
+from edesign.core.stop import STOP, raise_if_stopped
 
 Method = Literal["best", "ode"]
 Term = Literal["spring", "dashpot", "power"]
@@ -84,6 +85,7 @@ class CoreDamper:
         if handle == ffi.NULL:
             raise CoreError(status_name(status[0]), ffi.string(message).decode(errors="replace"))
         self._handle = ffi.gc(handle, lib.ed_damper_free)
+        lib.ed_damper_ask(handle, STOP)
         if lib.ed_damper_been(handle, been) != lib.ED_OK:
             text = f"extremes {been} are not allowed: largest at least 0, smallest at most 0, finite"
             raise CoreError("ED_E_ARGUMENT", text)
@@ -131,9 +133,7 @@ class CoreDamper:
             ffi.from_buffer("double[]", result),
             done,
         )
-        if status != lib.ED_OK:
-            text = ffi.string(lib.ed_status_text(status)).decode()
-            raise CoreError(status_name(status), f"damper history: {text} at sample {done[0] + 1} of {t.size}")
+        _check(status, "damper history", f" at sample {done[0] + 1} of {t.size}")
         return result
 
     def force_in_series(
@@ -220,9 +220,7 @@ class CoreDamper:
             ffi.from_buffer("double[]", own),
             done,
         )
-        if status != lib.ED_OK:
-            text = ffi.string(lib.ed_status_text(status)).decode()
-            raise CoreError(status_name(status), f"damper in series: {text} at sample {done[0] + 1} of {t.size}")
+        _check(status, "damper in series", f" at sample {done[0] + 1} of {t.size}")
         return force, own
 
     def moments(
@@ -251,9 +249,7 @@ class CoreDamper:
         held, done = ffi.new("double *"), ffi.new("int *")
         samples = (ffi.from_buffer("double[]", values) for values in (t, u, v))
         status = lib.ed_mgmm_moments(self._handle, t.size, *samples, *into, held, done)
-        if status != lib.ED_OK:
-            text = ffi.string(lib.ed_status_text(status)).decode()
-            raise CoreError(status_name(status), f"damper moments: {text} at sample {done[0] + 1} of {t.size}")
+        _check(status, "damper moments", f" at sample {done[0] + 1} of {t.size}")
         return found, held[0]
 
     def start(self) -> np.ndarray:
@@ -291,6 +287,12 @@ class CoreDamper:
             force,
             slope,
         )
-        if status != lib.ED_OK:
-            raise CoreError(status_name(status), f"damper step: {ffi.string(lib.ed_status_text(status)).decode()}")
+        _check(status, "damper step")
         return trial, float(force[0]), (float(slope[0]), float(slope[1]))
+
+
+def _check(status: int, call: str, where: str = "") -> None:
+    raise_if_stopped(status)
+    if status != lib.ED_OK:
+        text = ffi.string(lib.ed_status_text(status)).decode()
+        raise CoreError(status_name(status), f"{call}: {text}{where}")

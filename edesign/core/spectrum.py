@@ -8,6 +8,7 @@ import numpy as np
 
 from edesign.core._edcore import ffi, lib
 from edesign.core.errors import CoreError, status_name
+from edesign.core.stop import STOP, raise_if_stopped
 
 
 def peak_displacement(
@@ -31,7 +32,7 @@ def peak_displacement(
     """
     a, (t, z) = _array(acceleration), _oscillators(period, damping)
     sd = np.empty(t.size)
-    _check(lib.ed_response_spectrum(a.size, time_step, _c(a), t.size, _c(t), _c(z), _c(sd), ffi.NULL, ffi.NULL))
+    _check(lib.ed_response_spectrum(a.size, time_step, _c(a), t.size, _c(t), _c(z), _c(sd), ffi.NULL, ffi.NULL, STOP))
     return sd
 
 
@@ -44,7 +45,7 @@ def peak_responses(
     """
     a, (t, z) = _array(acceleration), _oscillators(period, damping)
     sd, sv, sa = np.empty(t.size), np.empty(t.size), np.empty(t.size)
-    _check(lib.ed_response_spectrum(a.size, time_step, _c(a), t.size, _c(t), _c(z), _c(sd), _c(sv), _c(sa)))
+    _check(lib.ed_response_spectrum(a.size, time_step, _c(a), t.size, _c(t), _c(z), _c(sd), _c(sv), _c(sa), STOP))
     return sd, sv, sa
 
 
@@ -70,7 +71,7 @@ def rotated_peak_displacement(
     if a.size != b.size:
         raise ValueError(f"components of {a.size} and {b.size} samples")
     sd = np.empty((t.size, angles))
-    _check(lib.ed_rotated_spectrum(a.size, time_step, _c(a), _c(b), t.size, _c(t), _c(z), angles, _c(sd)))
+    _check(lib.ed_rotated_spectrum(a.size, time_step, _c(a), _c(b), t.size, _c(t), _c(z), angles, _c(sd), STOP))
     return sd
 
 
@@ -97,7 +98,8 @@ def recursion_peaks(
     count = np.empty(b.shape[0], dtype=np.intc)
     place, value = np.empty((count.size, most)), np.empty((count.size, most))
     counts = ffi.from_buffer("int[]", count)
-    _check(lib.ed_recursion_peaks(x.size, _c(x), count.size, _c(b), _c(a), share, most, counts, _c(place), _c(value)))
+    found = counts, _c(place), _c(value)
+    _check(lib.ed_recursion_peaks(x.size, _c(x), count.size, _c(b), _c(a), share, most, *found, STOP))
     kept = np.arange(most) < count[:, None]
     return np.repeat(np.arange(count.size), count), place[kept], value[kept]
 
@@ -118,5 +120,6 @@ def _c(array: np.ndarray) -> Any:
 
 
 def _check(status: int) -> None:
+    raise_if_stopped(status)
     if status < 0:
         raise CoreError(status_name(status), ffi.string(lib.ed_status_text(status)).decode())

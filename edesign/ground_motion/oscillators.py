@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
-from contextlib import nullcontext
+from collections.abc import Callable, Iterator, Sequence
 
 import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.band_limited import polygon_samples, upsampled
+from edesign.stopping import in_threads
 
 STEPS = 16  # a period has at least so many
 COARSEST = 0.01  # s; a longer step misses velocity peaks of motions with content up to 25 Hz between its ends
@@ -56,16 +55,15 @@ def over_periods(
     computed = np.maximum(period, step / STATIC)
     factors = upsampling_factors(step, computed)
     each = np.unique(factors).tolist()
-    with ThreadPoolExecutor(threads) if threads > 1 else nullcontext() as pool:
-        running = []
+    size = _PORTION if threads > 1 else computed.size
+
+    def tasks() -> Iterator[tuple[tuple[np.ndarray, ...], float, np.ndarray, np.ndarray]]:
         for factor, *fine in zip(each, *(upsampled(motion, each) for motion in motions), strict=True):
             corners = tuple(polygon_samples(motion) for motion in fine)
             at = np.flatnonzero(factors == factor)
-            if pool is None:
-                task(corners, step / factor, at, computed[at])
-                continue
-            for portion in np.split(at, range(_PORTION, at.size, _PORTION)):
-                running.append(pool.submit(task, corners, step / factor, portion, computed[portion]))
-        for done in running:
-            done.result()
+            for portion in np.split(at, range(size, at.size, size)):
+                yield corners, step / factor, portion, computed[portion]
+
+    for _ in in_threads(lambda arguments: task(*arguments), tasks(), threads):
+        pass
     return computed

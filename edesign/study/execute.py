@@ -13,6 +13,7 @@ from edesign.archive.files import source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.errors import EdesignError, Interrupted
+from edesign.stopping import stoppable
 from edesign.study.backends import Backend
 from edesign.study.backends.work import Result, Work
 from edesign.study.execution import Execution, Job, Prepared
@@ -90,7 +91,7 @@ def execute(
             run.note(f"warning: {warning}")
         for place in kept:
             run.ended(earlier[place])
-        with stop_on_signals(run.stop, lambda: run.critical):
+        with stop_on_signals(run.stop, lambda: run.critical), stoppable(run.stopped):
             try:
                 _carry_out(run)
             except KeyboardInterrupt:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 
 from edesign.codes.ec8.accelerograms import DAMPING
@@ -19,6 +18,7 @@ from edesign.one_thread import one_thread
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords, record_of
+from edesign.stopping import Stopped, in_threads, stoppable
 
 
 @dataclass(frozen=True)
@@ -96,11 +96,15 @@ def prepare_motions(
     """
 
     def start(reference: str) -> Motion | None:
-        return None if stop() else prepare(reference, recordings[reference])
+        try:
+            with stoppable(stop):
+                return None if stop() else prepare(reference, recordings[reference])
+        except Stopped:
+            return None
 
     motions: dict[str, Motion] = {}
-    with one_thread(), ThreadPoolExecutor(workers) as pool:
-        for reference, motion in zip(recordings, pool.map(start, recordings), strict=True):
+    with one_thread():
+        for reference, motion in zip(recordings, in_threads(start, recordings, workers), strict=True):
             if motion is None:
                 break
             motions[reference] = motion

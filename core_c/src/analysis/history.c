@@ -28,6 +28,14 @@ static void residual(ed_analysis *a, const ed_step *step, double *r)
   ed_raise_force_level(a);
 }
 
+/* Of a run that cannot begin. */
+static void end_where_it_began(ed_analysis *a)
+{
+  ed_restore(a);
+  free(a->run.ground[0]);
+  memset(&a->run, 0, sizeof a->run);
+}
+
 int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, const double *ground_y, int method,
                      const double *p)
 {
@@ -59,6 +67,7 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
         return ed_fail(a, ED_E_NOT_FINITE, "ground acceleration: sample %ld is not a finite number", (long)i + 1);
       }
     }
+  ed_backup(a);
   ed_start_run(a, ED_RUN_HISTORY, n, 0.0);
   ed_run *run = &a->run;
   run->dt = dt;
@@ -73,7 +82,9 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
   /* the first acceleration from equilibrium, where there is mass */
   int status = ed_start_devices(a);
   if (status != ED_OK) {
-    ed_run_end(a);
+    end_where_it_began(a);
+    if (status == ED_E_STOPPED)
+      return ed_fail(a, status, "%s at the start", ed_status_text(status));
     char name[2 * ED_NAME];
     ed_name_damper(a, name, sizeof name);
     return ed_fail(a, status, "%s: no state was found at the start", name);
@@ -84,6 +95,12 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
     if (a->mass[i] > 0.0)
       a->trial.a[i] = (a->external[i] - a->trial.resisting[i] - a->trial.damping[i]) / a->mass[i] -
                       a->influence[0][i] * run->ground_now[0] - a->influence[1][i] * run->ground_now[1];
+  for (int i = 0; i < a->n; i++)
+    if (!isfinite(a->trial.a[i])) {
+      char name[ED_NAME + 8];
+      end_where_it_began(a);
+      return ed_fail(a, ED_E_NOT_FINITE, "the first acceleration at %s is not a finite number", ed_equation_name(a, i, name, sizeof name));
+    }
   for (int i = 0; i < a->n; i++) { /* so that the first step goes on with half the first acceleration */
     a->trial.pace[i] = a->trial.v[i];
     a->trial.pace_before[i] = a->trial.v[i] - 0.5 * dt * a->trial.a[i];

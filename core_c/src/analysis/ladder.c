@@ -129,6 +129,10 @@ static int climb(ed_analysis *a, ed_attempt attempt, double fraction, int level,
     if (!useful(a, rung))
       continue;
     status = attempt(a, fraction, rung);
+    if (status == ED_E_STOPPED) {
+      ed_revert(a);
+      return status;
+    }
     if (rung > 0)
       record(a, rung, level, status);
     if (status == ED_OK)
@@ -152,6 +156,8 @@ int ed_climb(ed_analysis *a, ed_attempt attempt)
   if (status == ED_OK)
     return accept(a);
   ed_revert(a);
+  if (status == ED_E_STOPPED)
+    return status;
   ed_backup(a); /* only now: an attempt changes no layer, a commit of half a step does */
   status = climb(a, attempt, 1.0, 0, ED_RUNG_FULL_NEWTON);
   if (status != ED_OK)

@@ -81,7 +81,7 @@ int ed_lanes_begin(ed_lanes *b, int first, int n, double dt, const double *perio
 void ed_lanes_advance(ed_lanes *b, int lanes, int rows, const double *a)
 {
   for (int k = 0; k < b->kinds && b->rows; k++)
-    memcpy(b->y[k][0], b->y[k][b->rows], 2 * sizeof b->y[k][0]);
+    memmove(b->y[k][0], b->y[k][b->rows], 2 * sizeof b->y[k][0]); /* the two overlap after a piece of one row */
   for (int l = 0; l < lanes; l++)
     if (fabs(b->y1[l]) + fabs(b->y2[l]) < NOTHING)
       b->y1[l] = b->y2[l] = 0.0;

@@ -1,5 +1,6 @@
 /* Elastic response spectra: peaks of many oscillators under one ground acceleration. */
 #include "analysis/oscillator_lanes.h"
+#include "base/watch.h"
 #include "edcore.h"
 
 #include <math.h>
@@ -49,19 +50,23 @@ static int look_after(block *b, int l)
 }
 
 int ed_response_spectrum(int n, double dt, const double *acceleration, int n_oscillators, const double *period,
-                         const double *damping, double *sd, double *sv, double *sa)
+                         const double *damping, double *sd, double *sv, double *sa, const ed_stop *stop)
 {
+  ed_watch watch = ed_watch_of(stop);
   static const double silence = 0.0;
   if (!ed_oscillators_valid(n, dt, n_oscillators, period, damping) || !sd || !sv != !sa)
     return ED_E_ARGUMENT;
   while (n > 1 && acceleration[n - 1] == 0.0)
     n--;
-  for (int from = 0; from < n_oscillators; from += ED_LANES) {
+  for (long from = 0; from < n_oscillators; from += ED_LANES) {
     block b = {.best = {{0.0}}, .limit = {{0.0}}};
     const int lanes =
-      ed_lanes_begin(&b.lanes, from, n_oscillators, dt, period, damping, acceleration[0], sv ? ED_KINDS : 1);
-    for (int at = 0; at < n; at += ED_PIECE)
-      run_piece(&b, lanes, n - at < ED_PIECE ? n - at : ED_PIECE, acceleration + at);
+      ed_lanes_begin(&b.lanes, (int)from, n_oscillators, dt, period, damping, acceleration[0], sv ? ED_KINDS : 1);
+    for (long at = 0; at < n; at += ED_PIECE) {
+      run_piece(&b, lanes, n - at < ED_PIECE ? (int)(n - at) : ED_PIECE, acceleration + at);
+      if (ed_watch_step(&watch))
+        return ED_E_STOPPED;
+    }
     for (int l = 0; l < lanes; l++)
       if (!look_after(&b, l))
         return ED_E_NOT_FINITE;
@@ -73,6 +78,8 @@ int ed_response_spectrum(int n, double dt, const double *acceleration, int n_osc
         sv[from + l] = b.best[ED_SV][l] * scale * dt;
         sa[from + l] = b.best[ED_SA][l] * scale;
       }
+      if (!isfinite(sd[from + l]) || (sv && !isfinite(sv[from + l] + sa[from + l])))
+        return ED_E_NOT_FINITE;
     }
   }
   return ED_OK;

@@ -1,5 +1,6 @@
 /* Peaks of the displacement of oscillators under two components, in many directions (Boore 2010). */
 #include "analysis/oscillator_lanes.h"
+#include "base/watch.h"
 #include "edcore.h"
 
 #include <math.h>
@@ -60,23 +61,27 @@ static void run_piece(pair *p, int lanes, int rows, const double *first, const d
     look_around(p, l);
 }
 
-/* ED_LANES oscillators, or as many as are left. 0 if a sample is not finite. */
-static int run_block(pair *p, int lanes, int n, const double *first, const double *second)
+/* ED_LANES oscillators, or as many as are left. ED_E_NOT_FINITE if a sample is not finite. */
+static int run_block(pair *p, int lanes, int n, const double *first, const double *second, ed_watch *watch)
 {
   static const double silence = 0.0;
   memset(p->best, 0, sizeof p->best);
-  for (int at = 0; at < n; at += ED_PIECE)
-    run_piece(p, lanes, n - at < ED_PIECE ? n - at : ED_PIECE, first + at, second + at);
+  for (long at = 0; at < n; at += ED_PIECE) {
+    run_piece(p, lanes, n - at < ED_PIECE ? (int)(n - at) : ED_PIECE, first + at, second + at);
+    if (ed_watch_step(watch))
+      return ED_E_STOPPED;
+  }
   for (int l = 0; l < lanes; l++)
     if (!look_after(p, l))
-      return 0;
+      return ED_E_NOT_FINITE;
   run_piece(p, lanes, 1, &silence, &silence); /* what lies beside the last sample */
-  return 1;
+  return ED_OK;
 }
 
 int ed_rotated_spectrum(int n, double dt, const double *first, const double *second, int n_oscillators,
-                        const double *period, const double *damping, int n_angles, double *sd)
+                        const double *period, const double *damping, int n_angles, double *sd, const ed_stop *stop)
 {
+  ed_watch watch = ed_watch_of(stop);
   if (!ed_oscillators_valid(n, dt, n_oscillators, period, damping) || n_angles < 1 || n_angles > ED_MAX_ANGLES || !sd)
     return ED_E_ARGUMENT;
   pair *p = aligned_alloc(_Alignof(pair), sizeof *p); /* too large for the stack of a thread on some systems */
@@ -85,15 +90,19 @@ int ed_rotated_spectrum(int n, double dt, const double *first, const double *sec
   p->n_angles = n_angles;
   for (int k = 0; k < n_angles; k++)
     p->cosine[k] = cos(M_PI * k / n_angles), p->sine[k] = sin(M_PI * k / n_angles);
-  int finite = 1;
-  for (int from = 0; from < n_oscillators && finite; from += ED_LANES) {
-    const int lanes = ed_lanes_begin(&p->first, from, n_oscillators, dt, period, damping, first[0], 1);
-    ed_lanes_begin(&p->second, from, n_oscillators, dt, period, damping, second[0], 1);
-    finite = run_block(p, lanes, n, first, second);
-    for (int l = 0; l < lanes && finite; l++)
-      for (int k = 0; k < n_angles; k++)
-        sd[(long)(from + l) * n_angles + k] = p->best[l][k] * fabs(p->first.oscillator[l].Q[0]) * dt * dt;
+  int status = ED_OK;
+  for (long from = 0; from < n_oscillators && status == ED_OK; from += ED_LANES) {
+    const int lanes = ed_lanes_begin(&p->first, (int)from, n_oscillators, dt, period, damping, first[0], 1);
+    ed_lanes_begin(&p->second, (int)from, n_oscillators, dt, period, damping, second[0], 1);
+    status = run_block(p, lanes, n, first, second, &watch);
+    for (int l = 0; l < lanes && status == ED_OK; l++)
+      for (int k = 0; k < n_angles; k++) {
+        const double value = p->best[l][k] * fabs(p->first.oscillator[l].Q[0]) * dt * dt;
+        sd[(from + l) * n_angles + k] = value;
+        if (!isfinite(value))
+          status = ED_E_NOT_FINITE;
+      }
   }
   free(p);
-  return finite ? ED_OK : ED_E_NOT_FINITE;
+  return status;
 }

@@ -13,6 +13,7 @@ void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa)
   a->run.kind = (ed_run_kind)kind;
   a->run.steps = steps;
   a->run.every = 1;
+  a->watch = ed_watch_of(&a->stop);
   a->n_events = 0;
   a->statistics.worst_unbalance = 0.0;
   a->committed.head->position = a->trial.head->position = 0.0;
@@ -45,18 +46,23 @@ int ed_run_advance(ed_analysis *a, int max_steps)
     return ed_fail(a, ED_E_STATE, "the run has failed");
   if (run->limited)
     return ed_fail(a, ED_E_STATE, "the run has ended at a limit");
-  if (run->done == 0 && run->row == 0)
-    ed_sample(a, 1);
-  for (int i = 0; i < max_steps && run->done < run->steps; i++) {
-    const int status = ed_climb(a, attempts[run->kind]);
-    if (status != ED_OK) {
-      run->failed = 1;
-      return status;
+  int status = run->done == 0 && run->row == 0 ? ed_sample(a, 1) : ED_OK;
+  a->watch = ed_watch_of(&a->stop);
+  for (int i = 0; status == ED_OK && i < max_steps && run->done < run->steps; i++) {
+    const int events = a->n_events;
+    status = ed_climb(a, attempts[run->kind]);
+    if (status == ED_E_STOPPED) {
+      a->n_events = events; /* the step is done anew, if at all */
+      return ed_fail(a, status, "%s in step %d", ed_status_text(status), run->done + 1);
     }
+    if (status != ED_OK)
+      break;
     a->committed.head->position = a->trial.head->position = 0.0;
     run->done++;
     a->statistics.steps++;
-    ed_sample(a, run->done % run->every == 0);
+    status = ed_sample(a, run->done % run->every == 0);
+    if (status != ED_OK)
+      break;
     const int channel = ed_beyond_limit(a);
     if (channel >= 0) {
       run->limited = channel + 1;
@@ -64,7 +70,8 @@ int ed_run_advance(ed_analysis *a, int max_steps)
                      channel, a->last[channel], run->done, a->committed.head->time, a->channels[channel].limit);
     }
   }
-  return ED_OK;
+  run->failed = status != ED_OK;
+  return status;
 }
 
 int ed_run_steps_done(const ed_analysis *a)
@@ -101,12 +108,15 @@ int ed_initial_velocity(ed_analysis *a, const double *velocity)
 {
   if (a->run.kind != ED_RUN_NONE)
     return ed_fail(a, ED_E_STATE, "initial velocities come before the run");
-  double kinetic = 0.0; /* put in beyond what moves already */
+  double kinetic = 0.0, all = 0.0; /* put in beyond what moves already; that of all */
   for (int i = 0; i < a->n; i++) {
     if (!isfinite(velocity[i]))
       return ed_fail(a, ED_E_NOT_FINITE, "initial velocity %d is not a finite number", i + 1);
     kinetic += 0.5 * a->mass[i] * (velocity[i] * velocity[i] - a->committed.v[i] * a->committed.v[i]);
+    all += a->mass[i] * velocity[i] * velocity[i];
   }
+  if (!isfinite(kinetic + all))
+    return ed_fail(a, ED_E_NOT_FINITE, "the kinetic energy of the initial velocities is not a finite number");
   memcpy(a->committed.v, velocity, (size_t)a->n * sizeof(double));
   memcpy(a->trial.v, velocity, (size_t)a->n * sizeof(double));
   a->trial.head->energy[ED_INPUT] += kinetic;
@@ -122,6 +132,7 @@ int ed_try_and_revert(ed_analysis *a, double fraction)
   double ground[2][2];
   memcpy(ground[0], a->run.ground_now, sizeof ground[0]);
   memcpy(ground[1], a->run.ground_before, sizeof ground[1]);
+  a->watch = ed_watch_of(&a->stop);
   const int status = attempts[a->run.kind](a, fraction, 0);
   ed_revert(a);
   memcpy(a->run.ground_now, ground[0], sizeof ground[0]);

@@ -15,7 +15,8 @@ ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, do
   *status = damper ? ed_damper_prepare(damper, law, n_parameters, parameters, brace, text) : ED_E_MEMORY;
   if (*status == ED_OK)
     return damper;
-  snprintf(message, (size_t)size, "%s", text);
+  if (size > 0)
+    snprintf(message, (size_t)size, "%s", text);
   free(damper);
   return NULL;
 }
@@ -24,7 +25,7 @@ int ed_damper_amend(ed_damper *damper, int kind, int inside, int n_parameters, c
 {
   char text[ED_DAMPER_MESSAGE] = "";
   const int status = ed_damper_add_amendment(damper, kind, inside, n_parameters, parameters, text);
-  if (status != ED_OK)
+  if (status != ED_OK && size > 0)
     snprintf(message, (size_t)size, "%s", text);
   return status;
 }
@@ -38,6 +39,11 @@ int ed_damper_been(ed_damper *damper, const double extremes[4])
   return ED_OK;
 }
 
+void ed_damper_ask(ed_damper *damper, const ed_stop *stop)
+{
+  damper->stop = stop ? *stop : (ed_stop){0};
+}
+
 void ed_damper_free(ed_damper *damper)
 {
   if (!damper)
@@ -47,7 +53,7 @@ void ed_damper_free(ed_damper *damper)
 }
 
 /* The system for SUNDIALS, if this damper and method need one. */
-static ed_ode_system *system_for(const ed_damper *damper, int method, double tolerance, int *status)
+static ed_ode_system *system_for(const ed_damper *damper, int method, double tolerance, ed_watch *watch, int *status)
 {
   *status = ED_OK;
   if (method == ED_DAMPER_BEST && ed_damper_has_exact_step(damper))
@@ -56,28 +62,48 @@ static ed_ode_system *system_for(const ed_damper *damper, int method, double tol
     *status = ED_E_STATE;
     return NULL;
   }
-  return ed_ode_system_new(1, &damper, tolerance, status);
+  ed_ode_system *system = ed_ode_system_new(1, &damper, tolerance, status);
+  if (system)
+    ed_ode_system_watch(system, watch);
+  return system;
+}
+
+static int all_finite(int n, const double *values)
+{
+  for (int i = 0; i < n; i++)
+    if (!isfinite(values[i]))
+      return 0;
+  return 1;
 }
 
 int ed_damper_step(const ed_damper *damper, int method, double tolerance, const double *committed, double h, double u0, double v0,
                    double u1, double v1, double *trial, double *force, double *slope)
 {
+  const int size = ed_damper_state_size(damper);
+  double none = 0.0;
   if (!(h > 0.0) || !isfinite(h + u0 + v0 + u1 + v1))
     return ED_E_ARGUMENT;
+  if (!all_finite(size, committed))
+    return ED_E_NOT_FINITE;
+  if (size == 0) /* the caller need not have a place for nothing */
+    committed = trial = &none;
   int status;
-  ed_ode_system *system = system_for(damper, method, tolerance, &status);
+  ed_watch watch = ed_watch_of(&damper->stop);
+  ed_ode_system *system = system_for(damper, method, tolerance, &watch, &status);
   if (status != ED_OK)
     return status;
   ed_path path, direction[2];
   ed_damper_force out = {0};
   ed_path_hermite(&path, h, u0, v0, u1, v1);
   ed_path_hermite_directions(direction, h);
-  memcpy(trial, committed, (size_t)ed_damper_state_size(damper) * sizeof *trial);
+  memcpy(trial, committed, (size_t)size * sizeof *trial);
   status = system ? ed_ode_system_step(system, &committed, &path, (const ed_path(*)[2])direction, &trial, &out)
                   : ed_damper_advance(damper, NULL, committed, &path, direction, trial, &out);
   ed_ode_system_free(system);
   if (status != ED_OK)
     return status;
+  if (!isfinite(out.force + out.slope[0] + out.slope[1]) || !all_finite(size, trial))
+    return ED_E_NOT_FINITE;
   *force = out.force;
   slope[0] = out.slope[0];
   slope[1] = out.slope[1];
@@ -101,15 +127,20 @@ int ed_check_samples(int n, const double *time, const double *u, const double *v
 static int exact_history(const ed_damper *damper, double *state, double *trial, int n, const double *time, const double *u,
                          const double *v, double *force, int *done)
 {
+  ed_watch watch = ed_watch_of(&damper->stop);
   ed_path path;
   const ed_path none[2] = {{0}}; /* no derivative is asked for */
   ed_damper_force out = {0};
   for (int i = *done; i < n; i++) {
+    if (ed_watch_step(&watch))
+      return ED_E_STOPPED;
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
     memcpy(trial, state, (size_t)ed_damper_state_size(damper) * sizeof *trial); /* no guess from an older step */
     const int status = ed_damper_advance(damper, NULL, state, &path, none, trial, &out);
     if (status != ED_OK)
       return status;
+    if (!isfinite(out.force))
+      return ED_E_NOT_FINITE;
     double *swap = state;
     state = trial;
     trial = swap;
@@ -132,6 +163,7 @@ static int amend_history(const ed_damper *damper, double *state, double *trial, 
 {
   const size_t size = (size_t)ed_damper_state_size(damper) * sizeof *state;
   const ed_path none[2] = {{0}};
+  ed_watch watch = ed_watch_of(&damper->stop);
   ed_path path;
   ed_damper_force out = {.force = held};
   ed_path_hermite(&path, slowly, 0.0, 0.0, u[0], 0.0);
@@ -146,6 +178,8 @@ static int amend_history(const ed_damper *damper, double *state, double *trial, 
   force[0] = out.force;
   *done = 1;
   for (int i = 1; status == ED_OK && i < n; i++) {
+    if (ed_watch_step(&watch))
+      return ED_E_STOPPED;
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
     out.force = force[i];
     status = ed_amend(damper, state, &path, none, trial, &out);
@@ -162,7 +196,8 @@ int ed_damper_history(const ed_damper *damper, int method, double tolerance, int
   int status = ed_check_samples(n, time, u, v, done);
   if (status != ED_OK)
     return status;
-  ed_ode_system *system = system_for(damper, method, tolerance, &status);
+  ed_watch watch = ed_watch_of(&damper->stop);
+  ed_ode_system *system = system_for(damper, method, tolerance, &watch, &status);
   if (status != ED_OK)
     return status;
   const size_t size = (size_t)ed_damper_state_size(damper);
@@ -203,6 +238,8 @@ int ed_damper_history(const ed_damper *damper, int method, double tolerance, int
       force[0] = out.force;
       ed_amendments_jump(damper, state, state + size);
     }
+    if (status == ED_OK && !isfinite(force[0]))
+      status = ED_E_NOT_FINITE;
     if (status == ED_OK)
       status = exact_history(damper, state, state + size, n, time, u, v, force, done);
   }

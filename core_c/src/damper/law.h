@@ -9,6 +9,7 @@
 #ifndef ED_LAW_H
 #define ED_LAW_H
 
+#include "base/watch.h"
 #include "damper/path.h"
 #include "edcore.h"
 
@@ -46,6 +47,7 @@ struct ed_damper {
   int diagonal_ode;
   double brace;         /* stiffness in series; 0: none (rigid) */
   int rate_independent; /* as its law, unless `prepare` finds that its parameters make it so, or amendments that they do not */
+  ed_stop stop;   /* whom histories ask whether to stop */
   double been[4]; /* largest and smallest deformation, largest and smallest velocity that it went through before it starts */
   int n_amendments, n_amended;
   ed_amendment *amendments; /* effects that the law has not (amendment.h), with n_amended doubles of state behind the law's; owned */

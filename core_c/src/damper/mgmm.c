@@ -219,7 +219,8 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
     sum.direction = along;
     sum.velocity_direction = velocity_along;
   }
-  ed_mgmm_add_softened(law, &sum, of_u, of_v);
+  if (!ed_mgmm_add_softened(law, &sum, of_u, of_v))
+    return ED_E_NOT_FINITE;
   double slope[2] = {0.0}, chord[2] = {0.0};
   if (law->c_nl > 0.0)
     sum.value += law->c_nl * ed_power_integral(&law->power, &sum.path, sum.direction, slope, chord);

@@ -50,14 +50,14 @@ static void constant_moments(double modulus, const ed_path *path, double *moment
 }
 
 /* The moments of k_mod u and c_mod v over one step; moves what is remembered to its end. */
-static void softened_moments(const ed_mgmm_constants *law, softened *now, const ed_path *path, double *spring, double *dashpot)
+static int softened_moments(const ed_mgmm_constants *law, softened *now, const ed_path *path, double *spring, double *dashpot)
 {
   ed_path velocity;
   ed_path_of_velocity(path, &velocity);
   if (ed_mgmm_still(now->memory, path)) {
     constant_moments(now->k, path, spring);
     constant_moments(now->c, &velocity, dashpot);
-    return;
+    return ED_OK;
   }
   ed_mgmm_sums sum = {.path = *path, .velocity = velocity, .moments = 1, .spring = spring, .dashpot = dashpot};
   ed_softening_piece of_u[ED_EXTREMES_PIECES], of_v[ED_EXTREMES_PIECES];
@@ -65,10 +65,12 @@ static void softened_moments(const ed_mgmm_constants *law, softened *now, const 
   const int n_u = ed_softening_pieces(ed_mgmm_extremes(now->memory, ED_LARGEST_U), path, NULL, 0.0, of_u, &after_u);
   const int n_v = ed_softening_pieces(ed_mgmm_extremes(now->memory, ED_LARGEST_V), &velocity, NULL, 0.0, of_v, &after_v);
   of_u[n_u - 1].to = of_v[n_v - 1].to = path->h;
-  ed_mgmm_add_softened(law, &sum, of_u, of_v);
+  if (!ed_mgmm_add_softened(law, &sum, of_u, of_v))
+    return ED_E_NOT_FINITE;
   extremes_of(now, ED_LARGEST_U, after_u);
   extremes_of(now, ED_LARGEST_V, after_v);
   settle(law, now);
+  return ED_OK;
 }
 
 /* Rows before the first one that is not finite; NULL: all. */
@@ -91,9 +93,12 @@ int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const do
   if (status != ED_OK)
     return status;
   const ed_mgmm_constants *law = ed_mgmm_constants_of(damper);
+  ed_watch watch = ed_watch_of(&damper->stop);
   softened now;
   begin(damper, u[0], v[0], &now);
   *held = now.k * u[0];
+  if (!isfinite(*held))
+    return ED_E_NOT_FINITE;
   const size_t size = ED_MOMENTS * ((size_t)n - 1) * sizeof(double);
   double *const wanted[] = {spring, dashpot, power};
   for (int j = 0; j < 3; j++)
@@ -103,14 +108,18 @@ int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const do
     const size_t at = ED_MOMENTS * (i - 1);
     ed_path path;
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
-    if (!isfinite(ed_path_u(&path, path.h))) { /* no piece of it would ever be short enough */
+    status = isfinite(ed_path_u(&path, path.h)) ? ED_OK : ED_E_NOT_FINITE;
+    if (status == ED_OK)
+      status = softened_moments(law, &now, &path, spring ? spring + at : NULL, dashpot ? dashpot + at : NULL);
+    if (status == ED_OK && ed_watch_step(&watch))
+      status = ED_E_STOPPED;
+    if (status != ED_OK) {
       *done = (int)i;
-      return ED_E_NOT_FINITE;
+      return status;
     }
-    softened_moments(law, &now, &path, spring ? spring + at : NULL, dashpot ? dashpot + at : NULL);
   }
-  if (power)
-    ed_power_moments(&law->power, n, time, u, v, power);
+  if (power && !ed_power_moments(&law->power, n, time, u, v, power, &watch))
+    return ED_E_STOPPED;
   *done = n;
   for (int j = 0; j < 3; j++) {
     const int finite = finite_rows(wanted[j], n - 1) + 1;

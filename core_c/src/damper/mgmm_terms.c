@@ -7,6 +7,9 @@
 /* Pieces of quadrature: the powers of e by which the integrand may change over one, for 3 points (all together) and for 5 (each of
  * time, u_max and v_max); more by GROW for each power by which it has faded there. */
 static const double CHANGE_FEW = 0.1, CHANGE = 1.0, GROW = 0.35;
+/* Of a step. The powers of e that a piece may change by grow by 1 + GROW from one to the next, or halve on the way: 250 pieces down to the
+ * rounding of a place, for time, and 4800 for a softening by a power as large as a double. Beyond it something is not a number. */
+enum { MOST_PIECES = 10000 };
 
 static void add_piece(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v,
                       double from, double to, int n, const double *point, const double *weight)
@@ -53,23 +56,24 @@ static double softening_change(const ed_softening *law, const ed_softening_piece
   return fabs(piece->follow * (ed_path_u(path, to) - begin)) / law->reference;
 }
 
-/* Adds the linear terms between two places if the piece is short enough; 0 if it is not. */
+/* Adds the linear terms between two places if the piece is short enough; 0 if it is not. One that cannot be halved is added in any
+ * case: what is in it is nothing. */
 static int add_if_short(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v,
-                        double from, double to)
+                        double from, double to, int halved)
 {
   const double time = (to - from) / law->tau;
-  if (time > CHANGE + GROW * (sum->path.h - to) / law->tau)
+  if (time > CHANGE + GROW * (sum->path.h - to) / law->tau && halved)
     return 0;
   double faded, change = time;
   if (of_u->follow != 0.0) {
     const double softening = softening_change(&law->k_mod, of_u, &sum->path, from, to, &faded);
-    if (softening > CHANGE + GROW * faded)
+    if (softening > CHANGE + GROW * faded && halved)
       return 0;
     change += softening;
   }
   if (of_v->follow != 0.0) {
     const double softening = softening_change(&law->c_mod, of_v, &sum->velocity, from, to, &faded);
-    if (softening > CHANGE + GROW * faded)
+    if (softening > CHANGE + GROW * faded && halved)
       return 0;
     change += softening;
   }
@@ -81,19 +85,25 @@ static int add_if_short(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const e
   return 1;
 }
 
-void ed_mgmm_add_softened(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v)
+int ed_mgmm_add_softened(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const ed_softening_piece *of_u, const ed_softening_piece *of_v)
 {
   const double h = sum->path.h;
+  int pieces = 0;
   for (double from = 0.0; from < h;) {
-    while (of_u->to <= from)
+    while (of_u->to <= from) /* the last one ends at h */
       of_u++;
     while (of_v->to <= from)
       of_v++;
-    double to = fmin(of_u->to, of_v->to);
-    while (!add_if_short(law, sum, of_u, of_v, from, to))
-      to = 0.5 * (from + to);
+    double to = fmin(of_u->to, of_v->to), middle = 0.5 * (from + to);
+    while (!add_if_short(law, sum, of_u, of_v, from, to, middle > from && middle < to)) {
+      to = middle;
+      middle = 0.5 * (from + to);
+    }
+    if (!(to > from) || ++pieces == MOST_PIECES)
+      return 0;
     from = to;
   }
+  return 1;
 }
 
 int ed_mgmm_still(const double *memory, const ed_path *path)

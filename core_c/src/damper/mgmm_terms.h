@@ -30,8 +30,9 @@ typedef struct {
   double *spring, *dashpot; /* each, or NULL */
 } ed_mgmm_sums;
 
-/* The terms k_mod u and (c1 + c_mod) v. of_u, of_v: pieces of the softening up to the end of the step. */
-void ed_mgmm_add_softened(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const ed_softening_piece *of_u,
+/* The terms k_mod u and (c1 + c_mod) v. of_u, of_v: pieces of the softening, of which the last ones go to the end of the step. 0: the path
+ * is not finite. */
+int ed_mgmm_add_softened(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const ed_softening_piece *of_u,
                           const ed_softening_piece *of_v);
 
 /* Extremes of the deformation (largest: ED_LARGEST_U) or of the velocity. */

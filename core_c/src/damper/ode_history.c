@@ -69,7 +69,8 @@ int ed_ode_system_history(ed_ode_system *system, double *state, int n, const dou
   double *y = ed_ode_variables(integrator), t = time[0];
   ed_ode_samples samples = {.n = n, .at = 0, .time = time, .u = u, .v = v};
   ed_damper_force out;
-  int interval = 0, segments = 0;
+  int interval = 0;
+  long segments = 0;
   if (n > 1)
     ed_path_hermite(&samples.path, time[1] - time[0], u[0], v[0], u[1], v[1]);
   else
@@ -95,12 +96,14 @@ int ed_ode_system_history(ed_ode_system *system, double *state, int n, const dou
       if (!ed_ode_force(block, system->work, t, y, 0, &out))
         return ED_E_NOT_FINITE;
       force[(*done)++] = out.force;
+      if (integrator->watch && ed_watch_step(integrator->watch))
+        return ED_E_STOPPED;
       if (*done == n)
         break;
     }
     if (status != ED_OK)
       return status;
-    if (++segments > ED_MOST_SEGMENTS + 10 * n)
+    if (++segments > ED_MOST_SEGMENTS + 10L * n)
       return ED_E_NOT_CONVERGED;
     ed_ode_remember(block, system->work, t, y, 0, 0);
     while (interval > 0 && time[interval] > t)

@@ -127,6 +127,8 @@ static int stage_solve(SUNNonlinearSolver stages, N_Vector start, N_Vector corre
   const int n = integrator->n, all = n * integrator->copies;
   const double *from = N_VGetArrayPointer_Serial(prediction), *known = N_VGetArrayPointer_Serial(data);
   double *z = N_VGetArrayPointer_Serial(stage), *a = N_VGetArrayPointer_Serial(correction);
+  if (integrator->watch && ed_watch_step(integrator->watch))
+    return -1;
   for (int i = 0; i < all; i++)
     a[i] = from[i] + known[i];
   for (int i = 0; i < n; i++)
@@ -157,11 +159,11 @@ int ed_ode_integrator_new(ed_ode_integrator *integrator, SUNContext context, int
   }
   *integrator = (ed_ode_integrator){.n_blocks = n_blocks, .n = n, .copies = copies, .tolerance = tolerance,
                                     .block = block, .work = work, .scale = 1.0, .context = context};
-  integrator->change = calloc((size_t)(n * copies) + 1, sizeof(double));
+  integrator->change = calloc((size_t)n * (size_t)copies + 1, sizeof(double));
   integrator->weight = calloc((size_t)n + 1, sizeof(double));
   integrator->slope = calloc((size_t)n + 1, sizeof(double));
   integrator->found = calloc((size_t)n_blocks + 1, sizeof(int));
-  integrator->y = N_VNew_Serial((sunindextype)(n * copies), context);
+  integrator->y = N_VNew_Serial(n > 0 ? (sunindextype)n * copies : 1, context); /* never none, so that there is a place to point to */
   integrator->stages = SUNNonlinSolNewEmpty(context);
   if (!integrator->change || !integrator->weight || !integrator->slope || !integrator->found || !integrator->y ||
       !integrator->stages)
@@ -262,6 +264,8 @@ int ed_ode_integrator_advance(ed_ode_integrator *integrator, double t, double *r
   if (ARKStepSetStopTime(integrator->arkode, fmin(goal, 1.0)))
     return ED_E_STATE;
   const int status = ARKStepEvolve(integrator->arkode, fmin(goal, 1.0), integrator->y, &tau, ARK_NORMAL);
+  if (status < 0 && integrator->watch && integrator->watch->stopped)
+    return ED_E_STOPPED;
   if (status < 0)
     return status == ARK_FIRST_RHSFUNC_ERR || status == ARK_RHSFUNC_FAIL ? ED_E_NOT_FINITE : ED_E_NOT_CONVERGED;
   if (status == ARK_ROOT_RETURN) {

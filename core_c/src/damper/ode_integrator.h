@@ -16,6 +16,7 @@ typedef struct {
   double tolerance;
   ed_ode_block *block;
   ed_ode_work *work;
+  ed_watch *watch;          /* of the call, or NULL */
   double origin, scale;     /* s */
   double *change;           /* n * copies: size of the change of each variable and sensitivity in this segment */
   double *weight;           /* n: of changes in Newton's method */
@@ -35,7 +36,7 @@ double *ed_ode_variables(const ed_ode_integrator *integrator);
 /* Begins a segment from instant t0 to t1 (s) with what is in ed_ode_variables. */
 int ed_ode_integrator_begin(ed_ode_integrator *integrator, double t0, double t1);
 /* Goes on to instant t <= t1; *reached may be less when blocks turn there (their `turned` is set). ED_OK, ED_E_NOT_FINITE,
- * ED_E_NOT_CONVERGED. */
+ * ED_E_NOT_CONVERGED, ED_E_STOPPED. */
 int ed_ode_integrator_advance(ed_ode_integrator *integrator, double t, double *reached);
 
 #endif

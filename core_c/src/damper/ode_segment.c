@@ -61,7 +61,7 @@ int ed_ode_go(ed_ode_system *system, ed_ode_integrator *integrator, double stop,
 {
   const double from = *t;
   double *y = ed_ode_variables(integrator);
-  const size_t size = (size_t)(integrator->n * integrator->copies) * sizeof *y;
+  const size_t size = (size_t)integrator->n * (size_t)integrator->copies * sizeof *y;
   memcpy(system->before, y, size);
   int status = ed_ode_integrator_advance(integrator, stop, t), any = 0;
   if (status != ED_OK)

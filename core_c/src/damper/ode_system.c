@@ -24,7 +24,7 @@ static int make(ed_ode_system *system, const ed_damper *const *damper, double to
   system->memory_slopes = calloc(2 * memories + 1, sizeof(double));
   for (int i = 0; i < n; i++)
     variables += damper[i]->n_ode;
-  system->before = calloc((size_t)(variables * (1 + ED_ODE_DIRECTIONS)) + 1, sizeof(double));
+  system->before = calloc((size_t)variables * (1 + ED_ODE_DIRECTIONS) + 1, sizeof(double));
   if (!system->block || !system->work || !system->memory_slopes || !system->before)
     return ED_E_MEMORY;
   double *slopes = system->memory_slopes;
@@ -84,6 +84,11 @@ void ed_ode_system_free(ed_ode_system *system)
   free(system);
 }
 
+void ed_ode_system_watch(ed_ode_system *system, ed_watch *watch)
+{
+  system->step.watch = system->history.watch = watch;
+}
+
 /* How far the unknowns move the path, and changes of them that move it by a small share of its own deformation. */
 static void look_at_directions(ed_ode_block *block)
 {
@@ -108,7 +113,7 @@ int ed_ode_system_step(ed_ode_system *system, const double *const *committed, co
   const int n = system->n, stride = integrator->n;
   const double h = path[0].h;
   double *y = ed_ode_variables(integrator), t = 0.0;
-  memset(y, 0, (size_t)(stride * integrator->copies) * sizeof *y);
+  memset(y, 0, (size_t)stride * (size_t)integrator->copies * sizeof *y);
   for (int i = 0; i < n; i++) {
     ed_ode_block *block = &system->block[i];
     const ed_damper *damper = block->damper;
@@ -142,7 +147,7 @@ int ed_ode_system_step(ed_ode_system *system, const double *const *committed, co
         continue;
       ed_ode_remember(block, system->work, t, y + block->first, stride, 1);
       block->next = ed_ode_next_event(block->damper, block->path, block->memory, t);
-      }
+    }
   }
   for (int i = 0; i < n; i++) {
     ed_ode_block *block = &system->block[i];

@@ -13,9 +13,12 @@ typedef struct ed_ode_system ed_ode_system;
  * refused; *status says which. */
 ed_ode_system *ed_ode_system_new(int n, const ed_damper *const *damper, double tolerance, int *status);
 void ed_ode_system_free(ed_ode_system *system);
+/* Whom its integration asks whether to stop: of a call, for as long as that lasts. */
+void ed_ode_system_watch(ed_ode_system *system, ed_watch *watch);
 
 /* One step of all: from committed[i] along path[i] (all of the same h) to trial[i]; out[i] as in ed_law.step. Never changes
- * `committed`; the same input gives the same output, whatever was computed before. ED_OK, ED_E_NOT_CONVERGED, ED_E_NOT_FINITE. */
+ * `committed`; the same input gives the same output, whatever was computed before. ED_OK, ED_E_NOT_CONVERGED, ED_E_NOT_FINITE,
+ * ED_E_STOPPED. */
 int ed_ode_system_step(ed_ode_system *system, const double *const *committed, const ed_path *path,
                        const ed_path (*direction)[2], double *const *trial, ed_damper_force *out);
 

@@ -42,6 +42,9 @@ static const double AT_END = 1e-12;
 static const double SHORTEST = 1e-6;
 /* Times the last piece, up to which the next one is tried. */
 static const double LONGER = 4.0;
+/* Pieces of one path. Towards a root they halve, down to SHORTEST, and grow by LONGER behind it: some 30 for each of two roots. Towards
+ * the end they shrink by 1 + GROW at least each second time, down to the rounding of a place: 250. Beyond it something is not a number. */
+enum { MOST_PIECES = 1000 };
 /* A root is well away from a piece if its distances to the two ends add up to so many lengths of the piece: it is then outside an
  * ellipse about the ends, which gives the error of Gauss' rule. For 3 points and for 5. */
 static const double WELL_AWAY_FEW = 10.0, WELL_AWAY = 2.5;
@@ -58,6 +61,10 @@ static const double LAGUERRE_POINT[LAGUERRE] = {0.17027963230510099, 0.903701776
 static const double LAGUERRE_WEIGHT[LAGUERRE] = {0.43772341049291136, 1.0338693476655976, 1.6697097656587758, 2.3769247017585995,
                                                  3.2085409133479263,  4.2685755108251318, 5.818083368671922,  8.9062262152922109};
 
+/* Below this power the rule beside a reversal is that of this power: at 0 its first point is the reversal itself, with an infinite
+ * weight. What that changes is less than the rounding of a sum of many steps. */
+static const double LEAST_POWER = 1e-12;
+
 void ed_power_rule_prepare(ed_power_rule *rule, double alpha, double tau, double rest)
 {
   rule->alpha = alpha;
@@ -65,7 +72,7 @@ void ed_power_rule_prepare(ed_power_rule *rule, double alpha, double tau, double
   rule->rest = rest;
   ed_gauss_jacobi(ED_POWER_FEW, 0.0, rule->few, rule->few_weight);
   ed_gauss_jacobi(ED_POWER_MANY, 0.0, rule->many, rule->many_weight);
-  ed_gauss_jacobi(ED_POWER_MANY, alpha - 1.0, rule->turn, rule->turn_weight);
+  ed_gauss_jacobi(ED_POWER_MANY, fmax(alpha, LEAST_POWER) - 1.0, rule->turn, rule->turn_weight);
 }
 
 static double snapped(double root)
@@ -244,12 +251,12 @@ static void turning_piece(sums *sum, double turn, double other)
     round_turn(sum, turn, other);
 }
 
-/* Adds the piece if some rule suits it; 0 if none does. */
-static int add_piece(sums *sum, double from, double to)
+/* Adds the piece if some rule suits it; 0 if none does. One that cannot be halved is added in any case. */
+static int add_piece(sums *sum, double from, double to, int halved)
 {
   const double time = (to - from) * sum->time, rest = GROW * (1.0 - to) * sum->time;
-  const int shortest = to - from < SHORTEST;
-  if (time > START + rest)
+  const int shortest = to - from < SHORTEST || !halved;
+  if (time > START + rest && halved)
     return 0;
   int turn = -1;
   double nearest = 1e300;
@@ -326,11 +333,20 @@ static void add_pieces(sums *sum)
       add_settled(sum, 0.0, -1.0);
     return;
   }
+  int pieces = 0;
   for (double from = 0.0, longest = 1.0; from < 1.0;) {
     const double end = next_reversal(sum, from);
-    double to = end - from > longest ? from + longest : end;
-    while (!add_piece(sum, from, to))
-      to = 0.5 * (from + to);
+    double to = end - from > longest ? from + longest : end, middle = 0.5 * (from + to);
+    while (!add_piece(sum, from, to, middle > from && middle < to)) {
+      to = middle;
+      middle = 0.5 * (from + to);
+    }
+    if (!(to > from) || ++pieces == MOST_PIECES) {
+      sum->value = NAN;
+      if (sum->moment)
+        sum->moment[0] = NAN;
+      return;
+    }
     longest = LONGER * (to - from);
     from = to;
   }
@@ -378,15 +394,15 @@ double ed_power_integral(const ed_power_rule *rule, const ed_path *path, const e
   return sum.value;
 }
 
-void ed_power_moments(const ed_power_rule *rule, int n, const double *time, const double *u, const double *v, double *moment)
+int ed_power_moments(const ed_power_rule *rule, int n, const double *time, const double *u, const double *v, double *moment, ed_watch *watch)
 {
   sums sum;
   begin(&sum, rule, NULL, moment);
   sum.rest = 0.0;
-  for (int i = 1; i < n; i++) {
+  for (int i = 1; i < n && !ed_watch_step(watch); i++) {
     ed_path path;
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
-    if (isfinite(ed_path_u(&path, path.h))) /* else no piece of it would ever be short enough */
+    if (isfinite(ed_path_u(&path, path.h)))
       gather_path(&sum, &path);
     else
       sum.moment[0] = NAN;
@@ -395,6 +411,7 @@ void ed_power_moments(const ed_power_rule *rule, int n, const double *time, cons
     sum.moment += ED_MOMENTS;
   }
   add_gathered(&sum);
+  return !watch->stopped;
 }
 
 double ed_power_now(const ed_power_rule *rule, double v, double *slope)

@@ -2,6 +2,7 @@
 #ifndef ED_POWER_INTEGRAL_H
 #define ED_POWER_INTEGRAL_H
 
+#include "base/watch.h"
 #include "damper/path.h"
 #include "edcore.h"
 
@@ -21,13 +22,14 @@ void ed_power_rule_prepare(ed_power_rule *rule, double alpha, double tau, double
 
 /* 1/tau integral over the path of exp(-(h - s)/tau) |v|^alpha sgn v, its derivatives along two directions, and what these were with
  * the chord of the power instead of its tangent (direction NULL: not wanted, slope and chord are left as they are). Paths of up to
- * some 40 tau. */
+ * some 40 tau. Not a number where the path is not finite. */
 double ed_power_integral(const ed_power_rule *rule, const ed_path *path, const ed_path *direction, double slope[2],
                          double chord[2]);
 
 /* Adds the moments of |v|^alpha sgn v, 1/h integral of it with T_k(2 s/h - 1), over each step between n samples, in places that suit
- * fadings with tau or slower. moment: (n - 1) x ED_MOMENTS; not a number where a step overflows. */
-void ed_power_moments(const ed_power_rule *rule, int n, const double *time, const double *u, const double *v, double *moment);
+ * fadings with tau or slower. moment: (n - 1) x ED_MOMENTS; not a number where a step overflows. 0: it was asked to stop. */
+int ed_power_moments(const ed_power_rule *rule, int n, const double *time, const double *u, const double *v, double *moment,
+                     ed_watch *watch);
 
 /* The rounded power at one velocity. */
 double ed_power_now(const ed_power_rule *rule, double v, double *slope);

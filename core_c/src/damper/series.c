@@ -33,6 +33,7 @@ typedef struct {
   double stiffness, back, bend, power, within, gap, damping; /* of the rig; half the play */
   double tolerance, largest;
   double force; /* through rig and damper at the end of the step that was settled */
+  ed_watch watch;
 } series;
 
 /* Of the stretch e at the end of a step that begins at `from`: still + each (e - from). */
@@ -104,6 +105,8 @@ static int settle(series *in, const double *committed, double *trial, const ed_p
   memcpy(trial, committed, (size_t)ed_damper_state_size(in->damper) * sizeof *trial); /* no guess from an older step */
   for (int i = 0; i < MOST_ITERATIONS; i++) {
     const double e = *stretch = next;
+    if (ed_watch_step(&in->watch))
+      return ED_E_STOPPED;
     ed_path own = *path;
     for (int j = 0; j < 4; j++)
       own.c[j] += (e - from) * direction[0].c[j];
@@ -236,6 +239,8 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
     trial = swap;
     force[i] = in->force;
     own[i] = u[i] - stretch;
+    if (!isfinite(force[i] + own[i]))
+      return ED_E_NOT_FINITE;
     *done = i + 1;
     if (i + 1 == n)
       break;
@@ -275,13 +280,14 @@ int ed_damper_history_in_series(const ed_damper *damper, int n, const double *ti
   if (status != ED_OK)
     return status;
   series in = {.damper = damper, .stiffness = rig->stiffness, .back = rig->back, .bend = rig->bend, .power = rig->power,
-               .within = rig->within, .gap = 0.5 * rig->play, .damping = rig->damping};
+               .within = rig->within, .gap = 0.5 * rig->play, .damping = rig->damping, .watch = ed_watch_of(&damper->stop)};
   in.tolerance = TOLERANCE;
   if (!ed_damper_has_exact_step(damper)) {
     in.tolerance = ODE_TOLERANCE;
     in.system = ed_ode_system_new(1, &damper, 0.1 * ODE_TOLERANCE, &status);
     if (!in.system)
       return status;
+    ed_ode_system_watch(in.system, &in.watch);
   }
   const size_t size = (size_t)ed_damper_state_size(damper);
   double *state = calloc(2 * size + 1, sizeof *state);

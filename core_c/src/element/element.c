@@ -37,7 +37,15 @@ static void setup_link(ed_element *e, const ed_member *m, double dx, double dy)
         e->link[6 * i + j] += m->stiffness[k] * B[k][i] * B[k][j];
 }
 
-void ed_element_setup(ed_element *e, const ed_model *model, int index)
+static int all_finite(int n, const double *values)
+{
+  int finite = 1;
+  for (int i = 0; i < n; i++)
+    finite &= isfinite(values[i]);
+  return finite;
+}
+
+int ed_element_setup(ed_element *e, const ed_model *model, int index)
 {
   const ed_member *m = &model->members[index];
   memset(e, 0, sizeof *e);
@@ -54,7 +62,7 @@ void ed_element_setup(ed_element *e, const ed_model *model, int index)
   e->length = hypot(dx, dy);
   if (m->kind == ED_LINK) {
     setup_link(e, m, dx, dy);
-    return;
+    return isfinite(e->length) && all_finite(36, e->link);
   }
   e->c = dx / e->length;
   e->s = dy / e->length;
@@ -63,7 +71,7 @@ void ed_element_setup(ed_element *e, const ed_model *model, int index)
     e->area = m->area;
     e->flexibility[0] = e->length / (e->steel->E * m->area);
     e->stiffness[0] = 1.0 / e->flexibility[0];
-    return;
+    return isfinite(e->length + e->stiffness[0]);
   }
   if (m->kind == ED_ELASTIC_BEAM) {
     const ed_section *section = &model->sections[m->section[0]];
@@ -100,6 +108,7 @@ void ed_element_setup(ed_element *e, const ed_model *model, int index)
     }
   }
   stiffness_of(e->flexibility, e->release, e->stiffness);
+  return isfinite(e->length) && all_finite(6, e->stiffness);
 }
 
 int ed_element_block_size(const ed_element *e)
@@ -230,6 +239,17 @@ int ed_element_update(const ed_element *e, const double *displacement, const dou
   q[0] = stress * e->area;
   block[ED_BLOCK_K] = tangent * e->area / e->length;
   return ED_OK;
+}
+
+int ed_element_layers_valid(const ed_element *e, const double *layers)
+{
+  if (e->kind == ED_TRUSS)
+    return ed_steel_state_valid(e->steel, layers);
+  for (int p = 0; p < e->points; p++)
+    for (int i = 0; i < e->section[p]->n && !e->section[p]->vector; i++)
+      if (!ed_steel_state_valid(e->section[p]->steel[i], layers + e->layer_offset[p] + e->section[p]->state_offset[i]))
+        return 0;
+  return 1;
 }
 
 double ed_element_commit(const ed_element *e, double *block, double *layers)

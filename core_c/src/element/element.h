@@ -46,7 +46,8 @@ enum { ED_BLOCK_V = 0, ED_BLOCK_Q = 3, ED_BLOCK_K = 6, ED_BLOCK_REFERENCE = 12, 
 /* a point: e0 kappa, N M, k11 k12 k22, elastic in this trial, some layer has yielded before */
 enum { ED_POINT_E = 0, ED_POINT_S = 2, ED_POINT_K = 4, ED_POINT_ELASTIC = 7, ED_POINT_INELASTIC = 8, ED_POINT_SIZE = 9 };
 
-void ed_element_setup(ed_element *element, const ed_model *model, int index);
+/* 0: its length or stiffness is not a finite number. */
+int ed_element_setup(ed_element *element, const ed_model *model, int index);
 int ed_element_block_size(const ed_element *element);
 int ed_element_layer_size(const ed_element *element);
 void ed_element_initialise(const ed_element *element, double *block, double *layers);
@@ -62,6 +63,8 @@ int ed_element_update(const ed_element *element, const double *displacement, con
 void ed_element_forces(const ed_element *element, const double *displacement, const double *block, double *force);
 /* Tangent 6x6 in global axes. */
 void ed_element_tangent(const ed_element *element, const double *displacement, const double *block, double *tangent);
+/* Whether the layers may be in this state of finite numbers. */
+int ed_element_layers_valid(const ed_element *element, const double *layers);
 /* Advances the layers to the block's deformations; the return is the energy dissipated on the way. */
 double ed_element_commit(const ed_element *element, double *block, double *layers);
 double ed_element_stored(const ed_element *element, const double *block, const double *layers);

@@ -52,7 +52,8 @@ static int prepare(ed_analysis *a)
   double total = 0.0;
   int long_ones = 0;
   for (int m = 0; m < model->n_members; m++) {
-    ed_element_setup(&a->elements[m], model, m);
+    if (!ed_element_setup(&a->elements[m], model, m))
+      return ed_fail(a, ED_E_NOT_FINITE, "element %s: its length or stiffness is not a finite number", model->members[m].name);
     total += a->elements[m].length;
     long_ones += a->elements[m].length > 0.0;
   }
@@ -88,10 +89,8 @@ ed_analysis *ed_analysis_new(const ed_model *model, int *status, char *message, 
   }
   if (*status == ED_OK)
     return a;
-  if (*status == ED_E_MEMORY)
-    snprintf(message, (size_t)size, "out of memory");
-  else
-    snprintf(message, (size_t)size, "%s", a->message);
+  if (size > 0)
+    snprintf(message, (size_t)size, "%s", *status == ED_E_MEMORY ? "out of memory" : a->message);
   ed_analysis_free(a);
   return NULL;
 }
@@ -123,6 +122,11 @@ const char *ed_analysis_message(const ed_analysis *a)
   return a->message;
 }
 
+void ed_analysis_ask(ed_analysis *a, const ed_stop *stop)
+{
+  a->stop = stop ? *stop : (ed_stop){0};
+}
+
 int ed_n_equations(const ed_analysis *a)
 {
   return a->n;
@@ -144,6 +148,9 @@ int ed_stiffness(ed_analysis *a, int *column_start, int *row, double *value)
   memcpy(column_start, a->column_start, ((size_t)a->n + 1) * sizeof *column_start);
   memcpy(row, a->row, (size_t)a->nnz * sizeof *row);
   memcpy(value, a->tangent, (size_t)a->nnz * sizeof *value);
+  for (int i = 0; i < a->nnz; i++)
+    if (!isfinite(value[i]))
+      return ed_fail(a, ED_E_NOT_FINITE, "a term of the stiffness in row %d is not a finite number", row[i] + 1);
   return ED_OK;
 }
 

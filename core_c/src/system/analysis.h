@@ -2,6 +2,7 @@
 #ifndef ED_ANALYSIS_H
 #define ED_ANALYSIS_H
 
+#include "base/watch.h"
 #include "damper/ode_system.h"
 #include "edcore.h"
 #include "element/element.h"
@@ -166,6 +167,8 @@ struct ed_analysis {
   double *maximum, *minimum, *time_maximum, *time_minimum, *last;
 
   ed_run run;
+  ed_stop stop;                  /* whom runs ask */
+  ed_watch watch;                /* of the present call */
   ed_statistics statistics;
   ed_element_control control;
   ed_event *events;
@@ -222,7 +225,7 @@ void ed_name_mechanism(ed_analysis *a, char *buffer, int size);
 
 /* channels.c */
 double ed_channel_value(const ed_analysis *a, int channel);
-void ed_sample(ed_analysis *a, int keep_row);
+int ed_sample(ed_analysis *a, int keep_row);      /* ED_OK, ED_E_NOT_FINITE */
 int ed_beyond_limit(const ed_analysis *a);        /* channel of the last sample that is furthest beyond its limit, -1: none */
 
 /* energy.c */

@@ -1,5 +1,6 @@
 #include "system/analysis.h"
 
+#include <limits.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -48,7 +49,7 @@ int ed_build_pattern(ed_analysis *a)
   a->scatter = malloc(36 * (size_t)(members + 1) * sizeof *a->scatter);
   size_t device_terms = 0;
   for (int i = 0; i < a->model->n_devices; i++)
-    device_terms += (size_t)(a->model->devices[i].n_terms * a->model->devices[i].n_terms);
+    device_terms += (size_t)a->model->devices[i].n_terms * (size_t)a->model->devices[i].n_terms;
   a->device_scatter = malloc((device_terms + 1) * sizeof *a->device_scatter);
   if (!count || !a->column_start || !a->diagonal || !a->scatter || !a->device_scatter) {
     free(count);
@@ -63,12 +64,12 @@ int ed_build_pattern(ed_analysis *a)
         count[a->equation[degree[j]]] += terms;
   }
   int *start = malloc(((size_t)n + 1) * sizeof *start), *fill = malloc((size_t)n * sizeof *fill);
-  int total = 0;
-  for (int i = 0; start && i < n; i++) {
-    start[i] = total;
+  long total = 0;
+  for (int i = 0; start && i < n && total <= INT_MAX; i++) {
+    start[i] = (int)total;
     total += count[i];
   }
-  int *rows = malloc((size_t)total * sizeof *rows);
+  int *rows = total <= INT_MAX ? malloc((size_t)total * sizeof *rows) : NULL; /* else too many for their numbers */
   free(count);
   if (!start || !fill || !rows) {
     free(start);
@@ -76,7 +77,7 @@ int ed_build_pattern(ed_analysis *a)
     free(rows);
     return ED_E_MEMORY;
   }
-  start[n] = total;
+  start[n] = (int)total;
   for (int i = 0; i < n; i++) {
     rows[start[i]] = i;
     fill[i] = start[i] + 1;
@@ -196,6 +197,8 @@ int ed_update_elements(ed_analysis *a)
   clear_forces(a);
   for (int m = 0; m < a->model->n_members; m++) {
     const ed_element *e = &a->elements[m];
+    if (ed_watch_step(&a->watch))
+      return ED_E_STOPPED;
     double d[6];
     gather(a, m, d);
     const int status = ed_element_update(e, d, a->layers + e->layers, a->trial.elements + e->state, &a->control);

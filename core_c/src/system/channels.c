@@ -1,6 +1,7 @@
 /* Recorded quantities at the committed state. */
 #include "system/analysis.h"
 
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -48,8 +49,8 @@ int ed_channel(ed_analysis *a, int n, const double *coefficient, const int *kind
 {
   if (a->run.row > 0)
     return ed_fail(a, ED_E_STATE, "channels cannot be added once a run has advanced");
-  if (n < 1)
-    return ed_fail(a, ED_E_ARGUMENT, "a channel needs a term");
+  if (n < 1 || n > INT_MAX - a->n_terms)
+    return ed_fail(a, ED_E_ARGUMENT, "a channel of %d terms", n);
   for (int i = 0; i < n; i++)
     if (!valid(a, kind[i], object[i], component[i]) || !isfinite(coefficient[i]))
       return ed_fail(a, ED_E_ID, "channel %d: no quantity of kind %d, object %d, component %d", a->n_channels, kind[i],
@@ -57,7 +58,7 @@ int ed_channel(ed_analysis *a, int n, const double *coefficient, const int *kind
   ed_channel_head *channels = realloc(a->channels, ((size_t)a->n_channels + 1) * sizeof *channels);
   if (channels)
     a->channels = channels;
-  ed_term *terms = realloc(a->terms, (size_t)(a->n_terms + n) * sizeof *terms);
+  ed_term *terms = realloc(a->terms, ((size_t)a->n_terms + (size_t)n) * sizeof *terms);
   if (terms)
     a->terms = terms;
   double **extremes[] = {&a->maximum, &a->minimum, &a->time_maximum, &a->time_minimum, &a->last};
@@ -185,14 +186,22 @@ double ed_channel_value(const ed_analysis *a, int channel)
   return value;
 }
 
-/* Extremes of every channel, and a row of the caller's buffers. */
-void ed_sample(ed_analysis *a, int keep_row)
+static int not_finite(ed_analysis *a, const char *what, int index)
+{
+  return ed_fail(a, ED_E_NOT_FINITE, "%s: %s %d after step %d, at %.6g", ed_status_text(ED_E_NOT_FINITE), what, index, a->run.done,
+                 a->committed.head->time);
+}
+
+/* Extremes of every channel, and a row of the caller's buffers. What is not finite enters neither. */
+int ed_sample(ed_analysis *a, int keep_row)
 {
   const double time = a->committed.head->time;
   const int first = a->run.done == 0;
   double *row = keep_row && a->run.values ? a->run.values + (size_t)a->run.row * (size_t)a->n_history : NULL;
   for (int i = 0; i < a->n_channels; i++) {
     const double value = ed_channel_value(a, i);
+    if (!isfinite(value))
+      return not_finite(a, "channel", i);
     a->last[i] = value;
     if (first || value > a->maximum[i]) {
       a->maximum[i] = value;
@@ -205,16 +214,21 @@ void ed_sample(ed_analysis *a, int keep_row)
     if (row && a->channels[i].history >= 0)
       row[a->channels[i].history] = value;
   }
+  const int close = keep_row && a->run.energy && a->energy;
+  if (close)
+    ed_close_energy(a);
+  for (int i = 0; a->energy && i < ED_N_ENERGY; i++)
+    if (!isfinite(a->committed.head->energy[i]))
+      return not_finite(a, "energy", i);
   if (!keep_row)
-    return;
+    return ED_OK;
   if (a->run.abscissa)
     a->run.abscissa[a->run.row] = time;
   if (a->run.energy) {
-    if (a->energy)
-      ed_close_energy(a);
     memcpy(a->run.energy + (size_t)a->run.row * ED_N_ENERGY, a->committed.head->energy, ED_N_ENERGY * sizeof(double));
   }
   a->run.row++;
+  return ED_OK;
 }
 
 void ed_extremes(const ed_analysis *a, double *maximum, double *time_of_maximum, double *minimum,

@@ -59,6 +59,8 @@ int ed_devices_allocate(ed_analysis *a)
   }
   if (status == ED_OK && a->n_by_ode > 0)
     a->ode_system = ed_ode_system_new(a->n_by_ode, by_ode, a->damper_tolerance, &status);
+  if (a->ode_system)
+    ed_ode_system_watch(a->ode_system, &a->watch);
   free(by_ode);
   return status;
 }
@@ -130,6 +132,8 @@ static int update_by_ode(ed_analysis *a)
 
 static int fail(ed_analysis *a, int device, int status)
 {
+  if (status == ED_E_STOPPED)
+    return status;
   a->failed_device = device;
   a->device_status = status;
   return ED_E_DAMPER;

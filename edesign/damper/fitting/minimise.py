@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable
 from dataclasses import dataclass
-from threading import Event
-from typing import Literal, TypeVar
+from typing import Literal
 
 import numpy as np
 from scipy.optimize import least_squares
 
+from edesign.stopping import in_threads
+
 Loss = Literal["linear", "soft_l1", "huber", "cauchy"]
 Residual = Callable[[np.ndarray], np.ndarray]
-T = TypeVar("T")
-R = TypeVar("R")
 
 _TOLERANCE = 1e-8
 """Relative change of the cost at which a search ends: of 10 000 samples a hundredth of a standard error is left."""
@@ -48,7 +46,7 @@ class Problem:
             other = high if high[j] - x[j] >= x[j] - low[j] else low
             return (self.residual(other) - at_x) / (other[j] - x[j])
 
-        return np.column_stack(in_threads(column, range(x.size), workers))
+        return np.column_stack(list(in_threads(column, range(x.size), workers)))
 
 
 @dataclass(frozen=True)
@@ -122,24 +120,3 @@ def descend(
         max_nfev=most,
     )
     return Descent(found.x, float(found.cost), int(found.njev), count, found.status > 0)
-
-
-def in_threads(work: Callable[[T], R], items: Iterable[T], workers: int, stop: Event | None = None) -> Sequence[R]:
-    """Results in the order of the items, whatever the number of threads.
-
-    Args:
-        work: on an item.
-        items: to work on.
-        workers: threads.
-        stop: set if this is interrupted, so that work that asks for it can end early.
-    """
-    if workers <= 1:
-        return [work(item) for item in items]
-    with ThreadPoolExecutor(workers) as pool:
-        try:
-            return list(pool.map(work, items))
-        except BaseException:
-            if stop is not None:
-                stop.set()
-            pool.shutdown(wait=False, cancel_futures=True)
-            raise

@@ -9,8 +9,9 @@ from threading import Event
 import numpy as np
 
 from edesign.damper.fitting.coordinates import Coordinates
-from edesign.damper.fitting.minimise import Descent, Loss, Problem, descend, in_threads
+from edesign.damper.fitting.minimise import Descent, Loss, Problem, descend
 from edesign.errors import AnalysisError
+from edesign.stopping import in_threads
 
 Progress = Callable[[str, int, int], None]
 """What is done, how many of it are done, of how many."""
@@ -94,7 +95,7 @@ def solve(
         return coarse(x)
 
     search = Problem(unless_stopped, coordinates.lower, coordinates.upper, coordinates.steps)
-    screened = in_threads(lambda x: float(np.sum(coarse(x) ** 2)), candidates, workers)
+    screened = list(in_threads(lambda x: float(np.sum(coarse(x) ** 2)), candidates, workers))
     rest = sorted(range(1, len(candidates)), key=lambda i: screened[i])
     chosen = [candidates[0], *(candidates[i] for i in rest[: max(starts, 1) - 1])]
     if min(screened) >= 0.99 * FAILED**2:

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from typing import Any, Protocol, Self
 
 from edesign.errors import EdesignError
+from edesign.stopping import Stopped, stoppable
 
 INTERRUPTED = "interrupted"  # status of a value that was not finished because of a stop
 NO_MEMORY = "not enough memory: use a longer time step, fewer histories in `outputs`, or fewer workers"
@@ -108,7 +109,10 @@ def perform(work: Work, control: Control) -> Result:
         control.progress(work.key, done, total)
 
     try:
-        value = work.run(*work.arguments, progress=progress, stop=control.stopped)
+        with stoppable(control.stopped):
+            value = work.run(*work.arguments, progress=progress, stop=control.stopped)
+    except Stopped:
+        return Result(work.key, interrupted=True, seconds=time.monotonic() - began)
     except EdesignError as error:
         reason = str(error)
     except MemoryError:

@@ -1,0 +1,81 @@
+"""Wishes to stop, which work asks for while it goes on, also in other threads than the one that has the wish."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager
+from typing import TypeVar
+
+T = TypeVar("T")
+R = TypeVar("R")
+Wish = Callable[[], bool]
+
+
+class Stopped(KeyboardInterrupt):
+    """A call ended early because a wish of `stoppable` had come true; like Ctrl-C it is no error."""
+
+
+class _Wishes(threading.local):
+    """Of one thread."""
+
+    wish: Wish | None = None
+
+
+_wishes = _Wishes()
+
+
+@contextmanager
+def stoppable(wish: Wish | None) -> Iterator[None]:
+    """Let long calls of the core in this thread end with `Stopped` once a wish is true.
+
+    Args:
+        wish: asked about five times a second, by such calls only; those of outer contexts count too. None: no wish.
+    """
+    outer = _wishes.wish
+    if wish is not None:
+        own = wish
+        _wishes.wish = own if outer is None else lambda: own() or outer()
+    try:
+        yield
+    finally:
+        _wishes.wish = outer
+
+
+def wished() -> bool:
+    """Whether a wish of this thread is true."""
+    return _wishes.wish is not None and _wishes.wish()
+
+
+def in_threads(
+    work: Callable[[T], R], items: Iterable[T], workers: int, closing: threading.Event | None = None
+) -> Iterator[R]:
+    """Yield results in the order of the items, as soon as they and those before them are ready.
+
+    An error or Ctrl-C, or a caller that wants no more results, ends what runs and leaves out what has not begun. The
+    wishes of the thread that calls count in the others.
+
+    Args:
+        work: on an item.
+        items: to work on.
+        workers: threads; with one the work is done in that of the caller.
+        closing: is set when what runs shall end, for work that asks for it; made here if None.
+    """
+    if workers <= 1:
+        yield from map(work, items)
+        return
+    closing = threading.Event() if closing is None else closing
+    wish, closed = _wishes.wish, closing.is_set
+
+    def run(item: T) -> R:
+        with stoppable(wish), stoppable(closed):
+            return work(item)
+
+    with ThreadPoolExecutor(workers) as pool:
+        try:
+            yield from pool.map(run, items)
+        except BaseException:
+            closing.set()
+            pool.shutdown(wait=False, cancel_futures=True)
+            raise

@@ -1,0 +1,140 @@
+"""Ctrl-C and the wishes of other threads end long calls of the core.
+
+Each call below would take minutes; a process is sent the signal once the call has begun and must end within seconds.
+"""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+import textwrap
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from edesign.core.damper import CoreDamper
+from edesign.core.spectrum import peak_displacement
+from edesign.stopping import Stopped, in_threads, stoppable
+
+SOON = 10.0  # s: it asks five times a second, and machines that do other things as well are slow to begin
+
+SETTING = """
+    import numpy as np
+    from edesign.core import Analysis, Model
+    from edesign.core.damper import CoreDamper
+    from edesign.core.spectrum import peak_responses, recursion_peaks, rotated_peak_displacement
+    from edesign.ground_motion.response_spectrum import response_spectra
+
+    N = 10_000_000
+    samples = np.sin(0.37 * np.arange(N)) * 1e-3
+    time, speed = np.arange(N) * 0.01, np.cos(0.37 * np.arange(N)) * 0.037
+    period, damping = np.linspace(1.0, 2.0, 20_000), np.full(20_000, 0.05)
+    MGMM = [0.515e6, 15.1e3, 0.107e6, 20974.0, 0.374, 3.741e6, 3.613e6, 7.966e-3, 902e3, 190e3, 13.468e-3, 0.0]
+    mgmm, power = CoreDamper("mgmm", MGMM), CoreDamper("maxwell_power", [300e3, 0.35, 40e6])
+
+    def mast():
+        model = Model()
+        steel = model.elastic_section(2.1e9, 4.2e7)
+        nodes = [model.node(f"n{i}", 0.0, 3.0 * i) for i in range(12)]
+        model.fix(nodes[0], True, True, True)
+        for i, (lower, upper) in enumerate(zip(nodes, nodes[1:])):
+            model.beam_column(f"e{i}", lower, upper, steel, points=3)
+            model.mass(upper, 1e4, 1e4, 0.0)
+        pattern = model.pattern()
+        model.nodal_load(pattern, nodes[-1], 1e3, 0.0, 0.0)
+        return Analysis(model), pattern, nodes[-1]
+
+    structure, pattern, top = mast()
+    print("ready", flush=True)
+"""
+
+CALLS = {
+    "spectrum": "peak_responses(samples, 0.01, period, damping)",
+    "rotated": "rotated_peak_displacement(samples, samples, 0.01, period, damping, 180)",
+    "recursions": "recursion_peaks(samples, np.ones((4000, 3)), np.zeros((4000, 2)), 0.0, 100)",
+    "exact steps": "CoreDamper('mgmm', MGMM, brace=1e8).force(time, samples, speed)",
+    "SUNDIALS": "power.force(time, samples, speed)",
+    "in series": "mgmm.force_in_series(time, samples, speed, 1e8)",
+    "static": "structure.static(pattern, 1.0, 10_000_000)",
+    "pushover": "structure.pushover(pattern, top, 'ux', 0.1, 10_000_000)",
+    "history": "structure.history(samples, 0.01)",
+    "threads": "response_spectra(samples, 0.01, period[:2000], 0.05, threads=2)",
+}
+
+
+@pytest.mark.parametrize("call", CALLS)
+def test_interrupt_ends_a_long_call(call: str) -> None:
+    script = textwrap.dedent(SETTING) + CALLS[call] + "\n"
+    process = subprocess.Popen(
+        [sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    try:
+        assert process.stdout is not None
+        assert process.stdout.readline() == "ready\n"
+        time.sleep(1.5)  # well inside the call
+        assert process.poll() is None
+        process.send_signal(signal.SIGINT)
+        _, error = process.communicate(timeout=SOON)
+    finally:
+        process.kill()
+    assert process.returncode == -signal.SIGINT  # as Python ends on a KeyboardInterrupt that nobody catches
+    assert error.rstrip().endswith("KeyboardInterrupt")
+    assert "From cffi" not in error and "Exception ignored" not in error
+
+
+def long_call() -> np.ndarray:
+    periods = np.linspace(1.0, 2.0, 20_000)
+    return peak_displacement(np.ones(2_000_000), 0.01, periods, np.full(periods.size, 0.05))
+
+
+def test_a_wish_of_another_thread_ends_a_long_call() -> None:
+    wish = threading.Event()
+
+    def work() -> None:
+        with stoppable(wish.is_set):
+            long_call()
+
+    with ThreadPoolExecutor(1) as pool:
+        future = pool.submit(work)
+        time.sleep(0.5)
+        wish.set()
+        with pytest.raises(Stopped):
+            future.result(SOON)
+
+
+def test_wishes_of_outer_contexts_count_and_end_with_them() -> None:
+    with stoppable(lambda: True):
+        with stoppable(lambda: False), pytest.raises(Stopped):
+            long_call()
+        with pytest.raises(Stopped):
+            long_call()
+    short = peak_displacement(np.ones(10), 0.01, np.array([1.0]), np.array([0.05]))
+    assert np.all(np.isfinite(short))
+
+
+def test_an_error_in_one_thread_ends_the_others() -> None:
+    began = time.monotonic()
+
+    def work(item: int) -> float:
+        if item:
+            return float(long_call().max())
+        time.sleep(0.3)
+        raise ValueError("the first one fails")
+
+    with pytest.raises(ValueError, match="the first one"):
+        list(in_threads(work, range(2), 2))
+    assert time.monotonic() - began < SOON
+
+
+def test_an_error_of_the_question_is_raised_behind_the_call() -> None:
+    def broken() -> bool:
+        raise RuntimeError("the question failed")
+
+    with stoppable(broken), pytest.raises(RuntimeError, match="the question failed"):
+        long_call()
+    time_ = np.arange(100) * 0.01
+    assert CoreDamper("viscous", [1.0]).force(time_, time_, np.ones(100))[-1] == 1.0
