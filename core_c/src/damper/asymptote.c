@@ -131,7 +131,7 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   for (int i = 0; i < N_MEMORY; i++)
     trial[i] = committed[i];
   for (int i = 0; i < n; i++) {
-    if (motion[i].sign != 0 && motion[i].sign != (int)trial[SIGN]) {
+    if (motion[i].sign != 0 && motion[i].sign != trial[SIGN]) {
       trial[SIGN] = motion[i].sign;
       trial[U_REVERSAL] = i > 0 ? motion[i - 1].u : path->c[0];
       trial[W_REVERSAL] = trial[W];

@@ -17,7 +17,7 @@ int ed_fading(int n, const double *decay, const double *made, double before, dou
       last = 0.0;
     q[i] = last;
   }
-  return ED_OK;
+  return isfinite(last) ? ED_OK : ED_E_NOT_FINITE; /* it is passed on to the end */
 }
 
 int ed_swinging(int n, const double *decay, const double *made, const double *before, double *q)
@@ -34,5 +34,5 @@ int ed_swinging(int n, const double *decay, const double *made, const double *be
     q[2 * i] = re;
     q[2 * i + 1] = im;
   }
-  return ED_OK;
+  return isfinite(re) && isfinite(im) ? ED_OK : ED_E_NOT_FINITE;
 }

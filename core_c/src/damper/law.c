@@ -94,7 +94,10 @@ int ed_damper_state_size(const ed_damper *damper)
 
 void ed_damper_start(const ed_damper *damper, double *state)
 {
-  memset(state, 0, (size_t)ed_damper_state_size(damper) * sizeof *state);
+  const int size = ed_damper_state_size(damper);
+  if (size == 0)
+    return;
+  memset(state, 0, (size_t)size * sizeof *state);
   if (damper->law->start)
     damper->law->start(damper, state);
   ed_amendments_start(damper, state, 1);

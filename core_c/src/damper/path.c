@@ -63,19 +63,20 @@ int ed_path_reversals(const ed_path *path, double at[2])
   return quadratic(path->c[1], 2.0 * path->c[2], 3.0 * path->c[3], path->h, at);
 }
 
-/* Newton's method kept in its bracket. */
+/* Newton's method kept in its bracket; from NEWTON on halves of it, which leave nothing but rounding. */
 double ed_path_crossing(const ed_path *path, double level, double low, double high)
 {
+  enum { NEWTON = 60, HALVINGS = 60 };
   const double sign = ed_path_u(path, high) > ed_path_u(path, low) ? 1.0 : -1.0;
   double s = 0.5 * (low + high);
-  for (int i = 0; i < 60; i++) {
+  for (int i = 0; i < NEWTON + HALVINGS; i++) {
     const double value = sign * (ed_path_u(path, s) - level), slope = sign * ed_path_v(path, s);
     if (value > 0.0)
       high = s;
     else
       low = s;
     double next = slope > 0.0 ? s - value / slope : low;
-    if (!(next > low && next < high))
+    if (!(next > low && next < high) || i >= NEWTON)
       next = 0.5 * (low + high);
     if (fabs(next - s) <= 4e-16 * path->h)
       return next;

@@ -20,7 +20,7 @@ typedef struct {
 } moving;
 
 typedef struct {
-  double u, force, tangent;
+  double u, force, tangent; /* force and tangent are not numbers where the skeleton's was not found */
   moving moves;
 } point;
 
@@ -42,16 +42,16 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 }
 
 /* Force and tangent of the skeleton: f (1 + a f^(n-1)) = x in units of Fy and Fy/k. The left side is convex, so Newton from
- * above goes straight to the root; `guess` is a force near it, or 0. */
+ * above goes straight to the root; `guess` is a force near it, or 0. Not a number where it did not get there. */
 static double skeleton(const double parameter[4], double u, double guess, double *tangent)
 {
   const double k = parameter[0], yield = parameter[1], a = parameter[2], n = parameter[3];
   const double x = fabs(u) * k / yield;
   double f = fabs(guess) / yield, plastic = 0.0;
-  int bounded = 0;
+  int bounded = 0, settled = !(x > 0.0);
   if (!(f > 0.0 && f < x))
     f = x;
-  for (int i = 0; i < 100 && x > 0.0; i++) {
+  for (int i = 0; i < 100 && !settled; i++) {
     plastic = a * pow(f, n - 1.0);
     const double slope = 1.0 + n * plastic;
     double change = (x - f * (1.0 + plastic)) / slope;
@@ -63,11 +63,11 @@ static double skeleton(const double parameter[4], double u, double guess, double
     f += change;
     if (fabs(change) <= 1e-9 * f) { /* convergence is quadratic: what is left is rounding */
       plastic *= 1.0 + (n - 1.0) * change / f;
-      break;
+      settled = 1;
     }
   }
-  *tangent = k / (1.0 + n * plastic);
-  return copysign(f * yield, u);
+  *tangent = settled ? k / (1.0 + n * plastic) : NAN;
+  return settled ? copysign(f * yield, u) : NAN;
 }
 
 /* The point at u on the present branch; `here` gives the guess. */
@@ -116,6 +116,8 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
                 ed_damper_force *out)
 {
   memcpy(trial, committed, N_MEMORY * sizeof *trial);
+  if (!(trial[COUNT] >= 0.0 && trial[COUNT] <= REMEMBERED && fabs(trial[DIRECTION]) <= 1.0))
+    return ED_E_ARGUMENT; /* no state that a step has made */
   ed_motion motion[3];
   const int motions = ed_path_motions(path, direction, motion);
   diagram d = {.n = (int)trial[COUNT], .direction = (int)trial[DIRECTION], .fresh = (int)trial[COUNT], .reversal = trial + POINTS};
@@ -134,7 +136,9 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   trial[FORCE] = out->force = here.force;
   out->slope[0] = here.moves.force[0];
   out->slope[1] = here.moves.force[1];
-  return isfinite(out->force) ? ED_OK : ED_E_NOT_FINITE;
+  if (isnan(here.tangent))
+    return ED_E_NOT_CONVERGED;
+  return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
 }
 
 const ed_law ed_ramberg_osgood = {.name = "ramberg_osgood",

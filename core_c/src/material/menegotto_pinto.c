@@ -134,6 +134,13 @@ static int respond(const ed_steel *steel, mp_state *state, double strain, double
   return governing;
 }
 
+int ed_menegotto_pinto_valid(const double *committed)
+{
+  mp_state state;
+  memcpy(&state, committed, sizeof state);
+  return state.up.count >= 0.0 && state.up.count <= DEPTH && state.down.count >= 0.0 && state.down.count <= DEPTH;
+}
+
 void ed_menegotto_pinto_trial(const ed_steel *steel, const double *committed, double strain, double *stress,
                               double *tangent)
 {

@@ -10,6 +10,11 @@ int ed_steel_state_size(const ed_steel *steel)
   return steel->law == ED_MENEGOTTO_PINTO ? ED_MENEGOTTO_PINTO_STATE : ED_BILINEAR_STATE;
 }
 
+int ed_steel_state_valid(const ed_steel *steel, const double *state)
+{
+  return steel->law != ED_MENEGOTTO_PINTO || ed_menegotto_pinto_valid(state);
+}
+
 /* Closest-point return for linear kinematic hardening (Simo & Hughes 1998, box 1.5 with K = 0). */
 static int bilinear_return(const ed_steel *steel, double plastic, double strain, double *stress, double *flow)
 {

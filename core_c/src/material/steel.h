@@ -19,6 +19,8 @@ enum {
 
 /* Doubles of state that the law keeps a fibre. */
 int ed_steel_state_size(const ed_steel *steel);
+/* Whether a fibre may be in this state of finite numbers. */
+int ed_steel_state_valid(const ed_steel *steel, const double *state);
 /* Stress and tangent at the trial strain; the return is 1 when the answer is elastic. */
 int ed_steel_trial(const ed_steel *steel, const double *state, double strain, double *stress, double *tangent);
 /* Moves the state to `strain`; the return is the work a unit volume dissipated on the way (energy / volume). */

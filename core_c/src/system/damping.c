@@ -20,13 +20,30 @@ int ed_rayleigh(ed_analysis *a, double mass_factor, double stiffness_factor, int
   return ED_OK;
 }
 
+/* Their squares are counted by whole numbers of 32 bits; a matrix of them takes 17 GB. */
+enum { MOST_MODES = 46340 };
+
+static double modal_mass(const ed_analysis *a, const double *phi)
+{
+  double sum = 0.0;
+  for (int i = 0; i < a->n; i++)
+    sum += a->mass[i] * phi[i] * phi[i];
+  return sum;
+}
+
 int ed_modal_damping(ed_analysis *a, int n, const double *shape, const double *omega, const double *ratio)
 {
   if (n < 0 || n > a->n)
     return ed_fail(a, ED_E_ARGUMENT, "modal damping: %d modes of %d equations", n, a->n);
-  for (int k = 0; k < n; k++)
+  if (n > MOST_MODES)
+    return ed_fail(a, ED_E_MEMORY, "modal damping: %d modes, at most %d are possible", n, MOST_MODES);
+  for (int k = 0; k < n; k++) {
     if (!(ratio[k] >= 0.0) || !(omega[k] > 0.0) || !isfinite(ratio[k] + omega[k]))
       return ed_fail(a, ED_E_ARGUMENT, "modal damping: mode %d has no frequency or a negative ratio", k + 1);
+    const double generalised = modal_mass(a, shape + (size_t)k * (size_t)a->n);
+    if (!(generalised > 0.0) || !isfinite(2.0 * ratio[k] * omega[k] / generalised))
+      return ed_fail(a, ED_E_ARGUMENT, "modal damping: mode %d has no mass", k + 1);
+  }
   free(a->modal);
   free(a->modal_solved);
   free(a->modal_small);
@@ -41,11 +58,7 @@ int ed_modal_damping(ed_analysis *a, int n, const double *shape, const double *o
   for (int k = 0; k < n; k++) {
     const double *phi = shape + (size_t)k * (size_t)a->n;
     double *m = a->modal + (size_t)k * (size_t)a->n;
-    double generalised = 0.0;
-    for (int i = 0; i < a->n; i++)
-      generalised += a->mass[i] * phi[i] * phi[i];
-    if (!(generalised > 0.0) || !isfinite(generalised))
-      return ed_fail(a, ED_E_ARGUMENT, "modal damping: mode %d has no mass", k + 1);
+    const double generalised = modal_mass(a, phi);
     /* Chopra 2012, Eq. 11.4.5: C = M (sum 2 zeta omega / M_n phi phi') M */
     const double scale = sqrt(2.0 * ratio[k] * omega[k] / generalised);
     for (int i = 0; i < a->n; i++)
@@ -100,18 +113,18 @@ static int factor(ed_analysis *a, double k, double m, double c)
   if (status != ED_OK || a->n_modal == 0 || c == 0.0)
     return status;
   /* Woodbury: (A + c U U')^-1 with the small matrix I / c + U' A^-1 U */
-  const int r = a->n_modal, n = a->n;
-  memcpy(a->modal_solved, a->modal, (size_t)r * (size_t)n * sizeof(double));
-  if (ed_solver_solve(a->solver, a->modal_solved, r) != ED_OK)
+  const size_t r = (size_t)a->n_modal, n = (size_t)a->n;
+  memcpy(a->modal_solved, a->modal, r * n * sizeof(double));
+  if (ed_solver_solve(a->solver, a->modal_solved, a->n_modal) != ED_OK)
     return ED_E_SINGULAR;
-  for (int i = 0; i < r; i++)
-    for (int j = 0; j < r; j++) {
+  for (size_t i = 0; i < r; i++)
+    for (size_t j = 0; j < r; j++) {
       double sum = i == j ? 1.0 / c : 0.0;
-      for (int q = 0; q < n; q++)
+      for (size_t q = 0; q < n; q++)
         sum += a->modal[i * n + q] * a->modal_solved[j * n + q];
       a->modal_small[i * r + j] = sum;
     }
-  return ed_dense_factor(r, a->modal_small, a->modal_pivot) ? ED_OK : ED_E_SINGULAR;
+  return ed_dense_factor(a->n_modal, a->modal_small, a->modal_pivot) ? ED_OK : ED_E_SINGULAR;
 }
 
 void ed_note_factors(const ed_analysis *a, ed_factored *to)
@@ -167,16 +180,16 @@ int ed_solve_effective(ed_analysis *a, double *x)
   const int status = ed_solver_solve(a->solver, x, 1);
   if (status != ED_OK || a->n_modal == 0 || a->factored_c == 0.0)
     return status;
-  const int r = a->n_modal, n = a->n;
+  const size_t r = (size_t)a->n_modal, n = (size_t)a->n;
   double *y = a->work2; /* n >= r */
-  for (int i = 0; i < r; i++) {
+  for (size_t i = 0; i < r; i++) {
     y[i] = 0.0;
-    for (int q = 0; q < n; q++)
+    for (size_t q = 0; q < n; q++)
       y[i] += a->modal[i * n + q] * x[q];
   }
-  ed_dense_solve(r, a->modal_small, a->modal_pivot, y);
-  for (int i = 0; i < r; i++)
-    for (int q = 0; q < n; q++)
+  ed_dense_solve(a->n_modal, a->modal_small, a->modal_pivot, y);
+  for (size_t i = 0; i < r; i++)
+    for (size_t q = 0; q < n; q++)
       x[q] -= a->modal_solved[i * n + q] * y[i];
   return ED_OK;
 }

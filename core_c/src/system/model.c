@@ -199,6 +199,9 @@ int ed_model_mass(ed_model *model, int node, double mx, double my, double mrz)
     return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: masses must not be negative", model->nodes[node].name);
   const double mass[3] = {mx, my, mrz};
   for (int d = 0; d < 3; d++)
+    if (!isfinite(model->nodes[node].mass[d] + mass[d]))
+      return ed_model_refuse(model, ED_E_ARGUMENT, "node %s: the sum of its masses is not a finite number", model->nodes[node].name);
+  for (int d = 0; d < 3; d++)
     model->nodes[node].mass[d] += mass[d];
   return ED_OK;
 }

@@ -1,5 +1,6 @@
 #include "system/analysis.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -17,7 +18,7 @@ int ed_number(ed_analysis *a)
 {
   const ed_model *model = a->model;
   const int degrees = 3 * model->n_nodes;
-  a->equation = malloc((size_t)(degrees + 1) * sizeof *a->equation);
+  a->equation = malloc(((size_t)degrees + 1) * sizeof *a->equation);
   if (!a->equation)
     return ED_E_MEMORY;
   for (int i = 0; i < degrees; i++)
@@ -52,6 +53,11 @@ int ed_number(ed_analysis *a)
     if (d < 2)
       a->influence[d][equation] = 1.0;
   }
+  for (int i = 0; i < n; i++)
+    if (!isfinite(a->mass[i])) {
+      char name[ED_NAME + 8];
+      return ed_fail(a, ED_E_NOT_FINITE, "the sum of the masses at %s is not a finite number", ed_equation_name(a, i, name, sizeof name));
+    }
   return ED_OK;
 }
 

@@ -87,7 +87,7 @@ static void scale_vectors(const ed_solver *solver, double *x, int count)
 {
   for (int c = 0; solver->scale && c < count; c++)
     for (int i = 0; i < solver->n; i++)
-      x[c * solver->n + i] *= solver->scale[i];
+      x[(size_t)c * (size_t)solver->n + (size_t)i] *= solver->scale[i];
 }
 
 int ed_solver_factor(ed_solver *solver, const double *matrix, int *repivoted)

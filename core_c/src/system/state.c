@@ -2,8 +2,13 @@
  * evaluations never write it, so that a failed attempt leaves nothing behind. */
 #include "system/analysis.h"
 
+#include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
+
+/* Of a state: 16 GB. */
+static const long MOST_DOUBLES = INT_MAX;
 
 static int head_size(void)
 {
@@ -28,25 +33,31 @@ static void point_into(ed_state *state, double *block, const ed_analysis *a)
 
 int ed_state_allocate(ed_analysis *a)
 {
-  int blocks = 0, layers = 0;
+  long blocks = 0, layers = 0, devices = 0; /* offsets are whole numbers of 32 bits */
   for (int m = 0; m < a->model->n_members; m++) {
     ed_element *e = &a->elements[m];
-    e->state = blocks;
-    e->layers = layers;
+    e->state = (int)blocks;
+    e->layers = (int)layers;
     blocks += ed_element_block_size(e);
     layers += ed_element_layer_size(e);
+    if (blocks + layers > MOST_DOUBLES)
+      return ED_E_MEMORY;
   }
-  a->element_blocks = blocks;
+  a->element_blocks = (int)blocks;
   a->device_block = calloc((size_t)a->model->n_devices + 1, sizeof *a->device_block);
   if (!a->device_block)
     return ED_E_MEMORY;
-  int devices = 0;
   for (int i = 0; i < a->model->n_devices; i++) {
-    a->device_block[i] = devices;
+    a->device_block[i] = (int)devices;
     devices += ed_device_block_size(&a->model->devices[i]);
+    if (devices > MOST_DOUBLES)
+      return ED_E_MEMORY;
   }
-  a->state_size = head_size() + 7 * a->n + 2 * a->model->n_members + blocks + devices;
-  a->layer_size = layers;
+  const long size = head_size() + 7L * a->n + 2L * a->model->n_members + blocks + devices;
+  if (size + layers + a->model->n_patterns > MOST_DOUBLES)
+    return ED_E_MEMORY;
+  a->state_size = (int)size;
+  a->layer_size = (int)layers;
   double *trial = calloc((size_t)a->state_size, sizeof *trial);
   double *committed = calloc((size_t)a->state_size, sizeof *committed);
   a->block_backup = malloc((size_t)a->state_size * sizeof(double));
@@ -137,6 +148,13 @@ int ed_state_set(ed_analysis *a, const double *state)
 {
   if (a->run.kind != ED_RUN_NONE)
     return ed_fail(a, ED_E_STATE, "the state cannot be set during a run");
+  const int size = ed_state_size(a);
+  for (int i = 0; i < size; i++)
+    if (!isfinite(state[i]))
+      return ed_fail(a, ED_E_NOT_FINITE, "value %d of %d of the state is not a finite number", i + 1, size);
+  for (int m = 0; m < a->model->n_members; m++)
+    if (!ed_element_layers_valid(&a->elements[m], state + a->state_size + a->elements[m].layers))
+      return ed_fail(a, ED_E_ARGUMENT, "the state is of another model: element %s", a->model->members[m].name);
   memcpy(a->committed.block, state, (size_t)a->state_size * sizeof(double));
   memcpy(a->layers, state + a->state_size, (size_t)a->layer_size * sizeof(double));
   memcpy(a->factors_committed, state + a->state_size + a->layer_size, (size_t)a->model->n_patterns * sizeof(double));
