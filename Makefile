@@ -40,7 +40,7 @@ help:
 	@echo "make blind     calibration against data with hidden effects: CAMPAIGNS made by SEED, what was found, what was missed"
 	@echo "make test      set up, then lint, types, import layers, C tests with sanitizers, Python tests"
 	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio; cost of dampers"
-	@echo "make memcheck  C tests under valgrind"
+	@echo "make memcheck  C tests under valgrind, then random calls of the core under sanitizers"
 	@echo "make setup     only the set-up of run;  make test-setup: only that of the tests"
 	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
 	@echo "make pytest ARGS=\"-m study\"     tests that run the whole thesis study"
@@ -149,6 +149,7 @@ pytest: $(STAMPS)/peers
 memcheck: $(STAMPS)/build
 	@tools/setup_system.sh memcheck >/dev/null
 	@$(MAKE) --no-print-directory -j $(WORKERS) -s -C core_c valgrind
+	@$(MAKE) --no-print-directory -s -C core_c random
 
 format: $(STAMPS)/test
 	@$(BIN)/ruff format .

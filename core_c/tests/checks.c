@@ -68,6 +68,11 @@ void check_contains(const char *file, int line, const char *text, const char *pa
     printf("expected a text with \"%s\", got \"%s\"\n", part, text);
 }
 
+long checks_failed(void)
+{
+  return failures;
+}
+
 int checks_end(const char *subject)
 {
   if (failures)

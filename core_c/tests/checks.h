@@ -12,6 +12,7 @@ void check_same(const char *file, int line, const double *got, const double *exp
 void check_status(const char *file, int line, int got, int expected, const char *text);
 /* `text` contains `part` */
 void check_contains(const char *file, int line, const char *text, const char *part);
+long checks_failed(void); /* so far */
 int checks_end(const char *subject);
 
 #define CHECK(condition) check_true(__FILE__, __LINE__, (condition), #condition)

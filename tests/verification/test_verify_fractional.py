@@ -199,7 +199,9 @@ def test_orders_down_to_the_least_double(make: Callable[[float], tuple[CoreDampe
     damper, modulus = make(order)
     found = np.array([complex_modulus(damper, frequency) for frequency in FREQUENCIES])
     expected = modulus(2j * np.pi * FREQUENCIES)
-    assert np.max(np.abs(found / expected - 1.0)) < 1e-6  # 64 cubics a cycle are 2e-7 off; the series by 1e-4 of the order
+    assert (
+        np.max(np.abs(found / expected - 1.0)) < 1e-6
+    )  # 64 cubics a cycle are 2e-7 off; the series by 1e-4 of the order
 
 
 @every_law
