@@ -133,7 +133,7 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
     best = "" if not carried.replaced else f"; {100 * found.errors['corrected'].validate:.3g} % with forms it lacks"
     head = [
         f"# {law.title}, calibrated by {len(found.series)} tests of {found.title}: {found.verdict_words}",
-        f"# NRMS (thesis Eq. 4.28) of the validation tests {100 * carried.validate:.3g} %{best}, as declared "
+        f"# NRMS of the validation tests {100 * carried.validate:.3g} %{best}, as declared "
         f"{100 * found.errors['declared'].validate:.3g} %, noise {100 * found.noise_floor:.3g} %",
     ]
     if found.lasting:

@@ -20,7 +20,7 @@ MODELS: dict[Subject, str] = {"damper": "law", "structure": "building"}
 """What is calibrated, in a word."""
 
 NRMS_NOTES: dict[Subject, str] = {
-    "damper": "NRMS: sum of squared errors over sum of squared measured forces, no root (thesis Eq. 4.28)",
+    "damper": "NRMS: sum of squared errors over sum of squared measured forces, no root",
     "structure": "NRMS: sum of squared errors over sum of squared measured values, no root; of several channels each "
     "over the root mean square of its kind (accelerations, displacements) in the fitted tests",
 }

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 
 from edesign.damper.fitting import Comparison, CrossValidation, Fit
-from edesign.damper.fitting.fit import mean_nrms
+from edesign.damper.fitting.fit import FOLLOWS, mean_nrms
 from edesign.damper.fitting.write import practical, practical_errors, tested
 from edesign.report.table import Table, number
 
@@ -65,15 +65,17 @@ def parameter_table(fit: Fit) -> Table:
 def error_table(fit: Fit, held_out: CrossValidation | None, validated: Mapping[str, float]) -> Table:
     """Return the errors of every test in per cent."""
     what = "test" if fit.against == "forces" else "property"
-    columns = [what, "NRMS [%]", "rms error / rms [%]", *(["held out: NRMS [%]"] if held_out else [])]
+    columns = [what, "NRMS [%]", "rms error / peak [%]", "R2", *(["held out: NRMS [%]"] if held_out else [])]
     table = Table(f"{fit.law.name}: errors", columns)
     for name, value in fit.nrms.items():
-        row = [name, _percent(value), _percent(fit.rms_error[name])]
+        row = [name, _percent(value), _percent(fit.peak_error[name]), f"{fit.determination[name]:.4f}"]
         table.rows.append([*row, *([_percent(held_out.nrms[name])] if held_out else [])])
-    mean = ["mean", _percent(mean_nrms(fit.nrms)), _percent(mean_nrms(fit.rms_error))]
+    mean = ["mean", _percent(mean_nrms(fit.nrms)), _percent(mean_nrms(fit.peak_error))]
+    mean.append(f"{mean_nrms(fit.determination):.4f}")
     table.rows.append([*mean, *([_percent(held_out.mean)] if held_out else [])])
     for name, value in validated.items():
-        table.rows.append([f"{name} (validate)", _percent(value), "", *([""] if held_out else [])])
+        table.rows.append([f"{name} (validate)", _percent(value), "", "", *([""] if held_out else [])])
+    table.notes.append(f"NRMS: sum of squared errors over that of squared measured {fit.against}, no root")
     if held_out:
         name, value = held_out.worst
         table.notes.append(f"held out ({held_out.folds} folds): worst is {name}, {_percent(value)} %")
@@ -90,11 +92,18 @@ def comparison_table(comparison: Comparison) -> Table:
         fit = item.fit
         row = [fit.law.name, str(item.parameters), _percent(mean_nrms(fit.nrms)), *cells]
         table.rows.append([*row, f"{item.aic:.1f}", f"{item.bic:.1f}", f"{fit.same_minimum} of {len(fit.starts)}"])
-    best = comparison.sufficient
+    best = comparison.nearest
     how = "predicts held-out tests nearly as well as the best" if best.held_out else "has the least BIC"
-    table.notes.append(
-        f"{best.fit.law.name} suffices: of the laws compared it {how}, with {best.parameters} parameters"
-    )
+    if comparison.sufficient is None:
+        error = best.fit.mean_rms_error if best.held_out is None else math.sqrt(best.held_out.mean)
+        table.notes.append(
+            f"none of the laws compared follows the tests: {best.fit.law.name}, the nearest, errs by "
+            f"{_percent(error)} % of the rms force; a law that follows them errs by at most {100.0 * FOLLOWS:g} %"
+        )
+    else:
+        table.notes.append(
+            f"{best.fit.law.name} suffices: of the laws compared it {how}, with {best.parameters} parameters"
+        )
     table.notes.append(f"AIC and BIC above the least, counting {comparison.independent:.0f} independent errors")
     return table
 

@@ -43,7 +43,7 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
     return ed_fail(a, ED_E_STATE, "another run has not ended");
   if (method != ED_NEWMARK && method != ED_GENERALISED_ALPHA)
     return ed_fail(a, ED_E_ARGUMENT, "unknown integration method %d", method);
-  if (n < 1 || !(dt > 0.0) || !isfinite(dt))
+  if (n < 1 || !(dt > 0.0) || !isfinite(n * dt))
     return ed_fail(a, ED_E_ARGUMENT, "%d steps of %g", n, dt);
   double mass = 0.0;
   for (int i = 0; i < a->n; i++)

@@ -1,4 +1,4 @@
-"""Several laws fitted to the same tests: which one suffices."""
+"""Several laws fitted to the same tests: which one suffices, if one does."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from edesign.damper.fitting.cross_validation import CrossValidation, cross_validate
-from edesign.damper.fitting.fit import Fit
+from edesign.damper.fitting.fit import FOLLOWS, Fit
 from edesign.damper.fitting.forces import fit_forces
 from edesign.damper.law import Law
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from edesign.damper.test_record import DamperTest
 
 ENOUGH = 1.1
-"""A law suffices where its error on held-out tests is at most this times the best one's."""
+"""A law is as near as the best one where its error on held-out tests is at most this times that one's."""
 
 
 @dataclass(frozen=True)
@@ -55,7 +55,7 @@ class Comparison:
     independent: float
 
     @property
-    def sufficient(self) -> Compared:
+    def nearest(self) -> Compared:
         """The law of the fewest parameters that predicts held-out tests nearly as well as the best law does.
 
         Without cross-validation, the law of the least BIC.
@@ -65,6 +65,13 @@ class Comparison:
         errors = {id(item): item.held_out.mean for item in self.laws if item.held_out is not None}
         good = [item for item in self.laws if errors[id(item)] <= ENOUGH * min(errors.values())]
         return min(good, key=lambda item: (item.parameters, errors[id(item)]))
+
+    @property
+    def sufficient(self) -> Compared | None:
+        """The nearest law if it follows the tests, also those that are held out; None: none of the laws does."""
+        nearest = self.nearest
+        held_out = nearest.held_out is None or math.sqrt(nearest.held_out.mean) <= FOLLOWS
+        return nearest if nearest.fit.follows and held_out else None
 
 
 def compare_laws(

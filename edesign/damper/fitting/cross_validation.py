@@ -25,7 +25,7 @@ class CrossValidation:
     """Errors of predictions of tests that were left out of the fit.
 
     Attributes:
-        nrms: of each test when it was held out, Eq. 4.28, as a ratio.
+        nrms: of each test when it was held out: squared errors over squared measurements, as a ratio.
         folds: how many fits.
     """
 
@@ -45,7 +45,7 @@ class CrossValidation:
 
 
 def prediction_errors(fit: Fit, tests: Sequence[DamperTest], predict: Predict | None = None) -> dict[str, float]:
-    """NRMS (Eq. 4.28, ratio) of a fitted law on tests, by their names."""
+    """NRMS (ratio) of a fitted law on tests, by their names."""
     force = predict or core_predict(fit.law)
     return {
         loading.name: nrms(force(fit.values_at(loading.temperature_C), loading), loading.force)

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from edesign.damper.fitting.fit import FOLLOWS
 from edesign.damper.fitting.loading import Loading
 from edesign.damper.fitting.uncertainty import Uncertainty
 
@@ -13,7 +14,6 @@ CORRELATED = 0.98
 _SHARE = 0.5  # of a parameter's variance in loose combinations, for it to be named
 _TOLD = 0.05  # standard error / value, up to which correlation does no harm
 _UNSURE = 0.5  # standard error / value
-_MISFIT = 0.5  # rms error / rms of the force, mean over the tests
 _REVERSED = 0.05  # of force times motion, in sums, over that of their sizes
 
 
@@ -67,16 +67,15 @@ def reversed_doubts(loadings: Sequence[Loading]) -> list[str]:
     return said
 
 
-def misfit_doubts(rms_error: Mapping[str, float]) -> list[str]:
+def misfit_doubts(mean: float) -> list[str]:
     """Doubts about a law that does not follow the tests.
 
     Args:
-        rms_error: of each test, of the rms of its force.
+        mean: over the tests, of rms error / rms of the force.
     """
-    mean = sum(rms_error.values()) / len(rms_error)
-    return (
-        [f"the law does not follow the tests: its error is {100.0 * mean:.3g} % of the force"] if mean > _MISFIT else []
-    )
+    if mean <= FOLLOWS:
+        return []
+    return [f"the law does not follow the tests: its error is {100.0 * mean:.3g} % of the force"]
 
 
 def start_doubts(costs: Sequence[float], same: int, converged: bool) -> list[str]:

@@ -48,9 +48,11 @@ class Fit:
         error_kind: "robust"; or, where blocks of tests are too few for that, "correlation time": that of white noise
             times the root of samples per independent error.
         correlation: (n, n) of the free ones.
-        nrms: of each test, Eq. 4.28, as a ratio (print times 100).
+        nrms: of each test: squared errors over squared measurements, as a ratio (print times 100).
         nrms_overall: over all samples of all tests, as a ratio.
         rms_error: of each test: rms of the error / rms of the measured force.
+        peak_error: of each test: rms of the error / largest measured force.
+        determination: R2 of each test.
         condition: of the least squares, columns of unit length.
         doubts: what the user should know, in words.
         cost: half the weighted sum of squares, relative to the measured forces.
@@ -79,6 +81,8 @@ class Fit:
     nrms: dict[str, float]
     nrms_overall: float
     rms_error: dict[str, float]
+    peak_error: dict[str, float]
+    determination: dict[str, float]
     condition: float
     doubts: tuple[str, ...]
     cost: float
@@ -106,9 +110,24 @@ class Fit:
         """The fitted damper, at the reference temperature if none is said."""
         return Damper(self.law, self.values if temperature_C is None else self.values_at(temperature_C))
 
+    @property
+    def mean_rms_error(self) -> float:
+        """Mean over the tests of rms error / rms of the measured force."""
+        return float(np.mean(list(self.rms_error.values())))
+
+    @property
+    def follows(self) -> bool:
+        """Whether the law follows the tests that it was fitted to."""
+        return self.mean_rms_error <= FOLLOWS
+
     def correlation_of(self, first: str, second: str) -> float:
         """Correlation of two fitted parameters."""
         return float(self.correlation[self.free.index(first), self.free.index(second)])
+
+
+FOLLOWS = 0.15
+"""A law follows tests where its rms error is at most this share of the rms of their forces, mean over the tests: as far
+as forces and loops of one device may differ from their mean (ASCE/SEI 7-22, 18.6.1.4)."""
 
 
 def mean_nrms(nrms: Mapping[str, float]) -> float:

@@ -24,7 +24,7 @@ from edesign.damper.fitting.start import linear_start, spread
 from edesign.damper.fitting.thermal import ThermalKind
 from edesign.damper.fitting.uncertainty import blocks_of
 from edesign.damper.law import Law
-from edesign.damper.nrms import nrms
+from edesign.damper.nrms import determination, error_of_peak, nrms
 from edesign.errors import AnalysisError, InputError
 
 if TYPE_CHECKING:
@@ -119,6 +119,8 @@ def fit_forces(
         outcome,
         (tests_of, blocks),
         errors={a.name: nrms(p, a.force) for p, a in zip(predicted, loadings, strict=True)},
+        peak_error={a.name: error_of_peak(p, a.force) for p, a in zip(predicted, loadings, strict=True)},
+        determined={a.name: determination(p, a.force) for p, a in zip(predicted, loadings, strict=True)},
         overall=nrms(np.concatenate(predicted), np.concatenate([loading.force for loading in loadings])),
         rms_error={
             a.name: float(np.sqrt(np.mean((p - a.force) ** 2))) / a.rms
@@ -127,7 +129,7 @@ def fit_forces(
         tested=_tested(loadings, specimen),
         independent=independent_errors(p - a.force for p, a in zip(predicted, loadings, strict=True)),
     )
-    doubts = (*reversed_doubts(loadings), *misfit_doubts(found.rms_error), *found.doubts)
+    doubts = (*reversed_doubts(loadings), *misfit_doubts(found.mean_rms_error), *found.doubts)
     return replace(found, doubts=doubts, seconds=time.perf_counter() - begun)
 
 

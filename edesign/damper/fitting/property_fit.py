@@ -22,7 +22,7 @@ from edesign.damper.fitting.solve import FAILED, Progress, solve
 from edesign.damper.fitting.start import linear_start, spread
 from edesign.damper.fitting.thermal import ThermalKind
 from edesign.damper.law import Law
-from edesign.damper.nrms import nrms
+from edesign.damper.nrms import determination, error_of_peak, nrms
 from edesign.damper.steady_state import CYCLES, SAMPLES, predict
 from edesign.damper.temperature import REFERENCE_C
 from edesign.errors import AnalysisError, InputError
@@ -120,7 +120,9 @@ def fit_properties(
         outcome,
         groups,
         errors={name: nrms(predicted[i], measured[i]) for i, name in enumerate(quantities)},
-        overall=float(np.sum((predicted / measured - 1.0) ** 2) / np.sum((predicted / measured) ** 2)),
+        peak_error={name: error_of_peak(predicted[i], measured[i]) for i, name in enumerate(quantities)},
+        determined={name: determination(predicted[i], measured[i]) for i, name in enumerate(quantities)},
+        overall=float(np.mean((predicted / measured - 1.0) ** 2)),
         rms_error={
             name: float(np.sqrt(np.mean((predicted[i] / measured[i] - 1.0) ** 2))) for i, name in enumerate(quantities)
         },

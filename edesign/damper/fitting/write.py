@@ -33,7 +33,10 @@ def law_yaml(fit: Fit, title: str = "", specimen: Specimen | None = None) -> str
     data["standard_errors"] = practical_errors(fit, fit.standard_error)
     data["tested"] = tested(fit)
     head = f"# {fit.law.title}, fitted to {_counted(fit)}" + (f" of {title}" if title else "")
-    lines = [head, f"# NRMS (thesis Eq. 4.28) {100.0 * fit.nrms_overall:.4g} %; standard errors: {fit.error_kind}"]
+    lines = [
+        head,
+        f"# NRMS (of measured forces) {100.0 * fit.nrms_overall:.4g} %; standard errors: {fit.error_kind}",
+    ]
     lines += [f"# {name}: held; {why}" for name, why in fit.held.items() if name in fit.values and why != "a choice"]
     lines += [f"# {doubt}" for doubt in fit.doubts]
     return "\n".join(lines) + "\n" + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
@@ -59,6 +62,8 @@ def fit_json(fit: Fit) -> dict[str, Any]:
         "nrms_percent_overall": 100.0 * fit.nrms_overall,
         "nrms_percent_mean": 100.0 * mean_nrms(fit.nrms),
         "rms_error_percent": {name: 100.0 * value for name, value in fit.rms_error.items()},
+        "rms_error_over_peak_percent": {name: 100.0 * value for name, value in fit.peak_error.items()},
+        "R2": _finite(fit.determination),
         "condition": fit.condition if math.isfinite(fit.condition) else None,
         "doubts": list(fit.doubts),
         "starts": {"costs": list(fit.starts), "same_minimum": fit.same_minimum},

@@ -14,9 +14,10 @@ from edesign.damper.fitting.compare import compare_laws
 from edesign.damper.fitting.loading import Loading
 from edesign.damper.history import spline_velocity
 from edesign.damper.laws import LAWS
-from edesign.damper.nrms import nrms
+from edesign.damper.nrms import determination, error_of_peak, nrms
 from edesign.damper.test_record import DamperTest
 from edesign.errors import InputError
+from edesign.report.fit_tables import comparison_table
 
 KELVIN, POWER = LAWS["kelvin_voigt"], LAWS["viscous_power"]
 K, C = 8e6, 0.4e6
@@ -39,9 +40,15 @@ def histories_with(noise: float = 0.01, seed: int = 1, k: float = K, c: float = 
     return found
 
 
-def test_nrms_is_eq_4_28() -> None:
-    assert nrms([1.0, 2.0], [1.0, 1.0]) == pytest.approx(1.0 / 5.0, rel=1e-15)  # by the prediction, without a root
+def test_errors_are_shares_of_what_was_measured() -> None:
+    """By hand; Eq. 4.28 of the thesis would be 1/5, and infinite of no force."""
+    assert nrms([1.0, 2.0], [1.0, 1.0]) == pytest.approx(1.0 / 2.0, rel=1e-15)  # without a root
+    assert nrms([0.0, 0.0], [3.0, -4.0]) == 1.0
     assert nrms([0.0, 0.0], [0.0, 0.0]) == 0.0
+    assert nrms([1.0, 0.0], [0.0, 0.0]) == np.inf
+    assert error_of_peak([1.0, 2.0], [3.0, -4.0]) == pytest.approx(np.sqrt(20.0) / 4.0, rel=1e-15)
+    assert determination([1.0, 2.0, 4.0], [1.0, 2.0, 3.0]) == pytest.approx(1.0 - 1.0 / 2.0, rel=1e-15)
+    assert determination([1.0, 1.0], [1.0, 1.0]) == 1.0
     with pytest.raises(InputError, match="2 and 3"):
         nrms([1.0, 2.0], [1.0, 2.0, 3.0])
 
@@ -179,6 +186,28 @@ def test_the_law_that_made_the_data_suffices() -> None:
     assert found.laws[0].bic > 100.0 and found.laws[1].bic == 0.0
     samples = sum(test.time.size for test in tests)
     assert 0.8 * samples < found.independent <= samples  # the noise is white
+    zener = found.laws[1].fit
+    assert zener.follows and not [doubt for doubt in zener.doubts if "does not follow" in doubt]
+    assert list(zener.determination.values()) == pytest.approx(
+        [1.0 - zener.nrms[test.name] for test in tests], abs=1e-3
+    )
+    for test in tests:
+        measured_force = test.measured_force()
+        share = np.sqrt(np.mean(measured_force**2)) / np.max(np.abs(measured_force))
+        assert zener.peak_error[test.name] == pytest.approx(zener.rms_error[test.name] * share, rel=1e-6)
+
+
+@pytest.mark.parametrize("held_out", [False, True])
+def test_no_law_suffices_that_does_not_follow_the_tests(held_out: bool) -> None:
+    """A dashpot, and one beside a spring, fitted to friction."""
+    tests = measured("friction", {"mu": 0.3, "N": 330e3, "k": 100e6})
+    found = compare_laws([LAWS["viscous"], LAWS["kelvin_voigt"]], tests, held_out=held_out, starts=1)
+    assert found.sufficient is None
+    assert found.nearest.fit.law.name in ("viscous", "kelvin_voigt")
+    assert all(item.fit.nrms_overall <= 1.0 for item in found.laws)  # no force at all would have 1
+    assert any("does not follow the tests" in doubt for doubt in found.nearest.fit.doubts)
+    text = comparison_table(found).notes[0]
+    assert "none of the laws compared follows the tests" in text and "suffices" not in text
 
 
 @pytest.mark.parametrize(
