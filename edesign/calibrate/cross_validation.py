@@ -13,7 +13,9 @@ from edesign.calibrate.fit import Fitted
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.side_by_side import brief_side_by_side
 
-_FEWEST = 4  # tests of which each may be left out
+FEWEST = 3
+"""Tests of which each is left out as a whole: two others remain, so that what acts between tests still shows."""
+
 _PARTS = 4  # of each, if there are fewer
 _NOTHING = 1e-12
 _HALVINGS = 5
@@ -25,7 +27,7 @@ class HeldOut:
     """Errors of each test when the model is fitted to the others.
 
     Attributes:
-        chi2: (tests,) sums of squared residuals, in units of noise; of fewer than four tests (quarters,).
+        chi2: (tests,) sums of squared residuals, in units of noise; of fewer than `FEWEST` tests (quarters,).
         samples: (tests,) their numbers.
     """
 
@@ -48,7 +50,7 @@ class HeldOut:
 
 
 def leave_one_out(fitted: Fitted) -> HeldOut:
-    """Each test of a fit left out in turn; of fewer than four tests their quarters, lest the others be too few.
+    """Each test of a fit left out in turn; of fewer than `FEWEST` tests their quarters: a single other one is too few.
 
     The fit without a test is one Gauss-Newton step from the fit with it; where the step is short the test's residual
     follows from the slopes, else the model is run again, and the step is halved until the other tests are fitted no
@@ -102,7 +104,7 @@ def _of_rest(fitted: Fitted, x: np.ndarray, residuals: Sequence[np.ndarray], i: 
 
 def _blocks(fitted: Fitted) -> Iterator[tuple[int, slice]]:
     """What is left out at a time: number of a test, and its samples."""
-    few = len(fitted.residuals) < _FEWEST
+    few = len(fitted.residuals) < FEWEST
     for i, residual in enumerate(fitted.residuals):
         edges = np.linspace(0, residual.size, _PARTS + 1 if few else 2).astype(int)
         for first, last in itertools.pairwise(edges.tolist()):

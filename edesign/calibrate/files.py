@@ -57,6 +57,7 @@ def write_files(found: Calibration, campaign: Campaign | StructureCampaign, fold
     for name, text in models.items():
         write_yaml(text, folder / name, campaign.path)
     root = _root(campaign.path, found.title, folder)
+    root.attributes |= {"verdict": found.verdict, "search": found.ending}
     root.add("calibration", (), told, "", "calibration.json")
     root.add("campaign", (), campaign.text, "", "the campaign file")
     with ArchiveWriter(folder / ARCHIVE, root) as writer:

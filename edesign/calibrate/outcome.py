@@ -3,16 +3,30 @@ that is made of it."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from edesign.calibrate.evidence import AT_FLOOR, Judged
+from edesign.calibrate.fit import correlation_length
 from edesign.calibrate.problem import Candidate, Described, Problem, Use
 from edesign.calibrate.residual.record import Residual
-from edesign.calibrate.result import Calibration, Effect, Errors, Estimate, NextTest, Series, Stage, Verdict
+from edesign.calibrate.result import (
+    Calibration,
+    Effect,
+    Errors,
+    Estimate,
+    Hypothesis,
+    NextTest,
+    Series,
+    Stage,
+    Verdict,
+)
+from edesign.calibrate.search import selection
 from edesign.calibrate.search.selection import Adopted, Selection
+from edesign.calibrate.uncertainty import Uncertainty, wide
 
 BOTH: tuple[Use, ...] = ("fit", "validate")
 _EXPLAINED, _NONE = 1.5, 2.0
@@ -27,7 +41,7 @@ class Outcome:
 
     Attributes:
         problem: at the rate at which errors are told.
-        found: by the loop.
+        found: by the loop; without effects where with them the validation tests are predicted worse.
         errors: by stage.
         predicted: values (n_i,) of every test, by stage.
         floors: NRMS of the noise by use.
@@ -45,6 +59,9 @@ class Outcome:
     def of(problem: Problem, noise: Sequence[float], found: Selection) -> Outcome:
         """Of what the loop found, with the noise (tests,) of the problem."""
         predicted = {stage: predict(problem, judged) for stage, judged in stages(found).items()}
+        if found.adopted and predicts_worse(problem, predicted["corrected"], predicted["refit"]):
+            found = _withheld(problem, found, predicted)
+            predicted["corrected"] = predicted["refit"]
         errors = {stage: errors_of(problem, values) for stage, values in predicted.items()}
         floors = {use: floor_of(found.final, noise, use) for use in BOTH}
         return Outcome(problem, found, errors, predicted, floors, verdict_of(found, errors["corrected"], floors))
@@ -52,7 +69,7 @@ class Outcome:
     @property
     def more_is_left(self) -> bool:
         """Whether more than noise is left."""
-        return self.verdict in ("partly_explained", "unexplained")
+        return self.verdict in ("partly_explained", "unexplained", "not_searched")
 
     def calibration(
         self,
@@ -73,7 +90,9 @@ class Outcome:
             errors=self.errors,
             noise_floor=self.floors["validate"],
             noise_floor_fit=self.floors["fit"],
-            effects=tuple(effect_of(self.problem, self.found, one, corrected, describe) for one in self.found.adopted),
+            effects=tuple(
+                effect_of(self.problem, self.found.final, one, corrected, describe) for one in self.found.adopted
+            ),
             verdict=self.verdict,
             unexplained_share=left if self.more_is_left else 0.0,
             unexplained_shape=shape,
@@ -84,7 +103,43 @@ class Outcome:
             series=series,
             seconds=seconds,
             ending=self.found.ending,
+            coverage=self.found.coverage,
+            hypotheses=tuple(self._hypothesis(one, describe) for one in self.found.hypotheses),
         )
+
+    def _hypothesis(self, one: selection.Hypothesis, describe: Callable[[Candidate], Described]) -> Hypothesis:
+        with_it = errors_of(self.problem, predict(self.problem, one.model))
+        return Hypothesis(effect_of(self.problem, one.model, one.adopted, with_it, describe), one.why)
+
+
+def predicts_worse(problem: Problem, one: Sequence[np.ndarray], other: Sequence[np.ndarray]) -> bool:
+    """Whether one prediction of the validation tests is worse than another one by more than noise makes.
+
+    The difference of their squared errors is compared with twice its standard error, that of a sum of as many
+    independent samples as its correlation leaves in each test.
+
+    Args:
+        problem: with the tests.
+        one, other: predicted values (n_i,) of every test.
+    """
+    total, variance = 0.0, 0.0
+    for i, use in enumerate(problem.uses):
+        if use == "validate":
+            more = (problem.measured[i] - one[i]) ** 2 - (problem.measured[i] - other[i]) ** 2
+            total += float(more.sum())
+            variance += float(more.var()) * more.size * correlation_length(more)
+    return total > 2.0 * math.sqrt(variance)
+
+
+def _withheld(problem: Problem, found: Selection, predicted: Mapping[Stage, Sequence[np.ndarray]]) -> Selection:
+    """The law fitted again in the place of the corrected one, the effects as hypotheses."""
+    corrected, refit = (errors_of(problem, predicted[stage]).validate for stage in ("corrected", "refit"))
+    why = (
+        f"with the effects the validation tests are predicted worse ({100.0 * corrected:.3g} %) than without them "
+        f"({100.0 * refit:.3g} %)"
+    )
+    effects = tuple(selection.Hypothesis(one, found.final, why) for one in found.adopted)
+    return replace(found, final=found.refit, adopted=(), hypotheses=(*effects, *found.hypotheses))
 
 
 def stages(found: Selection) -> dict[Stage, Judged]:
@@ -151,7 +206,9 @@ def verdict_of(found: Selection, corrected: Errors, floors: Mapping[Use, float])
     quiet = found.final.left <= AT_FLOOR or found.final.fitted.reduced <= most
     at_floor = quiet and corrected.validate <= most * floors["validate"]
     if not found.adopted:
-        return "none" if at_floor or corrected.validate <= floors["validate"] else "unexplained"
+        if at_floor or corrected.validate <= floors["validate"]:
+            return "none"
+        return "unexplained" if found.ending == "complete" else "not_searched"
     return "explained" if at_floor else "partly_explained"
 
 
@@ -163,17 +220,25 @@ def share_left(refit: Errors, corrected: Errors, floors: Mapping[Use, float]) ->
 
 def effect_of(
     problem: Problem,
-    found: Selection,
+    model: Judged,
     adopted: Adopted,
-    corrected: Errors,
+    with_it: Errors,
     describe: Callable[[Candidate], Described],
 ) -> Effect:
-    """An effect of the final model, with the error that it removes from the validation tests."""
+    """An effect of a model, with the error that it removes from the validation tests.
+
+    Args:
+        problem: with the tests.
+        model: the one with the effect.
+        adopted: the effect.
+        with_it: errors of that model.
+        describe: what people are told of a form.
+    """
     candidate = adopted.candidate
     told = describe(candidate)
-    errors = standard_errors(found.final)
+    found = estimates(model)
     values = {
-        unknown.name: Estimate(float(value), errors[(candidate.label, unknown.name)], unknown.unit)
+        unknown.name: replace(found[candidate.label, unknown.name], value=float(value))
         for unknown, value in zip(candidate.unknowns, adopted.values, strict=True)
     }
     without = errors_of(problem, predict(problem, adopted.without))
@@ -185,29 +250,37 @@ def effect_of(
         amendment=told.amendment,
         parameters=values,
         fixed=told.fixed,
-        delta_validate=without.validate - corrected.validate,
+        delta_validate=without.validate - with_it.validate,
         evidence=f"{told.signature}; {adopted.evidence.text}",
         share=adopted.evidence.share,
         indistinguishable_from=tuple(adopted.alike),
     )
 
 
-def standard_errors(judged: Judged) -> dict[tuple[str, str], float]:
-    """Of every unknown by the label of its effect ("" for the base model) and its name, SI."""
+def estimates(judged: Judged) -> dict[tuple[str, str], Estimate]:
+    """Every unknown by the label of its effect ("" for the base model) and its name, SI."""
     fitted = judged.fitted
     owners = [""] * len(fitted.model.base)
     owners += [effect.label for effect in fitted.model.effects for _ in effect.unknowns]
-    variances = np.diag(fitted.covariance) if fitted.x.size else np.empty(0)
-    return {
-        (owner, u.name): abs(u.slope(float(c))) * float(np.sqrt(max(v, 0.0)))
-        for owner, u, c, v in zip(owners, fitted.model.unknowns, fitted.x, variances, strict=True)
-    }
+    sure = Uncertainty.of(fitted)
+    found = {}
+    for row, owner, unknown, bound in zip(
+        np.eye(fitted.x.size), owners, fitted.model.unknowns, sure.bounds, strict=True
+    ):
+        x = float(row @ fitted.x)
+        slope, half = abs(unknown.slope(x)), sure.half_width(row)
+        untold = f"at its {bound} bound" if bound else ""
+        if wide(half, unknown.logarithmic):
+            untold = "known to no decade"
+        error = math.inf if bound else slope * sure.standard_error(row)
+        found[owner, unknown.name] = Estimate(unknown.value(x), error, unknown.unit, slope * half, untold)
+    return found
 
 
 def parameters_of(judged: Judged) -> dict[str, Estimate]:
     """Parameters of the base model, by name."""
-    errors = standard_errors(judged)
+    found = estimates(judged)
     return {
-        u.name: Estimate(float(value), errors.get(("", u.name), 0.0), u.unit)
+        u.name: found.get(("", u.name), Estimate(float(value), 0.0, u.unit))
         for u, value in zip(judged.fitted.model.problem.base, judged.fitted.base, strict=True)
     }

@@ -4,6 +4,7 @@ Damper tests, property tables and records of structures are problems of one form
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal, Protocol
@@ -14,6 +15,10 @@ from edesign.calibrate.unknown import Unknown
 
 Kind = Literal["damper", "rig", "instrument", "structure"]
 Use = Literal["fit", "validate"]
+USUAL_GAIN = 0.03
+"""Error of the gain of an instrument up to which it is in its class: class 3, the coarsest of testing machines (ISO
+7500-1:2018, table 2). More is a fault that is seldom there, and that too few tests cannot tell from other things.
+"""
 
 
 @dataclass(frozen=True)
@@ -33,6 +38,9 @@ class Candidate:
             the samples are independent.
         finer: whether it is a finer form of one that was found (`Problem.finer`).
         doubted: whether what it does depends on a condition in doubt (`Problem.doubt`).
+        between_tests: whether it acts between tests: what it does to one follows from those before it, or from its
+            place among them.
+        usual: size of its first parameter, from where that does nothing, that is usual; more is an exception.
     """
 
     name: str
@@ -45,6 +53,8 @@ class Candidate:
     finer: bool = False
     beside_motion: bool = False
     doubted: bool = False
+    between_tests: bool = False
+    usual: float = math.inf
 
     @property
     def label(self) -> str:
@@ -122,9 +132,9 @@ class Problem(Protocol):
     def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
         """Forms that do what a part does to the tests that are fitted to, and something else to others."""
 
-    def simpler(self, part: Part) -> tuple[Candidate, ...]:
-        """Forms of other effects that do what a part does where some of its parameters are at an end; each has the
-        other ones.
+    def simpler(self, part: Part) -> tuple[Part, ...]:
+        """Nested forms, of other effects too, that do what a part does where some of its parameters are at an end; with
+        the values at which they come near to it.
         """
 
     def predict(self, base: np.ndarray, parts: Sequence[Part], uses: Sequence[Use]) -> list[np.ndarray | None]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
@@ -12,11 +13,38 @@ from edesign.calibrate.problem import Kind, Use
 from edesign.damper.amendments import Amendment
 from edesign.damper.temperature import GammaOf
 
-Verdict = Literal["none", "explained", "partly_explained", "unexplained"]
+Verdict = Literal["none", "explained", "partly_explained", "unexplained", "not_searched"]
 Subject = Literal["damper", "structure"]
 Stage = Literal["declared", "refit", "corrected"]
 Ending = Literal["complete", "interrupted", "out_of_time"]
 """How a search came to its end."""
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """What a search has looked at beside the model with which it ended: labels (name.form) of forms of effects.
+
+    Attributes:
+        forms: all that the tests may show.
+        screened: those of which it was seen how much they could explain.
+        fitted: those that were fitted.
+    """
+
+    forms: tuple[str, ...] = ()
+    screened: frozenset[str] = frozenset()
+    fitted: frozenset[str] = frozenset()
+
+    @property
+    def not_screened(self) -> tuple[str, ...]:
+        """Forms that were not looked at."""
+        return tuple(label for label in self.forms if label not in self.screened)
+
+    @property
+    def text(self) -> str:
+        """For people."""
+        screened = len(self.forms) - len(self.not_screened)
+        fitted = sum(label in self.fitted for label in self.forms)
+        return f"{screened} of {len(self.forms)} forms of effects were screened, {fitted} fitted"
 
 
 @dataclass(frozen=True)
@@ -41,16 +69,25 @@ class Errors:
 
 @dataclass(frozen=True)
 class Estimate:
-    """A number with its standard error, in one unit."""
+    """A number with its standard error, in one unit.
+
+    Attributes:
+        value, standard_error, unit: of the number.
+        half_width: of its 95 % interval; nan: 1.96 standard errors.
+        untold: why the tests do not determine it, for people; "" if they do.
+    """
 
     value: float
     standard_error: float
     unit: str
+    half_width: float = math.nan
+    untold: str = ""
 
     @property
     def interval(self) -> tuple[float, float]:
         """95 % confidence interval."""
-        return self.value - 1.96 * self.standard_error, self.value + 1.96 * self.standard_error
+        half = 1.96 * self.standard_error if math.isnan(self.half_width) else self.half_width
+        return self.value - half, self.value + half
 
 
 @dataclass(frozen=True)
@@ -80,6 +117,19 @@ class Effect:
     evidence: str
     share: float
     indistinguishable_from: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Hypothesis:
+    """An effect that was found, and that is no part of the corrected law.
+
+    Attributes:
+        effect: with the numbers of the model that had it.
+        why: it is no part, for people.
+    """
+
+    effect: Effect
+    why: str
 
 
 @dataclass(frozen=True)
@@ -151,12 +201,15 @@ class CarriedLaw:
         replaced: effects, by name and form, that no law file carries: the law has them in another form, fitted again,
             or not at all.
         validate: NRMS of the validation tests with it, and with the faults of rig and instruments.
+        withheld: whether it is the refitted law without effects, as that predicts those tests better than the effects
+            in forms of law files do.
     """
 
     parameters: Mapping[str, float]
     effects: tuple[Amendment, ...]
     replaced: tuple[str, ...]
     validate: float
+    withheld: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -171,8 +224,8 @@ class Calibration:
             `noise_floor_fit` in the others.
         effects: in the order of adoption.
         verdict: none: nothing is missing; explained: what was missing is found, noise is left; partly_explained: more
-            than noise
-            is left; unexplained: something is missing and nothing known explains it.
+            than noise is left; unexplained: something is missing and nothing known explains it; not_searched: something
+            is missing, and the search ended before all known effects were tried.
         unexplained_share: of the error of the refitted law over noise, in the validation tests, that is left.
         unexplained_shape: for people; "" if only noise is left.
         next_test: what would separate look-alikes; None: nothing is left to separate.
@@ -184,6 +237,9 @@ class Calibration:
         carried: the corrected law as a law file can carry it; None: the subject has no law file.
         subject: what was calibrated.
         ending: how the search for effects came to its end.
+        coverage: what it has looked at.
+        hypotheses: effects that were found and are no part of the corrected law.
+        held: parameters of the law that are not fitted, as others do what they do: with the reason.
         lasting: whether the law remembers extremes from test to test.
         gamma_of: what gamma_T of an MGMM multiplies.
     """
@@ -206,13 +262,16 @@ class Calibration:
     carried: CarriedLaw | None = None
     subject: Subject = "damper"
     ending: Ending = "complete"
+    coverage: Coverage = field(default_factory=Coverage)
+    hypotheses: tuple[Hypothesis, ...] = ()
+    held: Mapping[str, str] = field(default_factory=dict)
     lasting: bool = False
     gamma_of: GammaOf = "parameters"
 
     @property
     def verdict_words(self) -> str:
         """The verdict, for people."""
-        how = "" if self.ending == "complete" else f", the search {self.ending}"
+        how = "" if self.ending == "complete" else f", the search {self.ending}: {self.coverage.text}"
         return (self.verdict + how).replace("_", " ")
 
     @property

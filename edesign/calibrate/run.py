@@ -9,6 +9,7 @@ from dataclasses import replace
 from edesign.calibrate.allowance import taken
 from edesign.calibrate.dampers.carried import carried_law, described
 from edesign.calibrate.dampers.full_rate import at_full_rate
+from edesign.calibrate.dampers.law_unknowns import held_parameters
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned, with_noise
 from edesign.calibrate.dampers.problem import DamperProblem
@@ -56,6 +57,7 @@ def calibrate(
     found = at_full_rate(found, problem, noise)
     progress("predicting all tests")
     outcome = Outcome.of(problem, noise, found)
+    found = outcome.found
     series = tuple(
         Series(
             trial.name,
@@ -73,7 +75,7 @@ def calibrate(
         for i, (trial, test) in enumerate(zip(problem.trials, campaign.tests, strict=True))
     )
     progress("writing the law")
-    carried = carried_law(found.final.fitted, fast, problem)
+    carried = carried_law(found.final.fitted, found.refit.fitted, fast, problem)
     progress("asking which further test would tell more")
     calibration = outcome.calibration(
         campaign.title or campaign.specimen.name,
@@ -84,7 +86,8 @@ def calibrate(
         series,
         clock.perf_counter() - begin,
     )
-    return replace(calibration, carried=carried, lasting=fast.lasting, gamma_of=fast.gamma_of)
+    held = held_parameters(problem.law)
+    return replace(calibration, carried=carried, held=held, lasting=fast.lasting, gamma_of=fast.gamma_of)
 
 
 def _searched(

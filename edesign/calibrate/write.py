@@ -10,7 +10,7 @@ import numpy as np
 import yaml
 
 from edesign.archive.dataset import Group
-from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Estimate, Series, Stage
+from edesign.calibrate.result import Calibration, CarriedLaw, Coverage, Effect, Estimate, Series, Stage
 from edesign.damper.campaign import Campaign
 from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
@@ -27,6 +27,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "law": found.law,
         "verdict": found.verdict,
         "search": found.ending,
+        "coverage": _coverage(found.coverage),
         "error": {
             stage: {
                 "fit": found.errors[stage].fit,
@@ -39,6 +40,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "noise_floor": found.noise_floor,
         "noise_floor_fit": found.noise_floor_fit,
         "effects": _effects(found.effects),
+        "hypotheses": [{**_effects([one.effect])[0], "why": one.why} for one in found.hypotheses],
         "unexplained": {"share": _finite(found.unexplained_share), "shape": found.unexplained_shape},
         "next_test": None
         if found.next_test is None
@@ -55,7 +57,17 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "parameters": {
             stage: {name: _estimate(value) for name, value in found.parameters[stage].items()} for stage in _STAGES
         },
+        "held": dict(found.held),
         "seconds": round(found.seconds, 2),
+    }
+
+
+def _coverage(coverage: Coverage) -> dict[str, Any]:
+    return {
+        "forms": len(coverage.forms),
+        "screened": len(coverage.forms) - len(coverage.not_screened),
+        "fitted": sorted(coverage.fitted.intersection(coverage.forms)),
+        "not_screened": list(coverage.not_screened),
     }
 
 
@@ -68,6 +80,7 @@ def _carried(law: CarriedLaw) -> dict[str, Any]:
         "validate": _finite(law.validate),
         "effects": [{"name": one.name, "form": one.form} for one in law.effects],
         "replaced": list(law.replaced),
+        "withheld": law.withheld,
     }
 
 
@@ -115,7 +128,9 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
         name = label.split(".")[0]
         other = next((one.form for one in carried.effects if one.name == name), None)
         instead = "left out" if other is None else f"fitted as {name}.{other} instead"
-        left_out.append(f"{label}: law files cannot carry this form; {instead}")
+        why = "in forms of law files the validation tests are predicted worse than without effects"
+        left_out.append(f"{label}: {why if carried.withheld else f'law files cannot carry this form; {instead}'}")
+    left_out += [f"{one.effect.name}.{one.effect.form} (hypothesis): {one.why}" for one in found.hypotheses]
     if carried.effects:
         data["effects"] = write_effects(carried.effects)
     if found.law in GammaT().laws and any(_mean_C(series) != REFERENCE_C for series in found.series):
@@ -138,6 +153,9 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
     ]
     if found.lasting:
         head.append("# extremes soften it from test to test for good: the parameters are those of a virgin damper")
+    head += [
+        f"# {name} is held: {why}" for name, why in found.held.items() if name in carried.parameters or name in values
+    ]
     head += [f"# not carried: {text}" for text in left_out]
     return "\n".join(head) + "\n" + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
 
@@ -195,7 +213,9 @@ def _estimate(estimate: Estimate) -> dict[str, Any]:
     return {
         "value": _finite(estimate.value),
         "standard_error": _finite(estimate.standard_error),
+        "interval": [_finite(end) for end in estimate.interval],
         "unit": estimate.unit,
+        **({"not_determined": estimate.untold} if estimate.untold else {}),
     }
 
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from edesign.calibrate.result import Calibration, Effect, Estimate
 from edesign.damper.amendments import AMENDMENTS
 from edesign.damper.law import Parameter
-from edesign.report.calibration_units import error_text, interval_text, percent, practical, value_text
+from edesign.report.calibration_units import error_text, interval_text, percent, plus_minus, practical, value_text
 from edesign.report.table import Table
 
 REFIT = "refit"
@@ -22,7 +22,12 @@ _NAMES = {REFIT: "the same model with other parameters"}
 
 def effect_tables(calibration: Calibration) -> list[Table]:
     """Effects adopted, their parameters, and candidates refused; those without rows or notes left out."""
-    tables = [effects_table(calibration), effect_parameters_table(calibration), refused_table(calibration)]
+    tables = [
+        effects_table(calibration),
+        effect_parameters_table(calibration),
+        hypotheses_table(calibration),
+        refused_table(calibration),
+    ]
     return [table for table in tables if table.rows or table.notes]
 
 
@@ -63,6 +68,18 @@ def effect_parameters_table(calibration: Calibration) -> Table:
             texts = [value_text(shown), error_text(shown), interval_text(shown), shown.unit or "-"]
             meaning = [meanings[name].meaning if name in meanings else "-"] if known else []
             table.rows.append([effect.name, name, *texts, *meaning])
+    return table
+
+
+def hypotheses_table(calibration: Calibration) -> Table:
+    """Effects that were found and are no part of the corrected law, with their parameters and the reason."""
+    table = Table("Hypotheses: found, no part of the law", ("effect", "parameters", "why it is no part"), left=3)
+    for one in calibration.hypotheses:
+        effect = one.effect
+        shown = {name: plus_minus(practical(value, effect.parameters)) for name, value in effect.parameters.items()}
+        numbers = ", ".join(f"{name} = {text}" for name, text in shown.items())
+        table.rows.append([f"{effect.name}.{effect.form}", numbers or "-", one.why])
+        table.notes.append(f"{effect.name}: {effect.evidence}")
     return table
 
 

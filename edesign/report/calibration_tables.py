@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from edesign.calibrate.dampers.trial import APART
-from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Series, Stage, Subject
+from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Hypothesis, Series, Stage, Subject
 from edesign.damper.laws import LAWS
 from edesign.report.calibration_effect_tables import effect_name, effect_tables
 from edesign.report.calibration_units import error_text, percent, plus_minus, practical, value_text
@@ -25,12 +25,10 @@ NRMS_NOTES: dict[Subject, str] = {
     "over the root mean square of its kind (accelerations, displacements) in the fitted tests",
 }
 
-ENDED = {
-    "complete": [],
-    "interrupted": ["The search was interrupted: there may be more effects, and others like these."],
-    "out_of_time": ["The search ended with its time (--seconds): there may be more effects, and others like these."],
-}
-"""What is to be said of how a search came to its end."""
+_ENDED = {"interrupted": "was interrupted", "out_of_time": "ended with its time (--seconds)"}
+
+NOT_SEARCHED = "Not searched: something is missing, and the search ended before all effects known here were tried."
+"""Of a search that ended before it found anything, and before it had looked everywhere."""
 
 _TOLD = 2  # parameters of an effect in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
@@ -102,6 +100,7 @@ def law_parameters_table(calibration: Calibration) -> Table:
         table.notes.append("storey_stiffness, storey_damping: factors of what is declared")
     if calibration.law_held:
         table.notes.append("corrected: the declared parameters were kept; fitting them too explains nothing more")
+    table.notes += [f"{name} is held as declared: {why}" for name, why in calibration.held.items()]
     if calibration.carried is not None and calibration.carried.replaced:
         table.notes.append(_carried(calibration.carried))
     return table
@@ -109,6 +108,11 @@ def law_parameters_table(calibration: Calibration) -> Table:
 
 def _carried(law: CarriedLaw) -> str:
     lost = ", ".join(law.replaced)
+    if law.withheld:
+        return (
+            f"law file: the refitted law without {lost}, {percent(law.validate)} %; in forms of law files these "
+            "predict the validation tests worse"
+        )
     forms = ", ".join(f"{effect.name}.{effect.form}" for effect in law.effects)
     instead = f"with {forms}" if forms else "without effects"
     return f"law file: it cannot carry {lost}; {instead}, fitted again, it leaves {percent(law.validate)} %"
@@ -126,6 +130,7 @@ def _found(calibration: Calibration) -> str:
         "explained": f"Explained: {effects}.",
         "partly_explained": f"Partly explained: {effects}.",
         "unexplained": "Unexplained: something is missing, and no effect known here explains it.",
+        "not_searched": NOT_SEARCHED,
     }[calibration.verdict]
 
 
@@ -135,6 +140,29 @@ def _model(calibration: Calibration) -> str:
 
 def _again(calibration: Calibration) -> str:
     return "" if calibration.law_held else " once its parameters are fitted again"
+
+
+def ended(calibration: Calibration) -> list[str]:
+    """What is to be said of a search that did not come to its end: what it has looked at, and what not."""
+    if calibration.ending == "complete":
+        return []
+    coverage, how = calibration.coverage, _ENDED[calibration.ending]
+    if calibration.effects:
+        texts = [
+            f"The search {how}: there may be more effects, and others like these.",
+            f"Beside those found {coverage.text}.",
+        ]
+    else:
+        texts = [f"The search {how}: {coverage.text}."]
+    left = dict.fromkeys(effect_name(label.split(".")[0]) for label in coverage.not_screened)
+    if left:
+        texts.append(f"Not screened, or not in all forms: {', '.join(left)}.")
+    return texts
+
+
+def hypothesis_text(one: Hypothesis) -> str:
+    """An effect that is no part of the corrected law, in words."""
+    return f"A hypothesis, no part of the law: {effect_text(one.effect)}; {one.why}."
 
 
 def effect_text(effect: Effect) -> str:
@@ -164,7 +192,7 @@ def _errors(calibration: Calibration) -> str:
 
 
 def _doubts(calibration: Calibration) -> list[str]:
-    texts = [*ENDED[calibration.ending]]
+    texts = [*ended(calibration), *map(hypothesis_text, calibration.hypotheses)]
     if calibration.lasting:
         texts.append(
             "The softening of the law by its largest deformation and velocity lasts from test to test: so it predicts "
@@ -176,7 +204,7 @@ def _doubts(calibration: Calibration) -> list[str]:
             f"gamma_T multiplies {what}: so the law predicts the tests better than with all parameters at one rate "
             "(thesis, section 4.5), or the campaign says so."
         )
-    if calibration.verdict in ("partly_explained", "unexplained"):
+    if calibration.verdict in ("partly_explained", "unexplained", "not_searched"):
         share, model = percent(calibration.unexplained_share, 2), MODELS[calibration.subject]
         texts.append(
             f"Of the error of the refitted {model} above noise {share} % is left: {calibration.unexplained_shape}"
@@ -194,13 +222,14 @@ def _doubts(calibration: Calibration) -> list[str]:
 
 def _reaches(calibration: Calibration) -> list[str]:
     """What the corrected model says wrongly about tests that it was not fitted to."""
-    texts, model = [], MODELS[calibration.subject]
-    refit, corrected = calibration.errors["refit"], calibration.errors["corrected"]
-    if corrected.validate > _CHANGED * refit.validate:
-        texts.append(
-            f"The corrected {model} predicts the validation tests worse ({percent(corrected.validate)} %) than the "
-            f"{model} alone fitted again ({percent(refit.validate)} %): its effects hold in the tests fitted to alone."
-        )
+    texts = []
+    corrected = calibration.errors["corrected"]
+    texts += [
+        f"Without {effect_name(effect.name)} the validation tests are predicted better "
+        f"({percent(corrected.validate + effect.delta_validate)} %): it holds in the tests fitted to."
+        for effect in calibration.effects
+        if _CHANGED * (corrected.validate + effect.delta_validate) < corrected.validate
+    ]
     beyond = _at_other_temperatures(calibration)
     if beyond:
         texts.append(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import cache
 
 from edesign.calibrate.result import Estimate, Series
@@ -50,7 +51,13 @@ def practical(estimate: Estimate, siblings: Mapping[str, Estimate]) -> Estimate:
         exponents = {name: siblings[name].value for name in _EXPONENT.findall(unit) if name in siblings}
         shown = practical_unit(Parameter("", "", unit))
         scale = _scale(_with_numbers(shown, exponents), _with_numbers(unit, exponents))
-    return Estimate(estimate.value / scale, estimate.standard_error / scale, shown)
+    return replace(
+        estimate,
+        value=estimate.value / scale,
+        standard_error=estimate.standard_error / scale,
+        unit=shown,
+        half_width=estimate.half_width / scale,
+    )
 
 
 @cache
@@ -79,6 +86,8 @@ def error_text(estimate: Estimate) -> str:
 def interval_text(estimate: Estimate) -> str:
     """The 95 % interval, or why there is none."""
     error = estimate.standard_error
+    if estimate.untold:
+        return f"{UNKNOWN}: {estimate.untold}"
     if not math.isfinite(error):
         return UNKNOWN
     if error == 0.0:
@@ -93,7 +102,8 @@ def plus_minus(estimate: Estimate) -> str:
     if error == "held":
         return f"{value_text(estimate)}{unit}"
     if error == UNKNOWN:
-        return f"{value_text(estimate)}{unit} (uncertainty {UNKNOWN})"
+        why = f"{UNKNOWN}: {estimate.untold}" if estimate.untold else f"uncertainty {UNKNOWN}"
+        return f"{value_text(estimate)}{unit} ({why})"
     return f"{value_text(estimate)} ± {error}{unit}"
 
 

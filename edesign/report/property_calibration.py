@@ -11,7 +11,14 @@ from edesign.calibrate.properties.result import PropertyCalibration
 from edesign.calibrate.properties.shape import relative
 from edesign.damper.steady_state import PropertyRows
 from edesign.report.calibration_effect_tables import effect_name, effect_tables
-from edesign.report.calibration_tables import ENDED, STAGES, effect_text, law_parameters_table
+from edesign.report.calibration_tables import (
+    NOT_SEARCHED,
+    STAGES,
+    effect_text,
+    ended,
+    hypothesis_text,
+    law_parameters_table,
+)
 from edesign.report.calibration_units import percent
 from edesign.report.property_figures import QUANTITIES, property_figure, residual_figure
 from edesign.report.table import Table
@@ -24,6 +31,7 @@ _VERDICTS = {
     "explained": "Explained: ",
     "partly_explained": "Partly explained: ",
     "unexplained": "Unexplained: something is missing, and no effect known here explains it.",
+    "not_searched": NOT_SEARCHED,
 }
 
 
@@ -73,7 +81,7 @@ def property_verdict(calibration: PropertyCalibration) -> str:
         f"The rms relative error of properties held out is {declared} % as declared, {refit} % with the law alone "
         f"fitted again, {corrected} % corrected; rows repeat to {percent(calibration.noise)} %."
     )
-    texts += ENDED[found.ending]
+    texts += [*ended(found), *map(hypothesis_text, found.hypotheses)]
     if found.unexplained_shape:
         texts.append(f"What is left: {found.unexplained_shape}")
     for effect in found.effects:

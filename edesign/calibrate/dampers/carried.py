@@ -7,7 +7,7 @@ from dataclasses import replace
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Fitted, fit
-from edesign.calibrate.outcome import errors_of, parameters_of, predict
+from edesign.calibrate.outcome import errors_of, parameters_of, predict, predicts_worse
 from edesign.calibrate.problem import Candidate, Described, Part, PredictionError
 from edesign.calibrate.result import CarriedLaw
 from edesign.calibrate.search.contest import fit_best
@@ -23,18 +23,25 @@ def described(candidate: Candidate) -> Described:
     return replace(form.described, fixed=fixed)
 
 
-def carried_law(final: Fitted, fast: DamperProblem, full: DamperProblem) -> CarriedLaw:
-    """The corrected law with its effects in forms that a law file carries.
+def carried_law(final: Fitted, refit: Fitted, fast: DamperProblem, full: DamperProblem) -> CarriedLaw:
+    """The corrected law with its effects in forms that a law file carries; the law fitted again, where that predicts
+    the validation tests better than such forms do.
 
     Args:
         final: the corrected model.
+        refit: the law fitted again, without effects.
         fast: the problem at the rate of a fit.
         full: at the rate at which errors are told.
     """
     damper = [candidate for candidate, _ in final.parts if candidate.kind == "damper"]
     lost = [candidate for candidate in damper if not _carries(candidate)]
     try:
-        return _carried(_in_known_forms(final, lost, fast.certain) if lost else final, lost, full)
+        if not lost:
+            return _carried(final, lost, full)
+        known = _in_known_forms(final, lost, fast.certain)
+        if not predicts_worse(full, predict(full, Judged(known)), predict(full, Judged(refit))):
+            return _carried(known, lost, full)
+        return replace(_carried(refit, damper, full), withheld=True)
     except PredictionError:  # without what is lost the rest has no prediction; the law as declared has one
         bare = replace(final.model, problem=fast, effects=(), held=True, misfit=1.0)
         return _carried(fit(bare, bare.coordinates()), damper, full)

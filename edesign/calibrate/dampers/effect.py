@@ -19,6 +19,7 @@ carries what the specimen remembers from one test to the next."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from copy import copy
 from typing import Any, ClassVar, NamedTuple
@@ -101,6 +102,8 @@ class Form:
         signature: what it leaves in the residual of a model without it, for people.
         source: paper, book.
         remembers: whether `memory` carries something from test to test.
+        by_order: whether what it does to a test goes with its place among the tests.
+        usual: size of its first parameter, from where that does nothing, that is usual; more is an exception.
         may_be_inside: whether its factor or force may also stand inside the law, where what relaxes in the law relaxes
             it too.
         inside: whether it does.
@@ -135,6 +138,8 @@ class Form:
     source: ClassVar[str]
     amendment: ClassVar[bool] = False
     remembers: ClassVar[bool] = False
+    by_order: ClassVar[bool] = False
+    usual: ClassVar[float] = math.inf
     refined: int = REFINED
     may_be_inside: ClassVar[bool] = False
     inside = False
@@ -270,7 +275,12 @@ class Form:
         def more_starts(sizes: Sizes) -> tuple[tuple[float, ...], ...]:
             return tuple((*row, self.loss_start) for row in starts(sizes))
 
-        sides = {"spares_loss": True, "unknowns": more_unknowns, "starts": more_starts, "simpler": lambda: (self,)}
+        sides = {
+            "spares_loss": True,
+            "unknowns": more_unknowns,
+            "starts": more_starts,
+            "simpler": lambda p: ((self, p),),
+        }
         return self.variant("loss", "springs and dashpots apart", **sides)
 
     def of_loss(self) -> Form:
@@ -297,8 +307,10 @@ class Form:
         """Finer forms that a search would be lost in, for when this one was found; each has its parameters first."""
         return ()
 
-    def simpler(self) -> tuple[Form, ...]:
-        """Forms, of other effects too, that do the same where some parameters are at an end; each has the others."""
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """Nested forms, of other effects too, that do the same where some parameters are at an end, with the values at
+        which they come near to this one.
+        """
         return ()
 
     def elsewhere(self, sizes: Sizes) -> tuple[Form, ...]:

@@ -107,7 +107,8 @@ def _more(
     def starts(sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((*row, *begun) for row in own_starts(sizes))
 
-    return plain.variant(ending, title, may_be_shaped=False, unknowns=unknowns, starts=starts, **sides)
+    nested: dict[str, Any] = {"simpler": lambda p: ((plain, p),)}
+    return plain.variant(ending, title, may_be_shaped=False, unknowns=unknowns, starts=starts, **nested, **sides)
 
 
 def _as_shaped(known: Mapping[str, float]) -> dict[str, float]:

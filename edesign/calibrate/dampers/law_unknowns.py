@@ -7,6 +7,7 @@ from collections.abc import Mapping
 
 from edesign.calibrate.dampers.trial import Sizes
 from edesign.calibrate.unknown import Unknown
+from edesign.damper.fitting.identifiable import HELD, why_held
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Law, Parameter
 
@@ -15,16 +16,25 @@ _INSIDE = 1e-9  # share of a size that is kept from a bound which is not allowed
 
 
 def law_unknowns(law: Law, declared: Mapping[str, float], sizes: Sizes) -> tuple[Unknown, ...]:
-    """Unknowns for the parameters of a law that data can tell, about the declared ones.
+    """Unknowns for the parameters of a law that data can tell, about the declared ones. Those that others make needless
+    are held as declared, as `edesign fit` holds them.
 
     A positive one is searched by its logarithm, in units of its declared value, up to a thousand times that or a
     thousandth of it; one that is zero in units that the
     campaign suggests.
     """
     scales = Scales(sizes.force, sizes.displacement, sizes.velocity)
+    held = HELD.get(law.name, {})
     return tuple(
-        _unknown(parameter, declared, scales) for parameter in law.all_parameters(declared) if parameter.fitted
+        _unknown(parameter, declared, scales)
+        for parameter in law.all_parameters(declared)
+        if parameter.fitted and parameter.name not in held
     )
+
+
+def held_parameters(law: Law) -> dict[str, str]:
+    """Parameters of a law that are held as others make them needless, with the reason."""
+    return {name: why_held(law, name) for name in HELD.get(law.name, {})}
 
 
 def _unknown(parameter: Parameter, declared: Mapping[str, float], scales: Scales) -> Unknown:

@@ -57,4 +57,6 @@ def candidate_of(form: Form, sizes: Sizes, left: Left) -> Candidate | None:
         slow,
         beside_motion=form.beside_motion,
         doubted=form.of_temperature,
+        between_tests=form.remembers or form.by_order,
+        usual=form.usual,
     )

@@ -109,9 +109,14 @@ class DamperProblem:
         """Forms that do what a part does to the tests that are fitted to, and something else to others."""
         return self._candidates_of(part[0].effect[0].elsewhere(self.sizes))
 
-    def simpler(self, part: Part) -> tuple[Candidate, ...]:
-        """Forms of other effects that do what a part does where some of its parameters are at an end."""
-        return self._candidates_of(part[0].effect[0].simpler())
+    def simpler(self, part: Part) -> tuple[Part, ...]:
+        """Nested forms that do what a part does where some of its parameters are at an end, with values near to it."""
+        known = {unknown.name: float(v) for unknown, v in zip(part[0].unknowns, part[1], strict=True)}
+        found = []
+        for form, values in part[0].effect[0].simpler(known):
+            for candidate in self._candidates_of((form,)):
+                found.append((candidate, np.array([values[unknown.name] for unknown in candidate.unknowns])))
+        return tuple(found)
 
     def _candidates_of(self, forms: Sequence[Form]) -> tuple[Candidate, ...]:
         found = (candidate_of(form, self.sizes, Left()) for form in forms)

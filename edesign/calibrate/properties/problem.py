@@ -113,7 +113,7 @@ class PropertyProblem:
         """There are none."""
         return ()
 
-    def simpler(self, part: Part) -> tuple[Candidate, ...]:
+    def simpler(self, part: Part) -> tuple[Part, ...]:
         """There are none."""
         return ()
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 import math
 import time as clock
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
+from edesign.calibrate.dampers.law_unknowns import held_parameters
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.outcome import Outcome, stages
 from edesign.calibrate.problem import Part
@@ -44,6 +46,7 @@ def calibrate_properties(
     progress("predicting all rows")
     problem = as_measured(campaign)
     outcome = Outcome.of(problem, noise, found)
+    found = outcome.found
     rows = {stage: problem.rows(j.fitted.base, j.fitted.parts) for stage, j in stages(found).items()}
     progress("asking which further test would tell more")
     told = outcome.calibration(
@@ -55,6 +58,7 @@ def calibrate_properties(
         (),
         clock.perf_counter() - begin,
     )
+    told = replace(told, held=held_parameters(problem.inner.law))
     return PropertyCalibration(told, campaign, rows, corrected_law(problem, found.final), size)
 
 

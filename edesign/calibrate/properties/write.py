@@ -81,7 +81,9 @@ def law_text(calibration: PropertyCalibration) -> str:
         f"{found.verdict_words}",
         f"# rms relative error of the properties of rows held out {error['corrected']:.2f} %, as declared "
         f"{error['declared']:.2f} %, refitted {error['refit']:.2f} %",
+        *(f"# {name} is held: {why}" for name, why in found.held.items()),
         *(f"# left out: {text}" for text in corrected.left_out),
+        *(f"# left out: {one.effect.name}.{one.effect.form} (hypothesis): {one.why}" for one in found.hypotheses),
     ]
     return "\n".join(head) + "\n" + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
 

@@ -10,7 +10,6 @@ from edesign.calibrate.search.begun import may_join
 from edesign.calibrate.search.contest import shortlist
 from edesign.calibrate.search.effect_forms import LIKELY, EffectForms
 from edesign.calibrate.search.misses import matters
-from edesign.calibrate.search.screening import screen
 from edesign.calibrate.search.workbench import NONE, Workbench, of_left_out, worse
 
 _HOPED = 0.7  # of what is left over noise, all of which must go: so much by a linear estimate
@@ -33,7 +32,7 @@ class BesideDeclared:
         against nine.
         """
         self.bench.tell("screening effects beside the law as declared")
-        self.bench.beside_declared = screen(declared.fitted, self.bench.candidates(declared))
+        self.bench.beside_declared = self.bench.screened(declared.fitted, self.bench.candidates(declared))
         found = self.bench.fit_best(shortlist(self.bench.beside_declared))
         self.bench.rivals[NONE, True] = found
         return found

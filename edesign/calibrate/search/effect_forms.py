@@ -90,8 +90,7 @@ class EffectForms:
     def with_plainer(self, current: Judged, i: int) -> list[Judged]:
         """Models with simpler ones in the place of the effect i."""
         known = current.fitted.parts[i]
-        others = [begun_at(other, known) for other in self.bench.problem.simpler(known)]
-        parts = [part for part in others if part is not None and part[0].label not in current.labels]
+        parts = [part for part in self.bench.problem.simpler(known) if part[0].label not in current.labels]
         return self.bench.with_parts(current, i, parts)
 
     def finer(self, current: Judged) -> Judged:

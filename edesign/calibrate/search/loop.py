@@ -18,10 +18,12 @@ from edesign.calibrate.search.beside_declared import BesideDeclared
 from edesign.calibrate.search.contest import BEHIND
 from edesign.calibrate.search.effect_forms import LIKELY, EffectForms
 from edesign.calibrate.search.look_ahead import LookAhead
+from edesign.calibrate.search.measurement import Measurement
 from edesign.calibrate.search.misses import more_than_misses, nearly_all
 from edesign.calibrate.search.rounds import Rounds
 from edesign.calibrate.search.second_look import SecondLook
 from edesign.calibrate.search.selection import Adopted, Refused, Selection
+from edesign.calibrate.search.tenable import Tenable
 from edesign.calibrate.search.workbench import (
     FEW,
     HOPELESS,
@@ -75,6 +77,8 @@ class Loop:
         self.rounds = Rounds(self.bench, self.forms)
         self.ahead = LookAhead(self.bench)
         self.second = SecondLook(self.bench, self.forms, self.rounds)
+        self.measurement = Measurement(self.bench)
+        self.tenable = Tenable(self.bench, self.forms)
         self.standing: Judged | None = None  # the best model with effects so far
         self.ending: Ending = "complete"
 
@@ -116,11 +120,12 @@ class Loop:
             self._out_of_time()
             final, near = self._so_far(rival), ()
         self.allowance.renew()
-        final = self.forms.placed(final)
-        adopted_labels = final.labels
-        refused = tuple(item for item in near if item[0].label not in adopted_labels)
+        final, hypotheses = self.tenable.part(self.forms.placed(final), rival)
+        found = {*final.labels, *(one.adopted.candidate.label for one in hypotheses)}
+        refused = tuple(item for item in near if item[0].label not in found)
         adopted = self._explain(final, refit)
-        return Selection(declared, refit, final, adopted, refused, self.ending)
+        coverage = bench.coverage(final)
+        return Selection(declared, refit, final, adopted, refused, self.ending, hypotheses, coverage)
 
     def _interrupted(self) -> None:
         self.ending = "interrupted"
@@ -133,7 +138,7 @@ class Loop:
     def _so_far(self, rival: Judged) -> Judged:
         """The best model with effects so far, of a round that was not finished too; the rival: there is none."""
         self.allowance.renew()
-        best = rival if self.standing is None else self.standing
+        best = self.standing or self.measurement.found or rival
         tried = [*self.bench.known.values(), *(one for models in self.bench.rivals.values() for one in models)]
         if self.forms.finest is not None:
             tried.append(self.bench.in_doubt(self.forms.finest))
@@ -141,6 +146,8 @@ class Loop:
 
     def _search(self, declared: Judged, refit: Judged, rival: Judged) -> tuple[Judged, Refused]:
         """The final model, and what came near it in the last round; `rival` is the model to beat."""
+        if not refit.at_floor:
+            self.measurement.look(declared, refit, rival)
         held = self.declared.one(declared) if self.bench.may_refit else []
         if refit.at_floor:
             # what does as much with the law as declared

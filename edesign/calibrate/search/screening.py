@@ -4,7 +4,7 @@ can already do.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
@@ -188,31 +188,43 @@ def _within(candidate: Candidate, x: np.ndarray, move: np.ndarray) -> np.ndarray
     return found
 
 
-def screen(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:
+Seen = Callable[[Sequence[Candidate]], None]
+
+
+def screen(fitted: Fitted, candidates: Sequence[Candidate], seen: Seen = lambda candidates: None) -> list[Signature]:
     """Signatures of candidates, those that explain most first. Those of conditions in doubt are seen with nothing in
     doubt: what is left of a wrong condition, and may be as much as doubt allows, goes in no straight line with them.
 
     Args:
         fitted: the model so far.
         candidates: forms of effects it may lack.
+        seen: told which of them have been screened, as they are.
     """
     model, certain = fitted.model, fitted.model.problem.certain
     doubted = [c for c in candidates if c.doubted]
     if certain is model.problem or not doubted:
-        return ordered(_signatures(fitted, candidates))
-    seen = _signatures(fit(replace(model, problem=certain), fitted.x, most_steps=0), doubted)
-    seen = [replace(one, model=replace(one.model, problem=model.problem)) for one in seen]
-    return ordered([*_signatures(fitted, [c for c in candidates if not c.doubted]), *seen])
+        return ordered(_signatures(fitted, candidates, seen))
+    found = _signatures(fitted, [c for c in candidates if not c.doubted], seen)
+    known = _signatures(fit(replace(model, problem=certain), fitted.x, most_steps=0), doubted, seen)
+    return ordered([*found, *(replace(one, model=replace(one.model, problem=model.problem)) for one in known)])
 
 
-def _signatures(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:
-    """Signatures of candidates that can be predicted."""
+def _signatures(fitted: Fitted, candidates: Sequence[Candidate], seen: Seen) -> list[Signature]:
+    """Signatures of candidates that can be predicted: first of faults of the measurement, last of slow ones."""
     whole = Screen(fitted)
     _ = whole.quick_residual  # before processes begin
     model = fitted.model
     known = (*model.given, *fitted.slopes, *candidates)
-    signatures = side_by_side(whole.signature, candidates, model.workers, known)
-    return [signature for signature in signatures if signature is not None]
+    found = []
+    for cost in range(3):
+        alike = [candidate for candidate in candidates if _cost(candidate) == cost]
+        found += side_by_side(whole.signature, alike, model.workers, known)
+        seen(alike)
+    return [signature for signature in found if signature is not None]
+
+
+def _cost(candidate: Candidate) -> int:
+    return 2 if candidate.slow else 0 if candidate.kind == "instrument" else 1
 
 
 def promised(fitted: Fitted, i: int, part: Part) -> float:

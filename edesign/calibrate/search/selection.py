@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from edesign.calibrate.evidence import Evidence, Judged
 from edesign.calibrate.problem import Candidate
-from edesign.calibrate.result import Ending
+from edesign.calibrate.result import Coverage, Ending
 
 Refused = tuple[tuple[Candidate, Evidence], ...]
 """The effects that came nearest to being adopted in the last round, with the evidence."""
@@ -35,6 +35,21 @@ class Adopted:
 
 
 @dataclass(frozen=True, eq=False)
+class Hypothesis:
+    """An effect that the search found, and that is no part of the final model.
+
+    Attributes:
+        adopted: the effect, with the model without it.
+        model: the one with it.
+        why: it is none, for people.
+    """
+
+    adopted: Adopted
+    model: Judged
+    why: str
+
+
+@dataclass(frozen=True, eq=False)
 class Selection:
     """What the loop found.
 
@@ -45,6 +60,8 @@ class Selection:
         adopted: the effects, in the order of adoption.
         refused: what came nearest to being adopted.
         ending: how the search came to its end.
+        hypotheses: effects that were found, and that the tests do not bear out.
+        coverage: forms of effects that were looked at beside the final model.
     """
 
     declared: Judged
@@ -53,6 +70,8 @@ class Selection:
     adopted: tuple[Adopted, ...]
     refused: Refused = ()
     ending: Ending = "complete"
+    hypotheses: tuple[Hypothesis, ...] = ()
+    coverage: Coverage = field(default_factory=Coverage)
 
     @property
     def law_held(self) -> bool:

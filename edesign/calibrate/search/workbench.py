@@ -11,7 +11,8 @@ import numpy as np
 from edesign.calibrate.evidence import Judged, compare
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import Candidate, Part, Problem
-from edesign.calibrate.search.begun import begin_alike
+from edesign.calibrate.result import Coverage
+from edesign.calibrate.search.begun import begin_alike, may_join
 from edesign.calibrate.search.contest import fit_best, judged_of
 from edesign.calibrate.search.screening import Signature, ordered, screen, screen_again
 from edesign.calibrate.side_by_side import side_by_side
@@ -50,6 +51,7 @@ class Workbench:
         beside_declared, beside_refit: effects beside the law as declared, and beside the law alone as it stands.
         rivals: models with one effect more, by the effects they share, and whether these stand beside the declared law.
         known: models fitted since the model was last fitted again.
+        looked_at, fitted: labels of forms of effects that were screened and fitted, by those beside which they were.
     """
 
     def __init__(self, problem: Problem, noise: Sequence[float], refit: bool, workers: int, progress: Progress) -> None:
@@ -63,6 +65,15 @@ class Workbench:
         self.beside_refit: list[Signature] = []
         self.rivals: dict[tuple[frozenset[str], bool], list[Judged]] = {}
         self.known: dict[Key, Judged] = {}
+        self.looked_at: dict[frozenset[str], set[str]] = {}
+        self.fitted: dict[frozenset[str], set[str]] = {}
+
+    def coverage(self, final: Judged) -> Coverage:
+        """What was looked at beside a model, the law held or not."""
+        model = final.fitted.model
+        labels = labels_of(model.effects)
+        forms = tuple(c.label for c in self.candidates(final) if may_join(c, model.effects))
+        return Coverage(forms, frozenset(self.looked_at.get(labels, ())), frozenset(self.fitted.get(labels, ())))
 
     def certain(self, current: Judged) -> Judged:
         """With nothing in doubt."""
@@ -159,6 +170,9 @@ class Workbench:
         known = {key_of(s.model): self.known[key_of(s.model)] for s in signatures if key_of(s.model) in self.known}
         found = fit_best([s for s in signatures if key_of(s.model) not in known], most)
         self.known |= {key_of(judged.fitted.model): judged for judged in found}
+        for judged in found:
+            *beside, last = judged.fitted.model.effects
+            self.fitted.setdefault(labels_of(beside), set()).add(last.label)
         return [*known.values(), *found]
 
     def screened(self, fitted: Fitted, pool: Sequence[Candidate], roughly: bool = False) -> list[Signature]:
@@ -176,7 +190,13 @@ class Workbench:
         else:
             same = []
         labels = {signature.candidate.label for signature in same}
-        return ordered([*same, *screen(fitted, [candidate for candidate in pool if candidate.label not in labels])])
+        looked_at = self.looked_at.setdefault(labels_of(model.effects), set())
+        looked_at |= labels
+
+        def seen(candidates: Sequence[Candidate]) -> None:
+            looked_at.update(candidate.label for candidate in candidates)
+
+        return ordered([*same, *screen(fitted, [c for c in pool if c.label not in labels], seen)])
 
     @staticmethod
     def unfitted(refit: Judged) -> Fitted:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import ClassVar
@@ -54,6 +55,7 @@ class StructuralEffect:
         signature: what it leaves in the residual of a model without it, for people.
         source: paper, book.
         remembers: whether a test changes the next.
+        usual: size of its first parameter, from where that does nothing, that is usual; more is an exception.
         amendment: name and form by which a law file of the isolation layer carries it; "" if it cannot.
     """
 
@@ -64,6 +66,7 @@ class StructuralEffect:
     signature: ClassVar[str]
     source: ClassVar[str]
     remembers: ClassVar[bool] = False
+    usual: ClassVar[float] = math.inf
     amendment: ClassVar[str] = ""
 
     @property

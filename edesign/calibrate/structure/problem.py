@@ -21,6 +21,7 @@ from edesign.calibrate.structure.links import Link, by_storey
 from edesign.calibrate.structure.record import Channel, StructureTest
 from edesign.calibrate.structure.simulation import NoResponse, Response, simulate
 from edesign.calibrate.unknown import Unknown
+from edesign.damper.fitting.identifiable import HELD
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
 from edesign.errors import InputError
@@ -79,7 +80,8 @@ class StructureProblem:
             law = LAWS[self.isolation.law]
             known = {p.name: p for p in law.all_parameters(self.isolation.values)}
             for name in self.isolation.named:
-                if known[name].fitted and self.isolation.values[name] != 0.0:
+                held = name in HELD.get(law.name, {})
+                if known[name].fitted and not held and self.isolation.values[name] != 0.0:
                     found.append(_unknown(known[name], self.isolation.values[name]))
         return tuple(found)
 
@@ -132,7 +134,18 @@ class StructureProblem:
                 starts = effect.starts(setting)
                 if starts:
                     unknowns = effect.unknowns(setting)
-                    found.append(Candidate(effect.name, effect.form, effect.kind, unknowns, starts, effect))
+                    found.append(
+                        Candidate(
+                            effect.name,
+                            effect.form,
+                            effect.kind,
+                            unknowns,
+                            starts,
+                            effect,
+                            between_tests=effect.remembers,
+                            usual=effect.usual,
+                        )
+                    )
         return tuple(found)
 
     @cached_property
@@ -249,7 +262,7 @@ class StructureProblem:
         """There are none."""
         return ()
 
-    def simpler(self, part: Part) -> tuple[Candidate, ...]:
+    def simpler(self, part: Part) -> tuple[Part, ...]:
         """There are none."""
         return ()
 

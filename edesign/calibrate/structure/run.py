@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from edesign.calibrate.dampers.law_unknowns import held_parameters
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.outcome import Outcome
 from edesign.calibrate.problem import Candidate, Described
@@ -19,6 +20,7 @@ from edesign.calibrate.structure.check import check_channels, check_tests
 from edesign.calibrate.structure.problem import StructureProblem, acting, first_frequency
 from edesign.calibrate.structure.record import UNITS
 from edesign.calibrate.structure.shape import describe_left
+from edesign.damper.laws import LAWS
 
 _TEMPERATURE = 20.0  # degC; records of structures have none, and no effect of a structure asks for it
 
@@ -47,6 +49,7 @@ def calibrate_structure(
     found = Loop(problem, problem.noise, bool(problem.base), workers, progress, seconds).run()
     progress("predicting all tests")
     outcome = Outcome.of(problem, problem.noise, found)
+    found = outcome.found
     series = _series(problem, found.final, outcome.predicted)
     told = outcome.calibration(
         campaign.title or campaign.name,
@@ -58,7 +61,8 @@ def calibrate_structure(
         clock.perf_counter() - begin,
     )
     errors = {stage: replace(one, channels=_channel_errors(series, stage)) for stage, one in told.errors.items()}
-    return replace(told, errors=errors, subject="structure")
+    held = {} if problem.isolation is None else held_parameters(LAWS[problem.isolation.law])
+    return replace(told, errors=errors, held=held, subject="structure")
 
 
 def _series(

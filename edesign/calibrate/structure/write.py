@@ -46,6 +46,7 @@ def structure_text(found: Calibration, campaign: StructureCampaign) -> str:
         f"# {found.title}, calibrated by {len(found.tests)} tests: {found.verdict_words}",
         *_errors(found),
         *(f"# beside it: {_told(effect)}" for effect in left_out),
+        *_hypotheses(found),
     ]
     return _text(head, data)
 
@@ -78,9 +79,15 @@ def law_texts(found: Calibration, campaign: StructureCampaign) -> dict[str, str]
         f"# isolation layer of {found.title}, calibrated by {len(found.tests)} tests: {found.verdict_words}",
         *_errors(found),
         *(f"# acts beside it: {name}" for name in beside),
+        *(f"# {name} is held: {why}" for name, why in found.held.items()),
         *left_out,
+        *_hypotheses(found),
     ]
     return {"law.yaml": _text(head, data), **beside}
+
+
+def _hypotheses(found: Calibration) -> list[str]:
+    return [f"# left out: {one.effect.name}.{one.effect.form} (hypothesis): {one.why}" for one in found.hypotheses]
 
 
 def _errors(found: Calibration) -> list[str]:

@@ -81,7 +81,7 @@ class LinearProblem:
         same = [key for key in others if all(np.array_equal(self.columns[key][i], given[i]) for i in fitted)]
         return tuple(replace(part[0], form=key.partition(".")[2] or "only", effect=key) for key in same)
 
-    def simpler(self, part: Part) -> tuple[Candidate, ...]:
+    def simpler(self, part: Part) -> tuple[Part, ...]:
         """There are none."""
         return ()
 

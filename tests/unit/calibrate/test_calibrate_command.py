@@ -95,7 +95,7 @@ def test_files_and_their_contents(tmp_path: Path, capsys: pytest.CaptureFixture[
     assert told["verdict"] == "explained"
     (effect,) = told["effects"]
     assert (effect["name"], effect["kind"]) == ("hardening", "damper")
-    assert set(effect["parameters"]["k"]) == {"value", "standard_error", "unit"}
+    assert set(effect["parameters"]["k"]) == {"value", "standard_error", "interval", "unit"}
     assert told["law_held"]  # so that without the effect it is the declared law
     assert effect["delta_validate"] == pytest.approx(
         told["error"]["declared"]["validate"] - told["error"]["corrected"]["validate"], rel=1e-6

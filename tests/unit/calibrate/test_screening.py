@@ -15,7 +15,7 @@ from edesign.calibrate.search import workbench
 from edesign.calibrate.search.contest import likely_forms, shortlist
 from edesign.calibrate.search.loop import Loop
 from edesign.calibrate.search.pairs import joint_gains, likely_pairs
-from edesign.calibrate.search.screening import Screen, Signature, promised, screen, screen_again
+from edesign.calibrate.search.screening import Screen, Seen, Signature, promised, screen, screen_again
 
 
 def test_screening_tells_what_a_fit_would_gain() -> None:
@@ -96,9 +96,9 @@ def test_what_could_explain_little_beside_an_effect_is_not_screened_again(monkey
     every = {s.candidate.name: s.gain for s in bench.screened(one, pool)}
     asked: list[int] = []
 
-    def counted(fitted: Fitted, candidates: Sequence[Candidate]) -> list[Signature]:
+    def counted(fitted: Fitted, candidates: Sequence[Candidate], seen: Seen) -> list[Signature]:
         asked.append(len(candidates))
-        return screen(fitted, candidates)
+        return screen(fitted, candidates, seen)
 
     monkeypatch.setattr(workbench, "_SCREENED", 1)
     monkeypatch.setattr(workbench, "screen", counted)

@@ -13,10 +13,12 @@ from edesign.calibrate.result import Errors
 FLOOR = 1e-4
 
 
-def _found(adopted: int, left: float) -> Any:
+def _found(adopted: int, left: float, ending: str = "complete") -> Any:
     """A selection with so many effects that leaves so many times the noise in the tests fitted to."""
     return SimpleNamespace(
-        adopted=(object(),) * adopted, final=SimpleNamespace(left=left, fitted=SimpleNamespace(reduced=left))
+        adopted=(object(),) * adopted,
+        final=SimpleNamespace(left=left, fitted=SimpleNamespace(reduced=left)),
+        ending=ending,
     )
 
 

@@ -20,6 +20,7 @@ _COURSE = 6  # that show three lines, two in each
 class _Ageing(Form):
     name: ClassVar[str] = "ageing"
     kind: ClassVar[Kind] = "damper"
+    by_order: ClassVar[bool] = True
     signature: ClassVar[str] = "a factor of the force, constant within a test, that goes with the order of the tests"
 
     def _age(self, tests: int) -> float:

@@ -7,16 +7,13 @@ from typing import ClassVar
 
 import numpy as np
 
+from edesign.calibrate.cross_validation import FEWEST
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
 
 _MOST_COSINES = 8
-_FEWEST = 4
-"""Tests in which a course of each one's own is told: of fewer, parts are left out in turn, and a slow course in the
-rest of the same test goes on in them, whatever made it.
-"""
 _SLOW = 0.01  # share of a motion's power below what is called its slowest frequency
 
 
@@ -94,7 +91,7 @@ class _Own(_Drift):
         return ()
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return self._in_time(sizes) if sum(sizes.fitted) >= _FEWEST else ()
+        return self._in_time(sizes) if sum(sizes.fitted) >= FEWEST else ()
 
     def _in_time(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         """The starts."""

@@ -100,6 +100,10 @@ class LuGre(Presliding):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((*row, 0.5, 0.1 * sizes.velocity) for row in super().starts(sizes))
 
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """Without the fall with speed: s = 0."""
+        return ((Presliding(), p),)
+
     def _most(self, p: Values, motion: Motion, index: np.ndarray) -> np.ndarray:
         at = np.full(index[-1] + 1, 1.0 + p["s"])  # at rest in the turning points between samples
         at[index] = 1.0 + p["s"] * np.exp(-((motion.velocity / p["v_s"]) ** 2))
@@ -124,6 +128,10 @@ class Stribeck(_Friction):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((_START * sizes.force, 0.5, v_s * sizes.velocity) for v_s in (0.1, 0.02))
 
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """Without the fall to sliding: s = 0."""
+        return ((Tanh(), {"F_c": p["F_c"], "v0": 0.1 * p["v_s"]}),)
+
     def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
         ratio = motion.velocity / p["v_s"]
         return np.asarray(p["F_c"] * (1.0 + p["s"] * np.exp(-(ratio**2))) * np.tanh(10.0 * ratio))
@@ -144,6 +152,10 @@ class Loaded(Tanh):
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((0.3 * size, v0, _START) for size, v0 in super().starts(sizes))
+
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """Without the share of the load: mu = 0."""
+        return ((Tanh(), p),)
 
     def carriage(self, p: Values, trial: Trial, motion: Motion, force: np.ndarray) -> np.ndarray:
         return np.asarray((p["F_c"] + p["mu"] * np.abs(force)) * np.tanh(motion.velocity / p["v0"]))

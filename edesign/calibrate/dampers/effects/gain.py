@@ -9,13 +9,14 @@ import numpy as np
 
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
-from edesign.calibrate.problem import Kind
+from edesign.calibrate.problem import USUAL_GAIN, Kind
 from edesign.calibrate.unknown import Unknown
 
 
 class _Gain(Form):
     name: ClassVar[str] = "gain"
     kind: ClassVar[Kind] = "instrument"
+    usual: ClassVar[float] = USUAL_GAIN
     source: ClassVar[str] = "ISO 376:2011 (calibration of load cells); Doebelin, Measurement Systems, chapter 2"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
@@ -58,6 +59,7 @@ class _FromTest(Form):
     """
 
     channel_name: ClassVar[str]
+    by_order: ClassVar[bool] = True
 
     def __init__(self, first: int) -> None:
         vars(self).update(

@@ -66,6 +66,7 @@ class Growing(_Lag):
     F(t) = F_true(t - lag - grown n/N - skew t): n tests before, N before the last one, t since the test began.
     """
 
+    by_order: ClassVar[bool] = True
     form: ClassVar[str] = "growing"
     title: ClassVar[str] = "lag between the channels that changes within tests and over the campaign"
     signature: ClassVar[str] = "proportional to the rate of the force, more and more so as time goes on"
@@ -86,6 +87,10 @@ class Growing(_Lag):
 
     def fixed(self, sizes: Sizes) -> dict[str, float]:
         return {"N": max(sizes.tests - 1.0, 1.0)}
+
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """A lag that stays."""
+        return ((Delay(), p),)
 
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
         return _later(motion, p["lag"] + p["grown"] * trial.order / p["N"], p["skew"])

@@ -44,9 +44,9 @@ class Gap(_Play):
     def series(self, p: Values) -> Series:
         return Series(p["stiffness"], play=p["play"])
 
-    def simpler(self) -> tuple[Form, ...]:
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
         """A flexible rig without clearance."""
-        return (series_flexibility.Linear(),)
+        return ((series_flexibility.Linear(), p),)
 
 
 class GapAside(Gap):
@@ -61,6 +61,10 @@ class GapAside(Gap):
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((*row, side) for row in super().starts(sizes)[:-1] for side in (0.8, -0.8))
+
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """A flexible rig, and pins that begin in the middle."""
+        return *super().simpler(p), (Gap(), p)
 
     def specimen(self, p: Values, trial: Trial, motion: Motion) -> Motion:
         return replace(motion, displacement=motion.displacement - 0.5 * p["aside"] * p["play"])
@@ -86,6 +90,10 @@ class GapSeated(Gap):
         rows = super().starts(sizes)[:-1]
         return tuple((*row, share * CLOSES * sizes.force) for row in rows for share in (0.05, 0.4))
 
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """A flexible rig, and a clearance that is crossed under no force."""
+        return *super().simpler(p), (Gap(), p)
+
     def series(self, p: Values) -> Series:
         return Series(p["stiffness"], play=p["play"], within=2.0 * p["F_c"] / p["play"])
 
@@ -109,9 +117,10 @@ class Closing(series_flexibility.Closing):
         k, force = sizes.stiffness, sizes.force
         return tuple((soft * k, share * force, 20.0) for soft, share in ((10.0, 0.1), (3.0, 0.1), (10.0, 0.3)))
 
-    def simpler(self) -> tuple[Form, ...]:
-        """A flexible rig without clearance."""
-        return (series_flexibility.Linear(),)
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """A flexible rig without clearance, and a clearance with nothing in it."""
+        stiff = {"play": 2.0 * p["F_c"] / p["stiffness"], "stiffness": p["ratio"] * p["stiffness"]}
+        return (series_flexibility.Linear(), p), (Gap(), stiff)
 
 
 class Backlash(_Play):

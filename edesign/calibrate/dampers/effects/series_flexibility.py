@@ -63,6 +63,10 @@ class Stiffening(Linear):
     def series(self, p: Values) -> Series:
         return Series(p["stiffness"], bend=1.0 / p["e0"] ** 2)
 
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """One spring: that does not stiffen."""
+        return ((Linear(), p),)
+
 
 class Damped(Linear):
     """A spring in series with a dashpot beside it: F = stiffness (e + t_r e'), as grout, pads and bolted joints lose
@@ -82,6 +86,10 @@ class Damped(Linear):
 
     def series(self, p: Values) -> Series:
         return Series(p["stiffness"], damping=p["stiffness"] * p["t_r"])
+
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """One spring: that loses no work."""
+        return ((Linear(), p),)
 
 
 class Power(Linear):
@@ -107,6 +115,10 @@ class Power(Linear):
 
     def series(self, p: Values) -> Series:
         return Series(p["stiffness"], bend=(p["stiffness"] / p["F_r"]) ** 2, power=p["n"])
+
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """One spring: n = 1."""
+        return ((Linear(), p),)
 
 
 class Closing(Linear):
@@ -135,6 +147,10 @@ class Closing(Linear):
         k = p["stiffness"]
         return Series(p["ratio"] * k, play=2.0 * p["F_c"] / k, within=k)
 
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """One spring: ratio = 1."""
+        return ((Linear(), p),)
+
 
 class Lopsided(Linear):
     """A spring in series that is `back` times as stiff where it is pushed together, as a bolted joint that gapes."""
@@ -152,6 +168,10 @@ class Lopsided(Linear):
 
     def series(self, p: Values) -> Series:
         return Series(p["stiffness"], back=p["back"])
+
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """One spring: back = 1."""
+        return ((Linear(), p),)
 
 
 FORMS = (Linear, Damped, Stiffening, Power, Closing, Lopsided)

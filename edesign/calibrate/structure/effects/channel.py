@@ -8,7 +8,7 @@ from typing import ClassVar
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from edesign.calibrate.problem import Kind
+from edesign.calibrate.problem import USUAL_GAIN, Kind
 from edesign.calibrate.structure.effect import Setting, StructuralEffect, Values
 from edesign.calibrate.structure.record import Channel, Measure
 from edesign.calibrate.unknown import Unknown
@@ -40,6 +40,7 @@ class Gain(StructuralEffect):
     """All floor channels of one measure have one factor."""
 
     name: ClassVar[str] = "gain"
+    usual: ClassVar[float] = USUAL_GAIN
     kind: ClassVar[Kind] = "instrument"
     signature: ClassVar[str] = (
         "proportional to the channel itself, from the static share to the highest mode; relative to the base, whose "

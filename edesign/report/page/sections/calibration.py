@@ -15,6 +15,7 @@ from edesign.report.calibration_effect_tables import (
     effect_name,
     effect_parameters_table,
     effects_table,
+    hypotheses_table,
     refused_table,
 )
 from edesign.report.calibration_figures import Figures
@@ -41,6 +42,7 @@ _VERDICTS = {
     "explained": ("Explained", "only noise is left", "good"),
     "partly_explained": ("Partly explained", "more than noise is left", ""),
     "unexplained": ("Unexplained", "no effect known here explains what is left", "bad"),
+    "not_searched": ("Not searched", "the search ended before all effects were tried", "bad"),
 }
 
 
@@ -77,7 +79,8 @@ def effects(view: View) -> Section:
     """Effects, their parameters with intervals, and candidates that were not adopted."""
     found = view.calibration
     parts: list[Part] = [effects_table(found)]
-    parts += [table for table in (effect_parameters_table(found), refused_table(found)) if table.rows]
+    tables = (effect_parameters_table(found), hypotheses_table(found), refused_table(found))
+    parts += [table for table in tables if table.rows]
     return Section("effects", "Effects, and how sure they are", (), (*parts, *_pictures(view, effect_figures)))
 
 
@@ -193,11 +196,15 @@ def provenance(view: View) -> Section:
             f"the {model} with the effects found, fitted to the tests for fitting; shares that are each test's own, "
             "such as the phase of hum, are taken from that test",
         ),
-        ("Interval", "95 %, 1.96 standard errors on each side, for residuals as correlated as they are"),
+        (
+            "Interval",
+            "95 %: by the scatter within tests, for residuals as correlated as they are, or by that from test to test "
+            "(Student's t), whichever is wider",
+        ),
         (
             "Adoption",
-            "an effect is adopted if it lowers the error of tests left out of the fit by more than chance, and the "
-            "information criterion (BIC) agrees",
+            "an effect is adopted if it lowers the error of tests left out of the fit by more than chance, the "
+            "information criterion (BIC) agrees, and its interval does not reach to nothing",
         ),
     )
     return Section("provenance", "Provenance and definitions", (), (Facts(rows),))
