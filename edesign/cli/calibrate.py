@@ -38,7 +38,7 @@ def calibrate(
             "-s",
             min=0.0,
             help="Processor time after which the search goes on with what it has found; 0: none. "
-            "60 with tests of a damper, none with records or tables, if not said.",
+            "54 with tests of a damper, none with records or tables, if not said.",
             show_default=False,
         ),
     ] = None,
