@@ -222,8 +222,13 @@ def _doubts(calibration: Calibration) -> list[str]:
 
 def _reaches(calibration: Calibration) -> list[str]:
     """What the corrected model says wrongly about tests that it was not fitted to."""
-    texts = []
-    corrected = calibration.errors["corrected"]
+    texts, model = [], MODELS[calibration.subject]
+    refit, corrected = calibration.errors["refit"], calibration.errors["corrected"]
+    if corrected.validate > _CHANGED * refit.validate:
+        texts.append(
+            f"The corrected {model} predicts the validation tests worse ({percent(corrected.validate)} %) than the "
+            f"{model} alone fitted again ({percent(refit.validate)} %): its effects hold in the tests fitted to alone."
+        )
     texts += [
         f"Without {effect_name(effect.name)} the validation tests are predicted better "
         f"({percent(corrected.validate + effect.delta_validate)} %): it holds in the tests fitted to."

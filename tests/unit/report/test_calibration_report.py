@@ -15,11 +15,11 @@ import numpy as np
 import pytest
 from unit.report import calibration_example as example
 
-from edesign.calibrate.result import Calibration, CarriedLaw, Estimate
+from edesign.calibrate.result import Calibration, CarriedLaw, Coverage, Estimate, Hypothesis
 from edesign.damper.amendments import Amendment
 from edesign.errors import ArchiveError, InputError
 from edesign.report.calibration_effect_figures import effect_figures
-from edesign.report.calibration_effect_tables import effect_parameters_table, effects_table
+from edesign.report.calibration_effect_tables import effect_parameters_table, effects_table, hypotheses_table
 from edesign.report.calibration_figures import calibration_figures
 from edesign.report.calibration_residual_figures import harmonic_figures, telling_dependences
 from edesign.report.calibration_tables import errors_table, law_parameters_table, tables_of, verdict_text
@@ -133,6 +133,49 @@ def test_look_alikes_that_were_not_asked_for_are_not_said_to_be_none() -> None:
         page = text_of(calibration_page_text(replace(found, ending=ending)))
         assert ("no other known effect explains" in page) == (ending == "complete")
         assert ("there may be more effects" in page) == (ending != "complete")
+
+
+def test_a_search_that_found_nothing_before_its_end_says_what_it_looked_at() -> None:
+    coverage = Coverage(("lag.delay", "play.gap", "play.closing"), frozenset({"lag.delay"}), frozenset())
+    found = replace(example.unexplained(), verdict="not_searched", ending="out_of_time", coverage=coverage)
+    text = verdict_text(found)
+    assert text.startswith("Not searched:") and "no effect known here explains" not in text
+    assert "1 of 3 forms of effects were screened, 0 fitted. Not screened, or not in all forms: play." in text
+    assert found.verdict_words.startswith("not searched, the search out of time: 1 of 3 forms")
+    page = text_of(calibration_page_text(found))
+    assert "Not searched" in page and "no effect known here explains" not in page
+
+
+def test_a_hypothesis_stands_beside_the_effects_with_its_reason() -> None:
+    one = Hypothesis(example.payne(), "its 95 % interval reaches to nothing")
+    found = replace(example.calibration(), hypotheses=(one,))
+    cells = row(hypotheses_table(found), "payne.whole")
+    assert cells[1].startswith("d = 0.200 ± 0.010") and cells[2] == one.why
+    assert "A hypothesis, no part of the law: softening with amplitude of the whole force" in verdict_text(found)
+    assert "Hypotheses: found, no part of the law" in text_of(calibration_page_text(found))
+    assert hypotheses_table(example.calibration()).rows == []
+
+
+def test_what_the_tests_do_not_determine_is_told_with_the_reason() -> None:
+    bound = Estimate(0.5, math.inf, "", untold="at its upper bound")
+    effect = replace(example.gain(), parameters={"g": bound})
+    cells = effect_parameters_table(example.calibration((effect,))).rows[0]
+    assert cells[2:5] == ["0.5", "not determined", "not determined: at its upper bound"]
+    # half the width of an interval is of its own, in the unit that is shown
+    time = replace(example.lag(), parameters={"lag": Estimate(0.004, 1e-4, "s", half_width=4.3e-4)})
+    assert effect_parameters_table(example.calibration((time,))).rows[0][4] == "3.57 to 4.43"
+
+
+def test_an_effect_that_makes_the_validation_tests_worse_is_doubted() -> None:
+    effect = replace(example.gain(), delta_validate=-0.5 * example.calibration().errors["corrected"].validate)
+    found = replace(example.calibration((effect,)), verdict="partly_explained")
+    assert "Without gain the validation tests are predicted better" in verdict_text(found)
+
+
+def test_parameters_that_others_make_needless_are_told() -> None:
+    found = replace(example.calibration(), held={"N": "only the slip force mu N acts on the damper"})
+    notes = law_parameters_table(found).notes
+    assert "N is held as declared: only the slip force mu N acts on the damper" in notes
 
 
 def test_law_parameters_stand_with_their_errors_or_as_held() -> None:
