@@ -268,12 +268,13 @@ def estimates(judged: Judged) -> dict[tuple[str, str], Estimate]:
         np.eye(fitted.x.size), owners, fitted.model.unknowns, sure.bounds, strict=True
     ):
         x = float(row @ fitted.x)
-        slope, half = abs(unknown.slope(x)), sure.half_width(row)
-        untold = f"at its {bound} bound" if bound else ""
-        if wide(half, unknown.logarithmic):
-            untold = "known to no decade"
-        error = math.inf if bound else slope * sure.standard_error(row)
-        found[owner, unknown.name] = Estimate(unknown.value(x), error, unknown.unit, slope * half, untold)
+        slope = abs(unknown.slope(x))
+        if bound:
+            error, half, untold = math.inf, math.inf, f"at its {bound} bound"
+        else:
+            error, half = slope * sure.standard_error(row), slope * sure.half_width(row)
+            untold = "known to no decade" if wide(sure.half_width(row), unknown.logarithmic) else ""
+        found[owner, unknown.name] = Estimate(unknown.value(x), error, unknown.unit, half, untold)
     return found
 
 

@@ -33,16 +33,17 @@ class Measurement:
             refit: the law fitted again.
             rival: the model to beat.
         """
-        for begin in (declared, refit) if refit is not declared else (declared,):
-            self.bench.tell(
-                f"faults of the measurement beside the law {'refitted' if begin is refit else 'as declared'}"
-            )
-            self._add(begin, rival)
-            if self.found is not None:
-                break
-        self.bench.known.clear()  # what is fitted in search of all effects begins anew
+        try:
+            self.bench.tell("faults of the measurement beside the law as declared")
+            self._add(declared, rival)
+            if self.found is None and refit is not declared:
+                self.bench.tell("faults of the measurement beside the law fitted again")
+                self._add(refit, rival)
+        finally:
+            self.bench.known.clear()  # what is fitted in search of all effects begins anew
 
     def _add(self, current: Judged, rival: Judged) -> None:
+        """Up to two faults, one after the other, each of which must be adopted beside the model before."""
         for _ in range(FEW):
             known = current.fitted.model.effects
             pool = [c for c in self.bench.candidates(current) if c.kind == "instrument" and may_join(c, known)]

@@ -91,6 +91,7 @@ class _Own(_Drift):
         return ()
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        # where parts of tests are left out a slow course in the rest of a test goes on in them, whatever made it
         return self._in_time(sizes) if sum(sizes.fitted) >= FEWEST else ()
 
     def _in_time(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
