@@ -22,7 +22,7 @@ _MOST_STEPS = 15
 _ENOUGH = 1e-4  # relative change of the sum of squares that ends a search
 _REFRESH = 0.3
 """A step that lowers the sum of squares by less than this share of what was hoped for asks for new slopes."""
-_FARTHEST = 2.0  # standard deviations by which a condition in doubt may be off
+FARTHEST = 2.0  # standard deviations by which a condition in doubt may be off
 _STILL = 0.1  # moves of the coordinates after which updated slopes are good enough for errors on tests left out
 
 
@@ -124,7 +124,7 @@ class Model:
             if values is None:
                 continue
             residual = self._weighted(i, (self.problem.measured[i] - values) / self.noise[i])
-            columns = self.problem.nuisance(base, parts, i) if parts else None
+            columns = self.problem.nuisance(base, parts, i)
             if columns is not None:
                 residual = residual - columns @ (columns.T @ residual)
             doubt = self._doubt(parts, i, columns) if doubts is None else doubts[len(found)]
@@ -135,7 +135,7 @@ class Model:
         """What conditions in doubt may change (n_i,) in the tests fitted to, in units of noise, freed likewise."""
         parts, base = self.parts(x), self.base_values(x)
         fitted = [i for i, use in enumerate(self.problem.uses) if use == "fit"]
-        return [self._doubt(parts, i, self.problem.nuisance(base, parts, i) if parts else None) for i in fitted]
+        return [self._doubt(parts, i, self.problem.nuisance(base, parts, i)) for i in fitted]
 
     def _doubt(self, parts: Sequence[Part], i: int, columns: np.ndarray | None) -> np.ndarray | None:
         doubt = self.problem.doubt(parts, i)
@@ -239,10 +239,10 @@ def whitened(residual: np.ndarray, doubt: np.ndarray) -> np.ndarray:
         return residual
     along = doubt / size
     found = float(along @ residual)
-    if abs(found) * size <= _FARTHEST * (1.0 + size**2):
+    if abs(found) * size <= FARTHEST * (1.0 + size**2):
         left = found / math.hypot(1.0, size)
     else:
-        left = math.copysign(math.hypot(abs(found) - _FARTHEST * size, _FARTHEST), found)
+        left = math.copysign(math.hypot(abs(found) - FARTHEST * size, FARTHEST), found)
     return residual + along * (left - found)
 
 

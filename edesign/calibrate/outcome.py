@@ -8,9 +8,10 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.special import chdtri
 
 from edesign.calibrate.evidence import AT_FLOOR, Judged
-from edesign.calibrate.fit import correlation_length
+from edesign.calibrate.fit import FARTHEST, correlation_length
 from edesign.calibrate.problem import Candidate, Described, Problem, Use
 from edesign.calibrate.residual.record import Residual
 from edesign.calibrate.result import (
@@ -23,16 +24,18 @@ from edesign.calibrate.result import (
     Series,
     Stage,
     Verdict,
+    Worst,
 )
 from edesign.calibrate.search import selection
 from edesign.calibrate.search.selection import Adopted, Selection
 from edesign.calibrate.uncertainty import Uncertainty, wide
 
 BOTH: tuple[Use, ...] = ("fit", "validate")
-_EXPLAINED, _NONE = 1.5, 2.0
-"""Times the noise floor: error of the validation tests up to which effects explain all, and up to which none is asked
-for.
+VALIDATED = {True: 1.5, False: 2.0}
+"""Times the noise floor: error of the validation tests, and of each test, up to which effects explain all, and up to
+which none is asked for.
 """
+_CHANCE = 0.01  # with which noise alone makes any of the tests seem to be above its floor
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,7 +48,7 @@ class Outcome:
         errors: by stage.
         predicted: values (n_i,) of every test, by stage.
         floors: NRMS of the noise by use.
-        verdict: see Calibration.
+        worst, verdict: see Calibration.
     """
 
     problem: Problem
@@ -53,6 +56,7 @@ class Outcome:
     errors: Mapping[Stage, Errors]
     predicted: Mapping[Stage, Sequence[np.ndarray]]
     floors: Mapping[Use, float]
+    worst: Worst | None
     verdict: Verdict
 
     @staticmethod
@@ -64,7 +68,9 @@ class Outcome:
             predicted["corrected"] = predicted["refit"]
         errors = {stage: errors_of(problem, values) for stage, values in predicted.items()}
         floors = {use: floor_of(found.final, noise, use) for use in BOTH}
-        return Outcome(problem, found, errors, predicted, floors, verdict_of(found, errors["corrected"], floors))
+        worst = worst_of(found, noise, problem, predicted["corrected"])
+        verdict = verdict_of(found, errors["corrected"], floors, worst)
+        return Outcome(problem, found, errors, predicted, floors, worst, verdict)
 
     @property
     def more_is_left(self) -> bool:
@@ -105,6 +111,7 @@ class Outcome:
             ending=self.found.ending,
             coverage=self.found.coverage,
             hypotheses=tuple(self._hypothesis(one, describe) for one in self.found.hypotheses),
+            worst=self.worst,
         )
 
     def _hypothesis(self, one: selection.Hypothesis, describe: Callable[[Candidate], Described]) -> Hypothesis:
@@ -148,11 +155,8 @@ def stages(found: Selection) -> dict[Stage, Judged]:
 
 
 def residual_of(series: Series, stage: Stage) -> Residual:
-    """The residual of a test at a stage, as its analysis takes it."""
-    return Residual(
-        series.name,
-        series.order,
-        series.use,
+    """The residual of a test at a stage, as its analysis takes it: the samples that are judged."""
+    histories = (
         series.time,
         series.displacement,
         series.velocity,
@@ -160,6 +164,7 @@ def residual_of(series: Series, stage: Stage) -> Residual:
         series.predicted[stage],
         series.temperature,
     )
+    return Residual(series.name, series.order, series.use, *(values[series.judged] for values in histories))
 
 
 def predict(problem: Problem, judged: Judged) -> list[np.ndarray]:
@@ -168,19 +173,22 @@ def predict(problem: Problem, judged: Judged) -> list[np.ndarray]:
     found = []
     for i, values in enumerate(problem.predict(judged.fitted.base, parts, BOTH)):
         assert values is not None
-        columns = problem.nuisance(judged.fitted.base, parts, i) if parts else None
+        columns = problem.nuisance(judged.fitted.base, parts, i)
         if columns is not None:
             weight = problem.weight(i)
-            own = 1.0 if weight is None else weight
-            values = values + columns @ (columns.T @ (own * (problem.measured[i] - values))) / own
+            own = np.ones(values.size) if weight is None else weight
+            share = columns @ (columns.T @ (own * (problem.measured[i] - values)))
+            values = values + np.divide(share, own, out=np.zeros(values.size), where=own > 0.0)
         found.append(values)
     return found
 
 
 def errors_of(problem: Problem, predicted: Sequence[np.ndarray]) -> Errors:
-    """NRMS over the tests of each use, and of each test."""
-    squared = [float(np.sum((m - p) ** 2)) for m, p in zip(problem.measured, predicted, strict=True)]
-    power = [float(m @ m) for m in problem.measured]
+    """NRMS over the tests of each use, and of each test: over the samples that are judged."""
+    judged = [_judged(problem, i) for i in range(len(problem.measured))]
+    measured = [values[own] for values, own in zip(problem.measured, judged, strict=True)]
+    squared = [float(np.sum((m - p[own]) ** 2)) for m, p, own in zip(measured, predicted, judged, strict=True)]
+    power = [float(m @ m) for m in measured]
 
     def over(use: Use) -> float:
         chosen = [i for i, u in enumerate(problem.uses) if u == use]
@@ -194,22 +202,55 @@ def floor_of(final: Judged, noise: Sequence[float], use: Use) -> float:
     """NRMS of noise (tests,) in the tests used so, and of what an error of a condition, as a temperature, changes."""
     problem = final.fitted.model.problem  # its conditions are as far in doubt as the tests show
     chosen = [i for i, u in enumerate(problem.uses) if u == use]
-    power = sum(float(problem.measured[i] @ problem.measured[i]) for i in chosen)
-    doubts = [doubt for i in chosen if (doubt := problem.doubt(final.fitted.parts, i)) is not None]
-    random = sum(noise[i] ** 2 * problem.measured[i].size for i in chosen)
+    judged = {i: _judged(problem, i) for i in chosen}
+    power = sum(float(np.sum(problem.measured[i][judged[i]] ** 2)) for i in chosen)
+    doubts = [doubt[judged[i]] for i in chosen if (doubt := problem.doubt(final.fitted.parts, i)) is not None]
+    random = sum(noise[i] ** 2 * problem.measured[i][judged[i]].size for i in chosen)
     return (random + sum(float(doubt @ doubt) for doubt in doubts)) / power
 
 
-def verdict_of(found: Selection, corrected: Errors, floors: Mapping[Use, float]) -> Verdict:
-    """See Calibration.verdict."""
-    most = _EXPLAINED if found.adopted else _NONE
+def _judged(problem: Problem, index: int) -> np.ndarray:
+    """Which samples (n,) of a test are judged."""
+    found = np.zeros(problem.measured[index].size, dtype=bool)
+    for piece in problem.judged(index):
+        found[piece.samples] = True
+    return found
+
+
+def worst_of(
+    found: Selection, noise: Sequence[float], problem: Problem, predicted: Sequence[np.ndarray]
+) -> Worst | None:
+    """The test, or channel, that leaves most of those that leave more than noise (tests,) does, by what chance makes of
+    as many samples and what an error of a condition, as a temperature, may be; None: all are at the noise floor.
+    """
+    most = VALIDATED[bool(found.adopted)]
+    pieces = [(i, piece) for i in range(len(noise)) for piece in problem.judged(i)]
+    chance = _CHANCE / len(pieces)
+    worst, times = None, 0.0
+    for i, piece in pieces:
+        measured = problem.measured[i][piece.samples]
+        error = float(np.sum((measured - predicted[i][piece.samples]) ** 2))
+        random = (noise[i] * piece.louder) ** 2 * measured.size
+        doubt = found.final.fitted.model.problem.doubt(found.final.fitted.parts, i)
+        doubted = 0.0 if doubt is None else float(np.sum(doubt[piece.samples] ** 2))
+        allowed = most * random * chdtri(measured.size, chance) / measured.size + FARTHEST**2 * doubted
+        power = float(measured @ measured)
+        if error > allowed and error / (random + doubted) > times:
+            times = error / (random + doubted)
+            worst = Worst(piece.name, error / power, (random + doubted) / power)
+    return worst
+
+
+def verdict_of(found: Selection, corrected: Errors, floors: Mapping[Use, float], worst: Worst | None) -> Verdict:
+    """See Calibration.verdict; never better than the worst test allows."""
+    most = VALIDATED[bool(found.adopted)]
     quiet = found.final.left <= AT_FLOOR or found.final.fitted.reduced <= most
-    at_floor = quiet and corrected.validate <= most * floors["validate"]
-    if not found.adopted:
-        if at_floor or corrected.validate <= floors["validate"]:
-            return "none"
-        return "unexplained" if found.ending == "complete" else "not_searched"
-    return "explained" if at_floor else "partly_explained"
+    at_floor = worst is None and quiet and corrected.validate <= most * floors["validate"]
+    if found.adopted:
+        return "explained" if at_floor else "partly_explained"
+    if at_floor:
+        return "none"
+    return "unexplained" if found.ending == "complete" else "not_searched"
 
 
 def share_left(refit: Errors, corrected: Errors, floors: Mapping[Use, float]) -> float:

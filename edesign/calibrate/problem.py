@@ -83,6 +83,21 @@ Part = tuple[Candidate, np.ndarray]
 """An effect with the values (p,) of its parameters, SI."""
 
 
+@dataclass(frozen=True)
+class Piece:
+    """What is judged of a test by itself: its samples, or those of one of its channels.
+
+    Attributes:
+        name: for people.
+        samples: of the test.
+        louder: its noise over that of the test.
+    """
+
+    name: str
+    samples: slice
+    louder: float = 1.0
+
+
 class Problem(Protocol):
     """What the loop works on.
 
@@ -149,8 +164,13 @@ class Problem(Protocol):
         are none.
         """
 
+    def judged(self, index: int) -> tuple[Piece, ...]:
+        """Pieces of a test, each of which a verdict asks; samples of none depend on how the test started."""
+
     def weight(self, index: int) -> np.ndarray | None:
-        """Factors (n_i,) of the residuals of a test that make its noise as strong at all times; None: it is."""
+        """Factors (n_i,) of the residuals of a test that make its noise as strong at all times, and 0 of samples that
+        are not judged; None: they are 1.
+        """
 
     def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
         """What a condition of a test that is known only so well may change (n_i,), in the base model as declared and

@@ -11,6 +11,7 @@ import numpy as np
 
 from edesign.calibrate.problem import Kind, Use
 from edesign.damper.amendments import Amendment
+from edesign.damper.start import Start
 from edesign.damper.temperature import GammaOf
 
 Verdict = Literal["none", "explained", "partly_explained", "unexplained", "not_searched"]
@@ -65,6 +66,25 @@ class Errors:
     def of(self, series: Series) -> float:
         """Error of a series: that of its test if it is the only one."""
         return self.channels[series.name] if series.name in self.channels else self.tests[series.name]
+
+
+@dataclass(frozen=True)
+class Worst:
+    """What is predicted worst for its noise, and worse than chance leaves.
+
+    Attributes:
+        name: of the test, or of its channel.
+        error, floor: NRMS, and that of its noise.
+    """
+
+    name: str
+    error: float
+    floor: float
+
+    @property
+    def times(self) -> float:
+        """Error over noise floor."""
+        return self.error / self.floor
 
 
 @dataclass(frozen=True)
@@ -167,6 +187,7 @@ class Series:
         unit: SI, of that.
         test: name of the test of which this is a channel; "" if it is all of it.
         channel: of the test, for people.
+        start: how the record of a damper test starts away from rest; None: at rest.
     """
 
     name: str
@@ -184,6 +205,13 @@ class Series:
     unit: str = "N"
     test: str = ""
     channel: str = ""
+    start: Start | None = None
+
+    @property
+    def judged(self) -> slice:
+        """Samples that count: those before depend on how the test started."""
+        from_then = 0.0 if self.start is None else self.start.judged_from
+        return slice(int(np.searchsorted(self.time, self.time[0] + from_then)), None)
 
     @property
     def of_test(self) -> str:
@@ -225,7 +253,8 @@ class Calibration:
         effects: in the order of adoption.
         verdict: none: nothing is missing; explained: what was missing is found, noise is left; partly_explained: more
             than noise is left; unexplained: something is missing and nothing known explains it; not_searched: something
-            is missing, and the search ended before all known effects were tried.
+            is missing, and the search ended before all known effects were tried. Noise is left where it is in every
+            test, and in every channel of it.
         unexplained_share: of the error of the refitted law over noise, in the validation tests, that is left.
         unexplained_shape: for people; "" if only noise is left.
         next_test: what would separate look-alikes; None: nothing is left to separate.
@@ -242,6 +271,7 @@ class Calibration:
         held: parameters of the law that are not fitted, as others do what they do: with the reason.
         lasting: whether the law remembers extremes from test to test.
         gamma_of: what gamma_T of an MGMM multiplies.
+        worst: test or channel that leaves most over its noise, of those that leave more than noise; None: none does.
     """
 
     title: str
@@ -267,6 +297,7 @@ class Calibration:
     held: Mapping[str, str] = field(default_factory=dict)
     lasting: bool = False
     gamma_of: GammaOf = "parameters"
+    worst: Worst | None = None
 
     @property
     def verdict_words(self) -> str:

@@ -14,6 +14,7 @@ from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned, with_noise
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.readings import Reading, likely_readings
+from edesign.calibrate.dampers.starts import as_started, with_starts
 from edesign.calibrate.evidence import simplest
 from edesign.calibrate.fit import Fitted
 from edesign.calibrate.outcome import Outcome, residual_of
@@ -48,11 +49,13 @@ def calibrate(
     problem = damper_problem(campaign)  # that there is a law
     assert campaign.law is not None
     noise = tuple(trial.noise for trial in problem.trials)
-    fast = thinned(problem)
+    fast = with_starts(thinned(problem), campaign.tests)
     found, fast = _searched(fast, campaign.law, noise, workers, progress, seconds)
-    problem = replace(problem, lasting=fast.lasting, gamma_of=fast.gamma_of)
+    final = found.final.fitted
+    fast = with_starts(fast, campaign.tests, final.base, final.parts)
+    problem = replace(as_started(problem, fast), lasting=fast.lasting, gamma_of=fast.gamma_of)
     progress("fitting all samples")
-    problem = noisy_beside(problem, found.final.fitted)
+    problem = noisy_beside(problem, final)
     noise = tuple(trial.noise for trial in problem.trials)
     found = at_full_rate(found, problem, noise)
     progress("predicting all tests")
@@ -71,6 +74,7 @@ def calibrate(
             {stage: forces[i] for stage, forces in outcome.predicted.items()},
             trial.temperature,
             noise[i],
+            start=trial.start,
         )
         for i, (trial, test) in enumerate(zip(problem.trials, campaign.tests, strict=True))
     )

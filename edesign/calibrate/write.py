@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -39,6 +40,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         },
         "noise_floor": found.noise_floor,
         "noise_floor_fit": found.noise_floor_fit,
+        "worst_test": None if found.worst is None else asdict(found.worst),
         "effects": _effects(found.effects),
         "hypotheses": [{**_effects([one.effect])[0], "why": one.why} for one in found.hypotheses],
         "unexplained": {"share": _finite(found.unexplained_share), "shape": found.unexplained_shape},
@@ -52,7 +54,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         },
         "refused": [{"effect": label, "evidence": evidence} for label, evidence in found.refused],
         "law_held": found.law_held,
-        **(_reading(found) if found.subject == "damper" else {}),
+        **({**_reading(found), "starts": _starts(found)} if found.subject == "damper" else {}),
         "law_file": None if found.carried is None else _carried(found.carried),
         "parameters": {
             stage: {name: _estimate(value) for name, value in found.parameters[stage].items()} for stage in _STAGES
@@ -73,6 +75,23 @@ def _coverage(coverage: Coverage) -> dict[str, Any]:
 
 def _reading(found: Calibration) -> dict[str, str]:
     return {"extremes": "lasting" if found.lasting else "fresh", "gamma_T_of": found.gamma_of}
+
+
+def _starts(found: Calibration) -> dict[str, Any]:
+    """Tests that start away from rest, by name."""
+    return {
+        series.name: {
+            "displacement": start.displacement,
+            "velocity": start.velocity,
+            "judged_from": start.judged_from,
+            "dies_away": start.dies_away,
+            "deformation_before": start.before[0],
+            "velocity_before": start.before[1],
+            "before_is": "said" if start.known else "found",
+        }
+        for series in found.series
+        if (start := series.start) is not None
+    }
 
 
 def _carried(law: CarriedLaw) -> dict[str, Any]:

@@ -13,6 +13,7 @@ from pydantic import Field
 from edesign.archive.files import make_folder, write_text
 from edesign.damper.read_test import read_test, write_test
 from edesign.damper.specimen import Specimen
+from edesign.damper.start import StartKind
 from edesign.damper.test_files import (
     CampaignLaw,
     Celsius,
@@ -29,6 +30,7 @@ from edesign.input_files import spare_inputs
 from edesign.project.base import Model
 from edesign.project.problems import FileProblems, Problems
 from edesign.project.temperature import Temperature
+from edesign.project.units import PositiveTime
 from edesign.project.yaml_file import check_model, read_yaml_text
 
 CAMPAIGN_FILE = "campaign.yaml"
@@ -49,6 +51,8 @@ class TestEntry(Model):
     temperature: Temperature | None = None
     temperature_C: Celsius | None = None
     use: Use = "fit"
+    start: StartKind | None = None
+    start_ramp: PositiveTime | None = None
 
     @property
     def celsius(self) -> float | None:
@@ -62,6 +66,8 @@ class CampaignFile(Model):
     title: str = ""
     specimen: SpecimenBlock
     law: CampaignLaw | None = None
+    start: StartKind = "unknown"
+    start_ramp: PositiveTime | None = None
     tests: Annotated[tuple[TestEntry, ...], Field(min_length=1)]
 
 
@@ -126,6 +132,7 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
         if not (path.parent / entry.file).exists():
             problems.at_value((*keys, "file"), f"there is no file {path.parent / entry.file}")
     _check_twins(file, problems)
+    _check_starts(file, problems)
     if problems.found:
         raise CampaignError(path, problems.found)
     tests, wrong = [], []
@@ -139,6 +146,8 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
                     use=entry.use,
                     needs_force=needs_force,
                     name=name,
+                    start=entry.start or file.start,
+                    start_ramp=_ramp(entry, file),
                 )
             )
         except InputError as error:
@@ -219,6 +228,8 @@ def _text(specimen: Specimen, tests: Sequence[DamperTest], law: LawChoice | None
             **({"title": test.title} if test.title else {}),
             "temperature_C": _rounded(test.temperature_C),
             "use": test.use,
+            **({"start": test.start} if test.start != "unknown" else {}),
+            **({"start_ramp": f"{test.start_ramp:.12g} s"} if test.start_ramp is not None else {}),
         }
         for test in tests
     ]
@@ -244,6 +255,22 @@ def short_names(paths: Sequence[Path]) -> list[str]:
 def _names(file: CampaignFile) -> list[str]:
     """Names of the tests: file names, with ending and folders where these are needed to tell them apart."""
     return short_names([Path(entry.file) for entry in file.tests])
+
+
+def _ramp(entry: TestEntry, file: CampaignFile) -> float | None:
+    """That of the test, or of all tests; of one that starts at rest alone."""
+    starts_at_rest = (entry.start or file.start) == "at_rest"
+    return (entry.start_ramp or file.start_ramp) if starts_at_rest else None
+
+
+def _check_starts(file: CampaignFile, problems: Problems) -> None:
+    """Refuse a ramp where no test starts at rest, which alone has one."""
+    needs = "it goes with `start: at_rest`: the way from rest to the first sample"
+    if file.start_ramp is not None and all((entry.start or file.start) != "at_rest" for entry in file.tests):
+        problems.at_key(("start_ramp",), needs)
+    for i, entry in enumerate(file.tests):
+        if entry.start_ramp is not None and (entry.start or file.start) != "at_rest":
+            problems.at_key(("tests", i, "start_ramp"), needs)
 
 
 def _check_twins(file: CampaignFile, problems: Problems) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 from edesign.archive.csv_files import write_csv_file
 from edesign.damper.column_units import columns_in_si, names_quantity, need
 from edesign.damper.csv_table import CsvTable, read_csv_table
+from edesign.damper.start import StartKind
 from edesign.damper.test_record import FEWEST, DamperTest, Use
 from edesign.errors import InputError
 
@@ -24,6 +25,8 @@ def read_test(
     use: Use = "fit",
     needs_force: bool = True,
     name: str = "",
+    start: StartKind = "unknown",
+    start_ramp: float | None = None,
 ) -> DamperTest:
     """Read a test.
 
@@ -36,6 +39,7 @@ def read_test(
         use: whether laws are fitted to it.
         needs_force: whether a file without force is refused.
         name: of the test; the file name without ending by default.
+        start, start_ramp: as of DamperTest.
 
     Raises:
         InputError: the file cannot be read or is wrong, or no temperature is known.
@@ -59,6 +63,8 @@ def read_test(
         use,
         str(path),
         tuple(unread),
+        start,
+        start_ramp,
     )
 
 

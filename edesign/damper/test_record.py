@@ -7,6 +7,7 @@ from typing import Literal
 
 import numpy as np
 
+from edesign.damper.start import StartKind
 from edesign.errors import InputError
 
 Use = Literal["fit", "validate"]
@@ -31,6 +32,9 @@ class DamperTest:
         use: whether laws are fitted to the test, or only compared with it.
         source: the file it comes from.
         unread: headers of the file's columns that are no part of the test.
+        start: what is said of how it starts.
+        start_ramp: duration of the way from rest to the first sample of a test that starts at rest, s; None: one
+            sampling interval.
     """
 
     name: str
@@ -43,6 +47,8 @@ class DamperTest:
     use: Use = "fit"
     source: str = ""
     unread: tuple[str, ...] = ()
+    start: StartKind = "unknown"
+    start_ramp: float | None = None
 
     def __post_init__(self) -> None:
         for name in ("time", "displacement", "force", "temperature_history"):
@@ -91,6 +97,11 @@ class DamperTest:
     def label(self) -> str:
         """Title, or the name of a test without one."""
         return self.title or self.name
+
+    @property
+    def ramp(self) -> float:
+        """Duration of the way from rest to the first sample, s."""
+        return self.start_ramp or float(self.time[1] - self.time[0])
 
     def measured_force(self) -> np.ndarray:
         """Force (n,) N.

@@ -7,7 +7,8 @@ import math
 import numpy as np
 
 from edesign.calibrate.dampers.trial import APART
-from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Hypothesis, Series, Stage, Subject
+from edesign.calibrate.outcome import VALIDATED
+from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Hypothesis, Series, Stage, Subject, Worst
 from edesign.damper.laws import LAWS
 from edesign.report.calibration_effect_tables import effect_name, effect_tables
 from edesign.report.calibration_units import error_text, percent, plus_minus, practical, value_text
@@ -39,6 +40,7 @@ def tables_of(calibration: Calibration) -> list[Table]:
     return [
         errors_table(calibration),
         each_test_table(calibration),
+        *(table for table in (starts_table(calibration),) if table.rows),
         *effect_tables(calibration),
         law_parameters_table(calibration),
     ]
@@ -75,9 +77,33 @@ def label_of(series: Series) -> str:
 
 
 def noise_of(series: Series) -> float:
-    """NRMS of the noise of a test."""
-    power = float(np.mean(series.measured**2))
+    """NRMS of the noise of a test, over the samples that are judged."""
+    power = float(np.mean(series.measured[series.judged] ** 2))
     return series.noise**2 / power if power > 0.0 else math.nan
+
+
+def starts_table(calibration: Calibration) -> Table:
+    """Tests that start away from rest; no rows if all start at rest."""
+    table = Table(
+        "Tests that start away from rest",
+        ("test", "first sample [mm]", "[mm/s]", "judged from [s]", "before: largest [mm]", "largest [mm/s]"),
+    )
+    started = [(series.name, series.start) for series in calibration.series if series.start is not None]
+    for name, start in started:
+        softened = [f"{1e3 * value:.3g}" if value else "-" for value in start.before]
+        from_then = f"{start.judged_from:.3g}" + ("" if start.dies_away else " (matters longer)")
+        table.rows.append(
+            [name, f"{1e3 * start.displacement:.3g}", f"{1e3 * start.velocity:.3g}", from_then, *softened]
+        )
+    if started:
+        table.notes.append(
+            "judged from: samples before depend on how the specimen came to the first one (campaign key `start`)"
+        )
+        table.notes.append(
+            "before: what had softened the law by then, either way: found from the force of each test, at least; or as "
+            "`start: at_rest` has it; -: no more than the test itself shows"
+        )
+    return table
 
 
 def law_parameters_table(calibration: Calibration) -> Table:
@@ -187,12 +213,46 @@ def _errors(calibration: Calibration) -> str:
         )
     else:
         text = f"The validation error (NRMS) is {percent(corrected)} %"
-    at_floor = calibration.verdict in ("none", "explained")
-    return f"{text}, at the {floor}." if at_floor else f"{text}, above the {floor}."
+    above = corrected > VALIDATED[bool(calibration.effects)] * calibration.noise_floor
+    return f"{text}, above the {floor}." if above else f"{text}, at the {floor}."
+
+
+def worst_text(worst: Worst | None) -> list[str]:
+    """Which test keeps a verdict from being better."""
+    if worst is None:
+        return []
+    return [
+        f"{worst.name} leaves most over its noise: an NRMS of {percent(worst.error)} %, {worst.times:.3g} times its noise "
+        f"floor of {percent(worst.floor)} %."
+    ]
+
+
+def _starts(calibration: Calibration) -> list[str]:
+    """Which tests start away from rest, and what of them is not judged."""
+    started = {series.name: series.start for series in calibration.series if series.start is not None}
+    if not started:
+        return []
+    longest = max(start.judged_from for start in started.values())
+    start = "starts" if len(started) == 1 else "start"
+    texts = [
+        f"{', '.join(started)} {start} away from rest: the force of the first {longest:.2g} s depends on what went before, "
+        "and is not judged."
+    ]
+    own = [name for name, one in started.items() if any(one.before) and not one.known]
+    if own:
+        texts.append(
+            f"The law was softened before {', '.join(own)} by more than the record shows; how much is each test's own, "
+            "found from its force."
+        )
+    lasting = [name for name, one in started.items() if not one.dies_away]
+    if lasting:
+        texts.append(f"In {', '.join(lasting)} what went before matters longer than half of the test.")
+    return texts
 
 
 def _doubts(calibration: Calibration) -> list[str]:
-    texts = [*ended(calibration), *map(hypothesis_text, calibration.hypotheses)]
+    texts = [*worst_text(calibration.worst), *_starts(calibration), *ended(calibration)]
+    texts += map(hypothesis_text, calibration.hypotheses)
     if calibration.lasting:
         texts.append(
             "The softening of the law by its largest deformation and velocity lasts from test to test: so it predicts "
@@ -207,7 +267,8 @@ def _doubts(calibration: Calibration) -> list[str]:
     if calibration.verdict in ("partly_explained", "unexplained", "not_searched"):
         share, model = percent(calibration.unexplained_share, 2), MODELS[calibration.subject]
         texts.append(
-            f"Of the error of the refitted {model} above noise {share} % is left: {calibration.unexplained_shape}"
+            f"Of the error of the refitted {model} above noise {share} % is left in the validation tests: "
+            f"{calibration.unexplained_shape}"
         )
         texts += _reaches(calibration)
     for effect in calibration.effects:

@@ -18,6 +18,7 @@ from edesign.report.calibration_tables import (
     ended,
     hypothesis_text,
     law_parameters_table,
+    worst_text,
 )
 from edesign.report.calibration_units import percent
 from edesign.report.property_figures import QUANTITIES, property_figure, residual_figure
@@ -81,7 +82,7 @@ def property_verdict(calibration: PropertyCalibration) -> str:
         f"The rms relative error of properties held out is {declared} % as declared, {refit} % with the law alone "
         f"fitted again, {corrected} % corrected; rows repeat to {percent(calibration.noise)} %."
     )
-    texts += [*ended(found), *map(hypothesis_text, found.hypotheses)]
+    texts += [*worst_text(found.worst), *ended(found), *map(hypothesis_text, found.hypotheses)]
     if found.unexplained_shape:
         texts.append(f"What is left: {found.unexplained_shape}")
     for effect in found.effects:

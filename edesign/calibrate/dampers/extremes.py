@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.calibrate.dampers.trial import Extremes, Motion
+from edesign.calibrate.dampers.trial import Motion
 from edesign.calibrate.dampers.turning_points import with_turning_points
+from edesign.damper.start import Extremes
 
 
 def extremes_after(before: Extremes, motion: Motion) -> Extremes:

@@ -8,11 +8,12 @@ from functools import lru_cache
 import numpy as np
 
 from edesign.calibrate.dampers.mgmm_moments import by_moments
-from edesign.calibrate.dampers.trial import Extremes, Motion
+from edesign.calibrate.dampers.trial import Motion
 from edesign.calibrate.problem import PredictionError
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.law import Law
+from edesign.damper.start import Extremes
 
 _KEPT = 512  # histories: of some sets of parameters
 

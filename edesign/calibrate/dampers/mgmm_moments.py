@@ -15,9 +15,10 @@ import numpy as np
 from numpy.polynomial.chebyshev import chebvander
 from scipy.special import ive
 
-from edesign.calibrate.dampers.trial import NONE, Extremes, Motion
+from edesign.calibrate.dampers.trial import Motion
 from edesign.core.damper import MOMENTS, CoreDamper, Term
 from edesign.core.fading import fading
+from edesign.damper.start import NONE, Extremes
 
 _MOTIONS = 96  # moments of tests, with some powers each
 _SHORTEST = (2.00001, 1.35)

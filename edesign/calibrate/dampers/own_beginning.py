@@ -11,7 +11,8 @@ import numpy as np
 
 from edesign.calibrate.dampers.acting import Acting
 from edesign.calibrate.dampers.effect import BEGUN
-from edesign.calibrate.dampers.trial import NONE, Extremes, Trial, after
+from edesign.calibrate.dampers.trial import Trial, after
+from edesign.damper.start import NONE, Extremes
 
 _CHANGE = 1e-3  # of the state, a number that is about 1 where it does as much as the law: for differences
 _FARTHEST = 3.0  # e^-3: a twentieth of the force would be left
@@ -58,7 +59,7 @@ def _from_own_beginning(trial: Trial, acting: Sequence[Acting], run: Run) -> tup
     slope = (moved - plain) / _CHANGE
     if not trial.made:
         return Begun(plain, slope), been
-    weight = 1.0 if trial.weight is None else trial.weight
+    weight = 1.0 if trial.counted is None else trial.counted
     left = weight * (trial.force - plain)
     state = _nearer(0.0, left, weight * slope)
     if abs(state) < _CHANGE:

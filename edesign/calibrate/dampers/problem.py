@@ -23,12 +23,13 @@ from edesign.calibrate.dampers.law_unknowns import law_unknowns
 from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.own_beginning import Begun, from_own_beginnings
-from edesign.calibrate.dampers.trial import NONE, REFINED, WARMER, Extremes, Motion, Sizes, Trial, after
-from edesign.calibrate.problem import Candidate, Part, PredictionError, Use
+from edesign.calibrate.dampers.trial import REFINED, WARMER, Motion, Sizes, Trial, after
+from edesign.calibrate.problem import Candidate, Part, Piece, PredictionError, Use
 from edesign.calibrate.unknown import Unknown
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.law import Law
+from edesign.damper.start import BEYOND, NONE, SOFTENED, Extremes, either_way
 from edesign.damper.temperature import GammaOf, GammaT, at
 from edesign.errors import InputError
 
@@ -155,7 +156,51 @@ class DamperProblem:
             warm = self._begun(base, parts)(index).change
             warm = self._weighted(index, warm[:, np.newaxis])
             columns.append(warm / max(float(np.max(np.abs(warm))), 1e-300))
+        start = self.trials[index].start
+        if start is not None and not start.known and self.law.name in SOFTENED:
+            own_start = self._kept_softened(
+                tuple(base.tolist()), tuple((_Same(c), tuple(v.tolist())) for c, v in parts), index
+            )
+            columns += [] if own_start is None else [own_start]
         return columns[0] if own and len(columns) == 1 else _orthonormal(columns) if columns else None
+
+    @cached_property
+    def _kept_softened(self) -> Callable[[tuple[float, ...], tuple[_KeptPart, ...], int], np.ndarray | None]:
+        """What a larger deformation or velocity before a test, of which the record does not tell, would change: columns
+        (n, k), weighted, from where the start of the test has them to where no softening is left; None: nothing. Of
+        the MGMM the force is linear in what is left of a softening that the test itself does not reach.
+        """
+
+        @lru_cache(maxsize=_KEPT)
+        def kept(base: tuple[float, ...], parts: tuple[_KeptPart, ...], index: int) -> np.ndarray | None:
+            trial, own = self.trials[index], [(candidate.thing, np.array(values)) for candidate, values in parts]
+
+            def force_after(been: Extremes) -> np.ndarray:
+                return self.force_of(index, after(been, trial), np.array(base), own)
+
+            plain, motion = force_after(NONE), trial.motion
+            far = (
+                either_way(BEYOND * float(np.max(np.abs(motion.displacement))), 0.0),
+                either_way(0.0, BEYOND * float(np.max(np.abs(motion.velocity)))),
+            )
+            changes = [self._weighted(index, (force_after(been) - plain)[:, np.newaxis]) for been in far]
+            # less than one standard error in all is none
+            changes = [change for change in changes if float(np.sum(change**2)) > trial.noise**2]
+            return np.hstack(changes) if changes else None
+
+        return kept
+
+    def force_of(self, index: int, trial: Trial, base: np.ndarray, parts: Sequence[Part]) -> np.ndarray:
+        """Force (n,) N of a test in the place of one of the campaign, after those before it where a part remembers."""
+        acting, values, been = [Acting.of(part) for part in parts], self.law_values(base), NONE
+        remembers = self.lasting or any(part.form.remembers for part in acting)
+        for before in self.trials[:index] if remembers else ():
+            _, been = self._run(after(been, before), values, acting)
+        return self._run(after(been, trial), values, acting)[0]
+
+    def judged(self, index: int) -> tuple[Piece, ...]:
+        """The samples of a test that do not depend on how it started."""
+        return (Piece(self.names[index], slice(self.trials[index].first, None)),)
 
     def _begun(self, base: np.ndarray, parts: Sequence[Part]) -> Callable[[int], Begun]:
         """Each test by its index, from its own beginning."""
@@ -196,7 +241,7 @@ class DamperProblem:
 
     def weight(self, index: int) -> np.ndarray | None:
         """Factors (n_i,) of the residuals of a test that make its noise as strong at all times; None: it is."""
-        return self.trials[index].weight
+        return self.trials[index].counted
 
     def _weighted(self, index: int, columns: np.ndarray) -> np.ndarray:
         weight = self.weight(index)
@@ -259,7 +304,7 @@ class DamperProblem:
         for residual, trial, size in zip(residuals, fitted, noise, strict=True):
             power, white = band_power(residual, trial.motion)
             inside += power
-            squares = residual.size if trial.weight is None else float(trial.weight @ trial.weight)
+            squares = residual.size if trial.counted is None else float(trial.counted @ trial.counted)
             through = residual.size - (1.0 - (trial.motion_noise / size) ** 2) * squares  # what is not the channel's
             expected += white + 0.5 * through  # of a one-sided spectrum
             whole += residual.size

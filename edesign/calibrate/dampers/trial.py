@@ -11,6 +11,7 @@ import numpy as np
 
 from edesign.calibrate.problem import Use
 from edesign.calibrate.spline import Spline
+from edesign.damper.start import NONE, Extremes, Start, widest
 
 _RATE = 40.0  # samples per second that a fit needs at least
 _PER_CYCLE = 25  # and in a cycle of the fastest motion
@@ -22,6 +23,7 @@ APART = 1.0
 """K between temperatures that are not the same: a thermometer may be wrong by 0.2 K in each test."""
 
 _ROUNDED = 0.1  # parts of a step
+_ROUNDING = 1e-9  # of a time
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,10 +104,6 @@ class Motion:
         return replace(self, displacement=displacement, velocity=self.velocity + rate, acceleration=acceleration)
 
 
-Extremes = tuple[float, float, float, float]
-"""Largest and smallest deformation, m, largest and smallest velocity, m/s."""
-NONE: Extremes = (0.0, 0.0, 0.0, 0.0)
-"""Of a specimen that has not moved."""
 _KEPT = 256  # tests with what went before them
 
 
@@ -127,6 +125,7 @@ class Trial:
         weight: (n,) factors of a residual that make its noise as strong at all times; None: it is.
         whole: the test at full rate, if this is not.
         been: what the specimen went through before, and its law remembers.
+        start: how its record starts away from rest; None: at rest.
     """
 
     name: str
@@ -141,6 +140,27 @@ class Trial:
     weight: np.ndarray | None = None
     whole: Trial | None = None
     been: Extremes = NONE
+    start: Start | None = None
+
+    def starting(self, start: Start | None) -> Trial:
+        """With another start."""
+        return replace(self, start=start, been=NONE if start is None else start.been)
+
+    @cached_property
+    def first(self) -> int:
+        """First sample that is judged: what is before depends on how the test started."""
+        from_then = self.start.judged_from if self.start else 0.0
+        return int(np.searchsorted(self.motion.time, self.motion.time[0] + from_then * (1.0 - _ROUNDING)))
+
+    @cached_property
+    def counted(self) -> np.ndarray | None:
+        """`weight` (n,) without the samples that are not judged, for which the others stand; None: all count alike."""
+        if not self.first:
+            return self.weight
+        size = self.motion.time.size
+        counted = np.ones(size) if self.weight is None else self.weight.copy()
+        counted[: self.first] = 0.0
+        return counted * math.sqrt(size / (size - self.first))
 
     def thinned(self) -> Trial:
         """With no more samples than a fit needs."""
@@ -205,7 +225,8 @@ class Trial:
 @lru_cache(maxsize=_KEPT)
 def after(been: Extremes, trial: Trial) -> Trial:
     """A test of a specimen that went through something; kept, with what the test keeps itself."""
-    return trial if been == trial.been else replace(trial, been=been)
+    both = widest(been, trial.been)
+    return trial if both == trial.been else replace(trial, been=both)
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
-from edesign.calibrate.problem import Candidate, Part, Problem, Use
+from edesign.calibrate.problem import Candidate, Part, Piece, Problem, Use
 from edesign.calibrate.properties.arrangement import Arrangement
 from edesign.calibrate.properties.campaign import Group, PropertyCampaign
 from edesign.calibrate.properties.candidates import candidates_of
@@ -116,6 +116,10 @@ class PropertyProblem:
     def simpler(self, part: Part) -> tuple[Part, ...]:
         """There are none."""
         return ()
+
+    def judged(self, index: int) -> tuple[Piece, ...]:
+        """All of a group."""
+        return (Piece(self.names[index], slice(None)),)
 
     def weight(self, index: int) -> np.ndarray | None:
         """None: noise is as strong at all times."""

@@ -10,7 +10,7 @@ import numpy as np
 from scipy.linalg import eigh
 
 from edesign.calibrate.noise import white_noise
-from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem, Use
+from edesign.calibrate.problem import Candidate, Part, Piece, PredictionError, Problem, Use
 from edesign.calibrate.structure.band import band_power
 from edesign.calibrate.structure.building import Building
 from edesign.calibrate.structure.campaign import Isolation, StructureCampaign
@@ -265,6 +265,16 @@ class StructureProblem:
     def simpler(self, part: Part) -> tuple[Part, ...]:
         """There are none."""
         return ()
+
+    def judged(self, index: int) -> tuple[Piece, ...]:
+        """Each channel of a test; a quiet one has the noise of the test, of which a fit takes it for."""
+        test, size = self.tests[index], self.noise[index]
+        louder = np.maximum(self.channel_noise(test) / self._scales(test.channels) / size, 1.0)
+        samples = test.time.size
+        return tuple(
+            Piece(f"{test.name}: {channel.label}", slice(i * samples, (i + 1) * samples), float(louder[i]))
+            for i, channel in enumerate(test.channels)
+        )
 
     def weight(self, index: int) -> np.ndarray | None:
         """None: noise is as strong at all times."""

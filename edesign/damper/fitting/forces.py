@@ -14,7 +14,6 @@ from edesign.damper.fitting.assemble import assemble
 from edesign.damper.fitting.coordinates import Bounds
 from edesign.damper.fitting.doubts import misfit_doubts, reversed_doubts
 from edesign.damper.fitting.fit import Fit, Tested
-from edesign.damper.fitting.independence import independent_errors
 from edesign.damper.fitting.loading import Loading, Predict, prepare, scales_of
 from edesign.damper.fitting.minimise import Loss, Residual
 from edesign.damper.fitting.observed import observe
@@ -23,6 +22,7 @@ from edesign.damper.fitting.solve import FAILED, Progress, solve
 from edesign.damper.fitting.start import linear_start, spread
 from edesign.damper.fitting.thermal import ThermalKind
 from edesign.damper.fitting.uncertainty import blocks_of
+from edesign.damper.independence import independent_errors
 from edesign.damper.law import Law
 from edesign.damper.nrms import determination, error_of_peak, nrms
 from edesign.errors import AnalysisError, InputError

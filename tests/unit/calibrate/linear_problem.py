@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Model, fit
-from edesign.calibrate.problem import Candidate, Kind, Part, Use
+from edesign.calibrate.problem import Candidate, Kind, Part, Piece, Use
 from edesign.calibrate.unknown import Unknown
 
 
@@ -100,6 +100,9 @@ class LinearProblem:
             return None
         weight = self.weight(index)
         return np.linalg.qr(np.hstack(columns) * (1.0 if weight is None else weight[:, np.newaxis]))[0]
+
+    def judged(self, index: int) -> tuple[Piece, ...]:
+        return (Piece(self.names[index], slice(None)),)
 
     def weight(self, index: int) -> np.ndarray | None:
         return self.weights[index] if self.weights else None
