@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from scipy.special import chdtri
 
 from edesign.calibrate.cross_validation import HeldOut, leave_one_out
 from edesign.calibrate.fit import Fitted, correlation_length
@@ -15,6 +16,12 @@ from edesign.calibrate.fit import Fitted, correlation_length
 AT_FLOOR = 1.2
 """Power left where the tests move, over that of the noise there, up to which a residual is at the noise floor."""
 
+MOST = {True: 1.5, False: 2.0}
+"""Times the noise floor: error of the validation tests, and of each test, up to which effects explain all (True), and
+up to which none is asked for.
+"""
+
+_CHANCE = 0.01  # with which noise alone makes one of all tests seem to be above its floor
 _ALL_NOISE = 1.05
 """The same, up to which no other form of an effect could do better: the estimate of the noise may be off by as much."""
 
@@ -33,6 +40,13 @@ _KINDS = ("instrument", "rig", "structure", "damper")
 _LEAST_T = 1.0  # of the tests' improvements: one test that improves against all others passes only if it is much
 _ONE_ALONE = 0.7  # the same, for what may show in one test alone, the largest, and the others take a little for it
 _NEARLY_ALL = 0.9  # share of the excess that chance does not remove, even if one test alone shows it
+
+
+def most_of_one(samples: int, tests: int, adopted: bool) -> float:
+    """Times its noise, up to which one of so many tests, with so many samples, is at its floor: `MOST` times what the
+    noise of the loudest of them is by chance, which matters where a test has a few numbers.
+    """
+    return MOST[adopted] * float(chdtri(samples, _CHANCE / tests)) / samples
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,10 +88,28 @@ class Judged:
 
     @cached_property
     def left(self) -> float:
-        """Power of the residual over that of the noise, where the tests move; about 1 at the noise floor."""
+        """Power of the residual over that of the noise, where the tests move; about 1 at the noise floor. No test, and
+        no channel of one, may be above its own floor for all to be there.
+        """
         model = self.fitted.model
         noise = [s for s, use in zip(model.noise, model.problem.uses, strict=True) if use == "fit"]
-        return model.problem.left(self.fitted.residuals, noise)
+        return max(model.problem.left(self.fitted.residuals, noise), AT_FLOOR * self._worst)
+
+    @property
+    def _worst(self) -> float:
+        """Of the tests and channels fitted to, the largest power over the most that noise has there."""
+        problem, adopted = self.fitted.model.problem, bool(self.fitted.model.effects)
+        fitted = [i for i, use in enumerate(problem.uses) if use == "fit"]
+        judged = [problem.judged(i) for i in fitted]
+        number = sum(map(len, judged))
+        found = [0.0]
+        for residual, pieces in zip(self.fitted.residuals, judged, strict=True):
+            own = [residual[piece.samples] for piece in pieces]
+            counted = residual.size / sum(r.size for r in own)  # those that are judged stand for the others
+            for r, piece in zip(own, pieces, strict=True):
+                most = most_of_one(r.size, number, adopted) * counted * r.size * piece.louder**2
+                found.append(float(r @ r) / most)
+        return max(found)
 
 
 @dataclass(frozen=True)

@@ -8,9 +8,8 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.special import chdtri
 
-from edesign.calibrate.evidence import AT_FLOOR, Judged
+from edesign.calibrate.evidence import AT_FLOOR, MOST, Judged, most_of_one
 from edesign.calibrate.fit import FARTHEST, correlation_length
 from edesign.calibrate.problem import Candidate, Described, Problem, Use
 from edesign.calibrate.residual.record import Residual
@@ -31,11 +30,6 @@ from edesign.calibrate.search.selection import Adopted, Selection
 from edesign.calibrate.uncertainty import Uncertainty, wide
 
 BOTH: tuple[Use, ...] = ("fit", "validate")
-VALIDATED = {True: 1.5, False: 2.0}
-"""Times the noise floor: error of the validation tests, and of each test, up to which effects explain all, and up to
-which none is asked for.
-"""
-_CHANCE = 0.01  # with which noise alone makes any of the tests seem to be above its floor
 
 
 @dataclass(frozen=True, eq=False)
@@ -223,9 +217,7 @@ def worst_of(
     """The test, or channel, that leaves most of those that leave more than noise (tests,) does, by what chance makes of
     as many samples and what an error of a condition, as a temperature, may be; None: all are at the noise floor.
     """
-    most = VALIDATED[bool(found.adopted)]
     pieces = [(i, piece) for i in range(len(noise)) for piece in problem.judged(i)]
-    chance = _CHANCE / len(pieces)
     worst, times = None, 0.0
     for i, piece in pieces:
         measured = problem.measured[i][piece.samples]
@@ -233,7 +225,8 @@ def worst_of(
         random = (noise[i] * piece.louder) ** 2 * measured.size
         doubt = found.final.fitted.model.problem.doubt(found.final.fitted.parts, i)
         doubted = 0.0 if doubt is None else float(np.sum(doubt[piece.samples] ** 2))
-        allowed = most * random * chdtri(measured.size, chance) / measured.size + FARTHEST**2 * doubted
+        most = most_of_one(measured.size, len(pieces), bool(found.adopted))
+        allowed = most * random + FARTHEST**2 * doubted
         power = float(measured @ measured)
         if error > allowed and error / (random + doubted) > times:
             times = error / (random + doubted)
@@ -243,7 +236,7 @@ def worst_of(
 
 def verdict_of(found: Selection, corrected: Errors, floors: Mapping[Use, float], worst: Worst | None) -> Verdict:
     """See Calibration.verdict; never better than the worst test allows."""
-    most = VALIDATED[bool(found.adopted)]
+    most = MOST[bool(found.adopted)]
     quiet = found.final.left <= AT_FLOOR or found.final.fitted.reduced <= most
     at_floor = worst is None and quiet and corrected.validate <= most * floors["validate"]
     if found.adopted:

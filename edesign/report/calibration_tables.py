@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from edesign.calibrate.dampers.trial import APART
-from edesign.calibrate.outcome import VALIDATED
+from edesign.calibrate.evidence import MOST
 from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Hypothesis, Series, Stage, Subject, Worst
 from edesign.damper.laws import LAWS
 from edesign.report.calibration_effect_tables import effect_name, effect_tables
@@ -213,7 +213,7 @@ def _errors(calibration: Calibration) -> str:
         )
     else:
         text = f"The validation error (NRMS) is {percent(corrected)} %"
-    above = corrected > VALIDATED[bool(calibration.effects)] * calibration.noise_floor
+    above = corrected > MOST[bool(calibration.effects)] * calibration.noise_floor
     return f"{text}, above the {floor}." if above else f"{text}, at the {floor}."
 
 
@@ -222,8 +222,8 @@ def worst_text(worst: Worst | None) -> list[str]:
     if worst is None:
         return []
     return [
-        f"{worst.name} leaves most over its noise: an NRMS of {percent(worst.error)} %, {worst.times:.3g} times its noise "
-        f"floor of {percent(worst.floor)} %."
+        f"{worst.name} leaves most over its noise: an NRMS of {percent(worst.error)} %, {worst.times:.3g} times its "
+        f"noise floor of {percent(worst.floor)} %."
     ]
 
 
@@ -235,8 +235,8 @@ def _starts(calibration: Calibration) -> list[str]:
     longest = max(start.judged_from for start in started.values())
     start = "starts" if len(started) == 1 else "start"
     texts = [
-        f"{', '.join(started)} {start} away from rest: the force of the first {longest:.2g} s depends on what went before, "
-        "and is not judged."
+        f"{', '.join(started)} {start} away from rest: the force of the first {longest:.2g} s depends on what went "
+        "before, and is not judged."
     ]
     own = [name for name, one in started.items() if any(one.before) and not one.known]
     if own:

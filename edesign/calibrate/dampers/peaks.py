@@ -40,6 +40,8 @@ def common_tones(trials: Sequence[Trial], residuals: Sequence[np.ndarray]) -> tu
         trials: tests.
         residuals: (n_i,) N of each.
     """
+    if not trials:
+        return ()
     whole = [_whole(trial, residual) for trial, residual in zip(trials, residuals, strict=True)]
     lengths = [float(one.motion.time[-1] - one.motion.time[0]) for one in whole]
     longest, shortest = max(lengths), min(lengths)

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from edesign.calibrate.evidence import Judged, simplest
 from edesign.calibrate.problem import Candidate, Part
-from edesign.calibrate.search.begun import may_join
+from edesign.calibrate.search.begun import may_join, others_than
 from edesign.calibrate.search.contest import shortlist
 from edesign.calibrate.search.effect_forms import EffectForms
 from edesign.calibrate.search.workbench import FAR_BEHIND, FEW, NONE, RIVALS, Workbench, labels_of, of_left_out
@@ -48,7 +48,8 @@ class Alternatives:
 
     def _unless_finer(self, found: Judged, current: Judged, effect: Candidate) -> Judged:
         """Another effect in the place of one, unless that does better in a finer form than the other one in its own."""
-        finer = self.forms.as_fine_as_needed(current, current.fitted.model.effects.index(effect))
+        labels = [one.label for one in current.fitted.model.effects]
+        finer = self.forms.as_fine_as_needed(current, labels.index(effect.label))
         if simplest([found, finer]) is found:
             return found
         return simplest([finer, self.forms.as_fine_as_needed(found, -1)])
@@ -61,13 +62,13 @@ class Alternatives:
         while 1 < len(current.fitted.model.effects) <= FEW and current.labels not in been:
             been.add(current.labels)
             for effect in current.fitted.model.effects:
-                if effect in current.fitted.model.effects:
+                if effect.label in current.labels:
                     current = simplest([current, *self.others(current, effect)])
         return current
 
     def others(self, current: Judged, effect: Candidate) -> list[Judged]:
         """Models in which another effect, or another form, stands in the place of one."""
-        others = [e for e in current.fitted.model.effects if e is not effect]
+        others = others_than(current.fitted.model.effects, effect)
         held = current.fitted.model.held
         fitted = self.bench.rivals.get((labels_of(others), held), self.bench.rivals.get((labels_of(others), False)))
         if fitted is not None:

@@ -12,13 +12,22 @@ from edesign.calibrate.problem import Candidate, Part
 from edesign.calibrate.search.screening import Signature
 
 
+def others_than(effects: Sequence[Candidate], effect: Candidate) -> tuple[Candidate, ...]:
+    """Effects of a model without one. Forms are told by their labels: models fitted before, or in another process, may
+    have the same form with starts of its own.
+    """
+    return tuple(other for other in effects if other.label != effect.label)
+
+
 def begun_from(fitted: Fitted, effect: Candidate, signature: Signature) -> Signature | None:
-    """Another form of an effect begun where this one is; None: it has not all of its parameters."""
-    parts = [part for part in fitted.parts if part[0] is not effect]
-    known = next(part for part in fitted.parts if part[0] is effect)
+    """Another form of an effect begun where this one is; None: it has not all of its parameters, or the model has no
+    such effect.
+    """
+    known = next((part for part in fitted.parts if part[0].label == effect.label), None)
     other = signature.candidate
-    if not {u.name for u in effect.unknowns} <= {u.name for u in other.unknowns}:
+    if known is None or not {u.name for u in known[0].unknowns} <= {u.name for u in other.unknowns}:
         return None
+    parts = [part for part in fitted.parts if part[0].label != effect.label]
     own = _values_of(other, known)
     return replace(signature, start=signature.model.coordinates(fitted.base, [*parts, (other, own)]))
 

@@ -10,7 +10,7 @@ from edesign.calibrate.evidence import Judged, simplest
 from edesign.calibrate.fit import fit
 from edesign.calibrate.outcome import errors_of, predict
 from edesign.calibrate.problem import Candidate, Part, PredictionError
-from edesign.calibrate.search.begun import begun_at, begun_from
+from edesign.calibrate.search.begun import begun_at, begun_from, others_than
 from edesign.calibrate.search.contest import BEHIND, likely_forms
 from edesign.calibrate.search.screening import promised
 from edesign.calibrate.search.workbench import FAR_BEHIND, FEW, Key, Workbench, key_of, labels_of, of_left_out
@@ -164,12 +164,12 @@ class EffectForms:
         Those that leave more than `most` or far more than the model (chi2) after a rough fit are not fitted on.
         """
         fitted = current.fitted
-        smaller = replace(fitted.model, effects=tuple(e for e in fitted.model.effects if e is not effect))
-        if (effect.name, key_of(smaller)) in self.compared:
+        smaller = replace(fitted.model, effects=others_than(fitted.model.effects, effect))
+        if effect.label not in current.labels or (effect.name, key_of(smaller)) in self.compared:
             return []
         self.compared.add((effect.name, key_of(smaller)))
         self.bench.tell(f"comparing forms of {effect.name}")
-        kept = [part for part in fitted.parts if part[0] is not effect]
+        kept = [part for part in fitted.parts if part[0].label != effect.label]
         without = fit(smaller, smaller.coordinates(fitted.base, kept), most_steps=0)
         here = labels_of(fitted.model.effects)
         pool = [c for c in self.bench.candidates(current) if c.name == effect.name and c.label not in here]

@@ -325,16 +325,18 @@ class Loop:
             evidence = compare(final, without)
             alike: dict[str, Judged] = {}
             for other in sorted(self._alternatives_unless_stopped(final, effect), key=of_left_out):
-                if other.labels == final.labels:
+                instead = _replacement(other, final)
+                if instead is None or instead.name == effect.name:
                     continue
                 near = compare(other, without).share > _ALIKE * evidence.share
-                if near and not compare(final, other).beyond_chance and _replacement(other, final).name != effect.name:
-                    alike.setdefault(_replacement(other, final).name, other)
+                if near and not compare(final, other).beyond_chance:
+                    alike.setdefault(instead.name, other)
             if final.fitted.model.held and len(final.fitted.parts) == 1 and not worse(refit, final):
                 alike["refit"] = refit
             found.append(Adopted(effect, values, evidence, without, alike))
         return tuple(found)
 
 
-def _replacement(judged: Judged, of: Judged) -> Candidate:
-    return next(effect for effect in judged.fitted.model.effects if effect.label not in of.labels)
+def _replacement(judged: Judged, of: Judged) -> Candidate | None:
+    """The effect that another model has not; None: it has them all."""
+    return next((effect for effect in judged.fitted.model.effects if effect.label not in of.labels), None)

@@ -12,7 +12,7 @@ from edesign.calibrate.evidence import Judged, compare
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import Candidate, Part, Problem
 from edesign.calibrate.result import Coverage
-from edesign.calibrate.search.begun import begin_alike, may_join
+from edesign.calibrate.search.begun import begin_alike, may_join, others_than
 from edesign.calibrate.search.contest import fit_best, judged_of
 from edesign.calibrate.search.screening import Signature, ordered, screen, screen_again
 from edesign.calibrate.side_by_side import side_by_side
@@ -113,8 +113,7 @@ class Workbench:
 
     def without(self, current: Judged, effect: Candidate) -> Judged:
         model = current.fitted.model
-        effects = tuple(e for e in model.effects if e is not effect)
-        smaller = replace(model, effects=effects)
+        smaller = replace(model, effects=others_than(model.effects, effect))
         return Judged(fit(smaller, smaller.coordinates(current.fitted.base, current.fitted.parts)))
 
     def each_without(self, current: Judged) -> list[tuple[Candidate, Judged]]:

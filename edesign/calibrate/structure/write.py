@@ -125,8 +125,8 @@ def _block(building: Building, campaign: StructureCampaign) -> dict[str, Any]:
 
 
 def _form(problem: StructureProblem, effect: Effect) -> Any:
-    forms = (form for module in MODULES for form in module.forms(problem.setting))
-    return next(form for form in forms if (form.name, form.form) == (effect.name, effect.form))
+    forms = {(form.name, form.form): form for module in MODULES for form in module.forms(problem.setting)}
+    return forms[effect.name, effect.form]  # it was found among these
 
 
 def _values(effect: Effect) -> dict[str, float]:

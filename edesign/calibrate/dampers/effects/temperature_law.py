@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.calibrate.dampers.effect import Form, Memory
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial, Values
-from edesign.calibrate.problem import Kind
+from edesign.calibrate.problem import Kind, PredictionError
 from edesign.calibrate.unknown import Unknown
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Parameter
@@ -272,7 +272,10 @@ def _tells_width(sizes: Sizes) -> bool:
 def _parameters(values: Values) -> tuple[Parameter, ...]:
     """Parameters with units of the law that has these names; where two laws have them, units are the same."""
     every = (law.all_parameters(values) for law in LAWS.values())
-    return next(own for own in every if {parameter.name for parameter in own} == set(values))
+    found = next((own for own in every if {parameter.name for parameter in own} == set(values)), None)
+    if found is None:
+        raise PredictionError(f"no law has the parameters {', '.join(values)}")
+    return found
 
 
 FORMS = (
