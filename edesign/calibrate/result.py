@@ -210,8 +210,7 @@ class Series:
     @property
     def judged(self) -> slice:
         """Samples that count: those before depend on how the test started."""
-        from_then = 0.0 if self.start is None else self.start.judged_from
-        return slice(int(np.searchsorted(self.time, self.time[0] + from_then)), None)
+        return slice(self.start.first(self.time) if self.start else 0, None)
 
     @property
     def of_test(self) -> str:

@@ -13,6 +13,7 @@ from edesign.core.damper import CoreDamper, Method
 from edesign.damper.amendments import Amendment, parameters_at
 from edesign.damper.history import spline_velocity
 from edesign.damper.law import Law
+from edesign.damper.start import NONE, Extremes
 from edesign.damper.temperature import TemperatureModel
 
 
@@ -27,6 +28,7 @@ class Damper:
         amendments: effects that the law has not.
         temperature_C: of the damper, degC, for amendments that change with it; the parameters are those of this
             temperature. None: the one at which these amendments have no effect.
+        been: what it went through before: some laws are softened by it for good.
     """
 
     law: Law
@@ -34,6 +36,7 @@ class Damper:
     brace: float = 0.0
     amendments: tuple[Amendment, ...] = ()
     temperature_C: float | None = None
+    been: Extremes = NONE
     values: dict[str, float] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -43,7 +46,7 @@ class Damper:
     def core(self) -> CoreDamper:
         """The damper in the core."""
         amendments = [one.for_core(self.temperature_C) for one in self.amendments]
-        return CoreDamper(self.law.name, list(self.values.values()), self.brace, amendments)
+        return CoreDamper(self.law.name, list(self.values.values()), self.brace, amendments, self.been)
 
     def at(self, temperature_C: float, model: TemperatureModel | None = None) -> tuple[Damper, tuple[str, ...]]:
         """The damper at a temperature (degC) if its parameters are those of the reference; warnings.

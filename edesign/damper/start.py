@@ -37,6 +37,7 @@ ForceOf = Callable[[np.ndarray, np.ndarray, np.ndarray, Extremes], np.ndarray]
 was then held at the first deformation for long.
 """
 
+_ROUNDING = 1e-9  # of a time
 _SURE = 4.0  # standard errors: one test in sixteen thousand that is at rest seems not to be
 _NEARER = 0.5  # share of the way from the force after rest to that in motion
 _LONGEST = 0.5  # of a test that is not judged: what lasts longer does not die away
@@ -66,9 +67,24 @@ class Start:
     known: bool = False
 
     @property
+    def words(self) -> str:
+        """What of the test is not judged, and what softened the law before, for people."""
+        longer = "" if self.dies_away else ", though what went before matters longer"
+        texts = [f"its first {self.judged_from:.3g} s are not judged{longer}"]
+        softened = [f"{1e3 * size:.3g} {unit}" for size, unit in zip(self.before, ("mm", "mm/s"), strict=True) if size]
+        if softened:
+            how = "as a step from rest" if self.known else "as its force shows"
+            texts.append(f"the law was softened before by {' and '.join(softened)} at least, {how}")
+        return "; ".join(texts)
+
+    def first(self, time: np.ndarray) -> int:
+        """Of samples at times (n,) s, the first that is judged."""
+        return int(np.searchsorted(time, time[0] + self.judged_from * (1.0 - _ROUNDING)))
+
+    @property
     def before(self) -> tuple[float, float]:
-        """Deformation m and velocity m/s, mean of both ways, of `been`."""
-        return 0.5 * (self.been[0] - self.been[1]), 0.5 * (self.been[2] - self.been[3])
+        """Deformation m and velocity m/s, the larger one of both ways, of `been`."""
+        return max(self.been[0], -self.been[1]), max(self.been[2], -self.been[3])
 
 
 class Recorded(NamedTuple):
@@ -102,6 +118,11 @@ def either_way(deformation: float, velocity: float) -> Extremes:
     return deformation, -deformation, velocity, -velocity
 
 
+def one_way(deformation: float, velocity: float) -> Extremes:
+    """Extremes of a motion from rest to one side, that of the signs."""
+    return max(deformation, 0.0), min(deformation, 0.0), max(velocity, 0.0), min(velocity, 0.0)
+
+
 def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) -> Start | None:
     """How a test starts; None: at rest as a law has it, in motion from there.
 
@@ -128,16 +149,16 @@ def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) 
     u, v = float(test.displacement[0]), float(test.velocity[0])
     been, known = NONE, kind == "at_rest"
     if known:
-        rate = u / ramp
-        been = (max(u, 0.0), min(u, 0.0), max(rate, 0.0), min(rate, 0.0))
+        been = one_way(u, u / ramp)
     return Start(u, v, float(test.time[first] - test.time[0]), dies_away, been, known)
 
 
 def extremes_before(
     test: Recorded, first: int, weight: np.ndarray, force_of: Callable[[Extremes], np.ndarray]
 ) -> Extremes:
-    """What the specimen went through before a test, as its force asks for: the least that is within one standard error
-    of the best, and nothing where that is no better by more than chance.
+    """What the specimen went through before a test, as its force asks for: a motion either way, or one to the side of
+    the first sample, whichever suits better. It is the least that is within one standard error of the best, and
+    nothing where that is no better by more than chance.
 
     Args:
         test: the record.
@@ -145,34 +166,73 @@ def extremes_before(
         weight: (n,) factors of the residuals that make noise as strong at all times.
         force_of: force (n,) N of the test after extremes.
     """
+    side = math.copysign(1.0, test.displacement[0])
 
     def residual(been: Extremes) -> np.ndarray:
         return np.asarray((weight * (test.force - force_of(been)) / test.noise)[first:])
 
-    plain, reach = residual(NONE), test.largest
-    found, least = [0.0, 0.0], float(plain @ plain)
+    def to_the_side(deformation: float, velocity: float) -> Extremes:
+        return one_way(side * deformation, side * velocity)
 
-    def with_one(which: int) -> Callable[[float], float]:
-        """Sum of squares by a deformation or velocity, the other one as it was found."""
+    plain = residual(NONE)
+    found = [_Went(way, residual, float(plain @ plain)) for way in (either_way, to_the_side)]
+    for one in found:
+        one.search(test.largest)
+    best = min(found, key=lambda one: one.left)
+    independent = max(independent_errors([residual(best.been)]), 2.0)
+    best.drop(math.exp((_LEAST_BIC + math.log(independent)) / independent))
+    best.least(max(best.left / independent, 1.0))
+    return best.been
+
+
+class _Went:
+    """The search for how far and how fast a specimen went before a test.
+
+    Args:
+        way: extremes of a deformation and a velocity.
+        residual: (n,) in units of noise, after extremes.
+        left: sum of squares after none.
+    """
+
+    def __init__(
+        self, way: Callable[[float, float], Extremes], residual: Callable[[Extremes], np.ndarray], left: float
+    ):
+        self._way, self._residual = way, residual
+        self._size = [0.0, 0.0]
+        self.left = left
+
+    @property
+    def been(self) -> Extremes:
+        """As far as it was found."""
+        return self._way(*self._size)
+
+    def search(self, reach: tuple[float, float]) -> None:
+        """Velocity and deformation in turn, each over a grid and finer; `reach`: largest in the test."""
+        for _ in range(_PASSES):
+            for which in (1, 0):
+                self._size[which], self.left = _best(self._of(which), reach[which], self._size[which], self.left)
+
+    def drop(self, times: float) -> None:
+        """Without a deformation or velocity that leaves no more than so many times as much."""
+        for which in (0, 1):
+            left = self._of(which)(0.0)
+            if left <= times * self.left:
+                self._size[which], self.left = 0.0, left
+
+    def least(self, more: float) -> None:
+        """The least deformation and velocity that leave so much more, which is one standard error."""
+        most = self.left + more
+        for which in (0, 1):
+            self._size[which] = _least(self._of(which), self._size[which], most)
+
+    def _of(self, which: int) -> Callable[[float], float]:
+        """Sum of squares by one of them, the other one as it was found."""
 
         def left(value: float) -> float:
-            r = residual(either_way(value, found[1]) if which == 0 else either_way(found[0], value))
+            r = self._residual(self._way(*(value if i == which else size for i, size in enumerate(self._size))))
             return float(r @ r)
 
         return left
-
-    for _ in range(_PASSES):
-        for which in (1, 0):
-            found[which], least = _best(with_one(which), reach[which], found[which], least)
-    best = residual(either_way(*found))
-    independent = independent_errors([best])
-    size = max(least / independent, 1.0)  # of a change by one standard error
-    gain = independent * math.log(max(float(plain @ plain), 1e-300) / max(least, 1e-300))
-    if gain - sum(one > 0.0 for one in found) * math.log(max(independent, 2.0)) <= _LEAST_BIC:
-        return NONE
-    for which in (0, 1):
-        found[which] = _least(with_one(which), found[which], least + size)
-    return either_way(*found)
 
 
 def _best(left: Callable[[float], float], reach: float, here: float, least: float) -> tuple[float, float]:
@@ -187,11 +247,11 @@ def _best(left: Callable[[float], float], reach: float, here: float, least: floa
 
 def _least(left: Callable[[float], float], value: float, most: float) -> float:
     """The least value up to this one that leaves no more than `most`."""
-    if value == 0.0 or left(0.0) <= most:
+    if value == 0.0:
         return 0.0
     if left(value) >= most:  # the other one has taken its share since
         return value
-    return float(brentq(lambda one: left(one) - most, 0.0, value, xtol=1e-2 * value))
+    return float(brentq(lambda one: left(one) - most, 0.0, value, xtol=1e-3 * value))
 
 
 def _jerked(test: Recorded) -> bool:

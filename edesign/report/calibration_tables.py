@@ -100,7 +100,7 @@ def starts_table(calibration: Calibration) -> Table:
             "judged from: samples before depend on how the specimen came to the first one (campaign key `start`)"
         )
         table.notes.append(
-            "before: what had softened the law by then, either way: found from the force of each test, at least; or as "
+            "before: what had softened the law by then: at least so much, found from the force of each test; or as "
             "`start: at_rest` has it; -: no more than the test itself shows"
         )
     return table

@@ -13,12 +13,13 @@ from edesign.calibrate.dampers.extremes import extremes_after
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.readings import likely_readings
-from edesign.calibrate.dampers.trial import NONE, Motion
+from edesign.calibrate.dampers.trial import Motion
 from edesign.damper.campaign import load_campaign, write_campaign
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
 from edesign.damper.specimen import Specimen
+from edesign.damper.start import NONE
 from edesign.damper.temperature import GammaOf, GammaT
 from edesign.damper.test_files import Extremes, LawChoice
 from edesign.damper.test_record import DamperTest

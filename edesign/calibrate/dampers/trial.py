@@ -23,7 +23,6 @@ APART = 1.0
 """K between temperatures that are not the same: a thermometer may be wrong by 0.2 K in each test."""
 
 _ROUNDED = 0.1  # parts of a step
-_ROUNDING = 1e-9  # of a time
 
 
 @dataclass(frozen=True, eq=False)
@@ -149,8 +148,7 @@ class Trial:
     @cached_property
     def first(self) -> int:
         """First sample that is judged: what is before depends on how the test started."""
-        from_then = self.start.judged_from if self.start else 0.0
-        return int(np.searchsorted(self.motion.time, self.motion.time[0] + from_then * (1.0 - _ROUNDING)))
+        return self.start.first(self.motion.time) if self.start else 0
 
     @cached_property
     def counted(self) -> np.ndarray | None:

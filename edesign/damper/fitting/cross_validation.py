@@ -12,6 +12,7 @@ from edesign.damper.fitting.fit import Fit
 from edesign.damper.fitting.forces import core_predict, fit_forces
 from edesign.damper.fitting.loading import Predict, prepare
 from edesign.damper.fitting.solve import Progress
+from edesign.damper.fitting.starts import with_starts
 from edesign.damper.law import Law
 from edesign.damper.nrms import nrms
 from edesign.errors import InputError
@@ -47,9 +48,10 @@ class CrossValidation:
 def prediction_errors(fit: Fit, tests: Sequence[DamperTest], predict: Predict | None = None) -> dict[str, float]:
     """NRMS (ratio) of a fitted law on tests, by their names."""
     force = predict or core_predict(fit.law)
+    loadings = with_starts(prepare(tests), tests, fit.law, fit.values_at, force)
     return {
-        loading.name: nrms(force(fit.values_at(loading.temperature_C), loading), loading.force)
-        for loading in prepare(tests)
+        loading.name: nrms(force(fit.values_at(loading.temperature_C), loading)[loading.first :], loading.judged_force)
+        for loading in loadings
     }
 
 

@@ -20,6 +20,7 @@ from edesign.damper.fitting.observed import observe
 from edesign.damper.fitting.setup import Setup, set_up
 from edesign.damper.fitting.solve import FAILED, Progress, solve
 from edesign.damper.fitting.start import linear_start, spread
+from edesign.damper.fitting.starts import same_starts, start_doubts, with_starts
 from edesign.damper.fitting.thermal import ThermalKind
 from edesign.damper.fitting.uncertainty import blocks_of
 from edesign.damper.independence import independent_errors
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 
 STARTS, SCREENED = 6, 8
 """Descents; candidates that are screened for each."""
+_PASSES = 5  # of a fit and of what it says about how tests start
 
 
 def fit_forces(
@@ -99,9 +101,12 @@ def fit_forces(
             f"{samples} samples cannot carry {len(setup.coordinates.names)} parameters; give more tests, or hold some"
         )
     force = predict or core_predict(law)
-    slim = tuple(loading.for_search() for loading in loadings)
-    coarse, full = _residual(setup, slim, force), _residual(setup, loadings, force)
     coordinates = setup.coordinates
+
+    def started(x: np.ndarray) -> tuple[Loading, ...]:
+        values = coordinates.values(x)
+        return with_starts(loadings, tests, law, lambda celsius: setup.thermal.at(law, values, celsius), force)
+
     first = coordinates.at(coordinates.start)
     try:
         force(setup.thermal.at(law, coordinates.values(first), loadings[0].temperature_C), loadings[0])
@@ -110,26 +115,36 @@ def fit_forces(
             raise InputError(f"law {law.name} gives no force with the values to start from: {error}") from error
         raise
     candidates = [first, *linear_start(law, coordinates, observed, seed), *spread(coordinates, SCREENED * starts, seed)]
-    outcome = solve(coordinates, coarse, full, candidates, starts, loss, workers, progress, setup.canonical)
+    loadings = started(first) if start else loadings
+    for _ in range(_PASSES):
+        slim = tuple(loading.for_search() for loading in loadings)
+        coarse, full = _residual(setup, slim, force), _residual(setup, loadings, force)
+        outcome = solve(coordinates, coarse, full, candidates, starts, loss, workers, progress, setup.canonical)
+        before, loadings = loadings, started(outcome.x)
+        if same_starts(before, loadings):
+            break
+        candidates, starts = [outcome.x], 1
+    loadings = before  # to which was fitted
     tests_of, blocks = blocks_of(loadings)
     best = coordinates.values(outcome.x)
-    predicted = [force(setup.thermal.at(law, best, loading.temperature_C), loading) for loading in loadings]
+    predicted = [force(setup.thermal.at(law, best, a.temperature_C), a)[a.first :] for a in loadings]
     found = assemble(
         setup,
         outcome,
         (tests_of, blocks),
-        errors={a.name: nrms(p, a.force) for p, a in zip(predicted, loadings, strict=True)},
-        peak_error={a.name: error_of_peak(p, a.force) for p, a in zip(predicted, loadings, strict=True)},
-        determined={a.name: determination(p, a.force) for p, a in zip(predicted, loadings, strict=True)},
-        overall=nrms(np.concatenate(predicted), np.concatenate([loading.force for loading in loadings])),
+        errors={a.name: nrms(p, a.judged_force) for p, a in zip(predicted, loadings, strict=True)},
+        peak_error={a.name: error_of_peak(p, a.judged_force) for p, a in zip(predicted, loadings, strict=True)},
+        determined={a.name: determination(p, a.judged_force) for p, a in zip(predicted, loadings, strict=True)},
+        overall=nrms(np.concatenate(predicted), np.concatenate([loading.judged_force for loading in loadings])),
         rms_error={
-            a.name: float(np.sqrt(np.mean((p - a.force) ** 2))) / a.rms
+            a.name: float(np.sqrt(np.mean((p - a.judged_force) ** 2))) / a.rms
             for p, a in zip(predicted, loadings, strict=True)
         },
         tested=_tested(loadings, specimen),
-        independent=independent_errors(p - a.force for p, a in zip(predicted, loadings, strict=True)),
+        independent=independent_errors(p - a.judged_force for p, a in zip(predicted, loadings, strict=True)),
     )
-    doubts = (*reversed_doubts(loadings), *misfit_doubts(found.mean_rms_error), *found.doubts)
+    misfits = misfit_doubts(found.mean_rms_error)
+    doubts = (*start_doubts(loadings), *reversed_doubts(loadings), *misfits, *found.doubts)
     return replace(found, doubts=doubts, seconds=time.perf_counter() - begun)
 
 
@@ -137,14 +152,17 @@ def core_predict(law: Law) -> Predict:
     """The force of a law as the core computes it."""
 
     def predict(values: Mapping[str, float], loading: Loading) -> np.ndarray:
-        return Damper(law, values).force(loading.time, loading.displacement, loading.velocity)
+        damper = Damper(law, values, been=loading.been)
+        return damper.force(loading.time, loading.displacement, loading.velocity)
 
     return predict
 
 
 def _residual(setup: Setup, loadings: Sequence[Loading], predict: Predict) -> Residual:
-    """Errors relative to the tests' forces; half the sum of their squares is half the mean over tests."""
-    factors = [np.sqrt(a.weight / (a.time.size * len(loadings))) for a in loadings]
+    """Errors relative to the tests' forces; half the sum of their squares is half the mean over tests. Those of samples
+    that are not judged are none.
+    """
+    factors = [np.sqrt(a.weight / ((a.time.size - a.first) * len(loadings))) for a in loadings]
 
     def residual(x: np.ndarray) -> np.ndarray:
         values = setup.coordinates.values(x)
@@ -155,6 +173,7 @@ def _residual(setup: Setup, loadings: Sequence[Loading], predict: Predict) -> Re
                 error = (predict(own, loading) - loading.force) / loading.rms
             except (AnalysisError, InputError):
                 error = np.full(loading.time.size, FAILED)
+            error[: loading.first] = 0.0
             parts.append(factor * np.where(np.isfinite(error), error, FAILED))
         return np.concatenate(parts)
 

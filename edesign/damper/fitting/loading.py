@@ -10,6 +10,7 @@ import numpy as np
 
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.history import spline_velocity
+from edesign.damper.start import NONE, Extremes, Start
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
@@ -32,6 +33,8 @@ class Loading:
         temperature_C: degC.
         frequency: mean frequency of the cycles, Hz: rms velocity / rms displacement / 2 pi.
         weight: factor of its squared errors.
+        been: what the specimen went through before.
+        start: how the test starts away from rest; None: at rest.
     """
 
     name: str
@@ -42,6 +45,22 @@ class Loading:
     temperature_C: float
     frequency: float
     weight: float = 1.0
+    been: Extremes = NONE
+    start: Start | None = None
+
+    def starting(self, start: Start | None) -> Loading:
+        """With another start."""
+        return replace(self, start=start, been=NONE if start is None else start.been)
+
+    @property
+    def first(self) -> int:
+        """First sample that is judged: what is before depends on how the test started."""
+        return self.start.first(self.time) if self.start else 0
+
+    @property
+    def judged_force(self) -> np.ndarray:
+        """Force of the samples that are judged, N."""
+        return self.force[self.first :]
 
     @property
     def rms(self) -> float:

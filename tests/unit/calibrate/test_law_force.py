@@ -11,7 +11,8 @@ from irregular_motion import motion
 from edesign.calibrate.dampers import law_force as forces
 from edesign.calibrate.dampers import mgmm_moments
 from edesign.calibrate.dampers.law_force import law_force
-from edesign.calibrate.dampers.trial import NONE, Extremes, Motion
+from edesign.calibrate.dampers.trial import Motion
+from edesign.damper.start import NONE, Extremes
 from edesign.calibrate.problem import PredictionError
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import LAWS

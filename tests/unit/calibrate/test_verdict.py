@@ -60,10 +60,7 @@ def test_one_test_among_many_is_found_though_all_together_are_at_the_floor() -> 
     problem = linear(tests=24)
     quiet = problem.measured
     random = np.random.default_rng(2)
-    loud = [
-        values + (2.0 * random.standard_normal(values.size) if i == 3 else 0.0)
-        for i, values in enumerate(quiet)
-    ]
+    loud = [values + (2.0 * random.standard_normal(values.size) if i == 3 else 0.0) for i, values in enumerate(quiet)]
     problem.measured = tuple(loud)
     held = Model(problem, (1.0,) * 24, held=False)
     judged = Judged(fit(held, held.coordinates()))

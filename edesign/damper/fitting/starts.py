@@ -1,0 +1,84 @@
+"""How tests start away from rest, as a fitted law says; what went before is left out of a fit, or found."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.damper.fitting.loading import Loading, Predict
+from edesign.damper.law import Law
+from edesign.damper.local_fit import noise
+from edesign.damper.start import SOFTENED, Extremes, Recorded, Start, extremes_before, find_start
+from edesign.errors import AnalysisError, InputError
+
+if TYPE_CHECKING:
+    from edesign.damper.test_record import DamperTest
+
+_LEAST = 5e-4  # of a test's rms force: no load cell is better
+_ALIKE = 0.05  # of an extreme: a law that differs by less is the same to three digits
+
+ValuesAt = Callable[[float], Mapping[str, float]]
+"""Parameters of a law, SI, at a temperature, degC."""
+
+
+def with_starts(
+    loadings: Sequence[Loading], tests: Sequence[DamperTest], law: Law, values_at: ValuesAt, predict: Predict
+) -> tuple[Loading, ...]:
+    """Tests with their starts, as a law with parameters says; at rest where it has no force for another beginning."""
+
+    def started(loading: Loading, test: DamperTest) -> Loading:
+        try:
+            return loading.starting(_start(loading.starting(None), test, law, values_at, predict))
+        except (AnalysisError, InputError):
+            return loading.starting(None)
+
+    return tuple(started(loading, test) for loading, test in zip(loadings, tests, strict=True))
+
+
+def same_starts(some: Sequence[Loading], others: Sequence[Loading]) -> bool:
+    """Whether tests start alike, about."""
+    for one, other in ((a.start, b.start) for a, b in zip(some, others, strict=True)):
+        if (one is None) != (other is None):
+            return False
+        if one is not None and other is not None and not np.allclose(one.before, other.before, rtol=_ALIKE, atol=0.0):
+            return False
+    return True
+
+
+def start_doubts(loadings: Sequence[Loading]) -> list[str]:
+    """What the user should know of tests that start away from rest."""
+    return [
+        f"test {loading.name} starts away from rest: {loading.start.words}"
+        for loading in loadings
+        if loading.start is not None
+    ]
+
+
+def _start(loading: Loading, test: DamperTest, law: Law, values_at: ValuesAt, predict: Predict) -> Start | None:
+    values = values_at(loading.temperature_C)
+    record = Recorded(
+        loading.time,
+        loading.displacement,
+        loading.velocity,
+        loading.force,
+        noise(loading.displacement),
+        max(noise(loading.force), _LEAST * loading.rms),
+    )
+
+    def force_of(time: np.ndarray, displacement: np.ndarray, velocity: np.ndarray, been: Extremes) -> np.ndarray:
+        other = replace(loading, time=time, displacement=displacement, velocity=velocity, been=been)
+        return np.asarray(predict(values, other))
+
+    start = find_start(record, test.start, test.ramp, force_of)
+    if start is None or start.known or law.name not in SOFTENED:
+        return start
+    been = extremes_before(
+        record,
+        loading.starting(start).first,
+        np.ones(loading.time.size),
+        lambda been: np.asarray(predict(values, replace(loading, been=been))),
+    )
+    return replace(start, been=been)
