@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from edesign.calibrate.allowance import Allowance
-from edesign.calibrate.problem import Candidate, Part, PredictionError, Problem, Use
+from edesign.calibrate.problem import Candidate, Part, Point, PredictionError, Problem, Use
 from edesign.calibrate.side_by_side import brief_side_by_side
 from edesign.calibrate.unknown import Unknown
 
@@ -102,7 +102,11 @@ class Model:
         return tuple(found)
 
     def residuals(
-        self, x: np.ndarray, uses: Sequence[Use] = ("fit",), doubts: Sequence[np.ndarray | None] | None = None
+        self,
+        x: np.ndarray,
+        uses: Sequence[Use] = ("fit",),
+        doubts: Sequence[np.ndarray | None] | None = None,
+        about: Point | None = None,
     ) -> list[np.ndarray]:
         """Residuals (n_i,) of the tests used so, in units of the noise at each time, freed from what is each test's
         own, and whitened where a condition of a test is in doubt.
@@ -111,6 +115,7 @@ class Model:
             x: (p,) coordinates.
             uses: of the tests.
             doubts: (n_i,) of each test; None: those at x.
+            about: see Problem.nuisance; None: at x.
 
         Raises:
             OutOfTime: the allowance is used up.
@@ -124,7 +129,7 @@ class Model:
             if values is None:
                 continue
             residual = self._weighted(i, (self.problem.measured[i] - values) / self.noise[i])
-            columns = self.problem.nuisance(base, parts, i)
+            columns = self.problem.nuisance(base, parts, i, about)
             if columns is not None:
                 residual = residual - columns @ (columns.T @ residual)
             doubt = self._doubt(parts, i, columns) if doubts is None else doubts[len(found)]
@@ -398,7 +403,8 @@ def _moved(
         moved = x.copy()
         moved[j] += share * step
         try:
-            return share * step, model.residuals(moved, doubts=doubts)
+            about = (model.base_values(x), model.parts(x))
+            return share * step, model.residuals(moved, doubts=doubts, about=about)
         except PredictionError as error:
             last = error
     raise last

@@ -82,6 +82,9 @@ class Described:
 Part = tuple[Candidate, np.ndarray]
 """An effect with the values (p,) of its parameters, SI."""
 
+Point = tuple[np.ndarray, Sequence[Part]]
+"""Values (p,) of the base model, SI, and effects."""
+
 
 @dataclass(frozen=True)
 class Piece:
@@ -159,9 +162,12 @@ class Problem(Protocol):
             PredictionError: the model has no prediction for these values.
         """
 
-    def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
+    def nuisance(
+        self, base: np.ndarray, parts: Sequence[Part], index: int, about: Point | None = None
+    ) -> np.ndarray | None:
         """Orthonormal columns (n_i, k), weighted, whose share is each test's own, as the phase of hum is; None: there
-        are none.
+        are none. What a test owes to how it started may be taken as it is about other values near these: how it
+        changes is a term of second order.
         """
 
     def judged(self, index: int) -> tuple[Piece, ...]:

@@ -115,12 +115,12 @@ def widest(one: Extremes, other: Extremes) -> Extremes:
 
 def either_way(deformation: float, velocity: float) -> Extremes:
     """Extremes of a motion that went as far and as fast to both sides."""
-    return deformation, -deformation, velocity, -velocity
+    return deformation, 0.0 - deformation, velocity, 0.0 - velocity
 
 
 def one_way(deformation: float, velocity: float) -> Extremes:
     """Extremes of a motion from rest to one side, that of the signs."""
-    return max(deformation, 0.0), min(deformation, 0.0), max(velocity, 0.0), min(velocity, 0.0)
+    return max(deformation, 0.0), min(deformation, 0.0) + 0.0, max(velocity, 0.0), min(velocity, 0.0) + 0.0
 
 
 def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) -> Start | None:
@@ -141,9 +141,13 @@ def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) 
     displaced = displaced and bool(np.any(np.abs(stepped) > test.noise))
     moves = kind == "in_motion" or (kind == "unknown" and (displaced or _jerked(test)))
     moving = _difference(test, force_of, _mirrored(test)) if moves else np.zeros(test.time.size)
-    if not (displaced or kind == "in_motion" or (moves and _moved(test, force_of, moving))):
+    if not (displaced or moves):
         return None
-    late = np.flatnonzero(np.maximum(np.abs(stepped), np.abs(moving)) > test.noise)
+    left = test.force - force_of(test.time, test.displacement, test.velocity, NONE)
+    if not (displaced or kind == "in_motion" or _moved(test, left, moving)):
+        return None
+    most = _as_much_as_is_left(np.maximum(np.abs(stepped), np.abs(moving)), left, test.noise)
+    late = np.flatnonzero(most > test.noise)
     first = min(int(late[-1]) + 1 if late.size else 0, int(_LONGEST * test.time.size))
     dies_away = not late.size or first == int(late[-1]) + 1
     u, v = float(test.displacement[0]), float(test.velocity[0])
@@ -260,13 +264,22 @@ def _jerked(test: Recorded) -> bool:
     return abs(float(test.velocity[0])) > largest * float(test.time[1] - test.time[0])
 
 
-def _moved(test: Recorded, force_of: ForceOf, moving: np.ndarray) -> bool:
-    """Whether the force is surely nearer to that of a motion that went on before than to that after rest."""
+def _moved(test: Recorded, left: np.ndarray, moving: np.ndarray) -> bool:
+    """Whether the force is surely nearer to that of a motion that went on before than to that after rest, of which it
+    leaves so much (n,) N.
+    """
     power = float(moving @ moving)
-    if math.sqrt(power) * (1.0 - _NEARER) <= _SURE * test.noise:
-        return False
-    rest = force_of(test.time, test.displacement, test.velocity, NONE)
-    return float(moving @ (test.force - rest)) > _NEARER * power
+    return math.sqrt(power) * (1.0 - _NEARER) > _SURE * test.noise and float(moving @ left) > _NEARER * power
+
+
+def _as_much_as_is_left(most: np.ndarray, left: np.ndarray, noise: float) -> np.ndarray:
+    """What two ways to the first sample make differ (n,) N, as many times larger as the force that is left (n,) N is
+    while that lasts: the specimen may have come from farther away.
+    """
+    lasts = most > noise
+    if not np.any(lasts):
+        return most
+    return most * max(float(np.linalg.norm(left[lasts]) / np.linalg.norm(most[lasts])), 1.0)
 
 
 Before = tuple[np.ndarray, np.ndarray, np.ndarray]

@@ -24,7 +24,7 @@ from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of, candidates
 from edesign.calibrate.dampers.own_beginning import Begun, from_own_beginnings
 from edesign.calibrate.dampers.trial import REFINED, WARMER, Motion, Sizes, Trial, after
-from edesign.calibrate.problem import Candidate, Part, Piece, PredictionError, Use
+from edesign.calibrate.problem import Candidate, Part, Piece, Point, PredictionError, Use
 from edesign.calibrate.unknown import Unknown
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
@@ -148,7 +148,9 @@ class DamperProblem:
             found.append(force if asked else None)
         return found
 
-    def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
+    def nuisance(
+        self, base: np.ndarray, parts: Sequence[Part], index: int, about: Point | None = None
+    ) -> np.ndarray | None:
         """Orthonormal columns (n_i, k) of what is each test's own; None: there is nothing."""
         own = [part for part in parts if part[0].effect[0].has_columns]
         columns = [self._kept_nuisance(tuple((_Same(c), tuple(v.tolist())) for c, v in own), index)] if own else []
@@ -158,10 +160,11 @@ class DamperProblem:
             columns.append(warm / max(float(np.max(np.abs(warm))), 1e-300))
         start = self.trials[index].start
         if start is not None and not start.known and self.law.name in SOFTENED:
-            own_start = self._kept_softened(
-                tuple(base.tolist()), tuple((_Same(c), tuple(v.tolist())) for c, v in parts), index
+            of, at = about or (base, parts)
+            softened = self._kept_softened(
+                tuple(of.tolist()), tuple((_Same(c), tuple(v.tolist())) for c, v in at), index
             )
-            columns += [] if own_start is None else [own_start]
+            columns += [] if softened is None else [softened]
         return columns[0] if own and len(columns) == 1 else _orthonormal(columns) if columns else None
 
     @cached_property

@@ -18,7 +18,7 @@ def with_starts(
     problem: DamperProblem, tests: Sequence[DamperTest], base: np.ndarray | None = None, parts: Sequence[Part] = ()
 ) -> DamperProblem:
     """With the start of each test, found from its own force beside a model; a test that the model cannot predict from
-    another beginning starts at rest.
+    another beginning keeps the start that it has.
 
     Args:
         problem: with the noise of each test.
@@ -30,10 +30,9 @@ def with_starts(
 
     def started(index: int, trial: Trial) -> Trial:
         try:
-            start = _start(problem, index, tests[index], values, parts)
+            return trial.starting(_start(problem, index, tests[index], values, parts))
         except PredictionError:
-            start = None
-        return trial.starting(start)
+            return trial
 
     return replace(problem, trials=tuple(started(i, trial) for i, trial in enumerate(problem.trials)))
 
@@ -53,11 +52,13 @@ def _start(
         motion.time, motion.displacement, motion.velocity, trial.force, trial.displacement_noise, trial.noise
     )
 
+    physical = [part for part in parts if part[0].kind != "instrument"]  # a step before the record is in no channel
+
     def force_of(time: np.ndarray, displacement: np.ndarray, velocity: np.ndarray, been: Extremes) -> np.ndarray:
         other = Motion(time, displacement, velocity, np.gradient(velocity, time))
         force, temperature = (np.interp(time, motion.time, one) for one in (trial.force, trial.temperature))
         lone = Trial(trial.name, trial.use, trial.order, other, force, temperature, been=been)
-        return problem.force_of(index, lone, base, parts)
+        return problem.force_of(index, lone, base, physical)
 
     start = find_start(record, test.start, test.ramp, force_of)
     if start is None or start.known or problem.law.name not in SOFTENED:

@@ -14,7 +14,7 @@ from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
-from edesign.calibrate.problem import Candidate, Part, Piece, Problem, Use
+from edesign.calibrate.problem import Candidate, Part, Piece, Point, Problem, Use
 from edesign.calibrate.properties.arrangement import Arrangement
 from edesign.calibrate.properties.campaign import Group, PropertyCampaign
 from edesign.calibrate.properties.candidates import candidates_of
@@ -86,7 +86,9 @@ class PropertyProblem:
         amplitudes = self.force_amplitudes(base, parts, uses)
         return [self._ratios(amplitudes, group) if group.use in uses else None for group in self.groups]
 
-    def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
+    def nuisance(
+        self, base: np.ndarray, parts: Sequence[Part], index: int, about: Point | None = None
+    ) -> np.ndarray | None:
         """Nothing is a group's own."""
         return None
 

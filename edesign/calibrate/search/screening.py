@@ -73,7 +73,7 @@ class Screen:
         """Of its quick effects alone, coarse."""
         if len(self.quick.effects) == len(self.whole.effects):
             return self.whole_residual
-        return np.concatenate(self.quick.residuals(self.quick_x))
+        return np.concatenate(self.quick.residuals(self.quick_x, about=(self.fitted.base, self.fitted.parts)))
 
     def free(self, values: np.ndarray) -> np.ndarray:
         """Values (N,) or (N, k) without what the model's own parameters can make of them."""
@@ -131,12 +131,13 @@ class Screen:
         """Residual (N,) with a candidate, of which the change is a coarse one; what a quick one changes is taken beside
         the quick effects alone.
         """
+        about = self.fitted.base, self.fitted.parts
         if candidate.slow:
             whole = replace(self.whole, effects=model.effects)
-            return self.residual + np.concatenate(whole.residuals(x)) - self.whole_residual
+            return self.residual + np.concatenate(whole.residuals(x, about=about)) - self.whole_residual
         quick = replace(self.quick, effects=(*self.quick.effects, candidate))
         own = np.concatenate((self.quick_x, x[self.fitted.x.size :]))
-        return self.residual + np.concatenate(quick.residuals(own)) - self.quick_residual
+        return self.residual + np.concatenate(quick.residuals(own, about=about)) - self.quick_residual
 
     def _at(self, model: Model, candidate: Candidate, x: np.ndarray, here: np.ndarray) -> Signature:
         first = self.fitted.x.size

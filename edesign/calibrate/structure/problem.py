@@ -10,7 +10,7 @@ import numpy as np
 from scipy.linalg import eigh
 
 from edesign.calibrate.noise import white_noise
-from edesign.calibrate.problem import Candidate, Part, Piece, PredictionError, Problem, Use
+from edesign.calibrate.problem import Candidate, Part, Piece, Point, PredictionError, Problem, Use
 from edesign.calibrate.structure.band import band_power
 from edesign.calibrate.structure.building import Building
 from edesign.calibrate.structure.campaign import Isolation, StructureCampaign
@@ -235,7 +235,9 @@ class StructureProblem:
             found.append(response if asked else None)
         return found
 
-    def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
+    def nuisance(
+        self, base: np.ndarray, parts: Sequence[Part], index: int, about: Point | None = None
+    ) -> np.ndarray | None:
         """Nothing is each test's own."""
         return None
 

@@ -20,7 +20,7 @@ from edesign.damper.fitting.observed import observe
 from edesign.damper.fitting.setup import Setup, set_up
 from edesign.damper.fitting.solve import FAILED, Progress, solve
 from edesign.damper.fitting.start import linear_start, spread
-from edesign.damper.fitting.starts import same_starts, start_doubts, with_starts
+from edesign.damper.fitting.starts import ValuesAt, same_starts, start_doubts, with_starts
 from edesign.damper.fitting.thermal import ThermalKind
 from edesign.damper.fitting.uncertainty import blocks_of
 from edesign.damper.independence import independent_errors
@@ -103,9 +103,9 @@ def fit_forces(
     force = predict or core_predict(law)
     coordinates = setup.coordinates
 
-    def started(x: np.ndarray) -> tuple[Loading, ...]:
+    def at(x: np.ndarray) -> ValuesAt:
         values = coordinates.values(x)
-        return with_starts(loadings, tests, law, lambda celsius: setup.thermal.at(law, values, celsius), force)
+        return lambda celsius: setup.thermal.at(law, values, celsius)
 
     first = coordinates.at(coordinates.start)
     try:
@@ -115,13 +115,13 @@ def fit_forces(
             raise InputError(f"law {law.name} gives no force with the values to start from: {error}") from error
         raise
     candidates = [first, *linear_start(law, coordinates, observed, seed), *spread(coordinates, SCREENED * starts, seed)]
-    loadings = started(first) if start else loadings
+    loadings = with_starts(loadings, tests, law, at(first), force) if start else loadings
     for _ in range(_PASSES):
         slim = tuple(loading.for_search() for loading in loadings)
         coarse, full = _residual(setup, slim, force), _residual(setup, loadings, force)
         outcome = solve(coordinates, coarse, full, candidates, starts, loss, workers, progress, setup.canonical)
-        before, loadings = loadings, started(outcome.x)
-        if same_starts(before, loadings):
+        before, loadings = loadings, with_starts(loadings, tests, law, at(outcome.x), force)
+        if same_starts(before, loadings, at(outcome.x), force):
             break
         candidates, starts = [outcome.x], 1
     loadings = before  # to which was fitted

@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from edesign.damper.test_record import DamperTest
 
 _LEAST = 5e-4  # of a test's rms force: no load cell is better
-_ALIKE = 0.05  # of an extreme: a law that differs by less is the same to three digits
+_SOON = 0.01  # of a test's samples: so many more or less that are judged change nothing
+_ALIKE = 0.1  # of that noise
 
 ValuesAt = Callable[[float], Mapping[str, float]]
 """Parameters of a law, SI, at a temperature, degC."""
@@ -27,24 +28,29 @@ ValuesAt = Callable[[float], Mapping[str, float]]
 def with_starts(
     loadings: Sequence[Loading], tests: Sequence[DamperTest], law: Law, values_at: ValuesAt, predict: Predict
 ) -> tuple[Loading, ...]:
-    """Tests with their starts, as a law with parameters says; at rest where it has no force for another beginning."""
+    """Tests with their starts, as a law with parameters says; those that they have where it has no force for another
+    beginning.
+    """
 
     def started(loading: Loading, test: DamperTest) -> Loading:
         try:
             return loading.starting(_start(loading.starting(None), test, law, values_at, predict))
         except (AnalysisError, InputError):
-            return loading.starting(None)
+            return loading
 
     return tuple(started(loading, test) for loading, test in zip(loadings, tests, strict=True))
 
 
-def same_starts(some: Sequence[Loading], others: Sequence[Loading]) -> bool:
-    """Whether tests start alike, about."""
-    for one, other in ((a.start, b.start) for a, b in zip(some, others, strict=True)):
-        if (one is None) != (other is None):
+def same_starts(some: Sequence[Loading], others: Sequence[Loading], values_at: ValuesAt, predict: Predict) -> bool:
+    """Whether tests start alike: the force of a law is the same but for a tenth of what noise there is at least."""
+    for one, other in zip(some, others, strict=True):
+        if (one.start is None) != (other.start is None) or abs(one.first - other.first) > _SOON * one.time.size:
             return False
-        if one is not None and other is not None and not np.allclose(one.before, other.before, rtol=_ALIKE, atol=0.0):
-            return False
+        if one.been != other.been:
+            forces = (np.asarray(predict(values_at(one.temperature_C), each)) for each in (one, other))
+            change = np.subtract(*forces)[max(one.first, other.first) :]
+            if np.sqrt(np.mean(change**2)) > _ALIKE * _LEAST * one.rms:
+                return False
     return True
 
 

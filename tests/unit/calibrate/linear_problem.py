@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Model, fit
-from edesign.calibrate.problem import Candidate, Kind, Part, Piece, Use
+from edesign.calibrate.problem import Candidate, Kind, Part, Piece, Point, Use
 from edesign.calibrate.unknown import Unknown
 
 
@@ -94,7 +94,9 @@ class LinearProblem:
             found.append(value if use in uses else None)
         return found
 
-    def nuisance(self, base: np.ndarray, parts: Sequence[Part], index: int) -> np.ndarray | None:
+    def nuisance(
+        self, base: np.ndarray, parts: Sequence[Part], index: int, about: Point | None = None
+    ) -> np.ndarray | None:
         columns = [self.own[candidate.name][index] for candidate, _ in parts if candidate.name in self.own]
         if not columns:
             return None

@@ -12,10 +12,10 @@ from edesign.calibrate.dampers import law_force as forces
 from edesign.calibrate.dampers import mgmm_moments
 from edesign.calibrate.dampers.law_force import law_force
 from edesign.calibrate.dampers.trial import Motion
-from edesign.damper.start import NONE, Extremes
 from edesign.calibrate.problem import PredictionError
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import LAWS
+from edesign.damper.start import NONE, Extremes
 
 MGMM = LAWS["mgmm"]
 VALUES = MGMM.complete(

@@ -161,3 +161,19 @@ def test_finer_forms_are_fitted_where_they_promise_a_tenth(
     monkeypatch.setattr(loop.bench, "with_parts", with_parts)
     loop.forms.as_fine_as_needed(coarse, 0)
     assert tried[:1] == fitted
+
+
+def test_a_form_is_found_by_its_label_in_a_model_that_another_process_or_round_has_fitted() -> None:
+    """There it is another object, with starts of its own; and a model that lacks it has nothing to begin from."""
+    problem = linear(seed=18, hidden={"x": 2.0})
+    problem.columns = {"x.whole": problem.columns["x"], "x.half": problem.columns["y"]}
+    current = of_labels(problem, "x.half")
+    effect = current.fitted.model.effects[0]
+    twin = replace(effect, starts=((0.7,),))
+    assert twin is not effect and twin != effect
+    loop = Loop(problem, (1.0,) * 6, workers=1)
+    assert loop.bench.without(current, twin).fitted.model.effects == ()
+    found = loop.forms.other_forms(current, twin)
+    assert [judged.fitted.model.effects[0].label for judged in found] == ["x.whole"]
+    assert loop.forms.other_forms(current, replace(effect, form="gone")) == []
+    assert loop.alternatives.others(current, twin) == loop.alternatives.others(current, effect)

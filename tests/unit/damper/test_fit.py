@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from fit_campaign import measured, motions
 
+from edesign.damper.damper import Damper
 from edesign.damper.fitting import cross_validate, fit_forces
 from edesign.damper.fitting.compare import compare_laws
 from edesign.damper.fitting.loading import Loading
@@ -264,3 +265,25 @@ def test_more_parameters_than_the_data_carry() -> None:
     few = DamperTest("few", test.time[:12], test.displacement[20:32], test.measured_force()[20:32])
     with pytest.raises(InputError, match="12 samples cannot carry 9 parameters"):
         fit_forces(LAWS["mgmm"], [few])
+
+
+def test_what_went_before_a_test_in_motion_is_left_out_of_a_fit() -> None:
+    """A Zener solid in tests cut from longer ones: F - k0 u begins with what was there, and forgets it in c1 / k1."""
+    truth = {"k0": 3e6, "k1": 6e6, "c1": 1.2e6}
+    generator, tests = np.random.default_rng(4), []
+    for name, frequency in (("slow", 0.5), ("middle", 1.0), ("fast", 2.0)):
+        time = np.arange(-3.0, 4.0, 0.005)
+        u = 3e-3 * np.sin(2.0 * np.pi * frequency * time + 1.0)
+        force = Damper(LAWS["zener"], truth).force(time, u)
+        force = force + 50.0 * generator.standard_normal(time.size)
+        tests.append(DamperTest(name, time[600:], u[600:], force[600:]))
+    fit = fit_forces(LAWS["zener"], tests, starts=2)
+    for name, value in truth.items():
+        assert abs(fit.values[name] - value) < 4.0 * fit.standard_error_white[name]
+    assert all(
+        rms < 1.2 * 50.0 / np.sqrt(np.mean(t.measured_force() ** 2))
+        for t, rms in zip(tests, fit.rms_error.values(), strict=True)
+    )
+    assert [doubt for doubt in fit.doubts if "starts away from rest" in doubt and "not judged" in doubt]
+    at_rest = fit_forces(LAWS["zener"], [replace(test, start="at_rest") for test in tests], starts=2)
+    assert at_rest.cost > 1.5 * fit.cost
