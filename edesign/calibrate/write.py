@@ -188,6 +188,7 @@ def archive_groups(found: Calibration) -> dict[str, Group]:
         )
         group.add("time", ("sample",), series.time, "s", "time")
         if found.subject == "damper":
+            group.attributes["judged_from"] = series.start.judged_from if series.start else 0.0
             group.add("displacement", ("sample",), series.displacement, "m", "displacement, freed from noise")
             group.add("temperature", ("sample",), series.temperature, "degC", "temperature")
             model = "law"

@@ -37,6 +37,7 @@ ForceOf = Callable[[np.ndarray, np.ndarray, np.ndarray, Extremes], np.ndarray]
 was then held at the first deformation for long.
 """
 
+_FEWEST = 8  # samples: fewer show no start and something after it
 _ROUNDING = 1e-9  # of a time
 _SURE = 4.0  # standard errors: one test in sixteen thousand that is at rest seems not to be
 _NEARER = 0.5  # share of the way from the force after rest to that in motion
@@ -136,6 +137,8 @@ def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) 
         ramp: duration of the way from rest to a first sample that is displaced, s.
         force_of: the damper.
     """
+    if test.time.size < _FEWEST:
+        return None
     displaced = abs(float(test.displacement[0])) > max(_SURE * test.displacement_noise, 1e-8 * test.largest[0])
     stepped = _difference(test, force_of, _from_rest(test, ramp)) if displaced else np.zeros(test.time.size)
     displaced = displaced and bool(np.any(np.abs(stepped) > test.noise))

@@ -269,14 +269,21 @@ class StructureProblem:
         return ()
 
     def judged(self, index: int) -> tuple[Piece, ...]:
-        """Each channel of a test; a quiet one has the noise of the test, of which a fit takes it for."""
-        test, size = self.tests[index], self.noise[index]
-        louder = np.maximum(self.channel_noise(test) / self._scales(test.channels) / size, 1.0)
-        samples = test.time.size
-        return tuple(
-            Piece(f"{test.name}: {channel.label}", slice(i * samples, (i + 1) * samples), float(louder[i]))
-            for i, channel in enumerate(test.channels)
-        )
+        """Each channel of a test; a quiet one has the noise of the test, for which a fit takes it."""
+        return self._channels_judged[index]
+
+    @cached_property
+    def _channels_judged(self) -> tuple[tuple[Piece, ...], ...]:
+        found = []
+        for test, size in zip(self.tests, self.noise, strict=True):
+            louder = np.maximum(self.channel_noise(test) / self._scales(test.channels) / size, 1.0)
+            n = test.time.size
+            pieces = (
+                Piece(f"{test.name}: {channel.label}", slice(i * n, (i + 1) * n), float(louder[i]))
+                for i, channel in enumerate(test.channels)
+            )
+            found.append(tuple(pieces))
+        return tuple(found)
 
     def weight(self, index: int) -> np.ndarray | None:
         """None: noise is as strong at all times."""

@@ -82,6 +82,11 @@ def test_forces_of_a_test_in_motion_are_not_judged_until_they_have_died_away(at:
     assert found.judged_from <= tau * np.log(2.0 * SOLID["k1"] * 6e-3 / NOISE) + STEP
 
 
+def test_a_few_samples_show_no_start() -> None:
+    few = Recorded(T[:3], swept(7e-5)[:3], np.zeros(3), np.zeros(3), 0.0, NOISE)
+    assert start_of(MGMM, TABLE_4_2, few, "in_motion") is None
+
+
 def test_a_law_without_memory_starts_as_it_goes_on() -> None:
     u, before = cut(0.1)
     values = {"k": 3e6, "c": 2e5}

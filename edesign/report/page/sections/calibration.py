@@ -29,6 +29,7 @@ from edesign.report.calibration_tables import (
     errors_table,
     label_of,
     law_parameters_table,
+    starts_table,
     verdict_text,
 )
 from edesign.report.calibration_units import percent, scale_of
@@ -146,7 +147,8 @@ def campaign(view: View) -> Section:
     """What was measured, and the error of each test."""
     found = view.calibration
     ranges = channels_table(found) if found.subject == "structure" else tests_table(found)
-    return Section("tests", "Tests", (), (ranges, each_test_table(found)))
+    started = [table for table in (starts_table(found),) if table.rows]
+    return Section("tests", "Tests", (), (ranges, each_test_table(found), *started))
 
 
 def channels_table(found: Calibration) -> Table:
