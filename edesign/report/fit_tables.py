@@ -97,8 +97,8 @@ def comparison_table(comparison: Comparison) -> Table:
     if comparison.sufficient is None:
         error = best.fit.mean_rms_error if best.held_out is None else math.sqrt(best.held_out.mean)
         table.notes.append(
-            f"none of the laws compared follows the tests: {best.fit.law.name}, the nearest, errs by "
-            f"{_percent(error)} % of the rms force; a law that follows them errs by at most {100.0 * FOLLOWS:g} %"
+            f"none of the laws compared follows the tests (rms error at most {100.0 * FOLLOWS:g} % of the rms "
+            f"force): {best.fit.law.name}, the nearest, has {_percent(error)} %"
         )
     else:
         table.notes.append(
