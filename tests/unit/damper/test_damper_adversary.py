@@ -12,7 +12,6 @@ import pytest
 
 from edesign.damper.damper import Damper
 from edesign.damper.fitting import fit_forces
-from edesign.damper.fitting.minimise import in_threads
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import read_parameters
@@ -23,6 +22,7 @@ from edesign.damper.test_record import DamperTest
 from edesign.errors import InputError
 from edesign.report.damper_figures import test_figure as draw_test
 from edesign.report.fit_figures import fit_figure
+from edesign.stopping import in_threads
 
 MGMM = LAWS["mgmm"]
 TABLE_4_2 = read_parameters(MGMM, "thesis_table_4_2")
@@ -41,7 +41,7 @@ def test_other_threads_stop_with_an_interrupted_fit() -> None:
         ended.append(stop.wait(5.0))
 
     with pytest.raises(KeyboardInterrupt):
-        in_threads(work, range(2), 2, stop)
+        list(in_threads(work, range(2), 2, stop))
     assert ended == [True]
 
 
