@@ -60,10 +60,10 @@ def test_w_shapes_are_those_of_the_american_tables() -> None:
     """All 288 W shapes that both have: published values beside the section that the inch-pound name gives.
 
     The mass in a metric name is that of the metric table, at most 1.5 kg/m from the pounds per foot of the other name.
+    Depths and widths are rounded to three digits there (0.5 %) and in the catalogue to whole mm; some areas are 2 %
+    smaller, between those of the catalogue with its fillets and without.
 
-    Source: AISC Shapes Database v16.0 (aisc_w_shapes.csv). Depths and widths are rounded there to three digits
-    (0.5 %) and in EN 10365 to whole mm; some areas are 2 % smaller, for its fillets are smaller than those of
-    EN 10365. Neighbours in a series differ by more: by 3 % at least in area, or in width.
+    Source: AISC Shapes Database v16.0 (aisc_w_shapes.csv).
     """
     with (Path(__file__).parent / "aisc_w_shapes.csv").open(encoding="utf-8") as file:
         rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
