@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from edesign.calibrate.evidence import Judged, compare, simplest
-from edesign.calibrate.search.begun import may_join
-from edesign.calibrate.search.contest import shortlist
-from edesign.calibrate.search.workbench import FEW, Workbench
+from edesign.calibrate.evidence import CLEAR, Judged, compare, simplest
+from edesign.calibrate.search.contest import FITTED, both, shortlist
+from edesign.calibrate.search.pairs import joint_gains, likely_pairs
+from edesign.calibrate.search.screening import Signature
+from edesign.calibrate.search.workbench import RIVALS, Workbench
 
 
 class Measurement:
@@ -18,7 +19,8 @@ class Measurement:
         bench: what all parts of the search share.
 
     Attributes:
-        found: the best model with faults of the measurement alone, if it removes most of what its rival leaves.
+        found: the best model with one or two faults of the measurement alone, if they remove most of what its rival
+            leaves.
     """
 
     def __init__(self, bench: Workbench) -> None:
@@ -35,24 +37,28 @@ class Measurement:
         """
         try:
             self.bench.tell("faults of the measurement beside the law as declared")
-            self._add(declared, rival)
+            self.bench.beside_declared = self._beside(declared, rival)
             if self.found is None and refit is not declared:
                 self.bench.tell("faults of the measurement beside the law fitted again")
-                self._add(refit, rival)
+                self._beside(refit, rival)
         finally:
             self.bench.known.clear()  # what is fitted in search of all effects begins anew
 
-    def _add(self, current: Judged, rival: Judged) -> None:
-        """Up to two faults, one after the other, each of which must be adopted beside the model before."""
-        for _ in range(FEW):
-            known = current.fitted.model.effects
-            pool = [c for c in self.bench.candidates(current) if c.kind == "instrument" and may_join(c, known)]
-            tried = self.bench.fit_best(shortlist(self.bench.screened(current.fitted, pool)))
-            better = [judged for judged in tried if compare(judged, current).adopts]
-            if not better:
-                return
-            current = simplest(better)
-            if compare(current, rival).clear:
-                self.found = current
-            if current.at_floor:
-                return
+    def _beside(self, law: Judged, rival: Judged) -> list[Signature]:
+        """One fault, or two: those that by a linear estimate remove as much as is asked for. Signatures of all."""
+        fitted = law.fitted
+        most = (1.0 - CLEAR) * (rival.fitted.chi2 - fitted.samples) + fitted.samples
+        pool = [candidate for candidate in self.bench.candidates(law) if candidate.kind == "instrument"]
+        signatures = self.bench.screened(fitted, pool)
+        single = [one for one in signatures if fitted.chi2 - one.gain <= most]
+        self._keep(self.bench.fit_best(shortlist(single)[:RIVALS]), rival)
+        if self.found is None or not self.found.at_floor:
+            pairs = likely_pairs(fitted, signatures[:FITTED], RIVALS)
+            hoped = [pair for pair in pairs if fitted.chi2 - joint_gains(fitted, pair)[0, 1] <= most]
+            self._keep(self.bench.fit_best([both(*pair) for pair in hoped]), rival)
+        return signatures
+
+    def _keep(self, tried: list[Judged], rival: Judged) -> None:
+        clear = [judged for judged in tried if compare(judged, rival).clear]
+        if clear:
+            self.found = simplest(clear if self.found is None else [self.found, *clear])

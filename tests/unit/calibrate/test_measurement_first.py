@@ -52,7 +52,7 @@ def test_what_does_less_than_half_is_no_fault_that_stands(monkeypatch: pytest.Mo
 
 def test_what_was_not_searched_is_told_as_that(monkeypatch: pytest.MonkeyPatch) -> None:
     found = _ended_early(monkeypatch, ("z",))
-    assert found.coverage == Coverage(("x.only", "y.only", "z.only"), frozenset({"z.only"}), frozenset({"z.only"}))
+    assert found.coverage == Coverage(("x.only", "y.only", "z.only"), frozenset({"z.only"}), frozenset())
     outcome = Outcome.of(found.final.fitted.model.problem, (1.0,) * 6, found)
     assert outcome.verdict == "not_searched"
     # a search that comes to its end and finds nothing is another thing
