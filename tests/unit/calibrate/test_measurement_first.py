@@ -83,7 +83,7 @@ def test_all_files_tell_what_was_not_searched(
     screened, forms = told["coverage"]["screened"], told["coverage"]["forms"]
     assert 0 < screened < forms == screened + len(told["coverage"]["not_screened"])
     counts = f"{screened} of {forms} forms of effects were screened, {len(told['coverage']['fitted'])} fitted"
-    head = (tmp_path / "law.yaml").read_text(encoding="utf-8").splitlines()[0]
+    head = (tmp_path / "law.yaml").read_text(encoding="utf-8").splitlines()[1]  # below what it was written from
     page = (tmp_path / "calibration.html").read_text(encoding="utf-8")
     for text in (" ".join(said.split()), head, " ".join(page.split())):
         assert counts in text and "ot searched" in text.replace("not_searched", "not searched")
