@@ -227,7 +227,7 @@ def worst_of(
         doubted = 0.0 if doubt is None else float(np.sum(doubt[piece.samples] ** 2))
         most = most_of_one(measured.size, len(pieces), bool(found.adopted))
         allowed = most * random + FARTHEST**2 * doubted
-        power = float(measured @ measured)
+        power = max(float(measured @ measured), 1e-300)
         if error > allowed and error / (random + doubted) > times:
             times = error / (random + doubted)
             worst = Worst(piece.name, error / power, (random + doubted) / power)

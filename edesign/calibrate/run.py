@@ -14,7 +14,7 @@ from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned, with_noise
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.readings import Reading, likely_readings
-from edesign.calibrate.dampers.starts import as_started, with_starts
+from edesign.calibrate.dampers.starts import as_started, settled, with_starts
 from edesign.calibrate.evidence import simplest
 from edesign.calibrate.fit import Fitted
 from edesign.calibrate.outcome import Outcome, residual_of
@@ -59,7 +59,10 @@ def calibrate(
     noise = tuple(trial.noise for trial in problem.trials)
     found = at_full_rate(found, problem, noise)
     progress("predicting all tests")
-    outcome = Outcome.of(problem, noise, found)
+    final = found.final.fitted
+    problem = as_started(problem, with_starts(fast, campaign.tests, final.base, final.parts))
+    told = settled(problem)
+    outcome = Outcome.of(told, noise, found)
     found = outcome.found
     series = tuple(
         Series(
@@ -79,7 +82,7 @@ def calibrate(
         for i, (trial, test) in enumerate(zip(problem.trials, campaign.tests, strict=True))
     )
     progress("writing the law")
-    carried = carried_law(found.final.fitted, found.refit.fitted, fast, problem)
+    carried = carried_law(found.final.fitted, found.refit.fitted, fast, told)
     progress("asking which further test would tell more")
     calibration = outcome.calibration(
         campaign.title or campaign.specimen.name,

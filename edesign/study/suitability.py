@@ -96,5 +96,5 @@ def variant_periods(run: Execution, prepared: Prepared) -> dict[str, dict[str, f
 
 
 def _is_fitted_suite(project: Project, reference: str) -> bool:
-    spec = project.records[record_of(reference)]
+    spec = project.records.get(record_of(reference))
     return isinstance(spec, SuiteRecords) and spec.match is not None and project.hazard is not None

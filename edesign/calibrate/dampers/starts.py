@@ -43,6 +43,17 @@ def as_started(problem: DamperProblem, like: DamperProblem) -> DamperProblem:
     return replace(problem, trials=tuple(trial.starting(other.start) for trial, other in pairs))
 
 
+def settled(problem: DamperProblem) -> DamperProblem:
+    """With what went before each test as it was found: no share of a larger softening is a test's own any more, which
+    no specimen might have.
+    """
+
+    def known(trial: Trial) -> Trial:
+        return trial if trial.start is None else trial.starting(replace(trial.start, known=True))
+
+    return replace(problem, trials=tuple(map(known, problem.trials)))
+
+
 def _start(
     problem: DamperProblem, index: int, test: DamperTest, base: np.ndarray, parts: Sequence[Part]
 ) -> Start | None:

@@ -10,7 +10,7 @@ import pytest
 
 from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.problem import DamperProblem
-from edesign.calibrate.dampers.starts import as_started, with_starts
+from edesign.calibrate.dampers.starts import as_started, settled, with_starts
 from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.run import calibrate
@@ -112,6 +112,8 @@ def test_what_a_test_owes_to_its_start_is_no_matter_to_the_fit(tmp_path: Path) -
     (residual, *_) = held.residuals(held.coordinates())
     assert columns.T @ residual == pytest.approx(0.0, abs=1e-6 * np.linalg.norm(residual))
     assert problem.nuisance(problem.declared, (), 1) is None
+    assert settled(problem).nuisance(problem.declared, (), 0) is None  # errors are told without such a share
+    assert declared(settled(problem)).at_floor
 
 
 def test_the_verdict_is_none_and_says_which_tests_start_away_from_rest(tmp_path: Path) -> None:
