@@ -225,7 +225,8 @@ def test_the_archive_of_another_project_stays(lab: Path, capsys: pytest.CaptureF
 
 def use(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(analyses, "run_analysis", Core())
-    monkeypatch.setattr(run, "check_inputs", lambda *_: {})
+    monkeypatch.setattr(run, "check_inputs", lambda *_: {})  # the small project has no frame
+    monkeypatch.setattr(run, "project_warnings", lambda *_: [])
 
 
 def test_an_archive_of_an_older_version_is_known_by_its_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -250,7 +251,8 @@ def test_an_interrupted_run_of_another_project_stays(tmp_path: Path, monkeypatch
 
     core = Core({("c", 3): lambda: os.kill(os.getpid(), 2)})
     monkeypatch.setattr(analyses, "run_analysis", core)
-    monkeypatch.setattr(run, "check_inputs", lambda *_: {})
+    monkeypatch.setattr(run, "check_inputs", lambda *_: {})  # the small project has no frame
+    monkeypatch.setattr(run, "project_warnings", lambda *_: [])
     with pytest.raises(Interrupted):
         run_project(project(tmp_path))
     core.on.clear()
