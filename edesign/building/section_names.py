@@ -77,6 +77,15 @@ class SectionNames(Collection[str]):
     def __init__(self, names: Sequence[str]) -> None:
         self._names = {name: SectionName.of(name) for name in names}
 
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, SectionNames) and list(self) == list(other)
+
+    def __hash__(self) -> int:
+        return hash(tuple(self))
+
+    def __reduce__(self) -> tuple[type[SectionNames], tuple[tuple[str, ...]]]:
+        return SectionNames, (tuple(self),)  # projects that travel to other processes take the names alone
+
     def __contains__(self, name: object) -> bool:
         return name in self._names
 

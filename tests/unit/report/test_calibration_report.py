@@ -219,7 +219,7 @@ def test_the_verdict_on_the_unexplained_tells_what_is_left() -> None:
     text = verdict_text(example.unexplained())
     assert text.startswith("Unexplained: something is missing")
     assert "to 0.0133 % with the law fitted again, above the noise floor of 0.00427 %" in text
-    assert "100 % is left: 0.0091 % of the squared force is left" in text
+    assert "100 % is left in the validation tests: 0.0091 % of the squared force is left" in text
 
 
 def test_the_verdict_tells_where_the_correction_does_not_reach() -> None:
