@@ -117,8 +117,8 @@ def test_a_stripe_with_a_large_error_is_neither_collapsed_nor_standing(tmp_path:
     for name, limit in (("strict", 1e-12), ("usual", 0.05)):
         (tmp_path / name).mkdir()
         base = study(tmp_path / name, about)
-        validity = Validity(energy_error=limit, energy_error_warning=limit, drift=0.31)
-        made = base.of(base.base.model_copy(update={"validity": validity}))
+        validity = {"energy_error": limit, "energy_error_warning": limit, "drift": 0.31}
+        made = base.of(base.base.with_values("validity", validity))
         with open_archive(run_study(made, backend="serial").archive) as opened:
             groups = all_results(opened)
         stripes = collect_stripes(groups, "ida", "bare", ["interstorey_drift"])["interstorey_drift"]
