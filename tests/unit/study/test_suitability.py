@@ -67,4 +67,5 @@ def test_incremental_studies_scale_on_purpose(project: Project) -> None:
 
 def test_check_tells_it_before_anything_is_fitted(tmp_path: Path) -> None:
     path = suite_project.write(tmp_path, ("a_gR: 0.2 g", "a_gR: 3 g"))
-    assert "records set: MCE: 3 of 3 records are scaled beyond the usual" in check_project(load_project(path))["warnings"]
+    warnings = check_project(load_project(path))["warnings"]
+    assert "records set: MCE: 3 of 3 records are scaled beyond the usual" in warnings
