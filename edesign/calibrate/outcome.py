@@ -38,7 +38,7 @@ class Outcome:
 
     Attributes:
         problem: at the rate at which errors are told.
-        found: by the loop; without effects where with them the validation tests are predicted worse.
+        found: by the loop; the law fitted again, without effects, where that predicts the validation tests better.
         errors: by stage.
         predicted: values (n_i,) of every test, by stage.
         floors: NRMS of the noise by use.
@@ -57,7 +57,8 @@ class Outcome:
     def of(problem: Problem, noise: Sequence[float], found: Selection) -> Outcome:
         """Of what the loop found, with the noise (tests,) of the problem."""
         predicted = {stage: predict(problem, judged) for stage, judged in stages(found).items()}
-        if found.adopted and predicts_worse(problem, predicted["corrected"], predicted["refit"]):
+        noisy = found.final.at_floor and not found.adopted
+        if not noisy and predicts_worse(problem, predicted["corrected"], predicted["refit"]):
             found = _withheld(problem, found, predicted)
             predicted["corrected"] = predicted["refit"]
         errors = {stage: errors_of(problem, values) for stage, values in predicted.items()}

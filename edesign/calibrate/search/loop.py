@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
+from typing import TypeVar
 
 import numpy as np
 
@@ -35,6 +37,8 @@ from edesign.calibrate.search.workbench import (
     worse,
 )
 from edesign.errors import InputError
+
+T = TypeVar("T")
 
 _MOST = 4  # effects
 _ABOUT, _PERHAPS = 1.5, 6.0
@@ -124,6 +128,7 @@ class Loop:
         found = {*final.labels, *(one.adopted.candidate.label for one in hypotheses)}
         refused = tuple(item for item in near if item[0].label not in found)
         adopted = self._explain(final, refit)
+        hypotheses = (*hypotheses, *self._unless_stopped(partial(self.tenable.between_tests, final)))
         coverage = bench.coverage(final)
         return Selection(declared, refit, final, adopted, refused, self.ending, hypotheses, coverage)
 
@@ -276,13 +281,14 @@ class Loop:
         alone = self.bench.freed(self.bench.without(current, model.effects[0]))
         return alone if alone.at_floor else current
 
-    def _alternatives_unless_stopped(self, current: Judged, effect: Candidate) -> list[Judged]:
+    def _unless_stopped(self, find: Callable[[], list[T]]) -> list[T]:
+        """What is found in the time in which effects are told apart; nothing where that is over."""
         if self.ending == "interrupted":
             return []
         self.allowance.renew(self.telling)
         before = taken()
         try:
-            return self.alternatives.others(current, effect)
+            return find()
         except KeyboardInterrupt:
             self._interrupted()
         except OutOfTime:
@@ -324,7 +330,8 @@ class Loop:
             self.bench.tell(f"telling {effect.name} apart from others")
             evidence = compare(final, without)
             alike: dict[str, Judged] = {}
-            for other in sorted(self._alternatives_unless_stopped(final, effect), key=of_left_out):
+            others = self._unless_stopped(partial(self.alternatives.others, final, effect))
+            for other in sorted(others, key=of_left_out):
                 instead = _replacement(other, final)
                 if instead is None or instead.name == effect.name:
                     continue

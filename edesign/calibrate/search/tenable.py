@@ -10,11 +10,13 @@ import numpy as np
 from edesign.calibrate.cross_validation import FEWEST
 from edesign.calibrate.evidence import Judged, compare, simplest
 from edesign.calibrate.problem import Candidate, PredictionError
+from edesign.calibrate.search.contest import shortlist
 from edesign.calibrate.search.effect_forms import EffectForms
 from edesign.calibrate.search.selection import Adopted, Hypothesis
-from edesign.calibrate.search.workbench import Workbench
+from edesign.calibrate.search.workbench import RIVALS, Workbench
 from edesign.calibrate.uncertainty import Uncertainty, wide
 
+_BETWEEN_TESTS = f"it acts between tests, which is tested by tests left out from {FEWEST} tests to fit on"
 _NOTHING = 0.01  # of what an effect changes: what steps of the prediction leave where it does nothing
 
 
@@ -53,6 +55,19 @@ class Tenable:
             final = without
         return final, tuple(dropped)
 
+    def between_tests(self, final: Judged) -> list[Hypothesis]:
+        """The effect between tests that explains what is left best, where the tests are too few to bear it out."""
+        pool = [] if final.at_floor else self.bench.beyond_few(final)
+        if not pool:
+            return []
+        tried = self.bench.fit_best(shortlist(self.bench.screened(final.fitted, pool))[:RIVALS])
+        better = [judged for judged in tried if compare(judged, final).adopts]
+        if not better:
+            return []
+        best = simplest(better)
+        effect, values = best.fitted.parts[-1]
+        return [Hypothesis(Adopted(effect, values, compare(best, final), final, {}), best, _BETWEEN_TESTS)]
+
     def nested(self, final: Judged) -> Judged:
         """Each effect of which the tests leave a parameter at a bound, or do not tell it, in the nested form without
         that parameter, unless that is clearly worse.
@@ -71,12 +86,10 @@ class Tenable:
     def _weakest(self, final: Judged) -> tuple[Candidate | None, str]:
         """The effect that the tests bear out least, and why it is a hypothesis; None: they bear out all."""
         effects = final.fitted.model.effects
-        if len(final.fitted.residuals) < FEWEST:
+        if self.bench.few:
             for effect, values in final.fitted.parts:
-                if effect.between_tests:
-                    return effect, (
-                        f"it acts between tests: it can be tested on a test left out from {FEWEST} tests to fit on"
-                    )
+                if effect.between_tests:  # as a finer form of one that does not
+                    return effect, _BETWEEN_TESTS
                 if effect.unknowns and abs(values[0] - effect.unknowns[0].value(0.0)) > effect.usual:
                     return effect, (
                         f"more than {100.0 * effect.usual:g} % is no usual error of an instrument, and asks for "

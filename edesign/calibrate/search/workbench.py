@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from edesign.calibrate.cross_validation import FEWEST
 from edesign.calibrate.evidence import Judged, compare
 from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import Candidate, Part, Problem
@@ -204,7 +205,19 @@ class Workbench:
         return fit(model, model.coordinates(), most_steps=0)
 
     def candidates(self, judged: Judged) -> tuple[Candidate, ...]:
-        """Effects that may be missing in a model."""
+        """Effects that may be missing in a model, and that so many tests can bear out."""
+        return tuple(c for c in self._all_candidates(judged) if not (self.few and c.between_tests))
+
+    def beyond_few(self, judged: Judged) -> tuple[Candidate, ...]:
+        """Effects that act between tests, where these are too few to bear them out."""
+        return tuple(c for c in self._all_candidates(judged) if self.few and c.between_tests)
+
+    @property
+    def few(self) -> bool:
+        """Whether the tests are too few for each to be left out as a whole."""
+        return self.problem.uses.count("fit") < FEWEST
+
+    def _all_candidates(self, judged: Judged) -> tuple[Candidate, ...]:
         noise = [s for s, use in zip(self.noise, self.problem.uses, strict=True) if use == "fit"]
         return self.problem.candidates([s * r for s, r in zip(noise, judged.fitted.residuals, strict=True)])
 

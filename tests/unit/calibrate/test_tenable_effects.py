@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -106,6 +107,42 @@ def test_two_tests_do_not_bear_out_what_acts_between_tests_nor_large_gains(
     judged, rival = _with(problem, "x", **changes)
     final, hypotheses = _tenable(problem).part(judged, rival)
     assert (final is judged) == kept and len(hypotheses) == (not kept)
+
+
+class _Between(LinearProblem):
+    """x acts between tests."""
+
+    def candidates(self, residuals: Sequence[np.ndarray]) -> tuple[Candidate, ...]:
+        return tuple(replace(c, between_tests=c.name == "x") for c in super().candidates(residuals))
+
+
+@pytest.mark.parametrize(("tests", "adopted", "hypotheses"), [(3, ["y"], ["x"]), (5, ["x", "y"], [])])
+def test_with_two_tests_what_acts_between_them_is_sought_last_and_is_a_hypothesis(
+    tests: int, adopted: list[str], hypotheses: list[str]
+) -> None:
+    problem = linear(seed=5, hidden={"x": 3.0, "y": 4.0}, tests=tests)
+    problem = _Between(problem.matrices, problem.columns, problem.measured, problem.uses)
+    found = Loop(problem, (1.0,) * tests, workers=1).run()
+    assert sorted(one.candidate.name for one in found.adopted) == adopted
+    assert [one.adopted.candidate.name for one in found.hypotheses] == hypotheses
+    assert "x.only" not in found.coverage.forms  # adopted, or no candidate
+    for one in found.hypotheses:
+        assert one.adopted.values[0] == pytest.approx(3.0, abs=4.0 / np.sqrt(400.0))
+        assert one.adopted.without is found.final
+
+
+def test_a_declared_law_that_predicts_the_validation_tests_worse_than_its_refit_is_not_the_result() -> None:
+    # what nothing known is like hides that the law is not as declared, in tests fitted to
+    problem = linear(seed=31)
+    problem.declared = np.array([1.0, 1.0, 1.2])
+    random = np.random.default_rng(32)
+    loud = [4.0 * random.standard_normal(200) for _ in problem.measured[:-1]]
+    problem.measured = (*(y + more for y, more in zip(problem.measured[:-1], loud, strict=True)), problem.measured[-1])
+    selection = Loop(problem, (1.0,) * 6, workers=1).run()
+    held = replace(selection, final=selection.declared)
+    outcome = Outcome.of(problem, (1.0,) * 6, held)
+    assert outcome.found.final is selection.refit and outcome.found.hypotheses == ()
+    assert outcome.errors["corrected"] == outcome.errors["refit"]
 
 
 def test_a_gain_as_instruments_have_it_needs_two_tests() -> None:
