@@ -19,7 +19,7 @@ def encode(value: Any) -> Any:
     Raises:
         TypeError: `value` holds something that has no such form.
     """
-    if isinstance(value, str) and not value.startswith(JSON_MARK):
+    if isinstance(value, str) and not value.startswith(JSON_MARK) and "\0" not in value:
         return value
     if isinstance(value, (int, float, np.number)) and not isinstance(value, bool):
         return value
@@ -29,9 +29,11 @@ def encode(value: Any) -> Any:
 
 
 def decode(value: Any) -> Any:
-    """Return what `encode` was given; numbers come back as Python's int and float."""
-    if isinstance(value, bytes):
-        value = value.decode()
+    """Return what `encode` was given; numbers come back as Python's int and float.
+
+    Raises:
+        ValueError: marked JSON that is none.
+    """
     if isinstance(value, str) and value.startswith(JSON_MARK):
         return json.loads(value[len(JSON_MARK) :])
     if isinstance(value, np.generic):

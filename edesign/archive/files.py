@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import re
@@ -17,6 +18,23 @@ from edesign.input_files import note_output, spare_inputs
 _WRITTEN = re.compile(r"# Written by edesign \S+ from (\".*\")")  # how YAML files of results begin
 
 _HDF5 = b"\x89HDF\r\n\x1a\n"  # how a file of HDF5 begins
+_REASONS = {
+    errno.ENOSPC: "the disk is full",
+    errno.EDQUOT: "the disk quota is used up",
+    errno.EFBIG: "the file would exceed the allowed size",
+    errno.EACCES: "no permission",
+    errno.EPERM: "no permission",
+    errno.EROFS: "the file system is read-only",
+    errno.ENAMETOOLONG: "the name is too long",
+    errno.ELOOP: "its symbolic links lead in a circle",
+    errno.ENOTDIR: "a part of the path before the last is a file, not a folder",
+    errno.EISDIR: "it is a folder",
+}
+
+
+def reason(error: OSError) -> str:
+    """Return in words why the file system refused something."""
+    return _REASONS.get(error.errno or 0) or error.strerror or str(error)
 
 
 def check_folder(folder: Path) -> None:
@@ -25,13 +43,32 @@ def check_folder(folder: Path) -> None:
     Raises:
         ArchiveError: they cannot, or it cannot.
     """
-    existing = folder
-    while not existing.exists() and existing != existing.parent:
-        existing = existing.parent
-    if not existing.is_dir():
-        raise ArchiveError(f"{folder}: {existing} is a file, and a folder is needed")
-    if not os.access(existing, os.W_OK | os.X_OK):
-        raise ArchiveError(f"{folder}: the folder {existing} cannot be written to")
+    try:
+        with suppress(FileNotFoundError, NotADirectoryError):
+            os.stat(folder)  # refuses what is no path at all
+        existing = _existing(folder)
+        if not existing.is_dir():
+            raise ArchiveError(f"{folder}: {existing} is a file, and a folder is needed")
+        if not os.access(existing, os.W_OK | os.X_OK):
+            raise ArchiveError(f"{folder}: the folder {existing} cannot be written to")
+    except (OSError, ValueError) as error:
+        raise ArchiveError(f"{folder}: the folder cannot be used: {_words(error)}") from error
+
+
+def check_file(path: Path) -> None:
+    """Check that a file can be written into a folder that is there or can be made, without writing it.
+
+    Raises:
+        ArchiveError: it cannot.
+    """
+    check_folder(path.parent)
+    try:
+        if path.is_dir():
+            raise ArchiveError(f"{path}: cannot be written: it is a folder")
+        with suppress(FileNotFoundError):
+            os.lstat(_existing(path.parent) / _partial(path).name)  # refused where the name is too long
+    except (OSError, ValueError) as error:
+        raise ArchiveError(f"{path}: cannot be written: {_words(error)}") from error
 
 
 def check_csv_name(path: Path) -> None:
@@ -55,12 +92,12 @@ def make_folder(folder: Path) -> None:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise ArchiveError(f"{folder}: the folder cannot be made: {error.strerror}") from error
+        raise ArchiveError(f"{folder}: the folder cannot be made: {reason(error)}") from error
 
 
 def source_file(source: Path, result: Path) -> str:
     """Return the path of the file that a result is of, from the result's folder: a pair that moves stays a pair."""
-    return Path(os.path.relpath(source.resolve(), result.parent.resolve())).as_posix()
+    return Path(os.path.relpath(os.path.realpath(source), os.path.realpath(result.parent))).as_posix()
 
 
 def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
@@ -78,7 +115,7 @@ def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
     try:
         with path.open(encoding="utf-8", errors="replace") as file:
             written = _WRITTEN.match(file.readline(10_000))
-    except OSError:
+    except (OSError, ValueError):
         return
     other = "" if written is None else json.loads(written[1])
     if overwrite or other == source_file(source, path):
@@ -94,8 +131,12 @@ def write_yaml(text: str, path: Path, source: Path) -> None:
 
 
 def write_text(text: str, path: Path) -> None:
-    """Write a text file; otherwise as `write_whole`."""
-    write_whole(path, lambda partial: partial.write_text(text, encoding="utf-8", newline="\n"))
+    """Write a text file; otherwise as `write_whole`.
+
+    Names of files that are no text are written with `\\udcff` in place of what cannot be read.
+    """
+    content = text.encode("utf-8", "backslashreplace")
+    write_whole(path, lambda partial: partial.write_bytes(content))
 
 
 def write_whole(path: Path, write: Callable[[Path], object]) -> None:
@@ -112,6 +153,7 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
     if is_hdf5(path):
         raise ArchiveError(f"{path}: cannot be written: this file is an archive, and it is left as it is")
     spare_inputs(path)
+    check_file(path)
     partial: Path | None = None
     try:
         partial = _new_file_beside(path)
@@ -122,7 +164,7 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
             if partial is not None:
                 partial.unlink(missing_ok=True)
         if isinstance(error, OSError):
-            raise ArchiveError(f"{path}: cannot be written: {error.strerror}") from error
+            raise ArchiveError(f"{path}: cannot be written: {reason(error)}") from error
         raise
     note_output(path)
 
@@ -130,11 +172,27 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
 def _new_file_beside(path: Path) -> Path:
     """An empty file of a name that nothing has yet, a file of the user neither: NAME.partial.SUFFIX."""
     for number in count(1):
-        partial = path.with_name(f"{path.stem}.partial{number if number > 1 else ''}{path.suffix}")
+        partial = _partial(path, number)
         with suppress(FileExistsError):
             os.close(os.open(partial, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666))
             return partial
     raise AssertionError("there are more numbers than files")
+
+
+def _partial(path: Path, number: int = 1) -> Path:
+    return path.with_name(f"{path.stem}.partial{number if number > 1 else ''}{path.suffix}")
+
+
+def _existing(folder: Path) -> Path:
+    """The folder, or the nearest one above it that exists."""
+    while not folder.exists() and folder != folder.parent:
+        folder = folder.parent
+    return folder
+
+
+def _words(error: OSError | ValueError) -> str:
+    """Why a path is refused; Python refuses a null byte itself, with a ValueError."""
+    return reason(error) if isinstance(error, OSError) else str(error)
 
 
 def is_hdf5(path: Path) -> bool:
@@ -142,5 +200,5 @@ def is_hdf5(path: Path) -> bool:
     try:
         with path.open("rb") as file:
             return file.read(len(_HDF5)) == _HDF5
-    except OSError:
+    except (OSError, ValueError):  # what writing will say
         return False

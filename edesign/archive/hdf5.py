@@ -1,28 +1,38 @@
-"""Groups in HDF5, in the form of netCDF-4: dimension scales, `units`, `long_name`. Only this package knows h5py."""
+"""Groups written into HDF5 in the form of netCDF-4: dimension scales, `units`, `long_name`.
+
+Texts have a fixed length. Those of variable length lie in a heap that HDF5 does not check; fixed ones lie in object
+headers, which it does. Small arrays lie in the header as well, larger ones in chunks with a Fletcher-32 checksum. Only
+this package knows h5py.
+"""
 
 from __future__ import annotations
+
+import math
 
 import h5py
 import numpy as np
 
-from edesign.archive.attributes import decode, encode
+from edesign.archive.attributes import encode
+from edesign.archive.checksum import CONTENT_CHECKSUM, content_checksum, stored_text
 from edesign.archive.dataset import Group, Variable
 
 # The oldest format that takes attributes above 64 kB (dense storage); newer ones mark an open file, and refuse it
 # after a kill.
 LIBRARY_VERSIONS = ("v108", "v108")
-TEXT = h5py.string_dtype("utf-8")
 BOOLEAN_MARK = "bool"  # xarray's convention: whole numbers with the attribute dtype = "bool"
+DIMENSIONS = "dimensions"
+"""Attribute of a group: the dimensions of each variable, which otherwise only lists in HDF5's heap would tell."""
+HEADER_LIMIT = 1 << 13  # bytes; a chunked dataset needs 2 to 3 kB for its index alone
+HEADER_MOST = 60_000  # bytes; a message of a header holds 64 kB
+CHUNK = 1 << 16  # bytes, about; HDF5 keeps up to 1 MB of chunks at hand
 
 
 def write_group(target: h5py.Group, group: Group) -> None:
-    """Write a group's attributes, coordinates and variables into an empty HDF5 group.
+    """Write a group's attributes, coordinates and variables into an empty HDF5 group, with their checksum.
 
     Raises:
         ValueError: a dimension has no coordinate, or lengths disagree (a mistake of the caller, not of the user).
     """
-    for name, value in group.attributes.items():
-        target.attrs[name] = encode(value)
     for name, coordinate in group.coords.items():
         if coordinate.dims != (name,):
             raise ValueError(f"coordinate {name} has dimensions {coordinate.dims}, not ({name!r},)")
@@ -37,20 +47,18 @@ def write_group(target: h5py.Group, group: Group) -> None:
         dataset = _write(target, name, variable)
         for axis, dimension in enumerate(variable.dims):
             dataset.dims[axis].attach_scale(target[dimension])
+    write_attributes(target, group)
 
 
-def read_group(source: h5py.Group) -> Group:
-    """Read one HDF5 group (not its subgroups) as it was written."""
-    group = Group(attributes=read_attributes(source))
-    for name, item in source.items():
-        if isinstance(item, h5py.Dataset):
-            (group.coords if item.is_scale else group.variables)[name] = _read(name, item)
-    return group
-
-
-def read_attributes(source: h5py.Group) -> dict[str, object]:
-    """Read the attributes of one HDF5 group."""
-    return {name: decode(value) for name, value in source.attrs.items()}
+def write_attributes(target: h5py.Group, group: Group) -> None:
+    """Write a group's attributes, new or in place of older ones, with the checksum of the group."""
+    variables = {**group.coords, **group.variables}
+    attributes = {name: encode(value) for name, value in group.attributes.items()}
+    if variables:
+        attributes[DIMENSIONS] = encode({name: list(variable.dims) for name, variable in variables.items()})
+    attributes[CONTENT_CHECKSUM] = content_checksum(attributes, variables)
+    for name, value in attributes.items():
+        _write_attribute(target, name, value)
 
 
 def library_versions() -> dict[str, str]:
@@ -61,28 +69,62 @@ def library_versions() -> dict[str, str]:
 def _write(target: h5py.Group, name: str, variable: Variable) -> h5py.Dataset:
     values = np.asarray(variable.values)
     kind = values.dtype.kind
-    if kind in "US" or kind == "O":
-        dataset = target.create_dataset(name, data=values.astype(object), dtype=TEXT)
+    if kind in "USO":
+        texts = [stored_text(str(text)) for text in values.ravel().tolist()]
+        values = np.array(texts, dtype=_text_type(texts)).reshape(values.shape)
+        dataset = _create(target, name, values)
+        _write_attribute(dataset, "_Encoding", "utf-8")  # netCDF's word for texts of fixed length
     elif kind == "b":
-        dataset = target.create_dataset(name, data=values.astype(np.int8))
-        dataset.attrs["dtype"] = BOOLEAN_MARK
+        dataset = _create(target, name, values.astype(np.int8))
+        _write_attribute(dataset, "dtype", BOOLEAN_MARK)
     else:
-        dataset = target.create_dataset(name, data=values)
-    dataset.attrs["units"] = variable.unit
-    dataset.attrs["long_name"] = variable.long_name
+        dataset = _create(target, name, values)
+    _write_attribute(dataset, "units", variable.unit)
+    _write_attribute(dataset, "long_name", variable.long_name)
     return dataset
 
 
-def _read(name: str, dataset: h5py.Dataset) -> Variable:
-    if h5py.check_string_dtype(dataset.dtype) is not None:
-        values = np.asarray(dataset.asstr()[()], dtype=str)
-    else:
-        values = np.asarray(dataset[()])
-    if dataset.attrs.get("dtype") == BOOLEAN_MARK:
-        values = values.astype(bool)
-    if dataset.is_scale:
-        dims: tuple[str, ...] = (name,)
-    else:  # by the name that the scale was given: looking up its path would search the file
-        dims = tuple(h5py.h5ds.get_scale_name(axis[0].id).decode() for axis in dataset.dims)
-    unit = decode(dataset.attrs.get("units", ""))
-    return Variable(dims, values, str(unit), str(decode(dataset.attrs.get("long_name", name))))
+def _create(target: h5py.Group, name: str, values: np.ndarray) -> h5py.Dataset:
+    if values.nbytes <= HEADER_LIMIT or (values.ndim == 0 and values.nbytes <= HEADER_MOST):
+        return _create_in_header(target, name, values)
+    if values.ndim == 0:  # one long text, which HDF5 does not divide: the checksum of the group must do
+        return target.create_dataset(name, data=values)
+    return target.create_dataset(name, data=values, chunks=chunk_shape(values.shape, values.itemsize), fletcher32=True)
+
+
+def _create_in_header(target: h5py.Group, name: str, values: np.ndarray) -> h5py.Dataset:
+    plan = h5py.h5p.create(h5py.h5p.DATASET_CREATE)
+    plan.set_layout(h5py.h5d.COMPACT)
+    kind = h5py.h5t.py_create(values.dtype, logical=True)
+    space = h5py.h5s.create_simple(values.shape) if values.ndim else h5py.h5s.create(h5py.h5s.SCALAR)
+    created = h5py.h5d.create(target.id, name.encode(), kind, space, plan)
+    if values.size:
+        created.write(h5py.h5s.ALL, h5py.h5s.ALL, np.ascontiguousarray(values), kind)
+    return h5py.Dataset(created)
+
+
+def chunk_shape(shape: tuple[int, ...], itemsize: int) -> tuple[int, ...]:
+    """Return the shape of chunks of at most about `CHUNK` bytes: even parts of the first axis, then of the next.
+
+    Args:
+        shape: of the array, without a zero.
+        itemsize: bytes of a value.
+    """
+    chunk = list(shape)
+    for axis, length in enumerate(shape):
+        parts = math.ceil(itemsize * math.prod(chunk) / CHUNK)
+        chunk[axis] = math.ceil(length / min(parts, length))
+    return tuple(chunk)
+
+
+def _write_attribute(target: h5py.Group | h5py.Dataset, name: str, value: object) -> None:
+    if not isinstance(value, str):
+        target.attrs[name] = value
+        return
+    content = stored_text(value)
+    kind = _text_type([content])
+    target.attrs.create(name, np.array(content, dtype=kind), dtype=kind)
+
+
+def _text_type(texts: list[bytes]) -> np.dtype:
+    return h5py.string_dtype("utf-8", max([1, *map(len, texts)]))

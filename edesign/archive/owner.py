@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from pathlib import Path
 
@@ -30,7 +31,7 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
     """
     spare_inputs(path, partial_path(path))
     for place in (path, partial_path(path)):
-        if overwrite or not place.is_file() or not is_hdf5(place):
+        if overwrite or not os.path.isfile(place) or not is_hdf5(place):
             continue  # what is no archive is spared by the writer
         try:
             with open_archive(place) as archive:

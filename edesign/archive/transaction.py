@@ -9,6 +9,7 @@ blocks of the existing space.
 from __future__ import annotations
 
 import os
+from pathlib import Path
 from types import ModuleType
 
 fcntl: ModuleType | None
@@ -25,17 +26,18 @@ class TransactionFile:
 
     Args:
         path: the file; it is created if missing, and locked against other writers.
+        read_only: True leaves the file as it is: it must exist, is not locked, and cannot be committed.
 
     Raises:
         BlockingIOError: another process writes to the file.
         OSError: it cannot be created or opened.
     """
 
-    def __init__(self, path: str | os.PathLike[str]) -> None:
-        self._descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o644)
+    def __init__(self, path: str | os.PathLike[str], read_only: bool = False) -> None:
+        self._descriptor = os.open(path, os.O_RDONLY if read_only else os.O_RDWR | os.O_CREAT, 0o644)
         try:
-            if fcntl is not None:
-                fcntl.flock(self._descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            if not read_only:
+                _lock(self._descriptor)
         except OSError:
             os.close(self._descriptor)
             raise
@@ -44,6 +46,49 @@ class TransactionFile:
         self._on_disk = self._committed  # bytes of the disk file that still are this file's content
         self._position = 0
         self._pages: dict[int, bytearray] = {}
+
+    @property
+    def size(self) -> int:
+        """Bytes of the file, with the changes that were not committed."""
+        return self._size
+
+    @property
+    def path(self) -> Path | None:
+        """Where the file is now, if the system can tell and it has not been deleted."""
+        try:
+            if os.fstat(self._descriptor).st_nlink:
+                return Path(os.readlink(f"/proc/self/fd/{self._descriptor}"))
+        except OSError:
+            pass
+        return None
+
+    def is_at(self, path: Path) -> bool:
+        """Whether a path leads to the file, and not to another one.
+
+        Raises:
+            FileNotFoundError: it leads nowhere.
+        """
+        return os.path.samestat(os.stat(path), os.fstat(self._descriptor))
+
+    def write_again(self, path: Path) -> None:
+        """Write the committed content to a path where nothing is, and go on there.
+
+        Raises:
+            OSError: it cannot be written, or something is there.
+        """
+        descriptor = os.open(path, os.O_RDWR | os.O_CREAT | os.O_EXCL, 0o644)
+        try:
+            _lock(descriptor)
+            place = 0
+            while content := os.pread(self._descriptor, PAGE, place):
+                place += os.pwrite(descriptor, content, place)
+            os.fsync(descriptor)
+        except OSError:
+            os.close(descriptor)
+            os.unlink(path)
+            raise
+        os.close(self._descriptor)
+        self._descriptor = descriptor
 
     def seek(self, offset: int, whence: int = os.SEEK_SET) -> int:
         """Move to `offset` bytes from the start, the position or the end; return the position."""
@@ -156,3 +201,8 @@ class TransactionFile:
         page = memoryview(self._pages[number])
         while start < stop:
             start += os.pwrite(self._descriptor, page[start - origin : stop - origin], start)
+
+
+def _lock(descriptor: int) -> None:
+    if fcntl is not None:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)

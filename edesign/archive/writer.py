@@ -2,22 +2,27 @@
 
 from __future__ import annotations
 
-import errno
+import mmap
 import os
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from itertools import count
 from pathlib import Path
 from types import TracebackType
 
 import h5py
 
-from edesign.archive.attributes import decode
 from edesign.archive.dataset import Group
-from edesign.archive.hdf5 import LIBRARY_VERSIONS, read_attributes, read_group, write_group
+from edesign.archive.files import reason
+from edesign.archive.global_heap import broken_collections, disable
+from edesign.archive.hdf5 import LIBRARY_VERSIONS, write_attributes, write_group
+from edesign.archive.seal import seal_of
 from edesign.archive.transaction import TransactionFile
+from edesign.archive.tree import Damaged, Tree
 from edesign.errors import ArchiveError
 
 PARTIAL_SUFFIX = ".partial"
-FORMAT = 1  # version of the layout, in the root attribute `edesign_archive`
+FORMAT = 2  # version of the layout, in the root attribute `edesign_archive`
 
 
 def partial_path(path: str | os.PathLike[str]) -> Path:
@@ -43,6 +48,8 @@ class ArchiveWriter:
         path: the archive, `NAME.h5`.
         kept: paths of the groups that were found in the partial file and are reused.
         note: one line on what happened to an earlier partial file, "" if there was none.
+        partial: where the archive lies while it is not complete.
+        tell: called with a line when the partial file was deleted and has been written again.
 
     Raises:
         ArchiveError: the folder is missing or unwritable, the disk is full, another run writes the same archive, or
@@ -60,21 +67,18 @@ class ArchiveWriter:
         self.path = Path(path)
         self.kept: tuple[str, ...] = ()
         self.note = ""
-        self._partial = partial_path(self.path)
+        self.tell: Callable[[str], None] = lambda line: None
+        self.partial = partial_path(self.path)
         self._file: h5py.File | None = None
-        if self.path.is_dir():
-            raise ArchiveError(f"{self.path}: cannot write the archive: it is a folder")
-        self._spare_other_files()
-        if not self.path.parent.is_dir():
-            raise ArchiveError(f"{self.path}: cannot write the archive: the folder {self.path.parent} does not exist")
-        existed = self._partial.exists() and self._partial.stat().st_size > 0
         try:
-            self._disk = TransactionFile(self._partial)
+            self._check_place()
+            existed = self.partial.exists() and self.partial.stat().st_size > 0
+            self._disk = TransactionFile(self.partial)
         except BlockingIOError as error:
             raise ArchiveError(
-                f"{self._partial}: another run is writing this archive; wait for it, or stop it"
+                f"{self.partial}: another run is writing this archive; wait for it, or stop it"
             ) from error
-        except OSError as error:
+        except (OSError, ValueError) as error:  # ValueError: Python's for a null byte in a path
             raise self._failure(error) from error
         try:
             if existed:
@@ -83,7 +87,7 @@ class ArchiveWriter:
         except OSError as error:
             self.close()
             if not self.kept:
-                self._partial.unlink(missing_ok=True)
+                self.partial.unlink(missing_ok=True)
             raise self._failure(error) from error
         except BaseException:
             self.close()
@@ -122,8 +126,8 @@ class ArchiveWriter:
         return path in self._open_file()
 
     def read(self, path: str) -> Group:
-        """Read back a group that was written or is reused."""
-        return read_group(self._open_file()[path])
+        """Read back a group that was written, or is reused and was verified."""
+        return Tree(self._open_file(), self._disk.size, trusted=True).group(path)
 
     def finish(self, attributes: Mapping[str, object] | None = None) -> Path:
         """Mark the archive complete, give it its final name, and return the path.
@@ -135,22 +139,33 @@ class ArchiveWriter:
             ArchiveError: the disk is full or the file cannot be renamed; the partial file stays.
         """
         file = self._open_file()
+        self._root.attributes.update({**(attributes or {}), "complete": 1})
         try:
-            write_group(file, Group(attributes=dict(attributes or {})))
-            file.attrs["complete"] = 1
+            write_attributes(file, self._root)
             self._commit()
+            seal = seal_of(self._disk, self._disk.size)
+            self._disk.seek(0, os.SEEK_END)
+            self._disk.write(seal)
+            self._disk.commit()
+            self._stay()
+            self._check_place()
             self.close()
-            os.replace(self._partial, self.path)
+            os.replace(self.partial, self.path)
             _sync_folder(self.path.parent)
         except OSError as error:
             self.close()
             raise self._failure(error) from error
+        except BaseException:
+            self.close()
+            raise
         return self.path
 
     def discard(self) -> None:
-        """Close and delete the partial file."""
+        """Close and delete the partial file, and no other that has taken its place."""
+        with suppress(OSError):
+            if self._disk.is_at(self.partial):
+                self.partial.unlink()
         self.close()
-        self._partial.unlink(missing_ok=True)
 
     def close(self) -> None:
         """Close and keep the partial file as the last transaction left it; does nothing a second time."""
@@ -159,17 +174,22 @@ class ArchiveWriter:
             self._file = None
         self._disk.close()
 
-    def _spare_other_files(self) -> None:
-        """Refuse to replace what is not HDF5: a project file, a table, a device."""
+    def _check_place(self) -> None:
+        """Refuse a place that cannot be written to, or holds what is not HDF5: a project file, a table, a device.
+
+        Raises:
+            OSError: of the file system.
+            ArchiveError: everything else.
+        """
+        if self.path.is_dir():
+            raise ArchiveError(f"{self.path}: cannot write the archive: it is a folder")
+        if not self.path.parent.is_dir():
+            raise ArchiveError(f"{self.path}: cannot write the archive: the folder {self.path.parent} does not exist")
         if not self.path.exists():
             return
         if not self.path.is_file():
             raise ArchiveError(f"{self.path}: cannot write the archive: it is not a regular file")
-        try:
-            ours = self.path.stat().st_size == 0 or h5py.is_hdf5(self.path)
-        except OSError as error:
-            raise self._failure(error) from error
-        if not ours:
+        if self.path.stat().st_size and not h5py.is_hdf5(self.path):
             raise ArchiveError(
                 f"{self.path}: cannot write the archive: this file is no archive, and it is left as it is; "
                 "choose another name"
@@ -177,12 +197,44 @@ class ArchiveWriter:
 
     def _open_file(self) -> h5py.File:
         if self._file is None:
-            raise ArchiveError(f"{self._partial}: the archive is closed")
+            raise ArchiveError(f"{self.partial}: the archive is closed")
         return self._file
 
     def _commit(self) -> None:
         self._open_file().flush()
         self._disk.commit()
+        self._stay()
+
+    def _stay(self) -> None:
+        """See to it that the partial file is still where it was put, as a run may take hours.
+
+        One that was deleted is written again from what the open file still holds. Another one in its place is left
+        as it is.
+
+        Raises:
+            ArchiveError: it is elsewhere now; `partial` tells where.
+            OSError: it cannot be written again.
+        """
+        place, folder = self.partial, self.partial.parent
+        try:
+            if self._disk.is_at(place):
+                return
+        except (FileNotFoundError, NotADirectoryError):
+            now = self._disk.path
+            if now is not None and not folder.is_dir():
+                self.partial = now
+                raise ArchiveError(f"{place}: the folder {folder} was renamed or removed during the run") from None
+            folder.mkdir(parents=True, exist_ok=True)
+            self._disk.write_again(place)
+            self.tell(f"{place.name} was deleted during the run, and was written again")
+            return
+        self.partial = self._free_name()
+        self._disk.write_again(self.partial)
+        raise ArchiveError(f"{place}: another file has taken the place of this one during the run")
+
+    def _free_name(self) -> Path:
+        names = (partial_path(f"{self.path}.{number}") for number in count(1))
+        return next(name for name in names if not os.path.lexists(name))
 
     def _put(self, path: str, group: Group) -> None:
         file = self._open_file()
@@ -195,35 +247,44 @@ class ArchiveWriter:
     ) -> None:
         """Open the earlier partial file if it belongs to the same project; else leave it to be overwritten."""
         if reuse is None:
-            self.note = f"{self._partial.name}: results of an interrupted run discarded, as asked"
+            self.note = f"{self.partial.name}: results of an interrupted run discarded, as asked"
             return
+        file: h5py.File | None = None
         try:
+            with self.partial.open("rb") as content, mmap.mmap(content.fileno(), 0, access=mmap.ACCESS_READ) as mapped:
+                disable(self._disk, broken_collections(mapped))
             file = h5py.File(self._disk, "r+", libver=LIBRARY_VERSIONS)
-        except (OSError, RuntimeError, ValueError):
-            self.note = f"{self._partial.name}: an interrupted run left a damaged file; starting afresh"
-            return
-        old = {name: decode(file.attrs.get(name)) for name in (*identity, "edesign_archive")}
-        new = {**{name: root.attributes.get(name) for name in identity}, "edesign_archive": FORMAT}
-        different = [name for name in new if old[name] != new[name]]
-        if different:
-            file.close()
-            names = ", ".join(name.replace("_", " ") for name in different)
-            self.note = (
-                f"{self._partial.name}: results of an interrupted run not used ({names} differ); starting afresh"
-            )
-            return
-        kept = []
-        for parent in [item for item in file.values() if isinstance(item, h5py.Group)]:
-            for name, item in list(parent.items()):
-                if not isinstance(item, h5py.Group):
-                    continue
-                place = f"{parent.name.strip('/')}/{name}"
-                if reuse(place, read_attributes(item)):
-                    kept.append(place)
-                else:
-                    del parent[name]
-        self._file = file
-        self.kept = tuple(kept)
+            tree = Tree(file, self._disk.size, trusted=False)
+            old = tree.attributes("")
+            new = {**{name: root.attributes.get(name) for name in identity}, "edesign_archive": FORMAT}
+            different = [name for name in new if old.get(name) != new[name]]
+            if different:
+                names = ", ".join(name.replace("_", " ") for name in different)
+                self.note = (
+                    f"{self.partial.name}: results of an interrupted run not used ({names} differ); starting afresh"
+                )
+                file.close()
+                return
+            self.kept = self._keep(file, tree, reuse)
+            self._file = file
+        except (Damaged, OSError, RuntimeError, ValueError):
+            self.note = f"{self.partial.name}: an interrupted run left a damaged file; starting afresh"
+            if file is not None:
+                file.close()
+
+    def _keep(self, file: h5py.File, tree: Tree, reuse: Callable[[str, Mapping[str, object]], bool]) -> tuple[str, ...]:
+        """Delete the groups that are not reused, once all others are found as they were written.
+
+        Raises:
+            Damaged: one is not.
+        """
+        places = [f"{parent}/{name}" for parent in tree.groups("") for name in tree.groups(parent)]
+        found = {place: tree.group(place).attributes for place in places}
+        kept = tuple(place for place in places if reuse(place, found[place]))
+        for place in places:
+            if place not in kept:
+                del file[place]
+        return kept
 
     def _start(self, root: Group, extra: Mapping[str, Group]) -> None:
         if self._file is None:
@@ -236,22 +297,15 @@ class ArchiveWriter:
             for name in list(self._file.attrs):
                 del self._file.attrs[name]
         marks = {"edesign_archive": FORMAT, "complete": 0}
-        write_group(self._file, Group(root.coords, root.variables, {**root.attributes, **marks}))
+        self._root = Group(root.coords, root.variables, {**root.attributes, **marks})
+        write_group(self._file, self._root)
         for path, group in extra.items():
             self._put(path, group)
         self._commit()
 
-    def _failure(self, error: OSError) -> ArchiveError:
-        reasons = {
-            errno.ENOSPC: "the disk is full",
-            errno.EDQUOT: "the disk quota is used up",
-            errno.EFBIG: "the file would exceed the allowed size",
-            errno.EACCES: "no permission",
-            errno.EPERM: "no permission",
-            errno.EROFS: "the file system is read-only",
-        }
-        reason = reasons.get(error.errno or 0, error.strerror or str(error))
-        return ArchiveError(f"{self.path}: cannot write the archive: {reason}")
+    def _failure(self, error: OSError | ValueError) -> ArchiveError:
+        words = reason(error) if isinstance(error, OSError) else str(error)
+        return ArchiveError(f"{self.path}: cannot write the archive: {words}")
 
 
 def _sync_folder(folder: Path) -> None:

@@ -11,6 +11,8 @@ from edesign.assess.statistics import Statistics, statistics
 
 NOT_RUN = "not run"
 """Status of a history that was planned and has no result yet."""
+DAMAGED = "damaged"
+"""Status of a history whose result the archive has, but damaged."""
 
 
 @dataclass(frozen=True)

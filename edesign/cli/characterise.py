@@ -42,7 +42,7 @@ def characterise(
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:
     """Find storage, equivalent and loss modulus and loss factor of each test with a steady amplitude."""
-    from edesign.archive.files import check_csv_name, check_folder
+    from edesign.archive.files import check_csv_name, check_file, check_folder
     from edesign.damper.properties import Properties, checked_range, cycle_properties, properties
     from edesign.damper.property_table import from_properties, usable, write_property_table
     from edesign.report.archive_figures import check_format
@@ -55,9 +55,9 @@ def characterise(
     checked_range(asked)
     if output is not None:
         check_csv_name(output)
-    for folder in (output.parent if output else None, figures):
-        if folder is not None:
-            check_folder(folder)
+        check_file(output)
+    if figures is not None:
+        check_folder(figures)
     campaign = _campaign(inputs, layers, layer_area, layer_thickness, temperature)
     found: dict[str, Properties] = {}
     notes, each = list(campaign.notes), {}

@@ -28,8 +28,8 @@ def compare(
     ] = False,
 ) -> None:
     """Print each printed value of a reference beside the one of an archive, with its difference."""
-    from edesign.archive.files import check_csv_name
-    from edesign.archive.reader import open_archive
+    from edesign.archive.files import check_csv_name, check_file
+    from edesign.archive.reader import DamagedArchive, read_archive
     from edesign.errors import AnalysisError
     from edesign.project.reference_loader import load_reference
     from edesign.report.comparison import compare as compare_archive
@@ -41,17 +41,23 @@ def compare(
     if csv is not None:
         check_csv_name(csv)
     loaded = load_reference(reference)
-    with open_archive(archive) as opened:
-        if variants is not None:
-            print_tables(variant_tables(opened, loaded, variants))
-            return
-        comparison = compare_archive(opened, loaded)
+    if csv is not None:
+        check_file(csv)
+    if variants is not None:
+        tables, damage = read_archive(archive, lambda opened: variant_tables(opened, loaded, variants))
+        print_tables(tables)
+        if damage:
+            raise DamagedArchive(damage)
+        return
+    comparison, damage = read_archive(archive, lambda opened: compare_archive(opened, loaded))
     if as_json:
         print(json.dumps(comparison_data(comparison), indent=2, allow_nan=False, ensure_ascii=False))
     else:
         print_tables(block_tables(comparison, bars))
     if csv is not None:
         write_comparison(comparison, csv)
+    if damage:
+        raise DamagedArchive(damage)
     if check and comparison.outside:
         outside, barred = len(comparison.outside), sum(cell.within is not None for cell in comparison.cells)
         which = "value is not within its bar" if barred == 1 else "values are not within their bars"

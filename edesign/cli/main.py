@@ -28,7 +28,7 @@ from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
 from edesign.cli.streams import visible_streams
 from edesign.cli.test import test
-from edesign.errors import ArchiveError, EdesignError, Interrupted
+from edesign.errors import ArchiveError, EdesignError, InputError, Interrupted
 from edesign.input_files import noting_inputs
 
 EPILOG = (
@@ -38,6 +38,10 @@ EPILOG = (
 
 _WRONG_USAGE: Any = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
 """What typer raises for words that it cannot take; not all of its versions have it in a public place."""
+_REFUSED = (
+    *(errno.ENAMETOOLONG, errno.ELOOP, errno.ENOTDIR, errno.EISDIR),
+    *(errno.EACCES, errno.EPERM, errno.EROFS),
+)
 
 app = typer.Typer(
     name="edesign",
@@ -108,12 +112,18 @@ def _run(words: list[str], debug: bool) -> int:
         _give_up_output()
         return 0
     except OSError as error:
+        if error.errno in _REFUSED and error.filename is not None:  # a path of the user that no check has met
+            return _fail(f"{_name(error.filename)}: {error.strerror}", InputError.exit_code, debug)
         if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EIO):
             return _fail(_unexpected(error), 1, debug)
         _give_up_output()
         return _fail(f"the output cannot be written: {error.strerror}", ArchiveError.exit_code, debug)
     except Exception as error:
         return _fail(_unexpected(error), 1, debug)
+
+
+def _name(path: object) -> str:
+    return os.fsdecode(path) if isinstance(path, (str, bytes, os.PathLike)) else str(path)
 
 
 def _unexpected(error: Exception) -> str:
@@ -129,7 +139,8 @@ def _fail(message: str, code: int, debug: bool) -> int:
     try:
         if debug:
             traceback.print_exc()
-        print(f"edesign: {message}", file=sys.stderr, flush=True)
+        printable = message.encode("utf-8", "backslashreplace").decode()  # names of files need not be text
+        print(f"edesign: {printable}", file=sys.stderr, flush=True)
     except OSError:  # the exit code must do
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stderr.fileno())
     return code

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
@@ -22,18 +23,29 @@ def show(
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:
     """Print the records and analyses of an archive, response measures and statistics."""
+    from edesign.archive.files import check_folder
+    from edesign.archive.reader import Archive, DamagedArchive, read_archive
     from edesign.report.archive_figures import check_format, draw_figures
     from edesign.report.summary import summarise
     from edesign.report.tables import details, overview
     from edesign.report.text import print_tables
 
+    def read(opened: Archive) -> Callable[[], None]:
+        if as_json:
+            text = json.dumps(summarise(opened, analysis), indent=2, allow_nan=False, ensure_ascii=False)
+            return lambda: print(text)
+        tables = details(opened, analysis) if analysis is not None else overview(opened)
+        return lambda: print_tables(tables)
+
     check_format(figure_format)
-    if as_json:
-        print(json.dumps(summarise(archive, analysis), indent=2, allow_nan=False, ensure_ascii=False))
-    elif analysis is not None:
-        print_tables(details(archive, analysis))
-    else:
-        print_tables(overview(archive))
-    if figures is not None and not draw_figures(archive, figures, figure_format):
-        nothing = "nothing to draw: no record is fitted or of a suite, and no history of dampers was kept"
-        print(nothing, file=sys.stderr, flush=True)
+    if figures is not None:
+        check_folder(figures)
+    tell, damage = read_archive(archive, read)
+    tell()
+    if figures is not None:
+        drawn, damage = read_archive(archive, lambda opened: draw_figures(opened, figures, figure_format))
+        if not drawn:
+            nothing = "nothing to draw: no record is fitted or of a suite, and no history of dampers was kept"
+            print(nothing, file=sys.stderr, flush=True)
+    if damage:
+        raise DamagedArchive(damage)

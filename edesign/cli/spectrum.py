@@ -11,6 +11,7 @@ from edesign.cli import hazard_options as action
 from edesign.cli import recordings as source
 
 if TYPE_CHECKING:
+    from edesign.archive.files import check_file
     from edesign.ground_motion.sources import Found
 
 
@@ -73,6 +74,9 @@ def spectrum(
         check_figure_name(figure)
     if csv is not None:
         check_csv_name(csv)
+    for path in (csv, figure):
+        if path is not None:
+            check_file(path)
     loaded = action.load(project)
     options = {"code": code, "country": country, "zone": zone, "a_gR": a_gr, "ground": ground}
     options |= {"spectrum": spectrum_type, "damping": damping, "gamma": gamma}

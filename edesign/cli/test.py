@@ -32,6 +32,7 @@ def test(
     from edesign.damper.property_table import from_properties, usable
     from edesign.errors import InputError
     from edesign.input_files import spare_inputs
+    from edesign.project.file_bytes import is_there
     from edesign.report.archive_figures import check_format
     from edesign.report.damper_figures import draw_tests
     from edesign.report.damper_tables import properties_table
@@ -43,7 +44,7 @@ def test(
     places = folder / CAMPAIGN_FILE, folder / PROPERTIES_FILE
     spare_inputs(*places)
     for place, what in zip(places, ("campaign", "table of properties"), strict=True):
-        if place.exists() and not overwrite:
+        if is_there(place) and not overwrite:
             raise InputError(f"{place}: there is a {what} already; choose another --output, or --overwrite")
     for written in (folder, figures):
         if written is not None:

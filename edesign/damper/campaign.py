@@ -28,6 +28,7 @@ from edesign.damper.test_record import DamperTest, Use
 from edesign.errors import ArchiveError, InputError
 from edesign.input_files import spare_inputs
 from edesign.project.base import Model
+from edesign.project.file_bytes import is_there
 from edesign.project.problems import FileProblems, Problems
 from edesign.project.temperature import Temperature
 from edesign.project.units import PositiveTime
@@ -129,7 +130,7 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
     for i, entry in enumerate(file.tests):
         keys = ("tests", i)
         check_one(entry, "temperature", "temperature_C", keys, problems, required=False)
-        if not (path.parent / entry.file).exists():
+        if not is_there(path.parent / entry.file):
             problems.at_value((*keys, "file"), f"there is no file {path.parent / entry.file}")
     _check_twins(file, problems)
     _check_starts(file, problems)

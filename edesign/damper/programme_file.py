@@ -23,6 +23,7 @@ from edesign.damper.test_files import (
 from edesign.damper.test_record import Use
 from edesign.project.base import Model, by_key, refuse
 from edesign.project.dampers import Effect
+from edesign.project.file_bytes import is_file
 from edesign.project.problems import FileProblems, Problems
 from edesign.project.temperature import parse_temperature
 from edesign.project.units import (
@@ -216,5 +217,5 @@ def _check_test(test: _Test, i: int, path: Path, problems: Problems) -> None:
         problems.at_value(keys, f"these are {count} tests; at most {MOST_TESTS} are possible")
     if isinstance(test, RandomTest) and test.band[0] >= test.band[1]:
         problems.at_value((*keys, "band"), f"{test.band[0]:g} Hz is not below {test.band[1]:g} Hz")
-    if isinstance(test, RecordTest) and not (path.parent / test.file).is_file():
+    if isinstance(test, RecordTest) and not is_file(path.parent / test.file):
         problems.at_value((*keys, "file"), f"there is no file {path.parent / test.file}")

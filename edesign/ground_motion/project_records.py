@@ -5,6 +5,7 @@ A reference is the name of a record under `records`, or SUITE/ID for one recordi
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib import metadata
@@ -17,6 +18,7 @@ from edesign.ground_motion.read import read_record_file
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.sources import Found, find_suite
 from edesign.ground_motion.suite import Suite, load_suite
+from edesign.project.file_bytes import is_folder
 from edesign.project.problems import unknown_name
 from edesign.project.project import Project
 from edesign.project.records import FemaP695Record, FileRecord, StructdynRecord, SuiteRecords, record_of
@@ -74,11 +76,11 @@ def with_folders(project: Project, folders: Sequence[Path]) -> Project:
     if not folders:
         return project
     for folder in folders:
-        if not folder.is_dir():
+        if not is_folder(folder):
             raise InputError(f"--folder: there is no folder {folder}")
     if not any(isinstance(spec, SuiteRecords) for spec in project.records.values()):
         raise InputError(f"--folder: {project.path} has no suite of recordings")
-    return project.with_folders([folder.resolve() for folder in folders])
+    return project.with_folders([Path(os.path.realpath(folder)) for folder in folders])
 
 
 def _spec(project: Project, name: str) -> FileRecord | StructdynRecord | FemaP695Record | SuiteRecords:

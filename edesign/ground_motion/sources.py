@@ -17,6 +17,7 @@ from edesign.ground_motion.read import names_components, read_record_file
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.simulation import simulate
 from edesign.ground_motion.suite import Suite, SuiteEntry
+from edesign.project.file_bytes import is_folder
 
 
 @dataclass(frozen=True)
@@ -220,15 +221,15 @@ def _read(path: Path, entry: SuiteEntry) -> Record:
 
 def _files(folders: Iterable[Path]) -> list[_File]:
     """Files below the folders that may be of the PEER data base, in a fixed order, each once."""
-    found: dict[Path, _File] = {}
+    found: dict[str, _File] = {}
     for folder in folders:
-        if not folder.is_dir():
+        if not is_folder(folder):
             raise InputError(f"{folder}: there is no such folder of recordings")
         for here, below, names in os.walk(folder, onerror=_unreadable):
             below.sort()
             for name in sorted(filter(may_be_peer, names)):
                 path = Path(here, name)
-                found.setdefault(path.resolve(), _File(path, folder))
+                found.setdefault(os.path.realpath(path), _File(path, folder))
     return list(found.values())
 
 

@@ -8,6 +8,7 @@ from edesign.project import names
 from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
 from edesign.project.checks_frame import Selections
 from edesign.project.damping import RayleighDamping
+from edesign.project.file_bytes import is_file, is_folder, is_there
 from edesign.project.matching import Matching
 from edesign.project.problems import Keys, Problems, listed, unknown_name
 from edesign.project.processing import Step
@@ -113,16 +114,16 @@ def _record_files(project: Project, problems: Problems) -> None:
         _file(project, record.suite, (*keys, "suite"), problems)
         for i, folder in enumerate(record.folders):
             path = project.folder / folder
-            if not path.is_dir():
+            if not is_folder(path):
                 message = f"there is no folder `{path}` (the path is relative to the project file)"
                 problems.at_value((*keys, "folders", i), message)
 
 
 def _file(project: Project, name: str, keys: Keys, problems: Problems) -> None:
     path = project.folder / name
-    if not path.exists():
+    if not is_there(path):
         problems.at_value(keys, f"there is no file `{path}` (the path is relative to the project file)")
-    elif not path.is_file():
+    elif not is_file(path):
         problems.at_value(keys, f"`{path}` is not a file")
 
 

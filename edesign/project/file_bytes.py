@@ -43,6 +43,8 @@ def read_file(path: Path, what: str, most: int = TABLE_BYTES, advice: str = TABL
         raise InputError(f"{path}: this is a folder; name the {what} in it") from None
     except OSError as error:
         raise InputError(f"{path}: the {what} cannot be read: {error.strerror}") from None
+    except ValueError as error:  # Python's for a null byte in a name
+        raise InputError(f"{path}: the {what} cannot be read: {error}") from None
     if size > most or len(data) > most:
         raise too_large(path, what, max(size, len(data)), most, advice)
     note_input(path)
@@ -63,3 +65,18 @@ def too_large(path: Path, what: str, size: int, most: int, advice: str = TABLE_A
     """The error of a file that has `size` bytes (at least), of which `most` are read."""
     seen = f"more than {megabytes(most)}" if size == most + 1 else megabytes(size)
     return InputError(f"{path}: the {what} has {seen}; at most {megabytes(most)} are read: {advice}")
+
+
+def is_file(path: Path) -> bool:
+    """Whether a file is at a path; not where the system refuses the path, as a name that is too long."""
+    return os.path.isfile(path)
+
+
+def is_folder(path: Path) -> bool:
+    """Whether a folder is at a path; not where the system refuses the path."""
+    return os.path.isdir(path)
+
+
+def is_there(path: Path) -> bool:
+    """Whether anything is at a path; not where the system refuses the path."""
+    return os.path.exists(path)

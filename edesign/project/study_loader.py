@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from edesign.project.checks_study import check_study
+from edesign.project.file_bytes import is_file
 from edesign.project.loader import load_project
 from edesign.project.problems import FileProblems, Problems
 from edesign.project.project import Project
@@ -81,7 +82,7 @@ def parse_study(
 
 def _load_base(study: Study, path: Path, profiles: Catalogue | None, problems: Problems) -> Project | None:
     project_path = path.parent / study.project
-    if project_path.is_file():
+    if is_file(project_path):
         return load_project(project_path, profiles)
     message = f"there is no file `{project_path}` (the path is relative to the study file)"
     problems.at_value(("project",), message)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 from edesign.errors import InputError
@@ -24,7 +25,7 @@ def new_project(folder: Path | str, name: str | None = None) -> Path:
             written.
     """
     if name is None:
-        name = Path(folder).resolve().name or "New project"
+        name = os.path.basename(os.path.realpath(folder)) or "New project"
     if not name.strip() or not name.isprintable():
         raise InputError("the name of a project is one line of text")
     path = Path(folder) / FILE_NAME

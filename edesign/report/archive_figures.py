@@ -63,11 +63,13 @@ def check_format(name: str) -> str:
     return name
 
 
-def draw_figures(archive: str | os.PathLike[str], folder: Path, figure_format: str = "svg") -> tuple[Path, ...]:
+def draw_figures(
+    archive: str | os.PathLike[str] | Archive, folder: Path, figure_format: str = "svg"
+) -> tuple[Path, ...]:
     """Draw all figures of an archive into files.
 
     Args:
-        archive: complete or partial, of `edesign match` or `edesign run`.
+        archive: path, or open archive, complete or partial, of `edesign match` or `edesign run`.
         folder: where the files go; made if it does not exist.
         figure_format: svg, png or pdf.
 
@@ -78,13 +80,15 @@ def draw_figures(archive: str | os.PathLike[str], folder: Path, figure_format: s
         ArchiveError: the archive cannot be read, or a figure cannot be written.
         InputError: the format is unknown, or the archive's project cannot be read by this version.
     """
+    if not isinstance(archive, Archive):
+        with open_archive(archive) as opened:
+            return draw_figures(opened, folder, figure_format)
     suffix = check_format(figure_format)
     written: list[Path] = []
     unique = UniqueNames()
-    with open_archive(archive) as opened:
-        for name, _, figure in all_figures(opened):
-            if not written:
-                make_folder(folder)
-            written.append(folder / f"{unique(name)}.{suffix}")
-            save(figure, written[-1])
+    for name, _, figure in all_figures(archive):
+        if not written:
+            make_folder(folder)
+        written.append(folder / f"{unique(name)}.{suffix}")
+        save(figure, written[-1])
     return tuple(written)

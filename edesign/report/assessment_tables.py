@@ -9,7 +9,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.criteria import judge
 from edesign.assess.members import frame_members
-from edesign.assess.sets import NOT_RUN, HistorySet, history_sets
+from edesign.assess.sets import DAMAGED, NOT_RUN, HistorySet, history_sets
 from edesign.project.criteria import Criterion, Objectives
 from edesign.project.project import Project
 from edesign.report.archived import archived_project
@@ -82,7 +82,7 @@ def read_histories(archive: Archive, groups: Mapping[str, Group] | None = None) 
     found = {name: group for name, group in groups.items() if group.attributes.get("kind") == "history"}
     known = {_prefix(item): item for item in history_sets(found)}
     for name, group in groups.items():
-        if group.attributes.get("status") != NOT_RUN:
+        if group.attributes.get("status") not in (NOT_RUN, DAMAGED):
             continue
         for prefix, item in known.items():
             if name.startswith(prefix):

@@ -13,7 +13,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.envelopes import final
 from edesign.assess.measures import located_measure
 from edesign.assess.profile import storey_profile
-from edesign.assess.sets import NOT_RUN
+from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.project.checks_reference import PROFILES
 from edesign.project.measures import SHORT_NAMES
 from edesign.project.reference import ResponseRow
@@ -50,7 +50,7 @@ class ComparedHistory:
 
     def belongs(self, variant: str, level: str, records: str | None) -> bool:
         """Whether it is one of a variant and level, and of a record or suite (None: any)."""
-        if self.reason == NOT_RUN:  # of which only the name is known
+        if self.reason in (NOT_RUN, DAMAGED):  # of which only the name is known
             return self.name.startswith(f"{variant}.{level}.")
         of_records = records is None or self.record == records or self.record.startswith(f"{records}/")
         return self.variant == variant and self.level == level and of_records
@@ -70,7 +70,9 @@ def compared_histories(archive: Archive, measures: Collection[Wanted]) -> list[C
         ArchiveError: the archive is damaged.
     """
     have = archive.names(ANALYSES)
-    found = [ComparedHistory(name, "", "", "", NOT_RUN) for name in planned(archive) if name not in have]
+    missing = [name for name in planned(archive) if name not in have]
+    reasons = {name: DAMAGED if f"{ANALYSES}/{name}" in archive.damage else NOT_RUN for name in missing}
+    found = [ComparedHistory(name, "", "", "", reason) for name, reason in reasons.items()]
     for name in have:
         attributes = archive.group_attributes(f"{ANALYSES}/{name}")
         apart = attributes.get("incremental") or attributes.get("temperature_C") is not None

@@ -36,7 +36,8 @@ def compare(archive: Archive, reference: Reference) -> Comparison:
         for i, table in enumerate(reference.tables)
     ]
     reasons = {history.name: history.reason for history in histories if history.reason}
-    notes = () if archive.complete else ("the archive is not complete: the run goes on or was interrupted",)
+    incomplete = "" if archive.complete else "the archive is not complete: the run goes on or was interrupted"
+    notes = tuple(filter(None, (incomplete, archive.damage_in_short())))
     return Comparison(str(archive.path), str(reference.path), reference.title, tuple(tables), reasons, notes)
 
 

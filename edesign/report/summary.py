@@ -10,7 +10,7 @@ from typing import Any
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.measures import response_measures
-from edesign.assess.sets import NOT_RUN
+from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean, listed
 from edesign.study.plan import ANALYSES
@@ -21,11 +21,11 @@ STATISTICS = ("steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "
 ROOT = ("title", "status", "project_file", "project_checksum", "input_checksum", "edesign_version", "core_version")
 
 
-def summarise(archive: str | os.PathLike[str], analysis: str | None = None) -> dict[str, Any]:
+def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = None) -> dict[str, Any]:
     """Summarise an archive in SI units, ready for JSON; None stands for "not applicable" and for "not finite".
 
     Args:
-        archive: path of the archive, complete or partial.
+        archive: path of the archive, complete or partial, or the open archive.
         analysis: name of one analysis; all if None.
 
     Returns:
@@ -39,12 +39,15 @@ def summarise(archive: str | os.PathLike[str], analysis: str | None = None) -> d
         ArchiveError: the archive cannot be read.
         InputError: there is no such analysis.
     """
-    with open_archive(archive) as opened:
-        names = planned(opened) if analysis is None else [find(opened, analysis)]
-        about = {name: opened.attributes.get(name) for name in ROOT} | {"complete": opened.complete}
-        about[ATTRIBUTE] = input_warnings(opened)
-        found = {"archive": finite(about), "analyses": [entry(name, results(opened, name)) for name in names]}
-        return found if analysis is not None else {**found, "records": finite(record_entries(opened, RECORDS))}
+    if not isinstance(archive, Archive):
+        with open_archive(archive) as opened:
+            return summarise(opened, analysis)
+    names = planned(archive) if analysis is None else [find(archive, analysis)]
+    about = {name: archive.attributes.get(name) for name in ROOT} | {"complete": archive.complete}
+    about[ATTRIBUTE] = input_warnings(archive)
+    damage = {"damage": archive.damage} if archive.damage_in_short() else {}
+    found = {"archive": finite(about | damage), "analyses": [entry(name, results(archive, name)) for name in names]}
+    return found if analysis is not None else {**found, "records": finite(record_entries(archive, RECORDS))}
 
 
 def record_entries(archive: Archive, place: str) -> list[dict[str, Any]]:
@@ -86,8 +89,10 @@ def input_warnings(archive: Archive) -> list[str]:
 
 
 def results(archive: Archive, name: str) -> Group:
-    """Return the results of an analysis; one that was planned and has none is a group with the status "not run"."""
+    """Return the results of an analysis, a group with the status "not run" or "damaged" where there is nothing else."""
     path = f"{ANALYSES}/{name}"
+    if path in archive.damage:
+        return Group(attributes={"status": DAMAGED, "reason": archive.damage[path]})
     return archive.group(path) if archive.has(path) else Group(attributes={"status": NOT_RUN})
 
 

@@ -9,12 +9,13 @@ from typing import Any
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
+from edesign.errors import EdesignError
 from edesign.report.archived import is_study_archive
 from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
 from edesign.report.measure_columns import FRAME_COLUMNS, ROUNDING
 from edesign.report.record_tables import tables_of
 from edesign.report.study_tables import study_tables
-from edesign.report.summary import entry, find, input_warnings, planned, results
+from edesign.report.summary import all_results, entry, find, input_warnings, results
 from edesign.report.table import Table, number, seconds, whole
 from edesign.study.warnings import warning_lines, warnings_of
 
@@ -29,44 +30,54 @@ EVENTS_SHOWN = 20
 ABSCISSAE = {"gravity": "load factor", "pushover": "roof u [m]", "history": "time [s]"}  # what steps are taken in
 
 
-def overview(archive: str | os.PathLike[str]) -> list[Table]:
+def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
     """Return the tables of a whole archive: analyses, periods, response measures, statistics; of a study its results.
+
+    Of a damaged study whose text cannot be read, they are those of its analyses.
 
     Raises:
         ArchiveError: the archive cannot be read.
     """
-    with open_archive(archive) as opened:
-        if is_study_archive(opened):
-            return [_heading(opened), warnings_table(opened), *tables_of(opened), *study_tables(opened)]
-        groups = {name: results(opened, name) for name in planned(opened)}
-        entries = [entry(name, group) for name, group in groups.items()]
-        tables = [_heading(opened), warnings_table(opened, groups), *tables_of(opened), analyses_table(entries)]
-        tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
-        tables += [measures_table(entries), dampers_table(groups), statistics_table(entries)]
-        return [table for table in tables if table.rows or table.notes]
+    if not isinstance(archive, Archive):
+        with open_archive(archive) as opened:
+            return overview(opened)
+    if is_study_archive(archive):
+        try:
+            return [_heading(archive), warnings_table(archive), *tables_of(archive), *study_tables(archive)]
+        except EdesignError:
+            if not archive.damage:
+                raise
+    groups = all_results(archive)
+    entries = [entry(name, group) for name, group in groups.items()]
+    tables = [_heading(archive), warnings_table(archive, groups), *tables_of(archive), analyses_table(entries)]
+    tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
+    tables += [measures_table(entries), dampers_table(groups), statistics_table(entries)]
+    return [table for table in tables if table.rows or table.notes]
 
 
-def details(archive: str | os.PathLike[str], name: str) -> list[Table]:
+def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]:
     """Return all tables of one analysis: those of the overview, its storey profile and its fallbacks.
 
     Raises:
         ArchiveError: the archive cannot be read.
         InputError: there is no such analysis.
     """
-    with open_archive(archive) as opened:
-        group = results(opened, find(opened, name))
-        entries = [entry(name, group)]
-        tables = [
-            analyses_table(entries),
-            Table("Warnings", notes=[warning.text for warning in warnings_of(group)]),
-            periods_table(name, group),
-            damper_stiffness_table(name, group),
-            measures_table(entries),
-            profile_table(name, group),
-            each_damper_table(name, group),
-        ]
-        tables += [statistics_table(entries), fallbacks_table(name, group)]
-        return [table for table in tables if table.rows or table.notes]
+    if not isinstance(archive, Archive):
+        with open_archive(archive) as opened:
+            return details(opened, name)
+    group = results(archive, find(archive, name))
+    entries = [entry(name, group)]
+    tables = [
+        analyses_table(entries),
+        Table("Warnings", notes=[warning.text for warning in warnings_of(group)]),
+        periods_table(name, group),
+        damper_stiffness_table(name, group),
+        measures_table(entries),
+        profile_table(name, group),
+        each_damper_table(name, group),
+    ]
+    tables += [statistics_table(entries), fallbacks_table(name, group)]
+    return [table for table in tables if table.rows or table.notes]
 
 
 def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:
@@ -172,5 +183,6 @@ def _heading(archive: Archive) -> Table:
         *([["project", project]] if about.get("project_file") else []),  # `edesign match` needs none
         ["made", f"{made} by edesign {about.get('edesign_version')}, core {about.get('core_version')}"],
         ["status", state],
+        *([["damaged", damage]] if (damage := archive.damage_in_short()) else []),
     ]
     return Table(str(about.get("title", "")), (), rows, left=2)

@@ -12,6 +12,7 @@ from edesign.damper.law_file import Source, law_file_content, read_law_file, res
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
 from edesign.project.dampers import LawDescription, TunedMass
+from edesign.project.file_bytes import is_file
 from edesign.project.project import Project
 from edesign.study.warnings import AnalysisWarning
 
@@ -47,7 +48,7 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
         try:
             described, source = read_law_file(project.folder / spec.file, law_file_content(project, spec.file))
         except InputError as error:
-            if (project.folder / spec.file).is_file():
+            if is_file(project.folder / spec.file):
                 raise
             raise source.refuse(("file",), error) from error
     resolved = resolve(described, source, spec.temperature, asked)

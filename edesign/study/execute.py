@@ -11,7 +11,7 @@ from typing import Literal
 from edesign.archive.dataset import Group
 from edesign.archive.files import source_file
 from edesign.archive.owner import check_owner
-from edesign.archive.writer import ArchiveWriter, partial_path
+from edesign.archive.writer import ArchiveWriter
 from edesign.errors import EdesignError, Interrupted
 from edesign.stopping import stoppable
 from edesign.study.backends import Backend
@@ -98,7 +98,7 @@ def execute(
                 run.stop.set()
             except EdesignError as error:
                 if _keep(run):
-                    error.args = (f"{error}; {_kept(run, path)}",)
+                    error.args = (f"{error}; {_kept(run)}",)
                 raise
             if run.stopped() and len(run.outcomes) < len(tasks):
                 _keep(run)
@@ -207,15 +207,12 @@ def _keep(run: Execution) -> bool:
 def _kept_message(run: Execution, path: Path) -> str:
     if not run.outcomes and not run.resumable:
         return f"interrupted before an analysis was finished; {path} is unchanged"
-    return (
-        f"interrupted: {_kept(run, path)}; "
-        f"the same command with {run.job.path} goes on from there (--fresh starts anew)"
-    )
+    return f"interrupted: {_kept(run)}; the same command with {run.job.path} goes on from there (--fresh starts anew)"
 
 
-def _kept(run: Execution, path: Path) -> str:
+def _kept(run: Execution) -> str:
     others = f", with {_places(run)}," if run.resumable else ""
-    return f"{len(run.outcomes)} of {len(run.job.tasks)} analyses are finished{others} and kept in {partial_path(path)}"
+    return f"{len(run.outcomes)} of {len(run.job.tasks)} analyses are finished{others} and kept in {run.writer.partial}"
 
 
 def _places(run: Execution) -> str:

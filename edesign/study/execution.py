@@ -71,6 +71,7 @@ class Execution:
 
     def __post_init__(self) -> None:
         self._places = {task.name: place for place, task in enumerate(self.job.tasks, start=1)}
+        self.writer.tell = self.note
         self.resumable = tuple(place for place in self.job.resumable if place in self.writer.kept)
 
     def tell(self, report: Progress) -> None:

@@ -14,7 +14,9 @@ from pathlib import Path
 import h5py
 import pytest
 from report_project import TITLE, write_report_project
+from unit.archive.archive_samples import archived_groups
 
+from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.project import load_project
 from edesign.report.page.document import page_text
@@ -161,12 +163,13 @@ def test_numbers_of_the_summary_are_those_of_the_archive(made: Made) -> None:
 
 def test_failed_and_missing_analyses_are_named(made: Made, tmp_path: Path) -> None:
     """A copy of the archive in which one history failed, one is still to come, and the run goes on."""
-    archive = Path(shutil.copy(made.archive, tmp_path / "office.h5.partial"))
-    with h5py.File(archive, "r+") as file:
-        file["analyses/bare.MCE"].attrs["status"] = "failed"
-        file["analyses/bare.MCE"].attrs["reason"] = "no equilibrium at 3.21 s <b>here</b>"
-        del file["analyses/damped.DBE"]
-        file.attrs["complete"] = 0
+    groups = archived_groups(made.archive)
+    groups["analyses/bare.MCE"].attributes |= {"status": "failed", "reason": "no equilibrium at 3.21 s <b>here</b>"}
+    del groups["analyses/damped.DBE"]
+    with ArchiveWriter(tmp_path / "office.h5", groups.pop("")) as writer:
+        for place, group in groups.items():
+            writer.write(place, group)
+        archive = writer.partial
     text = page_text(archive)
     assert "no equilibrium at 3.21 s &lt;b&gt;here&lt;/b&gt;" in text
     assert re.search(r"bare\.MCE: no equilibrium", text[: text.index('id="inputs"')])
@@ -197,8 +200,9 @@ def test_the_page_takes_no_other_file_s_place(
 
 
 def test_a_study_without_its_text_is_damaged(made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    archive = Path(shutil.copy(made.archive, tmp_path / "office.h5"))
-    with h5py.File(archive, "r+") as file:
-        file.attrs["kind"] = "study"
+    root = archived_groups(made.archive)[""]
+    root.attributes["kind"] = "study"
+    with ArchiveWriter(tmp_path / "office.h5", root) as writer:
+        archive = writer.finish({"status": "completed"})
     assert main(["show", str(archive)]) == 4
     assert capsys.readouterr().err.endswith("damaged: the text of the study (`study_text`) is missing\n")

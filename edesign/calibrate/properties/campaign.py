@@ -18,6 +18,7 @@ from edesign.damper.test_files import LawBlock, LawChoice, SpecimenBlock, Text, 
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
 from edesign.project.base import Model
+from edesign.project.file_bytes import is_there
 from edesign.project.problems import Problems
 from edesign.project.temperature import Temperature
 from edesign.project.units import PositiveFrequency, PositiveRatio
@@ -115,7 +116,7 @@ def load_property_campaign(path: Path | str) -> PropertyCampaign:
     if file.law.parameters is None:
         problems.under(("law",), "parameters", "this key is missing; the loop needs a declared law")
     at = path.parent / file.properties.table
-    if file.properties.table != PUBLISHED and not at.exists():
+    if file.properties.table != PUBLISHED and not is_there(at):
         problems.at_value(
             (KEY, "table"), f"there is no file {at}; name a CSV file, or {PUBLISHED}, the table that comes with edesign"
         )

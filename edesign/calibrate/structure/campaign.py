@@ -19,6 +19,7 @@ from edesign.damper.laws import LAWS
 from edesign.damper.parameters import read_parameters
 from edesign.damper.test_files import check_law
 from edesign.errors import InputError
+from edesign.project.file_bytes import is_there
 from edesign.project.problems import did_you_mean, listed
 from edesign.project.yaml_file import check_model, read_yaml_text
 from edesign.project.yaml_nodes import parse
@@ -92,7 +93,7 @@ def load_structure_campaign(path: Path | str) -> StructureCampaign:
     first: dict[Path, int] = {}
     for i, entry in enumerate(file.tests):
         at = ("tests", i, "file")
-        if not (path.parent / entry.file).exists():
+        if not is_there(path.parent / entry.file):
             problems.at_value(at, f"there is no file {path.parent / entry.file}")
         other = first.setdefault(Path(entry.file), i)
         if other != i:

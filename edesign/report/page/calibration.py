@@ -6,7 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from edesign._version import __version__
-from edesign.archive.files import check_folder, write_text
+from edesign.archive.files import check_file, write_text
 from edesign.calibrate.result import Calibration
 from edesign.errors import ArchiveError, InputError
 from edesign.report.calibration_view import View
@@ -37,7 +37,7 @@ def write_calibration_page(
         raise InputError(f"{path}: the name of a page ends in {' or '.join(PAGE_SUFFIXES)}")
     if not path.parent.is_dir():
         raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
-    check_folder(path.parent)
+    check_file(path)
     write_text(calibration_page_text(calibration, tell, workers), path)
     return path
 

@@ -7,8 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from edesign._version import __version__
-from edesign.archive.files import check_folder, write_text
-from edesign.archive.reader import open_archive
+from edesign.archive.files import check_file, write_text
+from edesign.archive.reader import Archive, DamagedArchive, open_archive, read_archive
 from edesign.assess.sets import NOT_RUN
 from edesign.errors import ArchiveError, InputError
 from edesign.report.page.render import Cover, render
@@ -71,40 +71,46 @@ def write_page(
     Raises:
         InputError: the page has another ending than that of a page.
         ArchiveError: the archive cannot be read, or the page cannot be written.
+        DamagedArchive: the archive is damaged; the page shows what can be read.
     """
     path = default_page_path(archive) if path is None else path
     if path.suffix.lower() not in PAGE_SUFFIXES:  # never over an archive, or a file of the user
         raise InputError(f"{path}: the name of a page ends in {' or '.join(PAGE_SUFFIXES)}")
     if not path.parent.is_dir():
         raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
-    check_folder(path.parent)
-    write_text(page_text(archive, tell), path)
+    check_file(path)
+    text, damage = read_archive(archive, lambda opened: page_text(opened, tell))
+    write_text(text, path)
+    if damage:
+        raise DamagedArchive(f"{damage}\n  {path} shows what can be read")
     return path
 
 
-def page_text(archive: str | os.PathLike[str], tell: Callable[[str], None] = lambda line: None) -> str:
-    """Return the report of an archive as HTML; arguments and errors as `write_page`."""
-    with open_archive(archive) as opened:
-        source = Source(opened, tell)
-        made = [section for make in SECTIONS if (section := make(source))]
-        return render(_cover(source), made)
+def page_text(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], None] = lambda line: None) -> str:
+    """Return the report of an archive, path or open, as HTML; other arguments and errors as `write_page`."""
+    if not isinstance(archive, Archive):
+        with open_archive(archive) as opened:
+            return page_text(opened, tell)
+    source = Source(archive, tell)
+    made = [section for make in SECTIONS if (section := make(source))]
+    return render(_cover(source), made)
 
 
 def _cover(source: Source) -> Cover:
     about = source.attributes
     date = str(source.provenance.get("created", ""))[:10]
     who = f"edesign {about.get('edesign_version', '')}"
-    banner = ""
+    told = [source.archive.damage_in_short()]
     if not source.archive.complete:
         missing = [item["name"] for item in source.entries if item["status"] == NOT_RUN]
-        banner = (
+        told.append(
             f"The run goes on or was interrupted: {len(missing)} of {len(source.entries)} analyses have no result yet."
         )
     return Cover(
         title=str(about.get("title") or source.archive.path.stem),
         kind="Study report" if source.text("study_text") else "Analysis report",
         about=" · ".join(part for part in (date, who, source.archive.path.name) if part),
-        banner=banner,
+        banner=" ".join(filter(None, told)),
         footer=f"Made by edesign {__version__} from {source.archive.path.name}, input SHA-256 "
         f"{str(about.get('input_checksum') or about.get('project_checksum') or 'unknown')[:16]}. "
         "All numbers are computed from the archive.",

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 from edesign._version import __version__
-from edesign.archive.files import check_folder, write_text
+from edesign.archive.files import check_file, write_text
 from edesign.calibrate.properties.result import PropertyCalibration
 from edesign.report.calibration_effect_tables import effect_tables
 from edesign.report.calibration_tables import law_parameters_table
@@ -27,7 +27,7 @@ def write_property_calibration_page(calibration: PropertyCalibration, path: Path
     Raises:
         ArchiveError: it cannot be written.
     """
-    check_folder(path.parent)
+    check_file(path)
     campaign, found = calibration.campaign, calibration.found
     pictures = dict(_pictures(calibration))
     residuals = tuple(picture for name, picture in pictures.items() if name.startswith("residuals"))

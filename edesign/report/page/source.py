@@ -62,8 +62,8 @@ class Source:
 
     @cached_property
     def sets(self) -> tuple[HistorySet, ...]:
-        """The histories by variant and level; of an incomplete run with those that have no result yet."""
-        if self.archive.complete:
+        """The histories by variant and level; where some are missing, with these."""
+        if self.archive.complete and not self.archive.damage:
             return history_sets(self.groups)
         there = read_histories(self.archive)
         return history_sets({name: group.without(*ALONG_TIME) for name, group in there.items()})

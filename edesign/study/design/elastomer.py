@@ -13,6 +13,7 @@ from edesign.damper.temperature import REFERENCE_C
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
 from edesign.project.designs import Design, FileProperties, FixedProperties
+from edesign.project.file_bytes import is_file
 from edesign.project.project import Project
 from edesign.study.design.building import law_at
 
@@ -70,7 +71,7 @@ def _at_frequency(project: Project, name: str, spec: Design, folder: Path, tempe
         return lambda frequency: law_moduli(law, spec.strain, frequency)
     if isinstance(chosen, FileProperties):
         path = folder / chosen.file
-        if not path.is_file():
+        if not is_file(path):
             raise InputError(f"designs.{name}.properties.file: there is no file `{path}`")
         table = read_property_table(path, property_table_content(project, path))
     else:

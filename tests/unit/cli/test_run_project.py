@@ -224,3 +224,30 @@ def test_the_run_works_outside_the_main_thread(tmp_path: Path, monkeypatch: pyte
     thread.start()
     thread.join(30)
     assert done == [tmp_path / "small.h5"]
+
+
+def test_a_partial_file_that_is_deleted_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    partial = partial_path(tmp_path / "small.h5")
+    use(monkeypatch, Core({("b", 5): partial.unlink}))
+    summary = run_project(project(tmp_path, "abc"))
+    assert summary.notes == ("small.h5.partial was deleted during the run, and was written again",)
+    assert list(results(summary.archive)) == list("abc") and not partial.exists()
+
+
+def test_another_partial_file_in_its_place_meanwhile(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The message tells where the analyses of this run are."""
+    partial = partial_path(tmp_path / "small.h5")
+
+    def replaced() -> None:
+        partial.unlink()
+        partial.write_bytes(b"other")
+
+    use(monkeypatch, Core({("b", 5): replaced}))
+    with pytest.raises(ArchiveError) as raised:
+        run_project(project(tmp_path, "abc"))
+    kept = tmp_path / "small.h5.1.partial"
+    assert str(raised.value) == (
+        f"{partial}: another file has taken the place of this one during the run; "
+        f"1 of 3 analyses are finished and kept in {kept}"
+    )
+    assert partial.read_bytes() == b"other" and list(results(kept)) == ["a", "b"]
