@@ -75,6 +75,6 @@ def spare_inputs(*paths: Path) -> None:
 def _identity(path: Path) -> _Identity | None:
     try:
         found = os.stat(path)
-    except OSError:
+    except (OSError, ValueError):  # Python's own for a null byte in a name
         return None
     return found.st_dev, found.st_ino

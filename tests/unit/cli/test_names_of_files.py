@@ -43,7 +43,8 @@ def test_a_run_refuses_a_long_name_before_it_computes(
 ) -> None:
     core = Core()
     monkeypatch.setattr(analyses, "run_analysis", core)
-    monkeypatch.setattr(run, "check_inputs", lambda *_: {})
+    monkeypatch.setattr(run, "check_inputs", lambda *_: {})  # the small project has no frame
+    monkeypatch.setattr(run, "project_warnings", lambda *_: [])
     monkeypatch.setattr(study_loader, "is_study", lambda path: False)
     monkeypatch.setattr(loader, "load_project", lambda path, *_, **__: project(tmp_path, "ab"))
     assert main(["run", "project.yaml", "--archive", str(tmp_path / f"{name}.h5")]) == 4

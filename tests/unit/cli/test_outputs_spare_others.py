@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import h5py
 import numpy as np
 import pytest
+from unit.archive.archive_samples import archived_groups, write_layout_1
 from unit.cli.small_project import Core, project
 from unit.project.conftest import SMALL
 
@@ -232,13 +234,12 @@ def use(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_an_archive_of_an_older_version_is_known_by_its_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     use(monkeypatch)
     path = run_project(project(tmp_path)).archive
-    with h5py.File(path, "a") as file:
-        del file.attrs["source_file"]
+    root = archived_groups(path)[""]
+    del root.attributes["source_file"]
+    write_layout_1(path, {"": root})
     run_project(project(tmp_path))
     for name, value in (("title", "large"), ("project_file", "large.yaml")):
-        with h5py.File(path, "a") as file:
-            file.attrs[name] = value
-            file.attrs.pop("source_file", None)
+        write_layout_1(path, {"": replace(root, attributes=root.attributes | {name: value})})
         with pytest.raises(ArchiveError, match="another project"):
             run_project(project(tmp_path))
         run_project(project(tmp_path), overwrite=True)
