@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar, Protocol, Self
 
 from pydantic import PrivateAttr
 
@@ -13,6 +13,18 @@ from edesign.project.base import Model
 from edesign.project.problems import FileProblems, Problems, keys_text
 from edesign.project.values import KeyPath, changed_text, first_difference, shown
 from edesign.project.yaml_nodes import Node, find, parse
+
+
+class Reader(Protocol):
+    """Reads texts in the place of one that was read, as that one was read."""
+
+    def __call__(self, text: str) -> Any:
+        """Return the model of another text, checked."""
+        ...
+
+    def completed(self, model: Any) -> Any:
+        """Return a model of the values of a text with what reading adds to them, as names of a catalogue."""
+        ...
 
 
 class FileModel(Model):
@@ -28,9 +40,9 @@ class FileModel(Model):
     _path: Path = PrivateAttr(default=Path())
     _text: str = PrivateAttr(default="")
     _root: Node | None = PrivateAttr(default=None)
-    _read: Callable[..., Any] | None = PrivateAttr(default=None)
+    _read: Reader | None = PrivateAttr(default=None)
 
-    def read_from(self, path: Path, text: str, root: Node, read: Callable[..., Any] | None = None) -> Self:
+    def read_from(self, path: Path, text: str, root: Node, read: Reader | None = None) -> Self:
         """Tell the model, once, where it comes from.
 
         Args:
@@ -79,7 +91,7 @@ class FileModel(Model):
         """
         if self._root is None or self._read is None:
             raise InputError(f"this {self.kind} was not read from a file or text; read it by `load_{self.kind}`")
-        found = first_difference(self, type(self).model_validate(self._root.plain()))
+        found = first_difference(self, self._read.completed(type(self).model_validate(self._root.plain())))
         if found is not None:
             keys, mine, said = found
             place = keys_text(keys)

@@ -54,9 +54,9 @@ def parse_project(
     hint = "; `edesign new` writes one that runs"
     project, problems = check_model(text, Project, _WHAT, "edesign: 1", hint)
     if project is not None:
-        if profiles is not None:
-            project = _with_catalogue_names(project, profiles)
-        project.read_from(path, text, problems.root, _Reader(path, profiles, files))
+        read = _Reader(path, profiles, files)
+        project = read.completed(project)
+        project.read_from(path, text, problems.root, read)
         # cross checks need a whole project: they come in a second round, after the schema is satisfied
         check_frame(project, problems, profiles)
         check_actions(project, problems, files)
@@ -78,6 +78,10 @@ class _Reader:
 
     def __call__(self, text: str) -> Project:
         return parse_project(text, self.path, self.profiles, self.files)
+
+    def completed(self, model: Project) -> Project:
+        """The project with the catalogue's names of sections, if there is a catalogue."""
+        return model if self.profiles is None else _with_catalogue_names(model, self.profiles)
 
 
 def _with_catalogue_names(project: Project, catalogue: Catalogue) -> Project:

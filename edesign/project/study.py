@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from pathlib import Path
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field, PrivateAttr
 
@@ -117,8 +117,8 @@ class Study(FileModel):
             StudyError: the study does not fit the project; the message lists all problems.
         """
         self.check_unchanged()
-        assert self._read is not None
-        found: Study = self._read(self._text, base=base)
+        read: Any = self._read  # that of a study takes another project too
+        found: Study = read(self._text, base=base)
         return found
 
     def afresh(self) -> Study:

@@ -100,3 +100,7 @@ class _Reader:
 
     def __call__(self, text: str, base: Project | None = None) -> Study:
         return parse_study(text, self.path, base or self.base, self.profiles, self.of)
+
+    def completed(self, model: Study) -> Study:
+        """The study as it is: reading adds nothing to its own values."""
+        return model

@@ -12,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from unit.project.conftest import PROFILES, SMALL
 
+from edesign.building.profiles import profile_names
 from edesign.errors import InputError
 from edesign.project import Project, ProjectError, parse_project
 from edesign.project.problems import FileProblems
@@ -51,6 +52,15 @@ def test_a_value_changes_in_text_checksum_and_model(project: Project) -> None:
     assert changed.with_values("materials.S275.E", "210 GPa") == project
     # what is read from the text that is stored is what runs
     assert parse_project(changed.text, changed.path, PROFILES).materials == changed.materials
+
+
+def test_names_of_sections_as_they_are_written_are_no_change() -> None:
+    """The catalogue's own name in the values, the name of EN 10365 in the text."""
+    text = SMALL.replace("HEB260", "HE 260 B")
+    project = parse_project(text, "folder/project.yaml", profile_names())
+    assert text != SMALL and "HEB260" in {column.section for column in project.frame.columns}
+    project.check_unchanged()
+    assert project.with_values("damping.ratio", "3 %").text.count("HE 260 B") == text.count("HE 260 B")
 
 
 def test_several_values_and_new_keys(project: Project) -> None:
