@@ -220,6 +220,13 @@ def other_attribute(file: h5py.File, random: Random, folder: Path) -> None:
         group.attrs[name] = values[random.integers(len(values))]
 
 
+def other_mark(file: h5py.File, random: Random, folder: Path) -> None:
+    """What tells the layout, and whether the archive is complete."""
+    name = ("edesign_archive", "complete")[random.integers(2)]
+    values = (0, 1, 3, 2.5, "2", np.arange(3), 1 << 62)
+    file.attrs[name] = values[int(random.integers(len(values)))]
+
+
 def lost_attribute(file: h5py.File, random: Random, folder: Path) -> None:
     groups = [group for group in _groups(file) if len(group.attrs)]
     group = groups[random.integers(len(groups))]
@@ -268,6 +275,7 @@ CRAFTS: tuple[Craft, ...] = (
     other_shape,
     huge_attribute,
     other_attribute,
+    other_mark,
     lost_attribute,
     lost_data,
     lost_group,

@@ -37,7 +37,7 @@ def _add(digest: Any, name: str, value: Any) -> None:
     """Add a value with its type and shape, so that no two contents give the same bytes."""
     array = np.asarray(value)
     if array.dtype.kind in "UO":
-        texts = [stored_text(text) for text in array.ravel().tolist()]
+        texts = [stored_text(str(text)) for text in array.ravel().tolist()]
         kind, content = "text", b"".join(b"%d:%b" % (len(text), text) for text in texts)
     else:
         kind, content = array.dtype.str, array.tobytes()

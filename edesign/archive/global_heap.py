@@ -7,28 +7,44 @@ place for ever (HDF5 file format specification, version 3, III.E "Global Heap").
 
 from __future__ import annotations
 
+import os
 import struct
 from collections.abc import Iterable, Iterator
-from mmap import mmap
 
+from edesign.archive.seal import Readable
 from edesign.archive.transaction import TransactionFile
 
 SIGNATURE = b"GCOL\x01\0\0\0"  # with the version and the reserved bytes
+_BLOCK = 1 << 20  # bytes that are searched at a time
 _HEADER = 16  # bytes of a collection's header, and of that of an object
 _OBJECT = struct.Struct("<HHIQ")  # index, references, reserved, size in bytes; index 0 is the free space
 
 
-def broken_collections(content: bytes | mmap) -> Iterator[int]:
-    """Give the places of the collections whose chain of objects does not end at their end.
+def broken_collections(file: Readable) -> list[int]:
+    """Return the places of the collections whose chain of objects does not end at their end.
 
     Args:
-        content: of the file; lengths take 8 bytes in it, as in every archive.
+        file: open for reading; lengths take 8 bytes in it, as in every archive.
     """
-    place = content.find(SIGNATURE)
-    while place >= 0:
-        if not _sound(content, place):
-            yield place
-        place = content.find(SIGNATURE, place + 1)
+    size = file.seek(0, os.SEEK_END)
+    return [place for place in _places(file) if not _sound(file, place, size)]
+
+
+def _places(file: Readable) -> Iterator[int]:
+    """Give the places of the signature, also where two blocks meet."""
+    start, rest = 0, b""
+    while True:
+        file.seek(start)
+        block = file.read(_BLOCK)
+        if not block:
+            return
+        text, origin = rest + block, start - len(rest)
+        found = text.find(SIGNATURE)
+        while found >= 0:
+            yield origin + found
+            found = text.find(SIGNATURE, found + 1)
+        start += len(block)
+        rest = text[1 - len(SIGNATURE) :]
 
 
 def disable(file: TransactionFile, places: Iterable[int]) -> None:
@@ -38,18 +54,19 @@ def disable(file: TransactionFile, places: Iterable[int]) -> None:
         file.write(bytes(len(SIGNATURE)))
 
 
-def _sound(content: bytes | mmap, start: int) -> bool:
-    if start + _HEADER > len(content):
+def _sound(file: Readable, start: int, size: int) -> bool:
+    file.seek(start)
+    header = file.read(_HEADER)
+    length = int.from_bytes(header[len(SIGNATURE) :], "little")
+    if len(header) < _HEADER or not _HEADER <= length <= size - start:
         return False
-    end = start + int.from_bytes(content[start + 8 : start + _HEADER], "little")
-    if end > len(content):
-        return False
-    place = start + _HEADER
-    while end - place >= _HEADER:
-        index, _, _, size = _OBJECT.unpack_from(content, place)
+    objects = file.read(length - _HEADER)
+    place = 0
+    while len(objects) - place >= _HEADER:
+        index, _, _, content = _OBJECT.unpack_from(objects, place)
         # the free space counts its header in its size, an object does not and is filled up to 8 bytes
-        length = size if index == 0 else _HEADER + (size + 7) // 8 * 8
-        if not _HEADER <= length <= end - place:
+        step = content if index == 0 else _HEADER + (content + 7) // 8 * 8
+        if not _HEADER <= step <= len(objects) - place:
             return False
-        place += length
+        place += step
     return True

@@ -69,7 +69,7 @@ def library_versions() -> dict[str, str]:
 def _write(target: h5py.Group, name: str, variable: Variable) -> h5py.Dataset:
     values = np.asarray(variable.values)
     kind = values.dtype.kind
-    if kind in "USO":
+    if kind in "UO":
         texts = [stored_text(str(text)) for text in values.ravel().tolist()]
         values = np.array(texts, dtype=_text_type(texts)).reshape(values.shape)
         dataset = _create(target, name, values)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import mmap
 import os
+import time
 from collections.abc import Callable
 from pathlib import Path
 from types import TracebackType
@@ -15,7 +15,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.files import reason
 from edesign.archive.global_heap import broken_collections, disable
 from edesign.archive.seal import sealed_size
-from edesign.archive.transaction import TransactionFile
+from edesign.archive.transaction import TransactionFile, between_commits
 from edesign.archive.tree import Damaged, Tree
 from edesign.archive.writer import FORMAT, PARTIAL_SUFFIX, partial_path
 from edesign.errors import ArchiveError, EdesignError
@@ -24,6 +24,7 @@ Found = TypeVar("Found")
 BROKEN_SEAL = "it is not as it was written (its seal does not fit)"
 NAMED = 5  # damaged groups that a message names
 TRIES = 5  # of reading an archive that changes meanwhile
+PAUSE = 0.1  # s between them; a run writes a group in less
 
 
 class DamagedArchive(ArchiveError):
@@ -67,12 +68,16 @@ class Archive:
         self._memory: TransactionFile | None = None
         try:
             self._check_file()
-            self._state = _state(self.path)
-            self.sealed, broken = _verify(self.path)
+            with between_commits(self.path):
+                self._state = _state(self.path)
+                self.sealed, broken = _verify(self.path)
+                self._file = self._open(broken, damaged)
         except OSError as error:
             raise ArchiveError(f"{self.path}: cannot read the archive: {reason(error)}") from error
+        except BaseException:
+            self.close()
+            raise
         try:
-            self._file = self._open(broken, damaged)
             self._tree = Tree(self._file, self._state[1], self.sealed)
             self.attributes = self._tree.attributes("")
             self._check(damaged)
@@ -94,7 +99,7 @@ class Archive:
     @property
     def complete(self) -> bool:
         """Whether the run that wrote the archive came to its end."""
-        return bool(self.attributes.get("complete"))
+        return str(self.attributes.get("complete")) == "1"  # a text too, as a damaged archive may have anything there
 
     @property
     def changed(self) -> bool:
@@ -191,14 +196,17 @@ class Archive:
         raise ArchiveError(f"{self.path}: no such archive{hint}")
 
     def _open(self, broken: list[int], damaged: bool) -> h5py.File:
-        """Open the file; where texts of it cannot be read without harm, or bytes are missing, open it in memory.
+        """Open the file.
 
-        A complete archive never changes, and a partial one changes only by whole transactions, so there is no lock.
+        A complete archive never changes. A partial one is read as it is now: a copy of it in memory. Where texts
+        cannot be read without harm, or bytes are missing, the copy is without them.
         """
         try:
             if broken or (damaged and not self.sealed):
                 self._memory = _mended(self.path, broken)
                 return h5py.File(self._memory, "r")
+            if self.path.suffix == PARTIAL_SUFFIX and not self.sealed:
+                return h5py.File(self.path, "r", driver="core", backing_store=False, locking=False)
             try:
                 return h5py.File(self.path, "r", locking=False)
             except OSError as error:
@@ -218,6 +226,8 @@ class Archive:
             if not damaged:
                 raise DamagedArchive(f"{self.path}: the archive is damaged: {BROKEN_SEAL}", self.changed)
             self._fault = f"{BROKEN_SEAL}; "
+        if not damaged and not self.sealed:
+            self._tree.group("")  # what is told of the whole archive stands there
         if damaged:
             for place in self._tree.places():
                 try:
@@ -265,6 +275,7 @@ def read_archive(path: str | os.PathLike[str], use: Callable[[Archive], Found]) 
         except DamagedArchive as error:
             if not error.changed:
                 break
+            time.sleep(PAUSE)
     return _use(path, use, damaged=True)
 
 
@@ -292,15 +303,13 @@ def _verify(path: Path) -> tuple[bool, list[int]]:
     with path.open("rb") as file:
         if sealed_size(file) is not None:
             return True, []
-        if not os.fstat(file.fileno()).st_size:
-            return False, []
-        with mmap.mmap(file.fileno(), 0, access=mmap.ACCESS_READ) as content:
-            return False, list(broken_collections(content))
+        return False, broken_collections(file)
 
 
 def _mended(path: Path, broken: list[int]) -> TransactionFile:
     """Return a file in memory in which broken collections are none, and bytes that were cut off are zeros."""
     file = TransactionFile(path, read_only=True)
+    file.load()
     file.truncate(max(file.size, _named_end(file)))
     disable(file, broken)
     return file

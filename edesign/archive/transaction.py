@@ -8,7 +8,11 @@ blocks of the existing space.
 
 from __future__ import annotations
 
+import errno
 import os
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
 
@@ -19,6 +23,8 @@ except ImportError:  # not on this platform; two runs on one archive are then no
     fcntl = None
 
 PAGE = 1 << 16
+PATIENCE = 10.0  # s to wait for a lock; both sides hold it for the time in which a file is copied at most
+_COMMIT_LOCK = 1 << 62  # the byte that is locked, where no file has one
 
 
 class TransactionFile:
@@ -41,7 +47,9 @@ class TransactionFile:
         except OSError:
             os.close(self._descriptor)
             raise
-        self._committed = os.fstat(self._descriptor).st_size
+        status = os.fstat(self._descriptor)
+        self._identity = _identity(status)
+        self._committed = status.st_size
         self._size = self._committed
         self._on_disk = self._committed  # bytes of the disk file that still are this file's content
         self._position = 0
@@ -68,7 +76,7 @@ class TransactionFile:
         Raises:
             FileNotFoundError: it leads nowhere.
         """
-        return os.path.samestat(os.stat(path), os.fstat(self._descriptor))
+        return _identity(os.stat(path)) == self._identity
 
     def write_again(self, path: Path) -> None:
         """Write the committed content to a path where nothing is, and go on there.
@@ -89,6 +97,7 @@ class TransactionFile:
             raise
         os.close(self._descriptor)
         self._descriptor = descriptor
+        self._identity = _identity(os.fstat(descriptor))
 
     def seek(self, offset: int, whence: int = os.SEEK_SET) -> int:
         """Move to `offset` bytes from the start, the position or the end; return the position."""
@@ -149,6 +158,11 @@ class TransactionFile:
         self._size = size
         return size
 
+    def load(self) -> None:
+        """Take the whole file into memory, so that changes on the disk are not seen."""
+        for number in range(-(-self._on_disk // PAGE)):
+            self._pages.setdefault(number, self._page(number))
+
     def flush(self) -> None:
         """Do nothing: only `commit` touches the disk."""
 
@@ -169,9 +183,10 @@ class TransactionFile:
         except OSError:
             os.ftruncate(self._descriptor, self._committed)
             raise
-        for number in sorted(self._pages):
-            self._put(number, 0, min(self._committed, self._size))
-        os.ftruncate(self._descriptor, self._size)
+        with _locked(self._descriptor, write=True):
+            for number in sorted(self._pages):
+                self._put(number, 0, min(self._committed, self._size))
+            os.ftruncate(self._descriptor, self._size)
         os.fsync(self._descriptor)
         self._pages.clear()
         self._committed = self._on_disk = self._size
@@ -201,6 +216,45 @@ class TransactionFile:
         page = memoryview(self._pages[number])
         while start < stop:
             start += os.pwrite(self._descriptor, page[start - origin : stop - origin], start)
+
+
+@contextmanager
+def between_commits(path: str | os.PathLike[str]) -> Iterator[None]:
+    """Hold back whoever commits to a file, for as long as it takes to open it or to copy it.
+
+    Raises:
+        OSError: it cannot be opened.
+    """
+    descriptor = os.open(path, os.O_RDONLY)
+    try:
+        with _locked(descriptor, write=False):
+            yield
+    finally:
+        os.close(descriptor)
+
+
+@contextmanager
+def _locked(descriptor: int, write: bool) -> Iterator[None]:
+    """Hold the lock of commits; go on without it where the system has none, or another process does not let go."""
+    held = False
+    end = time.monotonic() + PATIENCE
+    while fcntl is not None and not held and time.monotonic() < end:
+        try:
+            fcntl.lockf(descriptor, (fcntl.LOCK_EX if write else fcntl.LOCK_SH) | fcntl.LOCK_NB, 1, _COMMIT_LOCK)
+            held = True
+        except OSError as error:
+            if error.errno not in (errno.EACCES, errno.EAGAIN):
+                break
+            time.sleep(0.002)
+    try:
+        yield
+    finally:
+        if fcntl is not None and held:
+            fcntl.lockf(descriptor, fcntl.LOCK_UN, 1, _COMMIT_LOCK)
+
+
+def _identity(status: os.stat_result) -> tuple[int, int]:
+    return status.st_dev, status.st_ino
 
 
 def _lock(descriptor: int) -> None:

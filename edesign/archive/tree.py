@@ -65,14 +65,14 @@ class Tree:
     file: h5py.File
     size: int
     trusted: bool
-    layout: object = None
+    layout: int | str | None = None
     _links: dict[str, dict[str, str]] = field(default_factory=dict)
     _owners: dict[int, str] = field(default_factory=dict)
-    _data: set[str] = field(default_factory=set)
-    _stored: int = 0
+    _held: dict[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        self.layout = self.attributes("").get("edesign_archive")
+        found = self.attributes("").get("edesign_archive")
+        self.layout = found if found is None or isinstance(found, int) else str(found)
 
     def has(self, path: str) -> bool:
         """Whether there is something at a path.
@@ -157,15 +157,21 @@ class Tree:
             if lost and (data if self.layout == 1 else any(name in dimensions for name in lost)):
                 name, why = next(iter(lost.items()))
                 raise ValueError(f"`{name}`: {why}")
+            held = sum(self._held.values()) - self._held.get(place, 0)
+            before = held
             for name, item in data.items():
                 if name not in dimensions and self.layout != 1:
                     raise ValueError(f"`{name}` does not belong here")
                 dims = tuple(map(str, dimensions[name])) if self.layout != 1 else None
-                variable = self._variable(name, item, f"{place}/{name}", dims)
+                held += item.get_storage_size()
+                if held > self.size:
+                    raise ValueError(f"with `{name}`, the archive promises more data than the file holds")
+                variable = self._variable(name, item, dims)
                 (group.coords if variable.dims == (name,) else group.variables)[name] = variable
             _check_dimensions(group)
             if not self.trusted:
                 self._check(stored, group)
+            self._held[place] = held - before
         return group
 
     def places(self, place: str = "") -> Iterator[str]:
@@ -252,7 +258,7 @@ class Tree:
     def _text(self, item: h5d.DatasetID, name: bytes, default: str) -> str:
         return str(self._attribute(h5a.open(item, name))) if h5a.exists(item, name) else default
 
-    def _variable(self, name: str, item: h5d.DatasetID, place: str, dims: tuple[str, ...] | None) -> Variable:
+    def _variable(self, name: str, item: h5d.DatasetID, dims: tuple[str, ...] | None) -> Variable:
         try:
             kind, shape = item.get_type(), item.shape
             if shape is None:
@@ -260,7 +266,7 @@ class Tree:
             text = _is_text(kind)
             if not text:
                 _check_number(kind)
-            self._check_storage(item, place, math.prod(shape) * kind.get_size())
+            _check_storage(item, math.prod(shape) * kind.get_size())
             if text:
                 values = _read_text(item, kind, shape)
             else:
@@ -272,28 +278,6 @@ class Tree:
             return Variable(_scales(name, item) if dims is None else dims, values, unit, long_name)
         except _ERRORS as error:
             raise ValueError(f"`{name}`: {_words(error)}") from error
-
-    def _check_storage(self, item: h5d.DatasetID, place: str, size: int) -> None:
-        """Refuse data that lie elsewhere, or are longer than what the file holds of them.
-
-        Raises:
-            ValueError: with the reason.
-        """
-        plan = item.get_create_plist()
-        layout, stored = plan.get_layout(), item.get_storage_size()
-        if layout not in (h5d.COMPACT, h5d.CONTIGUOUS, h5d.CHUNKED) or plan.get_external_count():
-            raise ValueError("its values lie in another file, which an archive cannot have")
-        filters = [plan.get_filter(number)[0] for number in range(plan.get_nfilters())]
-        foreign = [number for number in filters if number not in EXPANSION]
-        if foreign:
-            raise ValueError(f"its values passed a filter that is none of an archive (number {foreign[0]})")
-        if place not in self._data:
-            self._data.add(place)
-            self._stored += stored
-        if self._stored > self.size:
-            raise ValueError("with it, the archive promises more data than the file holds")
-        if size > stored * math.prod(EXPANSION[number] for number in filters):
-            raise ValueError(f"it promises {size} bytes of values and holds {stored}")
 
     def _hold(self, size: int) -> None:
         if size > self.size:
@@ -356,6 +340,24 @@ def _is_text(kind: h5t.TypeID) -> bool:
 def _check_number(kind: h5t.TypeID) -> None:
     if kind.get_class() not in _NUMBERS or kind.get_size() > _LARGEST_NUMBER:
         raise ValueError("a type of values that an archive cannot have")
+
+
+def _check_storage(item: h5d.DatasetID, size: int) -> None:
+    """Refuse data that lie elsewhere, or are longer than what the file holds of them.
+
+    Raises:
+        ValueError: with the reason.
+    """
+    plan = item.get_create_plist()
+    layout, stored = plan.get_layout(), item.get_storage_size()
+    if layout not in (h5d.COMPACT, h5d.CONTIGUOUS, h5d.CHUNKED) or plan.get_external_count():
+        raise ValueError("its values lie in another file, which an archive cannot have")
+    filters = [plan.get_filter(number)[0] for number in range(plan.get_nfilters())]
+    foreign = [number for number in filters if number not in EXPANSION]
+    if foreign:
+        raise ValueError(f"its values passed a filter that is none of an archive (number {foreign[0]})")
+    if size > stored * math.prod(EXPANSION[number] for number in filters):
+        raise ValueError(f"it promises {size} bytes of values and holds {stored}")
 
 
 def _read_text(item: h5a.AttrID | h5d.DatasetID, kind: h5t.TypeStringID, shape: tuple[int, ...]) -> np.ndarray:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import mmap
 import os
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -251,8 +250,7 @@ class ArchiveWriter:
             return
         file: h5py.File | None = None
         try:
-            with self.partial.open("rb") as content, mmap.mmap(content.fileno(), 0, access=mmap.ACCESS_READ) as mapped:
-                disable(self._disk, broken_collections(mapped))
+            disable(self._disk, broken_collections(self._disk))
             file = h5py.File(self._disk, "r+", libver=LIBRARY_VERSIONS)
             tree = Tree(file, self._disk.size, trusted=False)
             old = tree.attributes("")

@@ -14,7 +14,7 @@ import pytest
 from unit.archive.archive_samples import history_group
 
 from edesign.archive.dataset import Group
-from edesign.archive.reader import open_archive
+from edesign.archive.reader import open_archive, read_archive
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.errors import ArchiveError
 
@@ -234,3 +234,27 @@ def test_a_file_of_another_kind_is_left_as_it_is(tmp_path: Path) -> None:
     if Path("/dev/zero").exists():
         with pytest.raises(ArchiveError, match="not a regular file"):
             ArchiveWriter("/dev/zero", root())
+
+
+def test_a_partial_archive_is_read_while_its_run_writes(tmp_path: Path) -> None:
+    """Every group that is told is whole, and none counts as damaged, however the readings fall between the writes."""
+    path = tmp_path / "a.h5"
+    process = python(KILLED, str(path))
+    assert process.stdout is not None
+    process.stdout.readline()
+    counts = []
+    try:
+        for _ in range(20):
+            found, damage = read_archive(
+                partial_path(path),
+                lambda archive: {name: archive.group(f"analyses/{name}") for name in archive.names("analyses")},
+            )
+            assert damage == ""
+            for name, group in found.items():
+                right = history_group(2000, seed=int(name[1:])).variables["displacement"].values
+                assert (group.variables["displacement"].values == right).all()
+            counts.append(len(found))
+    finally:
+        process.kill()
+        process.communicate()
+    assert counts == sorted(counts) and counts[-1] > counts[0]
