@@ -57,8 +57,9 @@ class Outcome:
     def of(problem: Problem, noise: Sequence[float], found: Selection) -> Outcome:
         """Of what the loop found, with the noise (tests,) of the problem."""
         predicted = {stage: predict(problem, judged) for stage, judged in stages(found).items()}
+        floor = floor_of(found.final, noise, "validate")
         noisy = found.final.at_floor and not found.adopted
-        if not noisy and predicts_worse(problem, predicted["corrected"], predicted["refit"]):
+        if not noisy and predicts_worse(problem, predicted["corrected"], predicted["refit"], floor):
             found = _withheld(problem, found, predicted)
             predicted["corrected"] = predicted["refit"]
         errors = {stage: errors_of(problem, values) for stage, values in predicted.items()}
@@ -114,16 +115,20 @@ class Outcome:
         return Hypothesis(effect_of(self.problem, one.model, one.adopted, with_it, describe), one.why)
 
 
-def predicts_worse(problem: Problem, one: Sequence[np.ndarray], other: Sequence[np.ndarray]) -> bool:
-    """Whether one prediction of the validation tests is worse than another one by more than noise makes.
+def predicts_worse(problem: Problem, one: Sequence[np.ndarray], other: Sequence[np.ndarray], floor: float) -> bool:
+    """Whether one prediction of the validation tests is worse than another one.
 
-    The difference of their squared errors is compared with twice its standard error, that of a sum of as many
-    independent samples as its correlation leaves in each test.
+    Where it leaves noise alone, noise makes a difference of their squared errors: it must be more than twice its
+    standard error, that of a sum of as many independent samples as its correlation leaves in each test.
 
     Args:
         problem: with the tests.
         one, other: predicted values (n_i,) of every test.
+        floor: NRMS of the noise in the validation tests.
     """
+    left, rival = (errors_of(problem, values).validate for values in (one, other))
+    if left <= rival or left > MOST[True] * floor:
+        return left > rival
     total, variance = 0.0, 0.0
     for i, use in enumerate(problem.uses):
         if use == "validate":

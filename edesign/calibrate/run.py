@@ -82,7 +82,7 @@ def calibrate(
         for i, (trial, test) in enumerate(zip(problem.trials, campaign.tests, strict=True))
     )
     progress("writing the law")
-    carried = carried_law(found.final.fitted, found.refit.fitted, fast, told)
+    carried = carried_law(found.final.fitted, found.refit.fitted, fast, told, outcome.floors["validate"])
     progress("asking which further test would tell more")
     calibration = outcome.calibration(
         campaign.title or campaign.specimen.name,

@@ -288,7 +288,7 @@ def _reaches(calibration: Calibration) -> list[str]:
     if corrected.validate > _CHANGED * refit.validate:
         texts.append(
             f"The corrected {model} predicts the validation tests worse ({percent(corrected.validate)} %) than the "
-            f"{model} alone fitted again ({percent(refit.validate)} %), by no more than chance may make."
+            f"{model} alone fitted again ({percent(refit.validate)} %), by no more than noise may make."
         )
     texts += [
         f"Without {effect_name(effect.name)} the validation tests are predicted better "

@@ -95,7 +95,7 @@ def calibration(of: DamperProblem, candidate: Candidate, values: tuple[float, ..
         law_held=True,
         series=series,
         seconds=0.0,
-        carried=carried.carried_law(final, of, of),
+        carried=carried.carried_law(final, final, of, of, 0.0),
     )
 
 

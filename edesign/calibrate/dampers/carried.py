@@ -23,7 +23,7 @@ def described(candidate: Candidate) -> Described:
     return replace(form.described, fixed=fixed)
 
 
-def carried_law(final: Fitted, refit: Fitted, fast: DamperProblem, full: DamperProblem) -> CarriedLaw:
+def carried_law(final: Fitted, refit: Fitted, fast: DamperProblem, full: DamperProblem, floor: float) -> CarriedLaw:
     """The corrected law with its effects in forms that a law file carries; the law fitted again, where that predicts
     the validation tests better than such forms do.
 
@@ -32,6 +32,7 @@ def carried_law(final: Fitted, refit: Fitted, fast: DamperProblem, full: DamperP
         refit: the law fitted again, without effects.
         fast: the problem at the rate of a fit.
         full: at the rate at which errors are told.
+        floor: NRMS of the noise in the validation tests.
     """
     damper = [candidate for candidate, _ in final.parts if candidate.kind == "damper"]
     lost = [candidate for candidate in damper if not _carries(candidate)]
@@ -39,7 +40,7 @@ def carried_law(final: Fitted, refit: Fitted, fast: DamperProblem, full: DamperP
         if not lost:
             return _carried(final, lost, full)
         known = _in_known_forms(final, lost, fast.certain)
-        if not predicts_worse(full, predict(full, Judged(known)), predict(full, Judged(refit))):
+        if not predicts_worse(full, predict(full, Judged(known)), predict(full, Judged(refit)), floor):
             return _carried(known, lost, full)
         return replace(_carried(refit, damper, full), withheld=True)
     except PredictionError:  # without what is lost the rest has no prediction; the law as declared has one

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 from edesign.calibrate.dampers.trial import Sizes
 from edesign.calibrate.unknown import Unknown
-from edesign.damper.fitting.identifiable import HELD, why_held
+from edesign.damper.fitting.identifiable import HELD, LIMITED_BY, why_held
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Law, Parameter
 
@@ -24,7 +24,7 @@ def law_unknowns(law: Law, declared: Mapping[str, float], sizes: Sizes) -> tuple
     campaign suggests.
     """
     scales = Scales(sizes.force, sizes.displacement, sizes.velocity)
-    held = HELD.get(law.name, {})
+    held = held_parameters(law)
     return tuple(
         _unknown(parameter, declared, scales)
         for parameter in law.all_parameters(declared)
@@ -33,8 +33,11 @@ def law_unknowns(law: Law, declared: Mapping[str, float], sizes: Sizes) -> tuple
 
 
 def held_parameters(law: Law) -> dict[str, str]:
-    """Parameters of a law that are held as others make them needless, with the reason."""
-    return {name: why_held(law, name) for name in HELD.get(law.name, {})}
+    """Parameters of a law that are held as others make them needless, with the reason. Those that limit others where
+    they are held above zero, as a declared law has them, are not: k0 and c_b of the MGMM.
+    """
+    limiting = LIMITED_BY.get(law.name, {}).values()
+    return {name: why_held(law, name) for name in HELD.get(law.name, {}) if name not in limiting}
 
 
 def _unknown(parameter: Parameter, declared: Mapping[str, float], scales: Scales) -> Unknown:

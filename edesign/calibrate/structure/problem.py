@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 from scipy.linalg import eigh
 
+from edesign.calibrate.dampers.law_unknowns import held_parameters
 from edesign.calibrate.noise import white_noise
 from edesign.calibrate.problem import Candidate, Part, Piece, Point, PredictionError, Problem, Use
 from edesign.calibrate.structure.band import band_power
@@ -21,7 +22,6 @@ from edesign.calibrate.structure.links import Link, by_storey
 from edesign.calibrate.structure.record import Channel, StructureTest
 from edesign.calibrate.structure.simulation import NoResponse, Response, simulate
 from edesign.calibrate.unknown import Unknown
-from edesign.damper.fitting.identifiable import HELD
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
 from edesign.errors import InputError
@@ -80,7 +80,7 @@ class StructureProblem:
             law = LAWS[self.isolation.law]
             known = {p.name: p for p in law.all_parameters(self.isolation.values)}
             for name in self.isolation.named:
-                held = name in HELD.get(law.name, {})
+                held = name in held_parameters(law)
                 if known[name].fitted and not held and self.isolation.values[name] != 0.0:
                     found.append(_unknown(known[name], self.isolation.values[name]))
         return tuple(found)

@@ -8,14 +8,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from kelvin_voigt_campaign import campaign
+from kelvin_voigt_campaign import campaign, lawful
 from linear_problem import LinearProblem, linear, model_of
 
+from edesign.calibrate.dampers import carried
 from edesign.calibrate.dampers.effects.friction import Loaded, LuGre, Stribeck
 from edesign.calibrate.dampers.effects.play import Closing
 from edesign.calibrate.dampers.prepare import damper_problem
 from edesign.calibrate.evidence import Judged
-from edesign.calibrate.fit import fit
+from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.outcome import Outcome
 from edesign.calibrate.problem import USUAL_GAIN, Candidate, Described, Part
 from edesign.calibrate.search.loop import Loop
@@ -230,3 +231,27 @@ def test_withheld_effects_are_told_as_hypotheses() -> None:
     assert one.effect.delta_validate < 0.0
     (written,) = calibration_json(told)["hypotheses"]
     assert written["name"] == "x" and "predicted worse" in written["why"]
+
+
+@pytest.mark.parametrize(("off", "withheld"), [(1.5, True), (1.0, False)])
+def test_a_law_file_has_the_refitted_law_where_its_forms_predict_the_validation_tests_worse(
+    off: float, withheld: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def worn(t, u, v, a, order):  # type: ignore[no-untyped-def]
+        return (1.0 - 0.05 * order) * lawful(t, u, v, a, order)
+
+    problem = damper_problem(campaign(tmp_path, worn))
+    noise = tuple(trial.noise for trial in problem.trials)
+    every = problem.candidates([trial.force for trial in problem.trials if trial.use == "fit"])
+    lacking = next(candidate for candidate in every if candidate.label == "degradation.work")
+    known = next(candidate for candidate in every if candidate.label == "ageing.linear")
+    bare = Model(problem, noise)
+    refit = fit(bare, bare.coordinates())
+    final, other = (fit(one, one.coordinates()) for one in (replace(bare, effects=(e,)) for e in (lacking, known)))
+    # the nearest form of law files is right, or predicts half as much again
+    wrong = replace(other, x=np.array([other.x[0] + np.log(off), *other.x[1:]]))
+    monkeypatch.setattr(carried, "_in_known_forms", lambda *_: wrong)
+    law = carried.carried_law(final, refit, problem, problem, 1e-4)
+    assert law.withheld == withheld and law.replaced == ("degradation.work",)
+    assert (law.effects == ()) == withheld
+    assert law.parameters["k"] == pytest.approx((refit if withheld else other).base[0])
