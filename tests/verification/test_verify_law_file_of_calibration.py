@@ -70,6 +70,8 @@ def calibration(of: DamperProblem, candidate: Candidate, values: tuple[float, ..
     """As the loop returns it with this effect."""
     model = Model(of, (1.0,) * len(of.trials), (candidate,), held=True)
     final = fit(model, model.coordinates(parts=[(candidate, np.array(values))]), most_steps=0)
+    bare = replace(model, effects=())
+    alone = fit(bare, bare.coordinates())
     series = tuple(
         Series(t.name, t.name, t.use, t.order, *(t.motion.time, t.motion.displacement, t.motion.velocity), t.force, {},
                t.temperature, 1.0)
@@ -95,7 +97,7 @@ def calibration(of: DamperProblem, candidate: Candidate, values: tuple[float, ..
         law_held=True,
         series=series,
         seconds=0.0,
-        carried=carried.carried_law(final, final, of, of, 0.0),
+        carried=carried.carried_law(final, alone, of, of, 0.0),
     )
 
 
