@@ -11,7 +11,6 @@ from edesign.cli import hazard_options as action
 from edesign.cli import recordings as source
 
 if TYPE_CHECKING:
-    from edesign.archive.files import check_file
     from edesign.ground_motion.sources import Found
 
 
@@ -56,7 +55,7 @@ def spectrum(
     """
     import numpy as np
 
-    from edesign.archive.files import check_csv_name
+    from edesign.archive.files import check_csv_name, check_file
     from edesign.errors import InputError
     from edesign.ground_motion.hazard import code_spectra
     from edesign.project.units import TIME

@@ -46,7 +46,7 @@ WRONG = {
     "wrong dimension": ("fy: 275 MPa", "fy: 275 kN", "275 kN", ["materials.S275.fy", "is a force", "stress"]),
     "negative size": ("[6 m]", "[-6 m]", "-6 m", ["frame.bays[0]", "`-6 m` must be greater than zero"]),
     "zero size": ("[4 m, 3 m]", "[4 m, 0 m]", "0 m]", ["frame.storeys[1]", "`0 m` must be greater than zero"]),
-    "unknown section": ("HEB200", "HEB205", "HEB205", ["columns[0].section", "HEB205", "did you mean `HEB200`?"]),
+    "unknown section": ("HEB200", "HEB205", "HEB205", ["columns[0].section", "HEB205", "near it `HEB180`, `HEB200`"]),
     "zero step": ("time_step: 0.01 s", "time_step: 0 s", "0 s", ["integration.time_step", "greater than zero"]),
     "output of no member": ("[C_A_1]", "[C_A_3]", "C_A_3", ["outputs.members[0]", "no member `C_A_3`", "did you mean"]),
     "output of no kind": (

@@ -219,7 +219,7 @@ def test_details_are_kept_of_the_records_that_are_named(archive: Path) -> None:
 
 def test_check_tells_what_a_run_would_do(study: Path, call: Caller) -> None:
     checked = call("check", study)
-    assert checked.code == 0 and checked.out.endswith("ok\n") and checked.err == ""
+    assert checked.code == 0 and checked.out.endswith("ok, with 4 warnings\n") and checked.err == ""
     for text in ("designs:    added (strain_energy)", "variants:   bare, damped, upper, warm", "bare.DBE (3)"):
         assert text in checked.out
     assert "records:    set (3 from files)" in checked.out and "variant warm: damper law rubber" in checked.out

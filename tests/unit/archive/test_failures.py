@@ -244,7 +244,7 @@ def test_a_partial_archive_is_read_while_its_run_writes(tmp_path: Path) -> None:
     process.stdout.readline()
     counts = []
     try:
-        for _ in range(20):
+        for _ in range(6):
             found, damage = read_archive(
                 partial_path(path),
                 lambda archive: {name: archive.group(f"analyses/{name}") for name in archive.names("analyses")},
