@@ -9,19 +9,15 @@ from pathlib import Path
 from types import TracebackType
 from typing import TypeVar
 
-import h5py
-
 from edesign.archive.dataset import Group
 from edesign.archive.files import reason
-from edesign.archive.global_heap import broken_collections, disable
-from edesign.archive.seal import sealed_size
-from edesign.archive.transaction import TransactionFile, between_commits
-from edesign.archive.tree import Damaged, Tree
-from edesign.archive.writer import FORMAT, PARTIAL_SUFFIX, partial_path
+from edesign.archive.opening import Opened, has_seal, is_partial, open_file
+from edesign.archive.survey import survey
+from edesign.archive.tree import FORMAT, Damaged
+from edesign.archive.writer import partial_path
 from edesign.errors import ArchiveError, EdesignError
 
 Found = TypeVar("Found")
-BROKEN_SEAL = "it is not as it was written (its seal does not fit)"
 NAMED = 5  # damaged groups that a message names
 TRIES = 5  # of reading an archive that changes meanwhile
 PAUSE = 0.1  # s between them; a run writes a group in less
@@ -43,16 +39,16 @@ class Archive:
     """An open archive; usable in a `with` statement.
 
     A complete archive has a seal, and none of it is read before the seal is found right. What has none, a partial
-    archive or one of layout 1, is verified group by group as it is read.
+    archive or one of layout 1, is surveyed by a process of its own first, and verified group by group as it is read.
 
     Args:
         path: `NAME.h5`, or `NAME.h5.partial` of a run that goes on or was interrupted.
-        damaged: open a damaged archive too; every group is then read once, and those that cannot be are left out.
+        damaged: open a damaged archive too; groups that cannot be read are left out.
 
     Attributes:
         path: the file.
         attributes: those of the root group (title, status, versions, checksum ...).
-        damage: why each group that cannot be read is left out, by its place; {} unless `damaged`.
+        damage: why each group that cannot be read is left out, by its place.
         sealed: whether a seal has told that every byte of the file is as it was written.
 
     Raises:
@@ -62,25 +58,22 @@ class Archive:
     def __init__(self, path: str | os.PathLike[str], damaged: bool = False) -> None:
         self.path = Path(path)
         self.damage: dict[str, str] = {}
-        self._fault = ""
         self._readable = 0
-        self._file: h5py.File | None = None
-        self._memory: TransactionFile | None = None
+        self._fault = ""
+        self._opened: Opened | None = None
         try:
             self._check_file()
-            with between_commits(self.path):
-                self._state = _state(self.path)
-                self.sealed, broken = _verify(self.path)
-                self._file = self._open(broken, damaged)
-        except OSError as error:
-            raise ArchiveError(f"{self.path}: cannot read the archive: {reason(error)}") from error
-        except BaseException:
-            self.close()
-            raise
-        try:
-            self._tree = Tree(self._file, self._state[1], self.sealed)
+            self._state = _state(self.path)
+            self.sealed = has_seal(self.path)
+            if not self.sealed:
+                found = survey(self.path)
+                self.damage, self._readable = found.damage, len(found.readable)
+            self._opened = open_file(self.path, self.sealed, mend=damaged)
+            self._tree = self._opened.tree
             self.attributes = self._tree.attributes("")
             self._check(damaged)
+        except OSError as error:
+            raise ArchiveError(f"{self.path}: cannot read the archive: {reason(error)}") from error
         except Damaged as error:
             self.close()
             raise self._damaged(error) from error
@@ -111,12 +104,18 @@ class Archive:
 
     def has(self, path: str) -> bool:
         """Whether there is a group at a path that can be read."""
+        place = path.strip("/")
         try:
-            return path.strip("/") not in self.damage and self._tree.has(path)
+            return not self.lost(place) and self._tree.has(place)
         except Damaged as error:
-            if error.place in self.damage:
-                return False
             raise self._damaged(error) from error
+
+    def lost(self, path: str) -> str:
+        """Return why a group of a damaged archive cannot be read, "" if it can."""
+        place = path.strip("/")
+        while place and place not in self.damage:
+            place = place.rpartition("/")[0]
+        return self.damage.get(place, "") if place or not path.strip("/") else ""
 
     def names(self, path: str = "/") -> list[str]:
         """Return the names of the groups below a path, by attribute `order`, then name; [] if it is not there.
@@ -150,10 +149,8 @@ class Archive:
 
     def close(self) -> None:
         """Close the file."""
-        if self._file is not None:
-            self._file.close()
-        if self._memory is not None:
-            self._memory.close()
+        if self._opened is not None:
+            self._opened.close()
 
     def damage_in_short(self) -> str:
         """Return one line on how much of a damaged archive can be read; "" unless something is damaged."""
@@ -173,8 +170,8 @@ class Archive:
 
     def _found(self, path: str, read: Callable[[str], Found]) -> Found:
         place = path.strip("/")
-        if place in self.damage:
-            raise self._damaged(Damaged(place, self.damage[place]))
+        if self.lost(place):
+            raise self._damaged(Damaged(place, self.lost(place)))
         if not self.has(place):
             parent = path.rpartition("/")[0] or "/"
             have = ", ".join(self.names(parent)) or "none"
@@ -195,46 +192,15 @@ class Archive:
         hint = f"; an incomplete one is there: {partial}" if partial.exists() else ""
         raise ArchiveError(f"{self.path}: no such archive{hint}")
 
-    def _open(self, broken: list[int], damaged: bool) -> h5py.File:
-        """Open the file.
-
-        A complete archive never changes. A partial one is read as it is now: a copy of it in memory. Where texts
-        cannot be read without harm, or bytes are missing, the copy is without them.
-        """
-        try:
-            if broken or (damaged and not self.sealed):
-                self._memory = _mended(self.path, broken)
-                return h5py.File(self._memory, "r")
-            if self.path.suffix == PARTIAL_SUFFIX and not self.sealed:
-                return h5py.File(self.path, "r", driver="core", backing_store=False, locking=False)
-            try:
-                return h5py.File(self.path, "r", locking=False)
-            except OSError as error:
-                if "locking flag" not in str(error):
-                    raise
-                # open in this process already, with a lock, as xarray does: HDF5 wants the same
-                return h5py.File(self.path, "r")
-        except (OSError, RuntimeError, ValueError) as error:
-            raise DamagedArchive(f"{self.path}: not an HDF5 file, or damaged", self.changed) from error
-
     def _check(self, damaged: bool) -> None:
         found = self._tree.layout
         if found not in (1, FORMAT):
             what = "an HDF5 file, but not an archive of edesign" if found is None else f"an archive of layout {found}"
             raise ArchiveError(f"{self.path}: this is {what}; this version reads layouts 1 to {FORMAT}")
-        if not self.sealed and found != 1 and self.complete and self.path.suffix != PARTIAL_SUFFIX:
-            if not damaged:
-                raise DamagedArchive(f"{self.path}: the archive is damaged: {BROKEN_SEAL}", self.changed)
-            self._fault = f"{BROKEN_SEAL}; "
-        if not damaged and not self.sealed:
-            self._tree.group("")  # what is told of the whole archive stands there
-        if damaged:
-            for place in self._tree.places():
-                try:
-                    self._tree.group(place)
-                    self._readable += 1
-                except Damaged as error:
-                    self.damage[place] = error.why
+        if not self.sealed and found != 1 and self.complete and not is_partial(self.path):
+            self._fault = "it is not as it was written (its seal does not fit); "
+        if not damaged and self.damage_in_short():
+            raise DamagedArchive(self.describe_damage(), self.changed)
 
     def _damaged(self, error: Damaged) -> DamagedArchive:
         return DamagedArchive(f"{self.path}: the archive is damaged: {error}", self.changed)
@@ -261,7 +227,7 @@ def read_archive(path: str | os.PathLike[str], use: Callable[[Archive], Found]) 
 
     Args:
         path: `NAME.h5` or `NAME.h5.partial`.
-        use: is handed the open archive, a second time if it proves to be damaged.
+        use: is handed the open archive; again, if a run has changed the file meanwhile.
 
     Returns:
         What `use` returned; one line on the damage, "" for a whole archive.
@@ -269,56 +235,36 @@ def read_archive(path: str | os.PathLike[str], use: Callable[[Archive], Found]) 
     Raises:
         ArchiveError: nothing can be read.
     """
-    for _ in range(TRIES):
+    for attempt in range(TRIES):
+        last = attempt == TRIES - 1
         try:
-            return _use(path, use, damaged=False)
+            with Archive(path, damaged=True) as archive:
+                told = archive.describe_damage()
+                if told and archive.changed and not last:
+                    raise DamagedArchive(told, changed=True)
+                return _used(archive, use, told), told
         except DamagedArchive as error:
-            if not error.changed:
-                break
-            time.sleep(PAUSE)
-    return _use(path, use, damaged=True)
-
-
-def _use(path: str | os.PathLike[str], use: Callable[[Archive], Found], damaged: bool) -> tuple[Found, str]:
-    with Archive(path, damaged) as archive:
-        told = archive.describe_damage()
-        try:
-            return use(archive), told
-        except (DamagedArchive, OSError):
-            raise
-        except EdesignError as error:
-            if not told:
+            if last or not error.changed:
                 raise
-            raise ArchiveError(f"{told}\n  nothing of it can be shown: {error}") from error
-        except Exception as error:
-            if archive.sealed:
-                raise  # what edesign wrote, edesign reads: its own mistake
-            what = f"its content does not fit together ({type(error).__name__}: {error})"
-            message = f"{told}\n  {what}" if told else f"{archive.path}: the archive is damaged: {what}"
-            raise DamagedArchive(message, archive.changed) from error
+        time.sleep(PAUSE)
+    raise AssertionError("the last attempt returns or raises")
 
 
-def _verify(path: Path) -> tuple[bool, list[int]]:
-    """Return whether a file has its seal, and if not, the broken collections of its global heap."""
-    with path.open("rb") as file:
-        if sealed_size(file) is not None:
-            return True, []
-        return False, broken_collections(file)
-
-
-def _mended(path: Path, broken: list[int]) -> TransactionFile:
-    """Return a file in memory in which broken collections are none, and bytes that were cut off are zeros."""
-    file = TransactionFile(path, read_only=True)
-    file.load()
-    file.truncate(max(file.size, _named_end(file)))
-    disable(file, broken)
-    return file
-
-
-def _named_end(file: TransactionFile) -> int:
-    """Return the end that the superblock (version 2, lengths of 8 bytes) names; its checksum is HDF5's matter."""
-    file.seek(28)
-    return int.from_bytes(file.read(8), "little")
+def _used(archive: Archive, use: Callable[[Archive], Found], told: str) -> Found:
+    try:
+        return use(archive)
+    except (DamagedArchive, OSError):
+        raise
+    except EdesignError as error:
+        if not told:
+            raise
+        raise ArchiveError(f"{told}\n  nothing of it can be shown: {error}") from error
+    except Exception as error:
+        if archive.sealed:
+            raise  # what edesign wrote, edesign reads: its own mistake
+        what = f"its content does not fit together ({type(error).__name__}: {error})"
+        message = f"{told}\n  {what}" if told else f"{archive.path}: the archive is damaged: {what}"
+        raise DamagedArchive(message, archive.changed) from error
 
 
 def _state(path: Path) -> tuple[int, int, int]:

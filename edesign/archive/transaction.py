@@ -15,6 +15,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from types import ModuleType
+from typing import BinaryIO
 
 fcntl: ModuleType | None
 try:
@@ -219,18 +220,17 @@ class TransactionFile:
 
 
 @contextmanager
-def between_commits(path: str | os.PathLike[str]) -> Iterator[None]:
-    """Hold back whoever commits to a file, for as long as it takes to open it or to copy it.
+def between_commits(path: Path) -> Iterator[BinaryIO]:
+    """Open a file for reading, and hold back whoever commits to it.
+
+    The lock is one of the process and goes as soon as the process closes the file by any descriptor. So another one may
+    be opened meanwhile, but not closed before the copy is made.
 
     Raises:
         OSError: it cannot be opened.
     """
-    descriptor = os.open(path, os.O_RDONLY)
-    try:
-        with _locked(descriptor, write=False):
-            yield
-    finally:
-        os.close(descriptor)
+    with path.open("rb") as file, _locked(file.fileno(), write=False):
+        yield file
 
 
 @contextmanager

@@ -22,6 +22,7 @@ from edesign.archive.checksum import CONTENT_CHECKSUM, content_checksum
 from edesign.archive.dataset import Group, Variable
 from edesign.archive.hdf5 import BOOLEAN_MARK, DIMENSIONS
 
+FORMAT = 2  # version of the layout, in the root attribute `edesign_archive`
 EXPANSION = {h5z.FILTER_FLETCHER32: 1}
 """Filters that an archive's data may have passed, and how many bytes one stored byte can become at most."""
 DEEPEST = 8  # groups in each other; records/SUITE/ID are 3
@@ -71,7 +72,13 @@ class Tree:
     _held: dict[str, int] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
-        found = self.attributes("").get("edesign_archive")
+        with _reading(""):
+            stored = self._attributes(self._open(""))
+        found = decode(stored["edesign_archive"]) if "edesign_archive" in stored else None
+        if found == 1 and CONTENT_CHECKSUM in stored:
+            found = (
+                FORMAT  # layout 1 has no checksums: the mark is not as it was written, and its checksum will tell so
+            )
         self.layout = found if found is None or isinstance(found, int) else str(found)
 
     def has(self, path: str) -> bool:
@@ -174,8 +181,15 @@ class Tree:
             self._held[place] = held - before
         return group
 
-    def places(self, place: str = "") -> Iterator[str]:
-        """Give the places of all groups, "" for the root; of a damaged group those below it are not known."""
+    def places(self, without: Container[str] = (), place: str = "") -> Iterator[str]:
+        """Give the places of all groups, "" for the root; of a damaged group those below it are not known.
+
+        Args:
+            without: places that are left out, with all below them.
+            place: where to begin.
+        """
+        if place in without:
+            return
         yield place
         try:
             with _reading(place):
@@ -184,7 +198,7 @@ class Tree:
             return
         # beside data it was data, and stands for its group; else it was a group, to be named as what cannot be read
         for name in (*groups, *(() if data else lost)):
-            yield from self.places(f"{place}/{name}".strip("/"))
+            yield from self.places(without, f"{place}/{name}".strip("/"))
 
     def _sorted(self, place: str) -> tuple[dict[str, h5d.DatasetID], list[str], dict[str, str]]:
         """Return the data in a group, the names of its groups, and of what cannot be opened, with the reason."""

@@ -15,13 +15,12 @@ from edesign.archive.dataset import Group
 from edesign.archive.files import reason
 from edesign.archive.global_heap import broken_collections, disable
 from edesign.archive.hdf5 import LIBRARY_VERSIONS, write_attributes, write_group
+from edesign.archive.opening import PARTIAL_SUFFIX
 from edesign.archive.seal import seal_of
+from edesign.archive.survey import survey
 from edesign.archive.transaction import TransactionFile
-from edesign.archive.tree import Damaged, Tree
+from edesign.archive.tree import FORMAT, Damaged, Tree
 from edesign.errors import ArchiveError
-
-PARTIAL_SUFFIX = ".partial"
-FORMAT = 2  # version of the layout, in the root attribute `edesign_archive`
 
 
 def partial_path(path: str | os.PathLike[str]) -> Path:
@@ -250,6 +249,8 @@ class ArchiveWriter:
             return
         file: h5py.File | None = None
         try:
+            if damage := survey(self.partial).damage:
+                raise Damaged(*next(iter(damage.items())))
             disable(self._disk, broken_collections(self._disk))
             file = h5py.File(self._disk, "r+", libver=LIBRARY_VERSIONS)
             tree = Tree(file, self._disk.size, trusted=False)

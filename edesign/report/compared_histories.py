@@ -71,7 +71,7 @@ def compared_histories(archive: Archive, measures: Collection[Wanted]) -> list[C
     """
     have = archive.names(ANALYSES)
     missing = [name for name in planned(archive) if name not in have]
-    reasons = {name: DAMAGED if f"{ANALYSES}/{name}" in archive.damage else NOT_RUN for name in missing}
+    reasons = {name: DAMAGED if archive.lost(f"{ANALYSES}/{name}") else NOT_RUN for name in missing}
     found = [ComparedHistory(name, "", "", "", reason) for name, reason in reasons.items()]
     for name in have:
         attributes = archive.group_attributes(f"{ANALYSES}/{name}")

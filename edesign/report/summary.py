@@ -91,8 +91,8 @@ def input_warnings(archive: Archive) -> list[str]:
 def results(archive: Archive, name: str) -> Group:
     """Return the results of an analysis, a group with the status "not run" or "damaged" where there is nothing else."""
     path = f"{ANALYSES}/{name}"
-    if path in archive.damage:
-        return Group(attributes={"status": DAMAGED, "reason": archive.damage[path]})
+    if why := archive.lost(path):
+        return Group(attributes={"status": DAMAGED, "reason": why})
     return archive.group(path) if archive.has(path) else Group(attributes={"status": NOT_RUN})
 
 

@@ -23,6 +23,7 @@ from edesign.stopping import Stopped, in_threads, stoppable
 SOON = 30.0  # s: it asks five times a second, but machines that do other things as well are slow to end a process
 
 SETTING = """
+    import signal
     import numpy as np
     from edesign.core import Analysis, Model
     from edesign.core.damper import CoreDamper
@@ -49,6 +50,7 @@ SETTING = """
         return Analysis(model), pattern, nodes[-1]
 
     structure, pattern, top = mast()
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell that starts tests behind may ignore it
     print("ready", flush=True)
 """
 

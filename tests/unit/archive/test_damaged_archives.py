@@ -134,7 +134,7 @@ def test_damage_is_noticed(samples: dict[str, Path], tmp_path: Path, layout: str
     """
     sample = samples[layout]
     right = without_path(use(sample)[0], sample)
-    found = outcomes(sample, tmp_path, lambda path, random: damaged_copy(sample, path, damage, random), range(12))
+    found = outcomes(sample, tmp_path, lambda path, random: damaged_copy(sample, path, damage, random), range(4))
     codes = Counter(code for code, _ in found)
     assert set(codes) <= ({4} if layout == "whole" else {0, 4}), (codes, [text for code, text in found if code == 1])
     if layout == "partial":
@@ -146,17 +146,18 @@ def test_damage_is_noticed(samples: dict[str, Path], tmp_path: Path, layout: str
 def test_crafted_archives_are_refused(samples: dict[str, Path], tmp_path: Path, layout: str, craft: Craft) -> None:
     """In a complete archive all of them, as the seal does not fit; elsewhere, what an archive cannot contain."""
     sample = samples[layout]
-    found = outcomes(sample, tmp_path, lambda path, random: crafted_copy(sample, path, craft, random), range(2))
+    found = outcomes(sample, tmp_path, lambda path, random: crafted_copy(sample, path, craft, random), range(1))
     codes = {code for code, _ in found}
     assert codes <= ({4} if layout == "whole" else {0, 4}), [text for code, text in found if code not in (0, 4)]
 
 
 @pytest.mark.parametrize("layout", ["whole", "partial"])
-def test_every_page_of_zeros_is_noticed(samples: dict[str, Path], tmp_path: Path, layout: str) -> None:
+def test_a_page_of_zeros_is_noticed(samples: dict[str, Path], tmp_path: Path, layout: str) -> None:
     """Of a partial archive too: every page has something that is read, or was zero before."""
     sample = samples[layout]
     content = sample.read_bytes()
     pages = [page for page in range(-(-len(content) // PAGE)) if any(content[page * PAGE : (page + 1) * PAGE])]
+    pages = pages[:: -(-len(pages) // 16)]  # the study of a thousand mutants has them all
     numbers = iter(pages)
 
     def spoil(path: Path, random: Random) -> None:
@@ -211,8 +212,8 @@ def test_numbers_of_a_chunk_of_zeros_are_not_taken_for_right(samples: dict[str, 
     path.write_bytes(content)
     with h5py.File(path) as file:
         assert not file["analyses/long/displacement"][:100].any()
-    with open_archive(path) as archive, pytest.raises(ArchiveError, match="the checksum differs"):
-        archive.group("analyses/long")
+    with pytest.raises(ArchiveError, match=r"analyses/long: .*the checksum differs"):
+        open_archive(path)
 
 
 def test_a_promise_of_24_gigabytes_takes_no_memory(samples: dict[str, Path], tmp_path: Path) -> None:
@@ -277,3 +278,39 @@ def test_a_change_by_another_program_is_damage(samples: dict[str, Path], tmp_pat
         file["analyses/a"].attrs["status"] = "failed"
     with open_archive(path, damaged=True) as archive:
         assert list(archive.damage) == ["analyses/a"] and "its seal does not fit" in archive.damage_in_short()
+
+
+def test_the_mark_of_layout_1_does_not_spare_a_group_its_checksum(samples: dict[str, Path], tmp_path: Path) -> None:
+    path = tmp_path / "a.h5"
+    path.write_bytes(samples["whole"].read_bytes())
+    with h5py.File(path, "r+") as file:
+        file.attrs["edesign_archive"] = 1
+    with open_archive(path, damaged=True) as archive:
+        assert "the checksum differs" in archive.damage[""]
+
+
+def test_pages_of_two_states_of_a_file(tmp_path: Path) -> None:
+    """What a power failure may leave of a partial file; of links in such a mixture HDF5 itself crashes."""
+    path = tmp_path / "a.h5"
+    with ArchiveWriter(path, Group(attributes={"project_checksum": "abc"})) as writer:
+        states = []
+        for number in range(56):
+            writer.write(f"analyses/a{number:03d}", history_group(500, seed=number))
+            if number in (40, 55):
+                states.append(partial_path(path).read_bytes())
+    before, after = states
+    pages = [start for start in range(0, len(before), 1 << 16) if before[start:][: 1 << 16] != after[start:][: 1 << 16]]
+    codes, worst = [], b""
+    for seed in range(4):
+        random = np.random.default_rng(seed)
+        mixed = bytearray(after)
+        for start in [start for start in pages if random.random() < 0.5]:
+            stop = min(start + (1 << 16), len(before))
+            mixed[start:stop] = before[start:stop]
+        partial_path(path).write_bytes(mixed)
+        codes.append(command(["show", str(partial_path(path))], limit=60).code)
+        worst = bytes(mixed) if codes[-1] == 4 else worst
+    assert set(codes) <= {0, 4} and 4 in codes
+    partial_path(path).write_bytes(worst)
+    with ArchiveWriter(path, Group(attributes={"project_checksum": "abc"}), reuse=lambda *_: True) as writer:
+        assert writer.kept == () and "an interrupted run left a damaged file" in writer.note
