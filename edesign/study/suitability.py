@@ -52,7 +52,7 @@ def scale_warnings(
     found: dict[str, list[str]] = defaultdict(list)
     for (name, label), of in factors.items():
         stand_ins = {key for key in of if _motion(motions, name, key).found.origin == "stand-in"}
-        found[name] += [f"{label}: {text}" if label else text for text in unusual_scales(of, stand_ins)]
+        found[name] += [f"{label}: {text}" if label not in ("", name) else text for text in unusual_scales(of, stand_ins)]
     return {name: list(dict.fromkeys(texts)) for name, texts in found.items() if texts}
 
 
