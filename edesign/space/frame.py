@@ -1,0 +1,109 @@
+"""A space frame: nodes, members, floors and load cases of a building.
+
+Axes. Global x and y are horizontal, z points upwards. Local x of a member runs from its start to its end. Local z is
+the direction of the web, local y completes a right-handed system, so that bending about local y is bending about the
+strong axis of an I section, as in EN 1993-1-1, 1.7.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+import numpy as np
+
+Kind = Literal["column", "beam", "brace"]
+RIGID = float("inf")
+NO_DIAPHRAGM = -1
+
+
+@dataclass(frozen=True)
+class Member:
+    """A straight prismatic member between two nodes.
+
+    Attributes:
+        name: `C_A2_3`, `BX_2_1_5` (frame, bay, floor), `DY_A_1_5_r`.
+        start, end: numbers of its nodes; columns and braces start at their lower end.
+        section: name in the catalogue, or of the file.
+        material: name of the file.
+        group: members of one group have one section.
+        web: direction of local z, (3,), of length 1, at right angles to the member.
+        ends: rotational stiffness (about y at start, z at start, y at end, z at end), N m/rad; `RIGID`, or 0 for a pin.
+        axial_only: pinned about all axes at both ends, without bending.
+        storey: 1 at the bottom; of a beam that of the storey below its floor.
+        frame: plane frames that it stands in: `X2` along x on line 2, `YA` along y on line A; a column is in two.
+        bay: of a beam or a brace, 1 at the beginning; 0 of a column.
+    """
+
+    name: str
+    kind: Kind
+    start: int
+    end: int
+    section: str
+    material: str
+    group: str
+    web: tuple[float, float, float]
+    ends: tuple[float, float, float, float] = (RIGID, RIGID, RIGID, RIGID)
+    axial_only: bool = False
+    storey: int = 0
+    frame: tuple[str, ...] = ()
+    bay: int = 0
+
+
+@dataclass(frozen=True)
+class LoadCase:
+    """Loads of one action.
+
+    Attributes:
+        name: `G`, `Q`.
+        category: `permanent`, or the category of use of EN 1991-1-1 (A to H) or `snow`, `wind`.
+        nodal: (n_nodes, 6) forces and moments on nodes, global, N and N m.
+        uniform: (n_members, 3) force a length of the member, global, N/m.
+        point_member, point_position, point_force: (p,) member, (p,) place as a fraction of its length, (p, 3) N, global.
+    """
+
+    name: str
+    category: str
+    nodal: np.ndarray
+    uniform: np.ndarray
+    point_member: np.ndarray
+    point_position: np.ndarray
+    point_force: np.ndarray
+
+
+@dataclass(frozen=True)
+class SpaceFrame:
+    """A building as nodes, members, rigid floors and load cases; values in SI.
+
+    Attributes:
+        node_names: `A2.3`: column line A2, floor 3; floor 0 is the base.
+        coordinates: (n_nodes, 3) m.
+        node_floor: (n_nodes,) floor of the rigid diaphragm, 1 at the bottom; `NO_DIAPHRAGM` without one.
+        levels: (n_floors + 1,) level of each floor above the base, m; the base is first.
+        fixed: (n_nodes, 6) True where ux, uy, uz, rx, ry, rz is held.
+        springs: (n_nodes, 6) stiffness of elastic supports, N/m and N m/rad; 0 elsewhere.
+        members: columns, beams, braces.
+        cases: load cases by name.
+        node_mass: (n_nodes,) kg, acts horizontally at the node.
+    """
+
+    node_names: tuple[str, ...]
+    coordinates: np.ndarray
+    node_floor: np.ndarray
+    levels: np.ndarray
+    fixed: np.ndarray
+    springs: np.ndarray
+    members: tuple[Member, ...]
+    cases: dict[str, LoadCase]
+    node_mass: np.ndarray
+
+    @property
+    def n_floors(self) -> int:
+        return len(self.levels) - 1
+
+    @cached_property
+    def length(self) -> np.ndarray:
+        """(n_members,) m."""
+        start, end = np.array([[member.start, member.end] for member in self.members]).T
+        return np.asarray(np.linalg.norm(self.coordinates[end] - self.coordinates[start], axis=1))
