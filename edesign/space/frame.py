@@ -60,7 +60,7 @@ class LoadCase:
         category: `permanent`, or the category of use of EN 1991-1-1 (A to H) or `snow`, `wind`.
         nodal: (n_nodes, 6) forces and moments on nodes, global, N and N m.
         uniform: (n_members, 3) force a length of the member, global, N/m.
-        point_member, point_position, point_force: (p,) member, (p,) place as a fraction of its length, (p, 3) N, global.
+        point_member, point_position, point_force: (p,) member, (p,) fraction of its length, (p, 3) N, global.
     """
 
     name: str
