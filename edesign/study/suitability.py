@@ -52,7 +52,8 @@ def scale_warnings(
     found: dict[str, list[str]] = defaultdict(list)
     for (name, label), of in factors.items():
         stand_ins = {key for key in of if _motion(motions, name, key).found.origin == "stand-in"}
-        found[name] += [f"{label}: {text}" if label not in ("", name) else text for text in unusual_scales(of, stand_ins)]
+        prefix = "" if label in ("", name) else f"{label}: "
+        found[name] += [f"{prefix}{text}" for text in unusual_scales(of, stand_ins)]
     return {name: list(dict.fromkeys(texts)) for name, texts in found.items() if texts}
 
 
