@@ -19,6 +19,8 @@ _NAMES = ("project_file", "study_file", "title")  # by which archives without `s
 def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
     """Refuse to replace the archive of something else, finished or interrupted, or an input of the command.
 
+    An archive of the same file with analyses that the run leaves out (`--only`) is not replaced either.
+
     Args:
         path: where an archive is to be written.
         root: of this archive; the attribute `source_file` says what it is of. Of an archive without it, of an older
@@ -26,7 +28,7 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
         overwrite: whether the archive of something else may be replaced.
 
     Raises:
-        ArchiveError: an archive stands there that is of something else, or that cannot be read.
+        ArchiveError: an archive stands there that is of something else, that has more, or that cannot be read.
         InputError: an input of the command stands there.
     """
     spare_inputs(path, partial_path(path))
@@ -40,6 +42,13 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
             if place != path:
                 continue  # what an interrupted run left damaged
             raise ArchiveError(f"{error}; it is left as it is: choose another name, or --overwrite") from error
+        lost = [str(name) for name in _names(old) if name not in _names(root.attributes)]
+        if lost and old.get("project_checksum") == root.attributes.get("project_checksum"):
+            raise ArchiveError(
+                f"{place}: this archive has {len(lost)} analyses that this run leaves out ({', '.join(lost[:3])}"
+                f"{' ...' if len(lost) > 3 else ''}), and it is left as it is; choose another name (--archive), or "
+                "--overwrite"
+            )
         if _differs(old, root.attributes):
             raise ArchiveError(
                 f"{place}: this is the archive of another {_described(old)}, and it is left as it is; choose another "
@@ -50,6 +59,11 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
 def _differs(old: Mapping[str, object], new: Mapping[str, object]) -> bool:
     names = ("source_file",) if "source_file" in old else _NAMES
     return _kind(old) != _kind(new) or any(old.get(name) != new.get(name) for name in names)
+
+
+def _names(attributes: Mapping[str, object]) -> list[object]:
+    planned = attributes.get("planned")
+    return planned if isinstance(planned, list) else []
 
 
 def _kind(attributes: Mapping[str, object]) -> str:

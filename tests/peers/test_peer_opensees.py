@@ -39,12 +39,13 @@ def test_pushover_to_two_per_cent_of_roof_drift(frame: PeerFrame) -> None:
 
 
 def test_el_centro() -> None:
-    """Peaks within 0.3 %, residual displacement within 2 mm, over 53.7 s of the 1940 recording at 0.414 g.
+    """Peaks within 0.3 %, residual displacement within 2 mm, over 25 s of the 1940 recording at 0.414 g.
 
-    Three bays; of four bays the values below are known.
+    Its strong part, and the end of yielding. Three bays; of four bays the values below are known.
     """
     frame = thesis_frame(3)
     acceleration, dt = el_centro(0.414)
+    acceleration = acceleration[: round(25.0 / dt)]
     theirs = opensees_frame.history(frame, acceleration, dt)
     ours, _ = edesign_frame.history(frame, acceleration, dt)
     assert ours.status == "completed" and theirs.status == "completed"

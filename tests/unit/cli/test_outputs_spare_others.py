@@ -266,6 +266,19 @@ def test_an_interrupted_run_of_another_project_stays(tmp_path: Path, monkeypatch
     assert core.ran == ["c", "d"]
 
 
+def test_one_analysis_does_not_replace_the_archive_of_all(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch)
+    path = run_project(project(tmp_path)).archive
+    with pytest.raises(
+        ArchiveError, match=r"small\.h5: this archive has 3 analyses that this run leaves out \(b, c, d\)"
+    ):
+        run_project(project(tmp_path), path, only=["a"])
+    run_project(project(tmp_path))
+    run_project(project(tmp_path), path, only=["a"], overwrite=True)
+    with open_archive(path) as archive:
+        assert archive.attributes["planned"] == ["a"]
+
+
 def test_files_that_a_command_wrote_itself_are_no_inputs(tmp_path: Path) -> None:
     note_input(tmp_path)  # nothing is noted outside
     spare_inputs(tmp_path)
