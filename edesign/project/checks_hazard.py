@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from edesign.project.hazard import Hazard, Level
 from edesign.project.problems import Problems, listed
-from edesign.project.project import Project
 
 _WAYS = tuple(Level.model_fields)
 
 
-def check_hazard(project: Project, problems: Problems) -> None:
-    """Check the seismic action; `project` has no schema problems. What names of the code mean is checked later."""
-    hazard = project.hazard
+def check_hazard(hazard: Hazard | None, problems: Problems) -> None:
+    """Check the seismic action, which has no schema problems. What names of the code mean is checked later."""
     if hazard is None:
         return
     _reference(hazard, problems)

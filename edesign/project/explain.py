@@ -48,7 +48,7 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
         problems.at_value(
             keys, f"a list, or a mapping of {listed(other)}, is needed here, not {_seen(detail['input'])}"
         )
-    elif kind == "literal_error" and keys in (("edesign",), ("edesign_suite",)):
+    elif kind == "literal_error" and keys in (("edesign",), ("edesign_building",), ("edesign_suite",)):
         problems.at_value(keys, f"format {_seen(detail['input'])} is unknown to this version of edesign, which reads 1")
     elif detail["loc"] and detail["loc"][-1] == "[key]":
         problems.at_key(keys, "a name is made of letters, digits and `_`, `-`, `+`, `.`, at most 64 of them")

@@ -55,11 +55,14 @@ _KINDS = (
     Kind("volume", "m^3", "1 m^3"),
     Kind("moment", "N*m", "10 kN*m"),
     VELOCITY := Kind("velocity", "m/s", "360 m/s"),
-    Kind("density", "kg/m^3", "7850 kg/m^3"),
+    DENSITY := Kind("density", "kg/m^3", "7850 kg/m^3"),
     Kind("mass per length", "kg/m", "77.6 kg/m"),
     FREQUENCY := Kind("frequency", "1/s", "1 Hz"),
     Kind("temperature", "K", "293 K"),
     Kind("number without dimension", "dimensionless", "1"),
+    # of one dimension with a stress and a moment, which are named where another quantity is needed
+    AREA_LOAD := Kind("force per area", "N/m^2", "4.5 kN/m^2"),
+    ROTATIONAL_STIFFNESS := Kind("rotational stiffness", "N*m/rad", "50 MN*m/rad"),
 )
 
 
@@ -201,9 +204,11 @@ PositiveArea = Annotated[float, _of(AREA, "positive")]
 PositiveInertia = Annotated[float, _of(INERTIA, "positive")]
 Force = Annotated[float, _of(FORCE)]
 LineLoad = Annotated[float, _of(LINE_LOAD)]
+AreaLoad = Annotated[float, _of(AREA_LOAD)]
 PositiveStiffness = Annotated[float, _of(STIFFNESS, "positive")]
 PositiveStress = Annotated[float, _of(STRESS, "positive")]
 PositiveMass = Annotated[float, _of(MASS, "positive")]
+PositiveDensity = Annotated[float, _of(DENSITY, "positive")]
 PositiveTime = Annotated[float, _of(TIME, "positive")]
 Duration = Annotated[float, _of(TIME, "not negative")]
 PositiveFrequency = Annotated[float, _of(FREQUENCY, "positive")]

@@ -16,7 +16,13 @@ from edesign.project.yaml_nodes import Mark, parse
 
 M = TypeVar("M", bound=BaseModel)
 
-KINDS = {"edesign": "project", "edesign_study": "study", "edesign_suite": "suite", "edesign_reference": "reference"}
+KINDS = {
+    "edesign": "project",
+    "edesign_study": "study",
+    "edesign_building": "building",
+    "edesign_suite": "suite",
+    "edesign_reference": "reference",
+}
 """What a file is by its first key."""
 
 

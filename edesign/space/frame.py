@@ -23,7 +23,7 @@ class Member:
     """A straight prismatic member between two nodes.
 
     Attributes:
-        name: `C_A2_3`, `BX_2_1_5` (frame, bay, floor), `DY_A_1_5_r`.
+        name: `C_A2_3` (column line A2, storey 3), `BX_2_1_5` (frame, bay, floor), `DY_A_1_5_r`.
         start, end: numbers of its nodes; columns and braces start at their lower end.
         section: name in the catalogue, or of the file.
         material: name of the file.
@@ -31,6 +31,7 @@ class Member:
         web: direction of local z, (3,), of length 1, at right angles to the member.
         ends: rotational stiffness (about y at start, z at start, y at end, z at end), N m/rad; `RIGID`, or 0 for a pin.
         axial_only: pinned about all axes at both ends, without bending.
+        compression: whether it counts in compression; diagonals of EN 1998-1, 6.7.2(2)P do not.
         storey: 1 at the bottom; of a beam that of the storey below its floor.
         frame: plane frames that it stands in: `X2` along x on line 2, `YA` along y on line A; a column is in two.
         bay: of a beam or a brace, 1 at the beginning; 0 of a column.
@@ -46,6 +47,7 @@ class Member:
     web: tuple[float, float, float]
     ends: tuple[float, float, float, float] = (RIGID, RIGID, RIGID, RIGID)
     axial_only: bool = False
+    compression: bool = True
     storey: int = 0
     frame: tuple[str, ...] = ()
     bay: int = 0
@@ -60,7 +62,7 @@ class LoadCase:
         category: `permanent`, or the category of use of EN 1991-1-1 (A to H) or `snow`, `wind`.
         nodal: (n_nodes, 6) forces and moments on nodes, global, N and N m.
         uniform: (n_members, 3) force a length of the member, global, N/m.
-        point_member, point_position, point_force: (p,) member, (p,) fraction of its length, (p, 3) N, global.
+        point_member, point_position, point_force: (p,) member, (p,) place as a fraction of its length, (p, 3) N.
     """
 
     name: str
@@ -77,7 +79,7 @@ class SpaceFrame:
     """A building as nodes, members, rigid floors and load cases; values in SI.
 
     Attributes:
-        node_names: `A2.3`: column line A2, floor 3; floor 0 is the base.
+        node_names: `A2.3`: column line A2, floor 3; floor 0 is the base. `BX_2_1_5`: the middle of that beam.
         coordinates: (n_nodes, 3) m.
         node_floor: (n_nodes,) floor of the rigid diaphragm, 1 at the bottom; `NO_DIAPHRAGM` without one.
         levels: (n_floors + 1,) level of each floor above the base, m; the base is first.

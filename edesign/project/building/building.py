@@ -1,0 +1,170 @@
+"""The whole building file."""
+
+from __future__ import annotations
+
+import hashlib
+from functools import cached_property
+from itertools import accumulate
+from pathlib import Path
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Discriminator, Field, PrivateAttr, Tag
+
+from edesign.project.base import Model, by_shape
+from edesign.project.building.design import Design
+from edesign.project.building.layout import Layout
+from edesign.project.building.loads import Loads, Masses
+from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Missing
+from edesign.project.building.names import ColumnLine, Direction
+from edesign.project.building.places import Bays, ColumnLineSelection, parse_column_lines
+from edesign.project.building.supports import Springs, Support, springs_of
+from edesign.project.file_model import FileModel
+from edesign.project.hazard import Hazard
+from edesign.project.project import Identifier
+from edesign.project.selections import ALL_NUMBERS, Numbers, NumbersOrNone
+from edesign.project.units import PositiveDensity, PositiveLength, PositiveStress
+
+MOST_BAYS = 100
+"""In one direction, so that letters of lines and names of frames (`XA`, `YA`) are told apart."""
+MOST_STOREYS = 200
+
+
+class EqualBays(Model):
+    """Bays of one width."""
+
+    count: Annotated[int, Field(ge=1, le=MOST_BAYS)]
+    width: PositiveLength
+
+
+Widths = Annotated[tuple[PositiveLength, ...], Field(min_length=1, max_length=MOST_BAYS)]
+BayWidths = Annotated[Annotated[Widths, Tag("?plain")] | Annotated[EqualBays, Tag("?mapping")], Discriminator(by_shape)]
+
+
+class EqualStoreys(Model):
+    """Storeys of one height."""
+
+    count: Annotated[int, Field(ge=1, le=MOST_STOREYS)]
+    height: PositiveLength
+
+
+Heights = Annotated[tuple[PositiveLength, ...], Field(min_length=1, max_length=MOST_STOREYS)]
+
+
+class Plan(Model):
+    """The grid in plan: widths of the bays along x and along y, m."""
+
+    x: BayWidths
+    y: BayWidths
+
+
+class Setback(Model):
+    """Floors that cover some bays of the plan only; a later one overrides an earlier one."""
+
+    floors: Numbers
+    bays: Bays
+
+
+class Steel(Model):
+    """An elastic steel; E and fy in Pa, density in kg/m3.
+
+    Source of the defaults: EN 1993-1-1:2005, 3.2.6(1); EN 1991-1-1:2002, Table A.4.
+    """
+
+    E: PositiveStress = 210e9
+    fy: PositiveStress
+    nu: Annotated[float, Field(ge=0.0, lt=0.5)] = 0.3
+    density: PositiveDensity = 7850.0
+
+
+class Building(FileModel):
+    """A validated building; all values are in SI. Made by `load_building`."""
+
+    kind: ClassVar[str] = "building"
+
+    edesign_building: Literal[1]
+    title: Annotated[str, Field(min_length=1)]
+    plan: Plan
+    storeys: Annotated[
+        Annotated[Heights, Tag("?plain")] | Annotated[EqualStoreys, Tag("?mapping")], Discriminator(by_shape)
+    ]
+    setbacks: tuple[Setback, ...] = ()
+    supports: Annotated[
+        Annotated[Literal["fixed", "pinned"], Tag("?plain")] | Annotated[dict[str, Support], Tag("?mapping")],
+        Discriminator(by_shape),
+    ] = "fixed"
+    diaphragms: NumbersOrNone = ALL_NUMBERS
+    columns: Annotated[tuple[ColumnRun, ...], Field(min_length=1)]
+    beams: Annotated[tuple[BeamRun, ...], Field(min_length=1)]
+    braces: tuple[BraceRun, ...] = ()
+    missing: Missing = Missing()
+    materials: dict[Identifier, Steel]
+    loads: Loads = Loads()
+    masses: Masses | None = None
+    hazard: Hazard | None = None
+    design: Design | None = None
+
+    _path: Path = PrivateAttr(default=Path("building.yaml"))
+
+    @property
+    def checksum(self) -> str:
+        """SHA-256 of the text (UTF-8), hexadecimal."""
+        return hashlib.sha256(self._text.encode("utf-8")).hexdigest()
+
+    @property
+    def archive_path(self) -> Path:
+        """Where the archive goes unless the command line says otherwise."""
+        return self.folder / f"{self._path.stem}.h5"
+
+    @cached_property
+    def layout(self) -> Layout:
+        """What stands where."""
+        return Layout(self)
+
+    def widths(self, along: Direction) -> tuple[float, ...]:
+        """Return the widths of the bays along x or y, m."""
+        bays = self.plan.x if along == "x" else self.plan.y
+        return (bays.width,) * bays.count if isinstance(bays, EqualBays) else bays
+
+    @cached_property
+    def heights(self) -> tuple[float, ...]:
+        """Height of each storey, bottom to top, m."""
+        return (self.storeys.height,) * self.storeys.count if isinstance(self.storeys, EqualStoreys) else self.storeys
+
+    @property
+    def n_storeys(self) -> int:
+        return len(self.heights)
+
+    def n_bays(self, along: Direction) -> int:
+        """Return the number of bays along x or y."""
+        return len(self.widths(along))
+
+    def n_frames(self, along: Direction) -> int:
+        """Return the number of plane frames along x or y."""
+        return self.n_bays("y" if along == "x" else "x") + 1
+
+    def coordinates(self, along: Direction) -> tuple[float, ...]:
+        """Return the coordinates of the grid lines, m; the first is at 0."""
+        return tuple(accumulate(self.widths(along), initial=0.0))
+
+    @cached_property
+    def levels(self) -> tuple[float, ...]:
+        """Level of each floor above the base, m; the base is first."""
+        return tuple(accumulate(self.heights, initial=0.0))
+
+    def support(self, line: ColumnLine) -> Springs:
+        """Return what holds the foot of a column line; one that a mapping does not name takes its `default`, or fixed."""
+        if not isinstance(self.supports, dict):
+            return springs_of(self.supports)
+        found = self.supports.get("default", "fixed")
+        for name, support in self.supports.items():
+            if name != "default" and line in self.lines_of(parse_column_lines(name)):
+                found = support
+        return springs_of(found)
+
+    def lines_of(self, chosen: ColumnLineSelection) -> tuple[ColumnLine, ...]:
+        """Return the column lines of a selection."""
+        return tuple(chosen.lines(self.n_bays("x") + 1, self.n_bays("y") + 1))
+
+    def grid(self, line: ColumnLine) -> tuple[float, float]:
+        """Return the place of a column line in plan, m."""
+        return self.coordinates("x")[line.i], self.coordinates("y")[line.j]

@@ -1,0 +1,40 @@
+"""Cross checks of the seismic action and the design of a building."""
+
+from __future__ import annotations
+
+from edesign.project.building.building import Building
+from edesign.project.checks_hazard import check_hazard
+from edesign.project.problems import Problems, listed, unknown_name
+
+
+def check_design(building: Building, problems: Problems) -> None:
+    """Check hazard and design.
+
+    Args:
+        building: read without schema problems.
+        problems: collects what is wrong.
+    """
+    check_hazard(building.hazard, problems)
+    hazard, design = building.hazard, building.design
+    if hazard is not None and hazard.behaviour_factor is not None:
+        message = "a building has a behaviour factor in each direction; give `q` under design.systems"
+        problems.at_key(("hazard", "behaviour_factor"), message)
+    if design is None:
+        return
+    if hazard is None:
+        problems.at_key(("design",), "a design needs the seismic action, and the file has no `hazard`")
+    elif not hazard.levels:
+        problems.under(("hazard",), "levels", "this key is missing; the design is for one level of the hazard")
+    elif design.level is None and len(hazard.levels) > 1:
+        message = f"this key is missing; the hazard has the levels {listed(hazard.levels)}"
+        problems.under(("design",), "level", message)
+    elif design.level is not None and design.level not in hazard.levels:
+        problems.at_value(("design", "level"), unknown_name("level", design.level, hazard.levels))
+    if building.masses is None:
+        problems.at_key(("design",), "a design needs `masses`, and the file has none")
+    for along, system in (("x", design.systems.x), ("y", design.systems.y)):
+        braced = any(place.along == along for place in building.layout.brace_at)
+        if braced != (system.type != "moment_frame"):
+            seen = "there are braces" if braced else "no bay is braced"
+            message = f"`{system.type}`: along {along} {seen}"
+            problems.at_value(("design", "systems", along, "type"), message)

@@ -1,0 +1,199 @@
+"""Cross checks of a building: selections inside the grid, every place covered, members that stand on something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from edesign.project.building.building import Building
+from edesign.project.building.checks_selections import Selections
+from edesign.project.building.layout import DIRECTIONS, met_beam, ways
+from edesign.project.building.members import CHEVRONS, BeamRun, BraceRun, ColumnRun
+from edesign.project.building.names import BeamPlace, column_name, frame_name, node_name
+from edesign.project.building.places import parse_column_lines
+from edesign.project.problems import Keys, Problems, listed, unknown_name
+from edesign.project.sections import Catalogue, no_section
+
+MOST_COLUMNS = 50_000
+"""Of a building: twenty times those of 200 storeys with 12 column lines."""
+
+Run = ColumnRun | BeamRun | BraceRun
+
+
+def check_layout(building: Building, problems: Problems, profiles: Catalogue | None) -> None:
+    """Check the grid, the members, their sections and materials.
+
+    Args:
+        building: read without schema problems.
+        problems: collects what is wrong.
+        profiles: names of the catalogue; None leaves section names unchecked.
+    """
+    columns = (building.n_bays("x") + 1) * (building.n_bays("y") + 1) * building.n_storeys
+    if columns > MOST_COLUMNS:
+        problems.at_key(
+            ("plan",), f"plan and storeys have {columns} places of columns; at most {MOST_COLUMNS} are read"
+        )
+        return
+    for keys, run in _runs(building):
+        _section_of(problems, keys, run, profiles)
+        if run.material not in building.materials:
+            problems.at_value((*keys, "material"), unknown_name("material", run.material, building.materials))
+    _groups(building, problems)
+    if not _selections(building, problems):
+        return
+    if _floors(building, problems) and _covered(building, problems):
+        _stand(building, problems)
+        _braces(building, problems)
+        _resisting(building, problems)
+
+
+def _selections(building: Building, problems: Problems) -> bool:
+    """Everything that is named is on the grid."""
+    check = Selections(building, problems)
+    before = len(problems.found)
+    check.numbers(("diaphragms",), building.diaphragms, "floor", building.n_storeys)
+    for i, setback in enumerate(building.setbacks):
+        check.floors(("setbacks", i), setback.floors)
+        check.bays(("setbacks", i, "bays"), setback.bays)
+    _supports(building, problems, check)
+    for i, column in enumerate(building.columns):
+        check.column_places(("columns", i), column)
+    for i, beam in enumerate(building.beams):
+        check.beam_places(("beams", i), beam)
+    for i, brace in enumerate(building.braces):
+        keys: Keys = ("braces", i)
+        check.frames((*keys, "frames"), brace.frames, brace.along)
+        check.numbers((*keys, "bays"), brace.bays, f"bay along {brace.along}", building.n_bays(brace.along))
+        check.storeys(keys, brace.storeys)
+        if brace.kind in CHEVRONS and brace.compression is False:
+            message = f"both braces of a {brace.kind} count, in tension and compression (EN 1998-1, 6.7.2(2)P)"
+            problems.at_value((*keys, "compression"), message)
+    for i, gap in enumerate(building.missing.columns):
+        check.column_places(("missing", "columns", i), gap)
+    for i, hole in enumerate(building.missing.beams):
+        check.beam_places(("missing", "beams", i), hole)
+    return len(problems.found) == before
+
+
+def _supports(building: Building, problems: Problems, check: Selections) -> None:
+    if not isinstance(building.supports, dict):
+        return
+    for name in building.supports:
+        if name == "default":
+            continue
+        try:
+            chosen = parse_column_lines(name)
+        except ValueError as error:
+            problems.at_key(("supports", name), f"{error}, or `default`")
+            continue
+        check.lines(("supports", name), chosen)
+
+
+def _floors(building: Building, problems: Problems) -> bool:
+    """Every floor covers a bay; returns whether it is so."""
+    layout = building.layout
+    bare = [floor for floor, panels in layout.floors.items() if not panels]
+    for floor in bare:
+        problems.at_key(("setbacks",), f"floor {floor} covers no bay")
+    return not bare
+
+
+def _covered(building: Building, problems: Problems) -> bool:
+    """Every place of the grid has a run or is listed as missing; returns whether it is so."""
+    layout = building.layout
+    columns = {place for run in (*building.columns, *building.missing.columns) for place in layout.column_places(run)}
+    beams = {place for run in (*building.beams, *building.missing.beams) for place in layout.beam_places(run)}
+    bare = [column_name(*place) for place in layout.column_grid if place not in columns]
+    open_bays = [str(place) for place in layout.beam_grid if place not in beams]
+    for what, names in (("column", bare), ("beam", open_bays)):
+        if names:
+            count = f"1 {what} is" if len(names) == 1 else f"{len(names)} {what}s are"
+            message = f"{count} without a section: {listed(names)}; add an entry, or list under `missing`"
+            problems.at_key((f"{what}s",), message)
+    return not (bare or open_bays)
+
+
+def _stand(building: Building, problems: Problems) -> None:
+    """Every storey has columns; every column and every end of a beam rests on something."""
+    layout = building.layout
+    for storey in range(1, building.n_storeys + 1):
+        if all(at != storey for _, at in layout.column_at):
+            problems.at_key(("missing", "columns"), f"storey {storey} has no column: nothing carries floor {storey}")
+    beam_ends = {(line, place.floor) for place in layout.beam_at for line in place.lines}
+    loose = [
+        column_name(line, storey)
+        for line, storey in layout.column_at
+        if storey > 1 and (line, storey - 1) not in layout.column_at and (line, storey - 1) not in beam_ends
+    ]
+    if loose:
+        message = f"nothing is below {listed(loose)}: no column and no beam"
+        problems.at_key(("missing",) if building.missing.columns else ("setbacks",), message)
+
+
+def _braces(building: Building, problems: Problems) -> None:
+    """Braces end at nodes that columns or beams have, and the bay of a brace has its beam."""
+    layout = building.layout
+    held = {(line, floor) for line, storey in layout.column_at for floor in (storey - 1, storey)}
+    held |= {(line, place.floor) for place in layout.beam_at for line in place.lines}
+    numbers = {id(run): i for i, run in enumerate(building.braces)}
+    told: set[tuple[int, str]] = set()
+    for place, run in layout.brace_at.items():
+        i = numbers[id(run)]
+        beam = met_beam(place, run) if run.kind in CHEVRONS else BeamPlace(*place[:3], place.storey)
+        if beam not in layout.beam_at:
+            where = "at the base, where there is none" if beam.floor == 0 else "which is missing"
+            told.add((i, f"{place.name('')[:-1]} needs the beam {beam}, {where}"))
+            continue
+        points = {point for pair in ways(place, run).values() for point in pair}
+        for line, floor in sorted((line, floor) for line, floor in points if line is not None):
+            if (line, floor) not in held:
+                told.add((i, f"{place.name('')[:-1]} ends at {node_name(line, floor)}, where no column or beam is"))
+    for i, message in sorted(told):
+        problems.at_value(("braces", i), message)
+
+
+def _resisting(building: Building, problems: Problems) -> None:
+    """In both directions braces, or beams with a moment at their ends, resist horizontal forces."""
+    layout = building.layout
+    for along in DIRECTIONS:
+        if any(place.along == along for place in layout.brace_at):
+            continue
+        runs = [run for place, run in layout.beam_at.items() if place.along == along]
+        if any(run.ends.start != "pinned" or run.ends.end != "pinned" for run in runs):
+            continue
+        feet = [building.support(line) for line in layout.node_lines[0]]
+        turning = "rx" if along == "y" else "ry"
+        if building.n_storeys == 1 and any(getattr(foot, turning) != "free" for foot in feet):
+            continue  # a hall of cantilever columns
+        first = next((i for i, run in enumerate(building.beams) if run.along == along), 0)
+        message = (
+            f"nothing resists along {along}: all beams along {along} are pinned and no bay of "
+            f"{frame_name(along, 0)} to {frame_name(along, building.n_frames(along) - 1)} is braced"
+        )
+        problems.at_value(("beams", first, "ends"), message)
+
+
+def _groups(building: Building, problems: Problems) -> None:
+    """Members of one group are of one kind, section and material."""
+    first: dict[str | None, tuple[Keys, Run]] = {}
+    for keys, run in _runs(building):
+        other_keys, other = first.setdefault(run.group, (keys, run))
+        if (other_keys[0], other.section, other.material) != (keys[0], run.section, run.material):
+            message = (
+                f"the group `{run.group}` has {run.section} of {run.material} here, and {other.section} of "
+                f"{other.material} in {other_keys[0]}[{other_keys[1]}]; a group is of one kind, section and material"
+            )
+            problems.at_value((*keys, "group"), message)
+
+
+def _section_of(problems: Problems, keys: Keys, run: Run, profiles: Catalogue | None) -> None:
+    if profiles is not None and run.section not in profiles and profiles.canonical(run.section) is None:
+        problems.at_value((*keys, "section"), no_section(run.section, (), profiles))
+
+
+def _runs(building: Building) -> Iterable[tuple[Keys, Run]]:
+    for i, column in enumerate(building.columns):
+        yield ("columns", i), column
+    for i, beam in enumerate(building.beams):
+        yield ("beams", i), beam
+    for i, brace in enumerate(building.braces):
+        yield ("braces", i), brace

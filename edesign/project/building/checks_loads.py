@@ -1,0 +1,117 @@
+"""Cross checks of loads and masses of a building: on floors and beams that are there, with a category for each Q."""
+
+from __future__ import annotations
+
+from edesign.project.building.building import Building
+from edesign.project.building.checks_selections import Selections
+from edesign.project.building.layout import edges
+from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
+from edesign.project.building.names import BeamPlace, node_name
+from edesign.project.building.places import panels_in
+from edesign.project.problems import Keys, Problems, listed
+
+
+def check_loads(building: Building, problems: Problems) -> None:
+    """Check loads and masses.
+
+    Args:
+        building: its members are right.
+        problems: collects what is wrong.
+    """
+    check = Selections(building, problems)
+    loads = building.loads
+    for i, area in enumerate(loads.areas):
+        keys: Keys = ("loads", "areas", i)
+        _category(problems, keys, area)
+        if area.spans == "two_way" and area.secondary_beams:
+            problems.at_key((*keys, "secondary_beams"), "a floor on secondary beams spans one way: along `x` or `y`")
+        if check.floors(keys, area.floors) and check.bays((*keys, "bays"), area.bays):
+            _area(building, problems, keys, area)
+    for i, perimeter in enumerate(loads.perimeter):
+        keys = ("loads", "perimeter", i)
+        _category(problems, keys, perimeter)
+        if check.floors(keys, perimeter.floors):
+            _perimeter(building, problems, keys, perimeter)
+    for i, beam in enumerate(loads.beams):
+        keys = ("loads", "beams", i)
+        _category(problems, keys, beam)
+        check.standing_beams(keys, beam)
+    for i, node in enumerate(loads.nodes):
+        keys = ("loads", "nodes", i)
+        _category(problems, keys, node)
+        check.nodes(keys, node.at, node.floors)
+    _masses(building, problems, check)
+
+
+def _category(problems: Problems, keys: Keys, load: Areas | PerimeterLoad | BeamLoad | NodeLoad) -> None:
+    if load.Q != 0.0 and load.category is None:
+        message = "this key is missing; a variable load has the category of its use: `A` to `H`, or `snow`"
+        problems.under(keys, "category", message)
+
+
+def _area(building: Building, problems: Problems, keys: Keys, area: Areas) -> None:
+    layout = building.layout
+    wanted = panels_in(area.bays, building.n_bays("x"), building.n_bays("y"))
+    whole = all(block.is_all for block in area.bays) or area.floors.is_all
+    bare: set[BeamPlace] = set()
+    for floor in area.floors.numbers(1, building.n_storeys):
+        outside = sorted(wanted - layout.floors[floor])
+        if outside and not whole:
+            message = f"floor {floor} does not cover bay {outside[0][0]} along x, {outside[0][1]} along y"
+            problems.at_value((*keys, "bays"), message)
+        for panel in sorted(wanted & layout.floors[floor]):
+            bare |= {beam for beam in carriers(area, edges(panel, floor)) if beam not in layout.beam_at}
+    if bare:
+        message = f"the floor rests on beams that are missing: {listed(sorted(bare, key=_by_floor))}"
+        problems.at_value(keys, message)
+
+
+def _by_floor(place: BeamPlace) -> tuple[int, BeamPlace]:
+    return place.floor, place
+
+
+def carriers(area: Areas, around: tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]) -> tuple[BeamPlace, ...]:
+    """Return the beams at the edges of a bay that a floor loads: those across its span, all with secondary beams."""
+    if area.spans == "two_way" or area.secondary_beams:
+        return around
+    return around[2:] if area.spans == "x" else around[:2]
+
+
+def _perimeter(building: Building, problems: Problems, keys: Keys, load: PerimeterLoad) -> None:
+    layout = building.layout
+    bare = [
+        place
+        for floor in load.floors.numbers(1, building.n_storeys)
+        for place, count in layout.floor_edges[floor].items()
+        if count == 1 and place not in layout.beam_at
+    ]
+    if bare:
+        problems.at_value(keys, f"at the perimeter beams are missing: {listed(bare)}; give the others by `beams`")
+
+
+def _masses(building: Building, problems: Problems, check: Selections) -> None:
+    masses = building.masses
+    if masses is None:
+        return
+    if (masses.from_loads is None) == (masses.given is None):
+        problems.at_key(("masses",), "give either `from_loads` or `given`, one of them")
+    if masses.from_loads is not None and isinstance(masses.from_loads.Q, dict):
+        used = {item.category for item in building.loads.items if item.Q != 0.0}
+        absent = sorted(category for category in used if category and category not in masses.from_loads.Q)
+        if absent:
+            message = f"no factor for the category {listed(absent)} of the loads"
+            problems.at_value(("masses", "from_loads", "Q"), message)
+    seen: dict[str, int] = {}
+    for i, given in enumerate(masses.given or ()):
+        keys: Keys = ("masses", "given", i)
+        if not check.nodes(keys, given.at, given.floors):
+            continue
+        for floor in given.floors.numbers(1, building.n_storeys):
+            there = building.layout.node_lines[floor]
+            names = [node_name(line, floor) for line in building.lines_of(given.at) if line in there]
+            twice = [name for name in names if name in seen]
+            if twice:
+                message = f"{listed(twice)} got a mass in masses.given[{seen[twice[0]]}] already"
+                problems.at_value(keys, message)
+                return
+            seen |= dict.fromkeys(names, i)

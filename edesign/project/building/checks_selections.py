@@ -1,0 +1,120 @@
+"""Checks that selections stay inside the grid of a building, and that what is named one by one stands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from edesign.project.building.building import Building
+from edesign.project.building.members import BeamPlaces, ColumnPlaces
+from edesign.project.building.names import Direction, line_label, node_name
+from edesign.project.building.places import ColumnLineSelection, FrameSelection, Panels
+from edesign.project.names import line_name
+from edesign.project.problems import Keys, Problems, listed
+from edesign.project.selections import NumberSelection
+
+
+class Selections:
+    """Checks of the selections of a building; each returns whether all is right.
+
+    Args:
+        building: read without schema problems.
+        problems: collects what is wrong.
+    """
+
+    def __init__(self, building: Building, problems: Problems) -> None:
+        self.building = building
+        self.problems = problems
+
+    def numbers(self, keys: Keys, chosen: NumberSelection, what: str, last: int) -> bool:
+        """Every number is from 1 to `last`."""
+        good = True
+        for i, (low, high) in enumerate(chosen.ranges):
+            if low < 1 or high > last:
+                outside = low if low < 1 else high
+                message = f"there is no {what} {outside}; {what}s are numbered 1 to {last}"
+                self.problems.at_item(keys, i, message)
+                good = False
+        return good
+
+    def storeys(self, keys: Keys, chosen: NumberSelection) -> bool:
+        """Every storey exists."""
+        return self.numbers((*keys, "storeys"), chosen, "storey", self.building.n_storeys)
+
+    def floors(self, keys: Keys, chosen: NumberSelection) -> bool:
+        """Every floor exists."""
+        return self.numbers((*keys, "floors"), chosen, "floor", self.building.n_storeys)
+
+    def bays(self, keys: Keys, blocks: tuple[Panels, ...]) -> bool:
+        """Every bay of the plan exists."""
+        good = True
+        several = self.problems.node(keys).items is not None
+        for i, block in enumerate(blocks):
+            at = (*keys, i) if several else keys
+            for along, chosen in (("x", block.x), ("y", block.y)):
+                last = self.building.n_bays("x" if along == "x" else "y")
+                good &= self.numbers((*at, along), chosen, f"bay along {along}", last)
+        return good
+
+    def lines(self, keys: Keys, chosen: ColumnLineSelection) -> bool:
+        """Every column line exists."""
+        n_x, n_y = self.building.n_bays("x"), self.building.n_bays("y")
+        good = True
+        for i, item in enumerate(chosen.items):
+            if (item.x is not None and item.x[1] > n_x) or (item.y is not None and item.y[1] > n_y):
+                message = f"`{item.text}`: column lines go from A1 to {line_name(n_x)}{n_y + 1}"
+                self.problems.at_item(keys, i, message)
+                good = False
+        return good
+
+    def frames(self, keys: Keys, chosen: FrameSelection, along: Direction) -> bool:
+        """Every frame exists and is of the direction."""
+        good = True
+        last = self.building.n_frames(along) - 1
+        names = f"{line_label(along, 0)} to {line_label(along, last)}"
+        for i, item in enumerate(chosen.items):
+            if item.along != along or item.span[1] > last:
+                self.problems.at_item(keys, i, f"there is no frame `{item.text}` along {along}; they are {names}")
+                good = False
+        return good
+
+    def column_places(self, keys: Keys, chosen: ColumnPlaces) -> bool:
+        """Column lines and storeys exist."""
+        lines = self.lines((*keys, "at"), chosen.at)
+        return self.storeys(keys, chosen.storeys) and lines
+
+    def beam_places(self, keys: Keys, chosen: BeamPlaces) -> bool:
+        """Frames, bays and floors exist."""
+        frames = self.frames((*keys, "frames"), chosen.frames, chosen.along)
+        last = self.building.n_bays(chosen.along)
+        bays = self.numbers((*keys, "bays"), chosen.bays, f"bay along {chosen.along}", last)
+        return self.floors(keys, chosen.floors) and frames and bays
+
+    def standing_beams(self, keys: Keys, chosen: BeamPlaces) -> bool:
+        """Beams that are named one by one stand."""
+        if not self.beam_places(keys, chosen):
+            return False
+        if chosen.frames.is_all or chosen.bays.is_all or chosen.floors.is_all:
+            return True
+        layout = self.building.layout
+        return self.absent(keys, "beam", (str(p) for p in layout.beam_places(chosen) if p not in layout.beam_at))
+
+    def nodes(self, keys: Keys, lines: ColumnLineSelection, floors: NumberSelection) -> bool:
+        """Nodes that are named one by one exist."""
+        inside = self.lines((*keys, "at"), lines)
+        if not (self.floors(keys, floors) and inside):
+            return False
+        if lines.is_all or floors.is_all:
+            return True
+        there = self.building.layout.node_lines
+        rows = floors.numbers(1, self.building.n_storeys)
+        named = [(line, floor) for floor in rows for line in self.building.lines_of(lines)]
+        return self.absent(keys, "node", (node_name(*place) for place in named if place[0] not in there[place[1]]))
+
+    def absent(self, keys: Keys, what: str, names: Iterable[str]) -> bool:
+        """Nothing is missing that was named."""
+        missing = list(names)
+        if missing:
+            verb = f"1 {what} is" if len(missing) == 1 else f"{len(missing)} {what}s are"
+            message = f"{verb} missing in this building: {listed(missing)} (`all` takes those that exist)"
+            self.problems.at_value(keys, message)
+        return not missing

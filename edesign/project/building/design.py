@@ -1,0 +1,161 @@
+"""What a building is designed for: codes, ductility, analysis, limits, and the sections to choose from."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field
+
+from edesign.project.base import Model, refuse
+from edesign.project.units import Factor, PositiveFactor, PositiveRatio, UnitRatio, parse_ratio
+
+SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v"]
+"""Structural types of EN 1998-1, 6.3.1 and Table 6.2."""
+SectionFamily = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=24)]
+
+
+def _q(value: Any) -> Any:
+    return "table" if value == "table" else parse_ratio(value, 1.0, math.inf)
+
+
+def _torsion(value: Any) -> Any:
+    return 0.0 if value == "none" else parse_ratio(value, 0.0, 1.0)
+
+
+def _directions(value: Any) -> Any:
+    return "srss" if value == "srss" else parse_ratio(value, 0.0, 1.0)
+
+
+def _modes(value: Any) -> Any:
+    if value == "auto":
+        return value
+    if type(value) is not int or not 1 <= value <= 10_000:
+        raise refuse("a number of modes from 1 to 10000 is needed, or `auto`")
+    return value
+
+
+def _drift(value: Any) -> Any:
+    """`none` is a limit of its own."""
+    return {"limit": "none"} if value == "none" else value
+
+
+class Codes(Model):
+    """The codes and their editions."""
+
+    actions: Literal["en1990-2002"] = "en1990-2002"
+    steel: Literal["ec3-2005"] = "ec3-2005"
+    seismic: Literal["ec8-2004"] = "ec8-2004"
+
+
+class System(Model):
+    """The structural type in one direction, and its behaviour factor.
+
+    `table`: q is the upper limit of EN 1998-1, Table 6.2, for the ductility class, with `alpha_u_over_alpha_1` where
+    the table has it (without it the default of 6.3.1(5)).
+    """
+
+    type: SystemType
+    q: Annotated[Literal["table"] | float, BeforeValidator(_q)] = "table"
+    alpha_u_over_alpha_1: Annotated[float, Field(ge=1.0, le=1.6)] | None = None
+
+
+class Systems(Model):
+    """The structural type in each direction."""
+
+    x: System
+    y: System
+
+
+class Drift(Model):
+    """The limit of interstorey drift by the kind of partitions, and nu, which reduces the action.
+
+    Source: EN 1998-1:2004, 4.4.3.2(1), Eqs. 4.31-4.33.
+    """
+
+    limit: Literal["brittle", "ductile", "none_attached", "none"] = "ductile"
+    nu: PositiveRatio = 0.5
+
+
+class PartialFactors(Model):
+    """Partial factors of EN 1993-1-1, 6.1 and of EN 1990, Table A1.2(B)."""
+
+    M0: PositiveFactor = 1.0
+    M1: PositiveFactor = 1.0
+    G: Factor = 1.35
+    Q: Factor = 1.5
+
+
+class LengthFactors(Model):
+    """Buckling length over length between nodes, about both axes of the section."""
+
+    y: PositiveFactor = 1.0
+    z: PositiveFactor = 1.0
+
+
+class BucklingLength(Model):
+    """Buckling lengths by the kind of member."""
+
+    columns: LengthFactors = LengthFactors()
+    beams: LengthFactors = LengthFactors()
+    braces: LengthFactors = LengthFactors()
+
+
+class LateralRestraint(Model):
+    """What holds the compressed flange: beams `slab` (all along) or `ends`, columns `floors` or `all_along`."""
+
+    beams: Literal["slab", "ends"] = "slab"
+    columns: Literal["floors", "all_along"] = "floors"
+
+
+class MemberChecks(Model):
+    """How members are checked by EN 1993-1-1; `yield_by_thickness`: f_y of thick parts by EN 10025-2."""
+
+    interaction: Literal["annex_a", "annex_b"] = "annex_b"
+    buckling_length: BucklingLength = BucklingLength()
+    lateral_restraint: LateralRestraint = LateralRestraint()
+    yield_by_thickness: bool = False
+
+
+class SectionLists(Model):
+    """Families (`HEB`) or sections (`HEB300`) that the design may choose from."""
+
+    columns: tuple[SectionFamily, ...] = ("HEB",)
+    beams: tuple[SectionFamily, ...] = ("IPE",)
+    braces: tuple[SectionFamily, ...] = ("SHS",)
+
+
+class Select(Model):
+    """How `edesign design` chooses sections."""
+
+    lists: SectionLists = SectionLists()
+    objective: Literal["mass"] = "mass"
+    columns_not_larger_above: bool = True
+    starts: Annotated[int, Field(ge=1, le=100)] = 3
+
+
+class Design(Model):
+    """What is checked, and how the seismic action is combined.
+
+    Where q is of the table, a building that is not `regular_in_elevation` has 0.8 of it (EN 1998-1, 4.2.3.1(7)).
+    `level` of the hazard; without it the only one. `accidental_torsion`: eccentricity over the length of the plan, 0 for
+    none. `directions`: share of the other direction's action, or `srss`.
+    """
+
+    code: Codes = Codes()
+    level: str | None = None
+    ductility_class: Literal["low", "medium", "high"]
+    systems: Systems
+    regular_in_elevation: bool = True
+    combination: Literal["cqc", "srss"] = "cqc"
+    damping: Annotated[float, BeforeValidator(lambda value: parse_ratio(value, 0.0, 1.0, False, False))] = 0.05
+    modes: Annotated[Literal["auto"] | int, BeforeValidator(_modes)] = "auto"
+    accidental_torsion: Annotated[UnitRatio, BeforeValidator(_torsion)] = 0.05
+    directions: Annotated[Literal["srss"] | float, BeforeValidator(_directions)] = 0.3
+    second_order: Literal["amplify", "none"] = "amplify"
+    displacement: Literal["elastic_cap", "q_times_d_e"] = "elastic_cap"
+    drift: Annotated[Drift, BeforeValidator(_drift)] = Drift()
+    partial_factors: PartialFactors = PartialFactors()
+    overstrength: PositiveFactor = 1.25
+    members: MemberChecks = MemberChecks()
+    select: Select = Select()

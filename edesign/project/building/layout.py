@@ -1,0 +1,178 @@
+"""What stands where in a building, after overriding, setbacks and missing members."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from edesign.project.building.members import CHEVRONS, BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun
+from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, Direction
+from edesign.project.building.places import panels_in
+
+if TYPE_CHECKING:
+    from edesign.project.building.building import Building
+
+Panel = tuple[int, int]
+"""A bay of the plan: its bay along x and along y, from 1."""
+DIRECTIONS: tuple[Direction, Direction] = ("x", "y")
+
+
+class Layout:
+    """What stands where in a building.
+
+    Args:
+        building: read without schema problems.
+    """
+
+    def __init__(self, building: Building) -> None:
+        self._building = building
+
+    # --- floors
+
+    @cached_property
+    def floors(self) -> dict[int, frozenset[Panel]]:
+        """The bays that each floor covers, floors from 1."""
+        n_x, n_y = self._building.n_bays("x"), self._building.n_bays("y")
+        whole = frozenset((i, j) for i in range(1, n_x + 1) for j in range(1, n_y + 1))
+        found = {floor: whole for floor in range(1, self._building.n_storeys + 1)}
+        for setback in self._building.setbacks:
+            covered = panels_in(setback.bays, n_x, n_y)
+            for floor in setback.floors.numbers(1, self._building.n_storeys):
+                found[floor] = covered
+        return found
+
+    @cached_property
+    def floor_lines(self) -> dict[int, tuple[ColumnLine, ...]]:
+        """The column lines at the corners of the bays that each floor covers, in the order of the grid."""
+        return {
+            floor: tuple(sorted({line for p in panels for line in corners(p)})) for floor, panels in self.floors.items()
+        }
+
+    @cached_property
+    def floor_edges(self) -> dict[int, Counter[BeamPlace]]:
+        """How many covered bays each place of a beam borders, by floor: 1 at the perimeter, 2 inside."""
+        return {
+            floor: Counter(edge for panel in sorted(panels) for edge in edges(panel, floor))
+            for floor, panels in self.floors.items()
+        }
+
+    # --- members
+
+    @cached_property
+    def column_at(self) -> dict[tuple[ColumnLine, int], ColumnRun]:
+        """The run of every column that stands, by (line, storey), storey by storey."""
+        runs = {place: run for run in self._building.columns for place in self.column_places(run)}
+        absent = {place for item in self._building.missing.columns for place in self.column_places(item)}
+        return {place: runs[place] for place in self.column_grid if place in runs and place not in absent}
+
+    @cached_property
+    def column_grid(self) -> tuple[tuple[ColumnLine, int], ...]:
+        """Every place (line, storey) at which the floors above want a column."""
+        return tuple((line, floor) for floor, lines in self.floor_lines.items() for line in lines)
+
+    @cached_property
+    def beam_at(self) -> dict[BeamPlace, BeamRun]:
+        """The run of every beam that stands, floor by floor, those along x first."""
+        runs = {place: run for run in self._building.beams for place in self.beam_places(run)}
+        absent = {place for item in self._building.missing.beams for place in self.beam_places(item)}
+        return {place: runs[place] for place in self.beam_grid if place in runs and place not in absent}
+
+    @cached_property
+    def beam_grid(self) -> tuple[BeamPlace, ...]:
+        """Every place at which the edge of a covered bay wants a beam."""
+        return tuple(place for floor in self.floor_edges.values() for place in sorted(floor))
+
+    @cached_property
+    def brace_at(self) -> dict[BracePlace, BraceRun]:
+        """The run of the brace or braces in every braced bay, storey by storey."""
+        runs = {place: run for run in self._building.braces for place in self.brace_places(run)}
+        return {place: runs[place] for place in sorted(runs, key=lambda p: (p.storey, p))}
+
+    @cached_property
+    def halved_beams(self) -> frozenset[BeamPlace]:
+        """The beams that chevrons or V braces meet in the middle."""
+        return frozenset(met_beam(place, run) for place, run in self.brace_at.items() if run.kind in CHEVRONS)
+
+    @cached_property
+    def node_lines(self) -> dict[int, tuple[ColumnLine, ...]]:
+        """The column lines that have a node at each floor, floor 0 first."""
+        used: dict[int, set[ColumnLine]] = {floor: set() for floor in range(self._building.n_storeys + 1)}
+        for line, storey in self.column_at:
+            used[storey - 1].add(line)
+            used[storey].add(line)
+        for place in self.beam_at:
+            used[place.floor].update(place.lines)
+        for brace, run in self.brace_at.items():
+            for end, floor in (point for points in ways(brace, run).values() for point in points):
+                used[floor].update(() if end is None else (end,))
+        return {floor: tuple(sorted(lines)) for floor, lines in used.items()}
+
+    # --- selections on this grid
+
+    def column_places(self, chosen: ColumnPlaces) -> Iterator[tuple[ColumnLine, int]]:
+        """Yield (line, storey) of a selection of columns, whether they stand or not."""
+        lines = self._building.lines_of(chosen.at)
+        for storey in chosen.storeys.numbers(1, self._building.n_storeys):
+            for line in lines:
+                yield line, storey
+
+    def beam_places(self, chosen: BeamPlaces) -> Iterator[BeamPlace]:
+        """Yield the places of a selection of beams, whether they stand or not."""
+        along = chosen.along
+        for floor in chosen.floors.numbers(1, self._building.n_storeys):
+            for frame in chosen.frames.numbers(self._building.n_frames(along)):
+                for bay in chosen.bays.numbers(1, self._building.n_bays(along)):
+                    yield BeamPlace(along, frame, bay, floor)
+
+    def brace_places(self, chosen: BraceRun) -> Iterator[BracePlace]:
+        """Yield the places of a run of braces."""
+        along = chosen.along
+        for storey in chosen.storeys.numbers(1, self._building.n_storeys):
+            for frame in chosen.frames.numbers(self._building.n_frames(along)):
+                for bay in chosen.bays.numbers(1, self._building.n_bays(along)):
+                    yield BracePlace(along, frame, bay, storey)
+
+
+def corners(panel: Panel) -> tuple[ColumnLine, ...]:
+    """Return the column lines at the corners of a bay of the plan."""
+    i, j = panel
+    return ColumnLine(i - 1, j - 1), ColumnLine(i, j - 1), ColumnLine(i - 1, j), ColumnLine(i, j)
+
+
+def edges(panel: Panel, floor: int) -> tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]:
+    """Return the places of the beams at the edges of a bay of the plan: two along x, two along y."""
+    i, j = panel
+    return (
+        BeamPlace("x", j - 1, i, floor),
+        BeamPlace("x", j, i, floor),
+        BeamPlace("y", i - 1, j, floor),
+        BeamPlace("y", i, j, floor),
+    )
+
+
+def met_beam(place: BracePlace, run: BraceRun) -> BeamPlace:
+    """Return the place of the beam that a chevron (above it) or V brace (below it) meets in the middle."""
+    floor = place.storey if run.kind == "chevron" else place.storey - 1
+    return BeamPlace(place.along, place.frame, place.bay, floor)
+
+
+Point = tuple[ColumnLine | None, int]
+"""A column line, or None for the middle of the bay, and a floor."""
+
+
+def ways(place: BracePlace, run: BraceRun) -> dict[str, tuple[Point, Point]]:
+    """Return the braces of one place: lower and upper point by their way, `r` rising and `f` falling."""
+    left, right = place.lines
+    low, high = place.storey - 1, place.storey
+    rising, falling = ((left, low), (right, high)), ((right, low), (left, high))
+    if run.kind == "chevron":
+        return {"r": ((left, low), (None, high)), "f": ((right, low), (None, high))}
+    if run.kind == "v":
+        return {"f": ((None, low), (left, high)), "r": ((None, low), (right, high))}
+    if run.kind == "cross":
+        return {"r": rising, "f": falling}
+    alternate = "rising" if (place.bay + place.storey) % 2 == 0 else "falling"
+    kind = alternate if run.kind == "alternating" else run.kind
+    return {"r": rising} if kind == "rising" else {"f": falling}

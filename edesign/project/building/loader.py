@@ -1,0 +1,85 @@
+"""Reading a building file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TypeVar
+
+from edesign.project.building.building import Building
+from edesign.project.building.checks_design import check_design
+from edesign.project.building.checks_layout import check_layout
+from edesign.project.building.checks_loads import check_loads
+from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.problems import FileProblems
+from edesign.project.sections import Catalogue
+from edesign.project.yaml_file import check_model, read_yaml_text
+
+_WHAT, _BEGINS = "building file", "edesign_building: 1"
+R = TypeVar("R", ColumnRun, BeamRun, BraceRun)
+
+
+class BuildingError(FileProblems):
+    """A building file is wrong."""
+
+
+def load_building(path: Path | str, profiles: Catalogue | None = None) -> Building:
+    """Read and check a building file.
+
+    Args:
+        path: the YAML file, UTF-8.
+        profiles: names of the catalogue's sections, which take the place of other spellings of them in the building;
+            None leaves section names unchecked.
+
+    Returns:
+        The building, all values in SI.
+
+    Raises:
+        InputError: the file cannot be read.
+        BuildingError: the file is wrong; the message lists all problems with file, line and column.
+    """
+    path = Path(path)
+    return parse_building(read_yaml_text(path, _WHAT), path, profiles)
+
+
+def parse_building(text: str, path: Path | str = "building.yaml", profiles: Catalogue | None = None) -> Building:
+    """Check the text of a building file that (supposedly) stands at `path`; otherwise as `load_building`."""
+    path = Path(path)
+    building, problems = check_model(text, Building, _WHAT, _BEGINS)
+    if building is not None:
+        read = _Reader(path, profiles)
+        building = read.completed(building)
+        building.read_from(path, text, problems.root, read)
+        # cross checks need a whole building, those of loads and design one whose members stand
+        check_layout(building, problems, profiles)
+        if not problems.found:
+            check_loads(building, problems)
+            check_design(building, problems)
+    if building is None or problems.found:
+        raise BuildingError(path, problems.found)
+    return building
+
+
+@dataclass(frozen=True)
+class _Reader:
+    """Reads another text in the place of one that was read; equal for buildings that were read alike."""
+
+    path: Path
+    profiles: Catalogue | None
+
+    def __call__(self, text: str) -> Building:
+        return parse_building(text, self.path, self.profiles)
+
+    def completed(self, model: Building) -> Building:
+        """The building with the catalogue's names of sections, if there is a catalogue, and with all groups named."""
+        return model.model_copy(
+            update={
+                "columns": tuple(self._named(run, f"C{i}") for i, run in enumerate(model.columns, 1)),
+                "beams": tuple(self._named(run, f"B{run.along.upper()}{i}") for i, run in enumerate(model.beams, 1)),
+                "braces": tuple(self._named(run, f"D{i}") for i, run in enumerate(model.braces, 1)),
+            }
+        )
+
+    def _named(self, run: R, group: str) -> R:
+        known = None if self.profiles is None else self.profiles.canonical(run.section)
+        return run.model_copy(update={"section": known or run.section, "group": run.group or group})

@@ -1,0 +1,106 @@
+"""Permanent (G) and variable (Q) loads of a building, downwards, and the masses that follow from them."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project.base import Model, by_shape
+from edesign.project.building.members import BeamPlaces
+from edesign.project.building.places import ALL_BAYS, ALL_COLUMN_LINES, Bays, ColumnLines
+from edesign.project.selections import ALL_NUMBERS, Numbers
+from edesign.project.units import AreaLoad as ForcePerArea
+from edesign.project.units import Factor, Force, LineLoad, PositiveMass, PositiveRatio
+
+Category = Literal["A", "B", "C", "D", "E", "F", "G", "H", "snow"]
+"""Of the use of a floor or roof, EN 1991-1-1, 6.3; snow by EN 1991-1-3."""
+Span = Literal["x", "y", "two_way"]
+
+
+class Areas(Model):
+    """Load on some bays of some floors, N/m2; loads on one bay add up.
+
+    `spans`: the way of the floor. One that spans along x rests on the beams along y, at both sides of its bay. With
+    `secondary_beams` it rests on that many more beams along y at equal distances, and these on the beams along x.
+    """
+
+    floors: Numbers = ALL_NUMBERS
+    bays: Bays = ALL_BAYS
+    G: ForcePerArea = 0.0
+    Q: ForcePerArea = 0.0
+    category: Category | None = None
+    spans: Span
+    secondary_beams: Annotated[int, Field(ge=0, le=20)] = 0
+
+
+class PerimeterLoad(Model):
+    """Load on all beams at the edge of some floors, N/m."""
+
+    floors: Numbers = ALL_NUMBERS
+    G: LineLoad = 0.0
+    Q: LineLoad = 0.0
+    category: Category | None = None
+
+
+class BeamLoad(BeamPlaces):
+    """Uniform load on beams, N/m."""
+
+    G: LineLoad = 0.0
+    Q: LineLoad = 0.0
+    category: Category | None = None
+
+
+class NodeLoad(Model):
+    """Load on the nodes of column lines at some floors, N."""
+
+    at: ColumnLines
+    floors: Numbers
+    G: Force = 0.0
+    Q: Force = 0.0
+    category: Category | None = None
+
+
+class Loads(Model):
+    """All loads. `self_weight`: of the members by their sections. `live_load_reduction`: EN 1991-1-1, 6.3.1.2."""
+
+    areas: tuple[Areas, ...] = ()
+    perimeter: tuple[PerimeterLoad, ...] = ()
+    beams: tuple[BeamLoad, ...] = ()
+    nodes: tuple[NodeLoad, ...] = ()
+    self_weight: bool = True
+    live_load_reduction: bool = False
+
+    @property
+    def items(self) -> tuple[Areas | PerimeterLoad | BeamLoad | NodeLoad, ...]:
+        """All loads in the order of the file's lists."""
+        return (*self.areas, *self.perimeter, *self.beams, *self.nodes)
+
+
+class MassCombination(Model):
+    """Factors of G and Q in the masses; that of Q is psi_2, one for all or by categories."""
+
+    G: Factor = 1.0
+    Q: Annotated[
+        Annotated[Factor, Tag("?plain")] | Annotated[dict[Category, Factor], Tag("?mapping")], Discriminator(by_shape)
+    ] = 0.3
+
+    def psi_2(self, category: str) -> float:
+        """Return the factor of a category of Q; a mapping names all that the loads have."""
+        return self.Q[category] if isinstance(self.Q, dict) else self.Q  # type: ignore[index]
+
+
+class GivenMass(Model):
+    """The mass of each of some nodes, kg; a node is given its mass once."""
+
+    at: ColumnLines = ALL_COLUMN_LINES
+    floors: Numbers
+    mass: PositiveMass
+
+
+class Masses(Model):
+    """Masses of the nodes, from the loads or given. `phi` times psi_2 is psi_E: EN 1998-1, 4.2.4(2)P, Eq. 4.2."""
+
+    from_loads: MassCombination | None = None
+    given: tuple[GivenMass, ...] | None = None
+    phi: PositiveRatio = 1.0

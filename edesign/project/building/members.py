@@ -1,0 +1,116 @@
+"""Columns, beams and braces of a building, how their ends are held, and which members are missing."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator
+
+from edesign.project.base import Model, refuse
+from edesign.project.building.names import Direction
+from edesign.project.building.places import ALL_COLUMN_LINES, ALL_FRAMES, ColumnLines, Frames
+from edesign.project.selections import ALL_NUMBERS, Numbers
+from edesign.project.several import ShortName
+from edesign.project.units import ROTATIONAL_STIFFNESS, parse_quantity
+
+BraceKind = Literal["rising", "falling", "alternating", "cross", "chevron", "v"]
+CHEVRONS = ("chevron", "v")
+"""Braces that meet a beam in the middle of its span."""
+
+
+def _end(value: Any) -> Any:
+    if value in ("rigid", "pinned"):
+        return value
+    try:
+        return parse_quantity(value, ROTATIONAL_STIFFNESS, "positive")
+    except ValueError as error:
+        raise refuse(f"an end is `rigid`, `pinned`, or has a stiffness: {error}") from None
+
+
+def _ends(value: Any) -> Any:
+    """One word or stiffness stands for both ends."""
+    return value if isinstance(value, Mapping) else {"start": value, "end": value}
+
+
+End = Annotated[Literal["rigid", "pinned"] | float, BeforeValidator(_end)]
+"""Of a member about its strong axis: `rigid`, `pinned`, or a rotational stiffness, N m/rad."""
+
+
+class Ends(Model):
+    """The ends of a beam; start is the one with the smaller coordinate.
+
+    A pinned end is free about both axes of the section, but transmits torsion; a stiffness acts about the strong axis.
+    """
+
+    start: End = "rigid"
+    end: End = "rigid"
+
+
+class ColumnPlaces(Model):
+    """Columns on some column lines in some storeys."""
+
+    at: ColumnLines = ALL_COLUMN_LINES
+    storeys: Numbers = ALL_NUMBERS
+
+
+class ColumnRun(ColumnPlaces):
+    """Columns of one section; `strong` is the direction in whose frames they bend about their strong axis."""
+
+    section: str
+    material: str
+    strong: Direction
+    group: ShortName | None = None
+
+
+class BeamPlaces(Model):
+    """Beams in some bays of some frames of one direction, at some floors."""
+
+    along: Direction
+    frames: Frames = ALL_FRAMES
+    bays: Numbers = ALL_NUMBERS
+    floors: Numbers = ALL_NUMBERS
+
+
+class BeamRun(BeamPlaces):
+    """Beams of one section."""
+
+    section: str
+    material: str
+    ends: Annotated[Ends, BeforeValidator(_ends)] = Ends()
+    group: ShortName | None = None
+
+
+class BraceRun(Model):
+    """Pin-ended braces in some bays of some frames of one direction, in some storeys.
+
+    Rising and falling are seen with the axis of the frame to the right. Alternating diagonals rise where bay plus
+    storey is even. A cross is two diagonals without a joint between them. A chevron meets the beam above in the middle
+    of its span, `v` the beam below. `compression`: whether braces count in compression; None is what EN 1998-1,
+    6.7.2(2)P says of their kind.
+    """
+
+    along: Direction
+    frames: Frames
+    bays: Numbers
+    storeys: Numbers = ALL_NUMBERS
+    kind: BraceKind
+    section: str
+    material: str
+    compression: bool | None = None
+    group: ShortName | None = None
+
+    @property
+    def in_compression(self) -> bool:
+        """Whether the analysis counts these braces in compression.
+
+        Source: EN 1998-1:2004, 6.7.2(2)P: of diagonals the tension ones alone, of V bracings both.
+        """
+        return self.kind in CHEVRONS if self.compression is None else self.compression
+
+
+class Missing(Model):
+    """Members that the regular grid has and this building has not."""
+
+    columns: tuple[ColumnPlaces, ...] = ()
+    beams: tuple[BeamPlaces, ...] = ()

@@ -1,0 +1,84 @@
+"""Names of column lines, frames, nodes and members of a building.
+
+Lines across x have letters, lines across y have numbers: column line B3 is the second along x and the third along y.
+"""
+
+from __future__ import annotations
+
+from typing import Literal, NamedTuple
+
+from edesign.project.names import line_name
+
+Direction = Literal["x", "y"]
+
+
+class ColumnLine(NamedTuple):
+    """A vertical line of columns; both numbers count from 0."""
+
+    i: int
+    j: int
+
+    def __str__(self) -> str:
+        return f"{line_name(self.i)}{self.j + 1}"
+
+
+class BeamPlace(NamedTuple):
+    """The place of a beam: frame counts from 0, bay and floor from 1."""
+
+    along: Direction
+    frame: int
+    bay: int
+    floor: int
+
+    def __str__(self) -> str:
+        return f"B{self.along.upper()}_{line_label(self.along, self.frame)}_{self.bay}_{self.floor}"
+
+    @property
+    def lines(self) -> tuple[ColumnLine, ColumnLine]:
+        """The column lines at its start and end."""
+        return bay_lines(self.along, self.frame, self.bay)
+
+
+class BracePlace(NamedTuple):
+    """The place of a brace: frame counts from 0, bay and storey from 1."""
+
+    along: Direction
+    frame: int
+    bay: int
+    storey: int
+
+    def name(self, way: str) -> str:
+        """Name of the brace that goes one way."""
+        return f"D{self.along.upper()}_{line_label(self.along, self.frame)}_{self.bay}_{self.storey}_{way}"
+
+    @property
+    def lines(self) -> tuple[ColumnLine, ColumnLine]:
+        """The column lines of its bay."""
+        return bay_lines(self.along, self.frame, self.bay)
+
+
+def bay_lines(along: Direction, frame: int, bay: int) -> tuple[ColumnLine, ColumnLine]:
+    """Return the column lines at the two ends of a bay of a frame."""
+    if along == "x":
+        return ColumnLine(bay - 1, frame), ColumnLine(bay, frame)
+    return ColumnLine(frame, bay - 1), ColumnLine(frame, bay)
+
+
+def line_label(along: Direction, frame: int) -> str:
+    """Return the label of the grid line that a frame stands on: `2` of a frame along x, `A` of one along y."""
+    return str(frame + 1) if along == "x" else line_name(frame)
+
+
+def frame_name(along: Direction, frame: int) -> str:
+    """Return the name of a plane frame: `X2` along x on line 2, `YA` along y on line A."""
+    return along.upper() + line_label(along, frame)
+
+
+def node_name(line: ColumnLine, floor: int) -> str:
+    """Return the name of a node: `A2.3` on column line A2 at floor 3."""
+    return f"{line}.{floor}"
+
+
+def column_name(line: ColumnLine, storey: int) -> str:
+    """Return the name of a column: `C_A2_3` on column line A2 in storey 3."""
+    return f"C_{line}_{storey}"

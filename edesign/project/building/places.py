@@ -1,0 +1,194 @@
+"""Selections in a building: column lines (`A2`, `A-C`, `A1-C2`), frames (`2`, `A-C`, `X2`) and bays in plan."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator
+
+from edesign.project.base import Model, refuse
+from edesign.project.building.names import ColumnLine, Direction
+from edesign.project.names import line_index
+from edesign.project.selections import ALL_NUMBERS, Numbers
+
+_END = r"([A-Z]{0,2})([0-9]{0,3})"
+_LINES = re.compile(rf"\s*{_END}\s*(?:-\s*{_END}\s*)?")
+_FRAME = re.compile(
+    r"\s*(?:([XY])(?=[A-Z0-9]))?([A-Z]{1,2}|[0-9]{1,3})\s*(?:-\s*([XY](?=[A-Z0-9]))?([A-Z]{1,2}|[0-9]{1,3})\s*)?"
+)
+
+Span = tuple[int, int]
+"""First and last, counted from 0."""
+
+
+@dataclass(frozen=True)
+class ColumnLineItem:
+    """A block of column lines; None takes all of that direction."""
+
+    text: str
+    x: Span | None
+    y: Span | None
+
+
+@dataclass(frozen=True)
+class ColumnLineSelection:
+    """Column lines given as blocks; without items all of them."""
+
+    items: tuple[ColumnLineItem, ...] = ()
+
+    @property
+    def is_all(self) -> bool:
+        return not self.items
+
+    def lines(self, n_x: int, n_y: int) -> Iterator[ColumnLine]:
+        """Yield the selected ones of n_x times n_y column lines, each once."""
+        whole = (ColumnLineItem("all", None, None),)
+        for i in range(n_x):
+            for j in range(n_y):
+                if any(_within(i, item.x) and _within(j, item.y) for item in self.items or whole):
+                    yield ColumnLine(i, j)
+
+
+@dataclass(frozen=True)
+class FrameItem:
+    """Frames of one direction; `text` as written."""
+
+    text: str
+    along: Direction
+    span: Span
+
+
+@dataclass(frozen=True)
+class FrameSelection:
+    """Frames given by their grid lines; without items all of a direction."""
+
+    items: tuple[FrameItem, ...] = ()
+
+    @property
+    def is_all(self) -> bool:
+        return not self.items
+
+    def numbers(self, count: int) -> tuple[int, ...]:
+        """Return the selected ones of the frames 0 to count - 1 of a direction."""
+        return tuple(n for n in range(count) if self.is_all or any(_within(n, item.span) for item in self.items))
+
+
+class Panels(Model):
+    """Bays of the plan: those of some bays along x and some along y."""
+
+    x: Numbers = ALL_NUMBERS
+    y: Numbers = ALL_NUMBERS
+
+    @property
+    def is_all(self) -> bool:
+        return self.x.is_all and self.y.is_all
+
+    def numbers(self, n_x: int, n_y: int) -> Iterator[tuple[int, int]]:
+        """Yield the selected bays (along x, along y) of a plan of n_x times n_y bays; both count from 1."""
+        for i in self.x.numbers(1, n_x):
+            for j in self.y.numbers(1, n_y):
+                yield i, j
+
+
+def parse_column_lines(value: Any) -> ColumnLineSelection:
+    """Read a selection of column lines.
+
+    Raises:
+        PydanticCustomError: not a selection, or a range that runs backwards.
+    """
+    if isinstance(value, ColumnLineSelection):
+        return value
+    if value == "all":
+        return ColumnLineSelection()
+    return ColumnLineSelection(tuple(_column_lines(item, at) for item, at in _items(value, "A1-C2")))
+
+
+def parse_frames(value: Any) -> FrameSelection:
+    """Read a selection of frames; errors as `parse_column_lines`."""
+    if isinstance(value, FrameSelection):
+        return value
+    if value == "all":
+        return FrameSelection()
+    return FrameSelection(tuple(_frames(item, at) for item, at in _items(value, "A-C")))
+
+
+def _panels(value: Any) -> Any:
+    """`all` and a single block of bays are lists of one."""
+    if value == "all":
+        return ({},)
+    return (value,) if isinstance(value, dict) else value
+
+
+ColumnLines = Annotated[ColumnLineSelection, BeforeValidator(parse_column_lines)]
+Frames = Annotated[FrameSelection, BeforeValidator(parse_frames)]
+Bays = Annotated[tuple[Panels, ...], BeforeValidator(_panels)]
+
+ALL_COLUMN_LINES = ColumnLineSelection()
+ALL_FRAMES = FrameSelection()
+ALL_BAYS = (Panels(),)
+
+
+def panels_in(bays: tuple[Panels, ...], n_x: int, n_y: int) -> frozenset[tuple[int, int]]:
+    """Return the bays (along x, along y) that a selection takes of a plan of n_x times n_y bays."""
+    return frozenset(place for block in bays for place in block.numbers(n_x, n_y))
+
+
+def _within(number: int, span: Span | None) -> bool:
+    return span is None or span[0] <= number <= span[1]
+
+
+def _items(value: Any, example: str) -> list[tuple[Any, tuple[int, ...]]]:
+    """The items of a selection with their path below it."""
+    if isinstance(value, (list, tuple)):
+        if not value:
+            raise refuse(f"the list is empty; write `all`, one, a range such as `{example}`, or a list of these")
+        return [(item, (i,)) for i, item in enumerate(value)]
+    return [(value, ())]
+
+
+def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:
+    match = None if isinstance(item, (bool, float)) or not str(item).strip() else _LINES.fullmatch(str(item))
+    if not match or isinstance(item, (list, tuple, dict)):
+        raise refuse(f"{_seen(item)} is no selection of column lines; write `all`, `A2`, `A`, `2`, `A1-C2`", *at)
+    letter, number, last_letter, last_number = match.groups()
+    if last_letter is not None and (bool(letter), bool(number)) != (bool(last_letter), bool(last_number)):
+        raise refuse(f"`{item}`: both ends of a range are written alike, as `A1-C2`, `A-C` or `1-2`", *at)
+    x = _span(item, line_index(letter), line_index(last_letter or letter), at) if letter else None
+    y = _span(item, _number(number, item, at), _number(last_number or number, item, at), at) if number else None
+    return ColumnLineItem(str(item).strip(), x, y)
+
+
+def _frames(item: Any, at: tuple[int, ...]) -> FrameItem:
+    match = None if isinstance(item, (bool, float, list, tuple, dict)) else _FRAME.fullmatch(str(item))
+    if not match:
+        raise refuse(f"{_seen(item)} is no selection of frames; write `all`, `2`, `A`, `A-C` or `[X1, X4]`", *at)
+    said, first, said_last, last = match.groups()
+    last = last or first
+    if first.isdigit() != last.isdigit():
+        raise refuse(f"`{item}`: both ends of a range are written alike, as `A-C` or `1-2`", *at)
+    along: Direction = "x" if first.isdigit() else "y"
+    if any(letter not in (None, along.upper()) for letter in (said, said_last)):
+        raise refuse(f"`{item}`: frames along x have numbers (`X2`), frames along y have letters (`YA`)", *at)
+    numbers = [_number(end, item, at) if along == "x" else line_index(end) for end in (first, last)]
+    return FrameItem(str(item).strip(), along, _span(item, numbers[0], numbers[1], at))
+
+
+def _number(text: str, item: Any, at: tuple[int, ...]) -> int:
+    if int(text) < 1:
+        raise refuse(f"`{item}`: lines across y are numbered from 1", *at)
+    return int(text) - 1
+
+
+def _span(item: Any, first: int, last: int, at: tuple[int, ...]) -> Span:
+    if first > last:
+        raise refuse(f"the range `{item}` runs backwards", *at)
+    return first, last
+
+
+def _seen(item: Any) -> str:
+    if isinstance(item, (list, tuple)):
+        return "a list"
+    return "a mapping" if isinstance(item, dict) else f"`{item}`"

@@ -1,0 +1,61 @@
+"""What holds the feet of the columns."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Discriminator, Tag
+
+from edesign.project.base import Model, by_shape, refuse
+from edesign.project.units import ROTATIONAL_STIFFNESS, STIFFNESS, Kind, parse_quantity
+
+DIRECTIONS = ("ux", "uy", "uz", "rx", "ry", "rz")
+
+
+def _held(kind: Kind) -> BeforeValidator:
+    def read(value: Any) -> Any:
+        if value in ("fixed", "free"):
+            return value
+        try:
+            return parse_quantity(value, kind, "positive")
+        except ValueError as error:
+            raise refuse(f"a direction is `fixed`, `free`, or has a stiffness: {error}") from None
+
+    return BeforeValidator(read)
+
+
+Held = Literal["fixed", "free"] | float
+Translation = Annotated[Held, _held(STIFFNESS)]
+Rotation = Annotated[Held, _held(ROTATIONAL_STIFFNESS)]
+
+
+class Springs(Model):
+    """A support by directions, global: `fixed`, `free`, or a stiffness in N/m or N m/rad."""
+
+    ux: Translation = "fixed"
+    uy: Translation = "fixed"
+    uz: Translation = "fixed"
+    rx: Rotation = "fixed"
+    ry: Rotation = "fixed"
+    rz: Rotation = "fixed"
+
+    def all(self) -> tuple[Held, ...]:
+        """What holds ux, uy, uz, rx, ry, rz."""
+        return self.ux, self.uy, self.uz, self.rx, self.ry, self.rz
+
+
+FIXED = Springs()
+PINNED = Springs(rx="free", ry="free")
+"""A pin about both horizontal axes; the turn about the vertical axis is held."""
+
+Support = Annotated[
+    Annotated[Literal["fixed", "pinned"], Tag("?plain")] | Annotated[Springs, Tag("?mapping")],
+    Discriminator(by_shape),
+]
+
+
+def springs_of(support: Literal["fixed", "pinned"] | Springs) -> Springs:
+    """Return a support by directions."""
+    if isinstance(support, Springs):
+        return support
+    return FIXED if support == "fixed" else PINNED

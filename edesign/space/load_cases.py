@@ -1,0 +1,163 @@
+"""The load cases of a building: permanent loads, self weight, and the variable loads of each category."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from edesign.building.hollow import hollow_area
+from edesign.building.profiles import profile
+from edesign.project.building.building import Building
+from edesign.project.building.layout import edges
+from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
+from edesign.project.building.names import BeamPlace, node_name
+from edesign.project.building.places import panels_in
+from edesign.project.units import STANDARD_GRAVITY
+from edesign.space.area_loads import BeamShare, bay_shares
+from edesign.space.frame import LoadCase, SpaceFrame
+
+PERMANENT, SELF_WEIGHT = "G", "self_weight"
+Load = Areas | PerimeterLoad | BeamLoad | NodeLoad
+
+
+@dataclass
+class _Sum:
+    """Loads of one case that add up, downwards: on whole beams and on nodes."""
+
+    category: str
+    uniform: dict[BeamPlace, float] = field(default_factory=lambda: defaultdict(float))
+    points: dict[BeamPlace, list[tuple[float, float]]] = field(default_factory=lambda: defaultdict(list))
+    nodes: dict[str, float] = field(default_factory=lambda: defaultdict(float))
+
+    def add(self, place: BeamPlace, share: BeamShare) -> None:
+        """Add the share of a beam."""
+        if share.uniform:
+            self.uniform[place] += share.uniform
+        self.points[place] += [point for point in share.points if point[1]]
+
+
+def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
+    """Return the load cases of a building by name: `G`, `self_weight`, and `Q_B` and so on.
+
+    Args:
+        building: from `load_building`.
+        frame: its nodes and members.
+
+    Raises:
+        InputError: a section is not known.
+    """
+    sums = {PERMANENT: _Sum("permanent")}
+    for load in building.loads.items:
+        if load.G != 0.0:
+            _add(building, sums[PERMANENT], load, load.G)
+        if load.Q != 0.0 and load.category is not None:
+            case = sums.setdefault(live_case(load.category), _Sum(load.category))
+            _add(building, case, load, load.Q)
+    cases = {name: _case(name, found, frame) for name, found in sums.items()}
+    if building.loads.self_weight:
+        cases[SELF_WEIGHT] = _self_weight(building, frame)
+    return {name: cases[name] for name in sorted(cases, key=lambda name: (name not in (PERMANENT, SELF_WEIGHT), name))}
+
+
+def live_case(category: str) -> str:
+    """Return the name of the load case of a category of use: `Q_B`."""
+    return f"Q_{category}"
+
+
+def on_nodes(frame: SpaceFrame, case: LoadCase) -> np.ndarray:
+    """Return what each node carries of a case if its members are simply supported, (n_nodes, 3) N, global."""
+    found = case.nodal[:, :3].copy()
+    ends = np.array([[member.start, member.end] for member in frame.members])
+    half = 0.5 * case.uniform * frame.length[:, None]
+    np.add.at(found, ends[:, 0], half)
+    np.add.at(found, ends[:, 1], half)
+    place = case.point_position[:, None]
+    np.add.at(found, ends[case.point_member, 0], (1.0 - place) * case.point_force)
+    np.add.at(found, ends[case.point_member, 1], place * case.point_force)
+    return found
+
+
+def _add(building: Building, case: _Sum, load: Load, value: float) -> None:
+    layout = building.layout
+    if isinstance(load, Areas):
+        _add_area(building, case, load, value)
+    elif isinstance(load, PerimeterLoad):
+        for floor in load.floors.numbers(1, building.n_storeys):
+            for place, count in layout.floor_edges[floor].items():
+                if count == 1:
+                    case.add(place, BeamShare(value))
+    elif isinstance(load, BeamLoad):
+        for place in layout.beam_places(load):
+            if place in layout.beam_at:
+                case.add(place, BeamShare(value))
+    else:
+        for floor in load.floors.numbers(1, building.n_storeys):
+            for line in building.lines_of(load.at):
+                if line in layout.node_lines[floor]:
+                    case.nodes[node_name(line, floor)] += value
+
+
+def _add_area(building: Building, case: _Sum, load: Areas, value: float) -> None:
+    widths_x, widths_y = building.widths("x"), building.widths("y")
+    wanted = panels_in(load.bays, len(widths_x), len(widths_y))
+    for floor in load.floors.numbers(1, building.n_storeys):
+        for panel in sorted(wanted & building.layout.floors[floor]):
+            width_x, width_y = widths_x[panel[0] - 1], widths_y[panel[1] - 1]
+            shares = bay_shares(value, width_x, width_y, load.spans, load.secondary_beams)
+            for place in edges(panel, floor):
+                case.add(place, shares.along_x if place.along == "x" else shares.along_y)
+
+
+def _case(name: str, loads: _Sum, frame: SpaceFrame) -> LoadCase:
+    """Loads on members and nodes; those of a beam in two halves go to the halves and to the node between them."""
+    nodes = {node: i for i, node in enumerate(frame.node_names)}
+    members = {member.name: i for i, member in enumerate(frame.members)}
+    nodal, uniform = np.zeros((len(nodes), 6)), np.zeros((len(members), 3))
+    points: list[tuple[int, float, float]] = []
+    for node, force in loads.nodes.items():
+        nodal[nodes[node], 2] -= force
+    for place, load in loads.uniform.items():
+        for member in _members_of(place, members):
+            uniform[member, 2] -= load
+    for place, on_beam in loads.points.items():
+        whole = _members_of(place, members)
+        for position, force in on_beam:
+            if len(whole) == 1:
+                points.append((whole[0], position, force))
+            elif position == 0.5:
+                nodal[nodes[str(place)], 2] -= force
+            else:
+                points.append((whole[int(position > 0.5)], (2.0 * position) % 1.0, force))
+    return LoadCase(
+        name=name,
+        category=loads.category,
+        nodal=nodal,
+        uniform=uniform,
+        point_member=np.array([member for member, _, _ in points], int),
+        point_position=np.array([position for _, position, _ in points], float),
+        point_force=np.array([(0.0, 0.0, -force) for _, _, force in points], float).reshape(-1, 3),
+    )
+
+
+def _members_of(place: BeamPlace, members: dict[str, int]) -> list[int]:
+    """The member of a beam, or those of its two halves."""
+    name = str(place)
+    return [members[name]] if name in members else [members[f"{name}_1"], members[f"{name}_2"]]
+
+
+def _self_weight(building: Building, frame: SpaceFrame) -> LoadCase:
+    uniform = np.zeros((len(frame.members), 3))
+    for i, member in enumerate(frame.members):
+        density = building.materials[member.material].density
+        uniform[i, 2] = -_area(member.section) * density * STANDARD_GRAVITY
+    none = np.zeros(0)
+    nodal = np.zeros((len(frame.node_names), 6))
+    return LoadCase(SELF_WEIGHT, "permanent", nodal, uniform, none.astype(int), none, none.reshape(0, 3))
+
+
+def _area(section: str) -> float:
+    """Area of a section of the catalogue or of a hollow section, m2."""
+    area = hollow_area(section)
+    return profile(section).area if area is None else area

@@ -1,0 +1,54 @@
+"""The masses at the nodes of a building."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.project.building.building import Building
+from edesign.project.building.names import node_name
+from edesign.project.units import STANDARD_GRAVITY
+from edesign.space.frame import SpaceFrame
+from edesign.space.load_cases import on_nodes
+
+
+def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:
+    """Return the mass at each node, (n_nodes,) kg; none without `masses`, and none at the base.
+
+    Masses from loads are G times the permanent loads and phi psi_2 times the variable ones, over the acceleration of
+    gravity; a load on a member counts at its ends as if it were simply supported.
+
+    Args:
+        building: from `load_building`.
+        frame: its nodes, members and load cases.
+
+    Raises:
+        InputError: loads upwards would give a negative mass.
+
+    Source: EN 1998-1:2004, 3.2.4(2)P, Eq. 3.17, and 4.2.4(2)P, Eq. 4.2.
+    """
+    found = np.zeros(len(frame.node_names))
+    masses = building.masses
+    if masses is None:
+        return found
+    if masses.from_loads is None:
+        nodes = {name: i for i, name in enumerate(frame.node_names)}
+        for given in masses.given or ():
+            for floor in given.floors.numbers(1, building.n_storeys):
+                for line in building.lines_of(given.at):
+                    if line in building.layout.node_lines[floor]:
+                        found[nodes[node_name(line, floor)]] = given.mass
+        return found
+    for case in frame.cases.values():
+        permanent = case.category == "permanent"
+        factor = masses.from_loads.G if permanent else masses.phi * masses.from_loads.psi_2(case.category)
+        found -= factor * on_nodes(frame, case)[:, 2] / STANDARD_GRAVITY
+    found[frame.coordinates[:, 2] == 0.0] = 0.0
+    if (found < 0.0).any():
+        worst = int(np.argmin(found))
+        where = building.where("masses", "from_loads")
+        raise InputError(
+            f"{where}: masses.from_loads: node {frame.node_names[worst]} would get the mass of a load upwards, "
+            f"{found[worst] * STANDARD_GRAVITY:.6g} N"
+        )
+    return found
