@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.building.profiles import profile, profile_names
-from edesign.building.rolled_properties import rolled_properties
+from edesign.building.profiles import profile_names
+from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.report.table import Table
 
@@ -69,12 +69,8 @@ def write_sections(names: Sequence[str], path: Path) -> None:
 
 
 def _values(name: str) -> tuple[float, ...]:
-    shape = profile(name)
-    found = rolled_properties(shape)
-    return (
-        *(shape.h, shape.b, shape.tw, shape.tf, shape.r),
-        *(found.area, found.I_y, found.I_z, found.W_pl_y, found.mass),
-    )
+    found = steel_section(name)
+    return (found.h, found.b, found.tw, found.tf, found.r, found.A, found.I_y, found.I_z, found.W_pl_y, found.mass)
 
 
 def _shown(value: float, header: str) -> str:

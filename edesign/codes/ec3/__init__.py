@@ -1,4 +1,5 @@
-"""EN 1993-1-1:2005, buildings of steel: what the assessment of frames needs of it.
+"""EN 1993-1-1:2005, buildings of steel.
 
-Clauses are functions of plain numbers in SI. The partial factor is the recommended one (6.1(1) Note 2B).
+Clauses are functions of plain numbers in SI. Partial factors are arguments; their defaults are the recommended ones
+(6.1(1) Note 2B). Axial forces are positive in tension, and magnitudes where a clause speaks of compression.
 """

@@ -1,7 +1,8 @@
 """Flexural buckling of members in compression, EN 1993-1-1:2005, 6.3.1.
 
 Cross-sections are taken as of class 1, 2 or 3, with their whole area. For a section of class 4 the clause counts its
-effective area (Eqs. 6.48 and 6.51), which is smaller. Torsional buckling (6.3.1.4) is not in it.
+effective area (Eqs. 6.48 and 6.51), which is smaller. Doubly symmetric I and hollow sections buckle by torsion
+(6.3.1.4) at higher forces than by bending about their weak axis, unless that has the shorter buckling length.
 """
 
 from __future__ import annotations
@@ -101,6 +102,27 @@ def critical_force(modulus: float, inertia: float, length: float) -> float:
     return math.pi**2 * modulus * inertia / length**2
 
 
+def torsional_critical_force(
+    modulus: float, shear_modulus: float, area: float, polar_inertia: float, I_t: float, I_w: float, length: float
+) -> float:
+    """Return N_cr,T = A / (I_y + I_z) (G I_t + pi2 E I_w / L_T2), N, of a doubly symmetric section.
+
+    Args:
+        modulus, shear_modulus: E, G, Pa.
+        area: A, m2.
+        polar_inertia: I_y + I_z, m4.
+        I_t, I_w: torsion (m4) and warping (m6) constants.
+        length: L_T, between restraints of twisting, m.
+
+    Raises:
+        InputError: a value that must be greater than zero is not.
+
+    Source: NCCI SN001; Timoshenko & Gere, Theory of elastic stability, 5.3. EN 1993-1-1, 6.3.1.4, asks for it.
+    """
+    _positive(modulus=modulus, shear_modulus=shear_modulus, area=area, polar_inertia=polar_inertia, length=length)
+    return area / polar_inertia * (shear_modulus * I_t + math.pi**2 * modulus * I_w / length**2)
+
+
 def slenderness(area: float, yield_stress: float, critical: float) -> float:
     """Return the non-dimensional slenderness sqrt(A f_y / N_cr).
 
@@ -140,17 +162,18 @@ def reduction_factor(slenderness: float, curve: str) -> float:
     return 1.0 / (phi + math.sqrt(phi**2 - slenderness**2))
 
 
-def buckling_resistance(area: float, yield_stress: float, factor: float) -> float:
+def buckling_resistance(area: float, yield_stress: float, factor: float, gamma_M1: float = GAMMA_M1) -> float:
     """Return N_b,Rd = chi A f_y / gamma_M1, N.
 
     Args:
         area: A, m2.
         yield_stress: f_y, Pa.
         factor: chi.
+        gamma_M1: partial factor.
 
     Source: EN 1993-1-1:2005, 6.3.1.1(3), Eq. 6.47.
     """
-    return factor * area * yield_stress / GAMMA_M1
+    return factor * area * yield_stress / gamma_M1
 
 
 def _positive(**values: float) -> None:

@@ -9,8 +9,8 @@ import pytest
 
 import edesign
 from edesign.building.profiles import profile, profile_names
-from edesign.building.rolled_properties import rolled_properties
 from edesign.building.section_names import SectionName
+from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.project import ProjectError
 
@@ -72,10 +72,10 @@ def test_w_shapes_are_those_of_the_american_tables() -> None:
     for row in rows:
         name = profile_names().canonical(row["name"])
         assert name is not None and name.startswith("W")
-        shape, found_here = profile(name), rolled_properties(profile(name))
+        shape, found_here = profile(name), steel_section(name)
         assert shape.h == pytest.approx(INCH * float(row["d [in]"]), rel=0.008), row["name"]
         assert shape.b == pytest.approx(INCH * float(row["bf [in]"]), rel=0.01), row["name"]
-        assert found_here.area == pytest.approx(INCH**2 * float(row["A [in2]"]), rel=0.025), row["name"]
+        assert found_here.A == pytest.approx(INCH**2 * float(row["A [in2]"]), rel=0.025), row["name"]
         assert found_here.I_y == pytest.approx(INCH**4 * float(row["Ix [in4]"]), rel=0.03), row["name"]
         assert found_here.I_z == pytest.approx(INCH**4 * float(row["Iy [in4]"]), rel=0.03), row["name"]
         assert found_here.W_pl_y == pytest.approx(INCH**3 * float(row["Zx [in3]"]), rel=0.03), row["name"]
@@ -93,8 +93,8 @@ def test_properties_are_those_of_the_european_table() -> None:
         "HEB300": (149.1, 25170, 8563, 1869, 117),
         "HEM300": (303.1, 59200, 19400, 4078, 238),
     }.items():
-        found = rolled_properties(profile(name))
-        values = (1e4 * found.area, 1e8 * found.I_y, 1e8 * found.I_z, 1e6 * found.W_pl_y, found.mass)
+        found = steel_section(name)
+        values = (1e4 * found.A, 1e8 * found.I_y, 1e8 * found.I_z, 1e6 * found.W_pl_y, found.mass)
         assert values == pytest.approx(printed, rel=2e-3)
 
 

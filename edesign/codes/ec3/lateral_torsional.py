@@ -1,0 +1,212 @@
+"""Lateral torsional buckling of members in bending, EN 1993-1-1:2005, 6.3.2, and its elastic critical moment.
+
+The critical moment is not in EN 1993-1-1; it is that of NCCI SN003 (Access Steel), for doubly symmetric sections.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from edesign.codes.ec3.buckling import GAMMA_M1, IMPERFECTION, Curve
+from edesign.codes.names import unknown
+from edesign.errors import InputError
+
+LAMBDA_LT_0 = 0.4
+"""Length of the plateau. Source: EN 1993-1-1:2005, 6.3.2.3(1), recommended."""
+BETA = 0.75
+"""Source: EN 1993-1-1:2005, 6.3.2.3(1), recommended."""
+
+_RATIO = (-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0)
+_C1 = (2.55, 2.57, 2.33, 2.05, 1.77, 1.52, 1.31, 1.14, 1.00)
+
+TRANSVERSE_LOADS: dict[str, tuple[float, float, float]] = {  # C1, C2, k_c
+    "uniform_pinned": (1.127, 0.454, 0.94),
+    "uniform_fixed": (2.578, 1.554, 0.90),
+    "point_pinned": (1.348, 0.630, 0.86),
+    "point_fixed": (1.683, 1.645, 0.77),
+}
+"""C1, C2 and k_c of members under a transverse load, by their ends in bending about the strong axis (k = k_w = 1).
+
+Source: NCCI SN003, Table 3.2; Eurocodes: Design of steel buildings with worked examples (JRC 2014). k_c: EN 1993-1-1,
+Table 6.6.
+"""
+
+
+def end_moment_factor(psi: float) -> float:
+    """Return C1 of a member under end moments M and psi M; between the rows of the table it is interpolated.
+
+    Args:
+        psi: ratio of the end moments, -1 (double curvature) to 1.
+
+    Raises:
+        InputError: psi is not in that range.
+
+    Source: NCCI SN003, Table 3.1, k = 1.
+    """
+    return float(np.interp(_ratio(psi), _RATIO, _C1))
+
+
+def end_moment_correction(psi: float) -> float:
+    """Return k_c = 1 / (1.33 - 0.33 psi) of a member under end moments M and psi M. Arguments: `end_moment_factor`.
+
+    Source: EN 1993-1-1:2005, Table 6.6.
+    """
+    return 1.0 / (1.33 - 0.33 * _ratio(psi))
+
+
+def diagram_factor(M_max: float, M_quarter: float, M_middle: float, M_three_quarters: float) -> float:
+    """Return C1 of any moment diagram, from its largest moment and those at the quarter points (any sign).
+
+    Source: Serna, Lopez, Puente & Yong, Equivalent uniform moment factors for lateral-torsional buckling of steel
+        members, J. Constr. Steel Res. 62 (2006), for ends free to warp; 1 without any moment.
+    """
+    top = 35.0 * M_max**2
+    if top == 0.0:
+        return 1.0
+    return math.sqrt(top / (M_max**2 + 9.0 * M_quarter**2 + 16.0 * M_middle**2 + 9.0 * M_three_quarters**2))
+
+
+def correction_of_factor(C1: float) -> float:
+    """Return k_c = 1 / sqrt(C1) <= 1, for diagrams that Table 6.6 does not have.
+
+    Source: EN 1993-1-1:2022, 8.3.2.3; SCI P362.
+    """
+    return min(1.0 / math.sqrt(C1), 1.0)
+
+
+def critical_moment(
+    modulus: float,
+    shear_modulus: float,
+    I_z: float,
+    I_t: float,
+    I_w: float,
+    length: float,
+    C1: float = 1.0,
+    C2: float = 0.0,
+    z_g: float = 0.0,
+    k: float = 1.0,
+    k_w: float = 1.0,
+) -> float:
+    """Return M_cr, N m, of a doubly symmetric section.
+
+    Args:
+        modulus, shear_modulus: E, G, Pa.
+        I_z, I_t, I_w: m4, m4, m6.
+        length: L, between lateral restraints, m.
+        C1, C2: of the moment diagram and of the height of the load.
+        z_g: height of the load above the shear centre; positive where it makes the section tip over, m.
+        k, k_w: effective lengths in lateral bending and in warping, by L.
+
+    Raises:
+        InputError: a value that must be greater than zero is not.
+
+    Source: NCCI SN003, Eq. 1; EN 1999-1-1, Annex I.1.2.
+    """
+    for name, value in dict(E=modulus, G=shear_modulus, I_z=I_z, I_t=I_t, L=length, C1=C1, k=k, k_w=k_w).items():
+        if not value > 0.0:
+            raise InputError(f"{name}: {value:g} is not greater than zero")
+    euler = math.pi**2 * modulus * I_z / (k * length) ** 2
+    tipping = C2 * z_g
+    inner = (k / k_w) ** 2 * I_w / I_z + shear_modulus * I_t / euler + tipping**2
+    return C1 * euler * (math.sqrt(inner) - tipping)
+
+
+def slenderness(modulus: float, yield_stress: float, critical: float) -> float:
+    """Return lambda_LT = sqrt(W_y f_y / M_cr).
+
+    Args:
+        modulus: W_pl,y of class 1 and 2, W_el,y of class 3, m3.
+        yield_stress: f_y, Pa.
+        critical: M_cr, N m.
+
+    Raises:
+        InputError: M_cr is not greater than zero.
+
+    Source: EN 1993-1-1:2005, 6.3.2.2(1).
+    """
+    if not critical > 0.0:
+        raise InputError(f"M_cr: {critical:g} is not greater than zero")
+    return math.sqrt(modulus * yield_stress / critical)
+
+
+def general_curve(height: float, width: float, rolled: bool = True) -> Curve:
+    """Return the curve of an I section for the general case: rolled a or b, welded c or d, by h/b = 2.
+
+    Source: EN 1993-1-1:2005, 6.3.2.2(2), Table 6.4.
+    """
+    slender = height / width > 2.0
+    return ("b" if slender else "a") if rolled else ("d" if slender else "c")
+
+
+def rolled_curve(height: float, width: float, rolled: bool = True) -> Curve:
+    """Return the curve of an I section for 6.3.2.3: rolled b or c, equivalent welded c or d, by h/b = 2.
+
+    Source: EN 1993-1-1:2005, 6.3.2.3(1), Table 6.5.
+    """
+    slender = height / width > 2.0
+    return ("c" if slender else "b") if rolled else ("d" if slender else "c")
+
+
+def reduction_factor_general(slenderness: float, curve: str) -> float:
+    """Return chi_LT <= 1 of the general case; 1 up to a slenderness of 0.2.
+
+    Raises:
+        InputError: there is no such curve, or the slenderness is negative.
+
+    Source: EN 1993-1-1:2005, 6.3.2.2(1), Eq. 6.56. Under (4) lateral torsional buckling may be ignored up to
+        lambda_LT,0, a jump that is not made use of.
+    """
+    return _reduction(slenderness, curve, plateau=0.2, beta=1.0)
+
+
+def reduction_factor(slenderness: float, curve: str, lambda_LT_0: float = LAMBDA_LT_0, beta: float = BETA) -> float:
+    """Return chi_LT <= 1 and <= 1 / lambda_LT2 of rolled and equivalent welded sections.
+
+    Args:
+        slenderness: lambda_LT.
+        curve: b, c or d, by `rolled_curve`.
+        lambda_LT_0, beta: as the National Annex has them.
+
+    Raises:
+        InputError: there is no such curve, or the slenderness is negative.
+
+    Source: EN 1993-1-1:2005, 6.3.2.3(1), Eq. 6.57.
+    """
+    return _reduction(slenderness, curve, plateau=lambda_LT_0, beta=beta)
+
+
+def modified_reduction_factor(chi_LT: float, slenderness: float, k_c: float) -> float:
+    """Return chi_LT,mod = chi_LT / f <= 1 and <= 1 / lambda_LT2, f = 1 - 0.5 (1 - k_c) [1 - 2 (lambda_LT - 0.8)2] <= 1.
+
+    Source: EN 1993-1-1:2005 + AC:2009, 6.3.2.3(2), Eq. 6.58.
+    """
+    f = min(1.0 - 0.5 * (1.0 - k_c) * (1.0 - 2.0 * (slenderness - 0.8) ** 2), 1.0)
+    euler = 1.0 / slenderness**2 if slenderness > 0.0 else math.inf
+    return min(chi_LT / f, 1.0, euler)
+
+
+def buckling_moment(chi_LT: float, modulus: float, yield_stress: float, gamma_M1: float = GAMMA_M1) -> float:
+    """Return M_b,Rd = chi_LT W_y f_y / gamma_M1, N m.
+
+    Source: EN 1993-1-1:2005, 6.3.2.1(3), Eq. 6.55.
+    """
+    return chi_LT * modulus * yield_stress / gamma_M1
+
+
+def _reduction(slenderness: float, curve: str, plateau: float, beta: float) -> float:
+    if curve not in IMPERFECTION:
+        raise unknown("buckling curve", curve, IMPERFECTION)
+    if not slenderness >= 0.0:
+        raise InputError(f"a slenderness of {slenderness:g} is negative")
+    if slenderness <= plateau:
+        return 1.0
+    phi = 0.5 * (1.0 + IMPERFECTION[curve] * (slenderness - plateau) + beta * slenderness**2)
+    return min(1.0 / (phi + math.sqrt(phi**2 - beta * slenderness**2)), 1.0, 1.0 / slenderness**2)
+
+
+def _ratio(psi: float) -> float:
+    if not -1.0 <= psi <= 1.0:
+        raise InputError(f"psi: {psi:g} is not between -1 and 1; it is the smaller end moment by the larger")
+    return psi
