@@ -1,0 +1,71 @@
+"""The numerical model of a space frame: members with the properties of their sections."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from edesign.building.steel_section import steel_section
+from edesign.core.space import SpaceMembers, SpaceModel
+from edesign.project.building.building import Steel
+from edesign.space.frame import NO_DIAPHRAGM, SpaceFrame
+
+SECTION_PROPERTIES = ("A", "A_y", "A_z", "I_t", "I_y", "I_z")
+
+
+def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel:
+    """Return the model of a frame; the master of each rigid floor is at the centre of its mass.
+
+    Args:
+        frame: of a building.
+        materials: of the file, by name.
+
+    Raises:
+        CoreError: the structure is a mechanism, or is not connected to its supports.
+    """
+    members = frame.members
+    steels = [materials[member.material] for member in members]
+    sections = [steel_section(member.section) for member in members]
+    E = np.array([steel.E for steel in steels])
+    start, end = np.array([[member.start, member.end] for member in members]).T
+    return SpaceModel(
+        coordinates=frame.coordinates,
+        node_floor=_diaphragm_numbers(frame),
+        masters=_masters(frame),
+        fixed=frame.fixed,
+        springs=frame.springs,
+        members=SpaceMembers(
+            start=start,
+            end=end,
+            web=np.array([member.web for member in members]),
+            E=E,
+            G=E / (2.0 * (1.0 + np.array([steel.nu for steel in steels]))),
+            ends=np.array([member.ends for member in members]),
+            axial_only=np.array([member.axial_only for member in members]),
+            **{name: np.array([getattr(section, name) for section in sections]) for name in SECTION_PROPERTIES},
+        ),
+        node_names=frame.node_names,
+        member_names=tuple(member.name for member in members),
+    )
+
+
+def diaphragm_floors(frame: SpaceFrame) -> tuple[int, ...]:
+    """Return the floors that are rigid in their plane, from below."""
+    return tuple(sorted({int(floor) for floor in frame.node_floor if floor != NO_DIAPHRAGM}))
+
+
+def _diaphragm_numbers(frame: SpaceFrame) -> np.ndarray:
+    """Return the number of the diaphragm of each node, from 0; `NO_DIAPHRAGM` without one."""
+    numbers = np.searchsorted(np.array(diaphragm_floors(frame)), frame.node_floor)
+    return np.where(frame.node_floor == NO_DIAPHRAGM, NO_DIAPHRAGM, numbers)
+
+
+def _masters(frame: SpaceFrame) -> np.ndarray:
+    """Return the centre of mass of each rigid floor, or of its nodes if it has no mass, (n_diaphragms, 2) m."""
+    found = []
+    for floor in diaphragm_floors(frame):
+        of_floor = frame.node_floor == floor
+        mass = frame.node_mass[of_floor]
+        found.append(np.average(frame.coordinates[of_floor, :2], axis=0, weights=mass if mass.any() else None))
+    return np.array(found).reshape(-1, 2)

@@ -1,0 +1,259 @@
+"""Response of a space frame to static load cases and to a design spectrum, EN 1998-1:2004, 4.3.3.3.
+
+Every response quantity is combined from its own modal values: member forces from modal member forces, storey drifts
+from modal drifts of each column. Differences of combined values are never taken.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from edesign.codes.ec8 import DesignSpectrum, ElasticSpectrum
+from edesign.codes.ec8.lateral_force import lateral_forces
+from edesign.codes.ec8.modal_combination import close_modes, cqc_coefficients
+from edesign.codes.ec8.torsion import accidental_moments
+from edesign.core.space import SpaceModel, SpaceModes, combine, combine_internal
+from edesign.errors import InputError
+from edesign.space.frame import LoadCase, SpaceFrame
+
+Axis = Literal["x", "y"]
+AXES: tuple[Axis, Axis] = ("x", "y")
+STATIONS = np.array([0.0, 1.0 / 6.0, 1.0 / 3.0, 0.5, 2.0 / 3.0, 5.0 / 6.0, 1.0])
+"""Places along a member as fractions of its length: loads of secondary beams at third points fall on them."""
+COLUMN = "column"
+
+
+@dataclass(frozen=True)
+class StaticResponse:
+    """Effects of the load cases.
+
+    Attributes:
+        names: (n_cases,) of the cases.
+        displacements: (n_cases, n_nodes, 6) m and rad.
+        internal: (n_cases, n_members, n_stations, 6) N, V_y, V_z, T, M_y, M_z; N tension positive.
+        reactions: (n_cases, n_nodes, 6) N and N m.
+    """
+
+    names: tuple[str, ...]
+    displacements: np.ndarray
+    internal: np.ndarray
+    reactions: np.ndarray
+
+
+@dataclass(frozen=True)
+class SeismicResponse:
+    """Effects of the seismic action in one direction, without sign.
+
+    Attributes:
+        axis: direction of the ground motion.
+        spectrum: design spectrum of this direction.
+        acceleration: (n_modes,) S_d(T), m/s2.
+        lower_bound: (n_modes,) whether beta a_g governs.
+        base_shear: N.
+        base_shear_without_beta: the base shear for beta = 0, N.
+        storey_shear: (n_storeys,) N.
+        drift: (n_storeys,) d_e: the largest of the storey's columns, of the design spectrum without q_d, m.
+        drift_elastic: (n_storeys,) the same of the elastic spectrum, m.
+        internal: (n_members, n_stations, 6) as in StaticResponse.
+        torsion: (n_members, n_stations, 6) part of `internal` that comes from accidental torsion.
+    """
+
+    axis: Axis
+    spectrum: DesignSpectrum
+    acceleration: np.ndarray
+    lower_bound: np.ndarray
+    base_shear: float
+    base_shear_without_beta: float
+    storey_shear: np.ndarray
+    drift: np.ndarray
+    drift_elastic: np.ndarray
+    internal: np.ndarray
+    torsion: np.ndarray
+
+
+def static_response(model: SpaceModel, frame: SpaceFrame) -> StaticResponse:
+    """Return the effects of all load cases of a frame."""
+    cases = tuple(frame.cases.values())
+    return _static(model, cases)
+
+
+def seismic_response(
+    model: SpaceModel,
+    frame: SpaceFrame,
+    modes: SpaceModes,
+    axis: Axis,
+    elastic: ElasticSpectrum,
+    spectrum: DesignSpectrum,
+    combination: str,
+    damping: float,
+    torsion: float,
+) -> SeismicResponse:
+    """Return the effects of the seismic action in one direction by modal response spectrum analysis.
+
+    Accidental torsion is a static load case of the moments e_ai F_i (4.3.3.3.3); its effects are added to those of the
+    modes, with the sign that adds, to drifts as well.
+
+    Args:
+        model, frame, modes: the structure.
+        axis: of the ground motion.
+        elastic, spectrum: of the direction; `elastic` gives the drifts that cap q d_e (4.3.4(3)).
+        combination: `cqc` or `srss`.
+        damping: ratio of critical damping of the modes.
+        torsion: e_ai / L_i; 0 for none.
+
+    Raises:
+        InputError: SRSS is asked for and modes are close.
+    """
+    direction = AXES.index(axis)
+    rho = _correlation(modes, combination, damping)
+    gamma = modes.participation[:, direction]
+    S_d = spectrum.acceleration(modes.period)
+    amplitude = gamma * S_d / modes.omega**2
+    amplitude_elastic = gamma * elastic.acceleration(modes.period) / modes.omega**2
+    free = DesignSpectrum(spectrum.a_gR, spectrum.S, spectrum.corners, spectrum.q, spectrum.gamma_I, 0.0)
+    amplitude_free = gamma * free.acceleration(modes.period) / modes.omega**2
+
+    shear = _modal_storey_shear(frame, modes, direction)  # (k, storeys) for an amplitude of 1
+    drift, storey = _modal_drift(frame, modes, direction)  # (k, columns)
+    storey_shear = combine((shear * amplitude[:, None]).T, rho)
+    twist = _accidental_torsion(model, frame, modes, axis, float(storey_shear[0]), torsion)
+
+    def drifts(of: np.ndarray) -> np.ndarray:
+        found = combine((drift * of[:, None]).T, rho) + twist.drift
+        worst = np.zeros(frame.n_floors)
+        np.maximum.at(worst, storey, found)
+        return worst
+
+    internal = combine_internal(modes.end_forces * amplitude[:, None, None], STATIONS, rho)
+    return SeismicResponse(
+        axis=axis,
+        spectrum=spectrum,
+        acceleration=S_d,
+        lower_bound=np.asarray(S_d > free.acceleration(modes.period)),
+        base_shear=float(storey_shear[0]),
+        base_shear_without_beta=float(combine((shear[:, :1] * amplitude_free[:, None]).T, rho)[0]),
+        storey_shear=storey_shear,
+        drift=drifts(amplitude),
+        drift_elastic=drifts(amplitude_elastic),
+        internal=internal + twist.internal,
+        torsion=twist.internal,
+    )
+
+
+def gravity_above(frame: SpaceFrame, factors: Mapping[str, float]) -> np.ndarray:
+    """Return P_tot of each storey: the vertical load at and above it, (n_storeys,) N.
+
+    Args:
+        frame: with its load cases.
+        factors: of the load cases, such as 1 for G and psi_2 for Q; cases that are absent do not count.
+    """
+    down = np.zeros(len(frame.node_names))
+    start, end = _ends(frame)
+    for name, factor in factors.items():
+        case = frame.cases[name]
+        down -= factor * case.nodal[:, 2]
+        of_member = factor * -case.uniform[:, 2] * frame.length
+        np.add.at(of_member, case.point_member, factor * -case.point_force[:, 2])
+        np.add.at(down, start, 0.5 * of_member)
+        np.add.at(down, end, 0.5 * of_member)
+    at_floor = np.bincount(_level(frame), weights=down, minlength=frame.n_floors + 1)[1:]
+    return np.asarray(np.cumsum(at_floor[::-1])[::-1])
+
+
+@dataclass(frozen=True)
+class _Twist:
+    internal: np.ndarray
+    drift: np.ndarray
+
+
+def _correlation(modes: SpaceModes, combination: str, damping: float) -> np.ndarray:
+    if combination == "cqc":
+        return cqc_coefficients(modes.period, damping)
+    if close := close_modes(modes.period):
+        first, second = close[0]
+        raise InputError(
+            f"combination: `srss` needs independent modes, but T_{second + 1} = {modes.period[second]:.4g} s is above "
+            f"0.9 T_{first + 1} = {0.9 * modes.period[first]:.4g} s (EN 1998-1, 4.3.3.3.2); use `cqc`"
+        )
+    return np.eye(modes.period.size)
+
+
+def _modal_storey_shear(frame: SpaceFrame, modes: SpaceModes, direction: int) -> np.ndarray:
+    """Return the storey shears of each mode for an amplitude of 1, (n_modes, n_storeys)."""
+    force = modes.omega[:, None] ** 2 * modes.displacements[:, :, direction] * frame.node_mass
+    level = _level(frame)
+    at_floor = np.stack([force[:, level == floor].sum(axis=1) for floor in range(1, frame.n_floors + 1)], axis=1)
+    return np.asarray(np.cumsum(at_floor[:, ::-1], axis=1)[:, ::-1])
+
+
+def _modal_drift(frame: SpaceFrame, modes: SpaceModes, direction: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return the drift of each column in each mode, (n_modes, n_columns), and its storey, from 0, (n_columns,)."""
+    columns = _columns(frame)
+    start, end = (nodes[columns] for nodes in _ends(frame))
+    moved = modes.displacements[:, :, direction]
+    return moved[:, end] - moved[:, start], np.array([frame.members[number].storey - 1 for number in columns])
+
+
+def _accidental_torsion(
+    model: SpaceModel, frame: SpaceFrame, modes: SpaceModes, axis: Axis, base_shear: float, ratio: float
+) -> _Twist:
+    """Return the effects of M_ai = e_ai F_i, F_i by the heights of the floors (Eq. 4.11), without sign."""
+    level = _level(frame)
+    rigid = [int(np.flatnonzero((frame.node_floor == floor))[0]) for floor in _diaphragms(frame)]
+    if ratio == 0.0 or not rigid:
+        nothing = np.zeros((len(frame.members), STATIONS.size, 6))
+        return _Twist(nothing, np.zeros(len(_columns(frame))))
+    floors = level[rigid]
+    mass = np.bincount(level, weights=frame.node_mass, minlength=frame.n_floors + 1)[floors]
+    across = frame.coordinates[:, 1 - AXES.index(axis)]
+    length = np.array([np.ptp(across[level == floor]) for floor in floors])
+    nodal = np.zeros((len(frame.node_names), 6))
+    nodal[rigid, 5] = accidental_moments(lateral_forces(base_shear, mass, frame.levels[floors]), length, ratio)
+    found = _static(model, (_nodal_case(frame, "torsion", nodal),))
+    columns = _columns(frame)
+    start, end = (nodes[columns] for nodes in _ends(frame))
+    moved = found.displacements[0][:, AXES.index(axis)]
+    return _Twist(np.abs(found.internal[0]), np.abs(moved[end] - moved[start]))
+
+
+def _static(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticResponse:
+    points = [
+        (np.full(case.point_member.shape, number), case.point_member, case.point_position, case.point_force)
+        for number, case in enumerate(cases)
+    ]
+    joined = tuple(np.concatenate(part) for part in zip(*points, strict=True))
+    uniform = np.stack([case.uniform for case in cases])
+    found = model.static(np.stack([case.nodal for case in cases]), uniform, joined)
+    internal = model.internal(found, uniform, joined, STATIONS)
+    return StaticResponse(tuple(case.name for case in cases), found.displacements, internal, found.reactions)
+
+
+def _nodal_case(frame: SpaceFrame, name: str, nodal: np.ndarray) -> LoadCase:
+    none = np.zeros(0, dtype=int)
+    return LoadCase(
+        name, "seismic", nodal, np.zeros((len(frame.members), 3)), none, np.zeros(0), np.zeros((0, 3))
+    )
+
+
+def _ends(frame: SpaceFrame) -> tuple[np.ndarray, np.ndarray]:
+    return (
+        np.array([member.start for member in frame.members]),
+        np.array([member.end for member in frame.members]),
+    )
+
+
+def _columns(frame: SpaceFrame) -> np.ndarray:
+    return np.array([number for number, member in enumerate(frame.members) if member.kind == COLUMN])
+
+
+def _diaphragms(frame: SpaceFrame) -> tuple[int, ...]:
+    return tuple(sorted({int(floor) for floor in frame.node_floor if floor >= 0}))
+
+
+def _level(frame: SpaceFrame) -> np.ndarray:
+    """Return the floor at the level of each node, 0 at the base; nodes between two floors count to the upper one."""
+    return np.searchsorted(frame.levels, frame.coordinates[:, 2] - 1e-9 * frame.levels[-1])
