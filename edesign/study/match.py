@@ -13,7 +13,8 @@ from edesign.archive.dataset import Group
 from edesign.archive.files import source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
-from edesign.codes.ec8.accelerograms import DAMPING, Criterion
+from edesign.codes.ec8 import Criterion
+from edesign.codes.ec8.accelerograms import DAMPING
 from edesign.codes.ec8.elastic import ElasticSpectrum
 from edesign.errors import AnalysisError, Interrupted
 from edesign.ground_motion.matching import MatchOptions

@@ -9,7 +9,8 @@ from dataclasses import asdict, replace
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
-from edesign.codes.ec8.accelerograms import DAMPING, Criterion, check_accelerograms, check_periods
+from edesign.codes.ec8 import Criterion
+from edesign.codes.ec8.accelerograms import DAMPING, check_accelerograms, check_periods
 from edesign.codes.ec8.elastic import ElasticSpectrum
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.intensity import measures

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
 
@@ -24,29 +25,6 @@ STATIONARY_DURATION = 10.0
 
 _ROUNDING = 1e-9  # a suite scaled to a_g S exactly must not fail by the last bits
 _WIDEST_STEP = 1.05  # of neighbouring periods: a coarser grid could step over a valley of the mean spectrum
-
-
-@dataclass(frozen=True)
-class Criterion:
-    """One rule and what was found.
-
-    Attributes:
-        clause: of EN 1998-1:2004.
-        text: what is asked.
-        required: the limit; None where the rule sets none.
-        value: what was found; None where the rule does not apply.
-        unit: of both; empty for ratios and counts.
-        passed: None for a rule that does not apply or only informs.
-        detail: where the worst value stands, or what follows.
-    """
-
-    clause: str
-    text: str
-    required: float | None
-    value: float | None
-    unit: str
-    passed: bool | None
-    detail: str = ""
 
 
 @dataclass(frozen=True)
