@@ -39,6 +39,9 @@ def checked_hazard(project: Project) -> Hazard:
         _national(hazard)
         place = "zone"
         _a_gR(hazard)
+        place = "spectrum"
+        if hazard.zone is not None:
+            _national(hazard).check_spectrum_type(hazard.zone, hazard.spectrum)
         place = "parameters"
         _parameters(hazard)
         place = "levels"

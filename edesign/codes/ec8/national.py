@@ -1,4 +1,7 @@
-"""Nationally determined parameters of EN 1998-1:2004: one data file a country, beside the recommended values."""
+"""Nationally determined parameters of EN 1998-1:2004: one data file a country, beside the recommended values.
+
+The files hold also those of EN 1990 and EN 1993-1-1 that the design of a steel building in an earthquake needs.
+"""
 
 from __future__ import annotations
 
@@ -26,7 +29,7 @@ class Parameter:
         name: key in the data file.
         value: a number, or a table as it stands in the file.
         unit: of the value; empty where it has none.
-        clause: of EN 1998-1 that allows the choice.
+        clause: that allows the choice, of EN 1998-1 unless it names another standard.
         source: where the value stands.
         origin: the country, or "recommended".
     """
@@ -37,6 +40,31 @@ class Parameter:
     clause: str
     source: str
     origin: str
+
+
+@dataclass(frozen=True)
+class Psi:
+    """Factors of a variable action: psi_0 combination, psi_1 frequent, psi_2 quasi-permanent value (EN 1990, 4.1.3)."""
+
+    psi_0: float
+    psi_1: float
+    psi_2: float
+
+
+@dataclass(frozen=True)
+class ActionFactors:
+    """Partial factors of actions for buildings (EN 1990, Table A1.2(B)).
+
+    Attributes:
+        G_sup, G_inf: gamma_G of unfavourable and of favourable permanent actions.
+        Q: gamma_Q of unfavourable variable actions; favourable ones do not count.
+        xi: reduces gamma_G,sup in Eq. 6.10b.
+    """
+
+    G_sup: float = 1.35
+    G_inf: float = 1.0
+    Q: float = 1.5
+    xi: float = 0.85
 
 
 @dataclass(frozen=True)
@@ -72,11 +100,48 @@ class NationalParameters:
         return float(self.parameters["lower_bound_factor"].value)
 
     @property
+    def gamma_ov(self) -> float:
+        """Material overstrength factor of steel."""
+        return float(self.parameters["material_overstrength"].value)
+
+    @property
+    def gamma_pb(self) -> float:
+        """Share of N_pl,Rd that a V bracing keeps in compression after buckling."""
+        return float(self.parameters["post_buckling"].value)
+
+    @property
+    def low_ductility_q(self) -> float:
+        """Upper limit of q for ductility class low."""
+        return float(self.parameters["low_ductility_q"].value)
+
+    @property
+    def phi(self) -> Mapping[str, float]:
+        """Factor phi of Table 4.2: `roof`, storeys with `correlated` or `independent` occupancies, `other`."""
+        return {name: float(value) for name, value in self.parameters["phi"].value.items()}
+
+    @property
+    def psi(self) -> Mapping[str, Psi]:
+        """Factors psi by category of the variable action (EN 1990, Table A1.1)."""
+        return {name: Psi(*map(float, values)) for name, values in self.parameters["psi"].value.items()}
+
+    @property
+    def action_factors(self) -> ActionFactors:
+        """Partial factors of actions (EN 1990, Table A1.2(B))."""
+        return ActionFactors(**self.parameters["action_factors"].value)
+
+    @property
+    def gamma_M(self) -> Mapping[str, float]:
+        """Partial factors of resistance by name: `M0`, `M1`, `M2` (EN 1993-1-1, 6.1)."""
+        return {name: float(value) for name, value in self.parameters["resistance_factors"].value.items()}
+
+    @property
     def zones(self) -> Mapping[str, float]:
         """Reference peak ground acceleration a_gR by zone, m/s2; empty where none are known."""
         if "zones" not in self.parameters:
             return {}
-        return {name: float(value) * g for name, value in self.parameters["zones"].value.items()}
+        zones = self.parameters["zones"]
+        unit = g if zones.unit == "g" else 1.0
+        return {name: float(value) * unit for name, value in zones.value.items()}
 
     def a_gR(self, zone: str) -> float:
         """Return the reference peak ground acceleration of a zone, m/s2; `3` is `Z3`.
@@ -84,13 +149,19 @@ class NationalParameters:
         Raises:
             InputError: there is no such zone.
         """
-        zones = self.zones
-        if not zones:
-            raise InputError("the recommended values have no zones: name a country, or give a_gR")
-        for name in (zone, f"Z{zone}", zone.upper()):
-            if name in zones:
-                return zones[name]
-        raise unknown(f"zone in {self.country}", zone, zones)
+        return self.zones[self._zone(zone)]
+
+    def check_spectrum_type(self, zone: str, spectrum_type: int) -> None:
+        """Check that a zone takes a type of spectrum; where the country leaves the choice open, any will do.
+
+        Raises:
+            InputError: there is no such zone, or it takes the other type.
+        """
+        if "zone_spectra" not in self.parameters:
+            return
+        fixed = self.parameters["zone_spectra"].value[self._zone(zone)]
+        if spectrum_type != fixed:
+            raise InputError(f"zone {zone} of {self.country} takes spectrum {fixed}, not {spectrum_type}")
 
     def gamma_I(self, importance_class: str) -> float:
         """Return the importance factor of a class I to IV, 4.2.5(5)P.
@@ -98,10 +169,15 @@ class NationalParameters:
         Raises:
             InputError: there is no such class.
         """
-        factors = self.parameters["importance_factors"].value
-        if importance_class not in factors:
-            raise unknown("importance class", importance_class, factors)
-        return float(factors[importance_class])
+        return self._of_class("importance_factors", importance_class)
+
+    def nu(self, importance_class: str) -> float:
+        """Return the reduction factor nu of displacements for damage limitation, 4.4.3.2(2).
+
+        Raises:
+            InputError: there is no such importance class.
+        """
+        return self._of_class("displacement_reduction", importance_class)
 
     def horizontal(self, spectrum_type: int, ground: str) -> HorizontalParameters:
         """Return the parameters of a horizontal spectrum.
@@ -118,6 +194,21 @@ class NationalParameters:
             InputError: no such type.
         """
         return vertical_of(self.parameters["vertical"].value, spectrum_type)
+
+    def _zone(self, zone: str) -> str:
+        zones = self.zones
+        if not zones:
+            raise InputError("the recommended values have no zones: name a country, or give a_gR")
+        for name in (zone, f"Z{zone}", zone.upper()):
+            if name in zones:
+                return name
+        raise unknown(f"zone in {self.country}", zone, zones)
+
+    def _of_class(self, name: str, importance_class: str) -> float:
+        values = self.parameters[name].value
+        if importance_class not in values:
+            raise unknown("importance class", importance_class, values)
+        return float(values[importance_class])
 
 
 def countries() -> tuple[str, ...]:
