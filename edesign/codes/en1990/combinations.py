@@ -1,0 +1,214 @@
+"""Combinations of actions for buildings, EN 1990:2002+A1:2005, 6.4.3 and 6.5.3, as data.
+
+A combination is a factor for each load case and one for each seismic component. What acts together is in `actions`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from edesign.codes.ec8.directions import DirectionRule, direction_factors
+from edesign.codes.ec8.national import ActionFactors, Psi
+from edesign.codes.en1990.actions import MOST_COMBINATIONS, Action, sets_of_actions, split_cases
+from edesign.codes.names import unknown
+from edesign.errors import InputError
+
+CombinationSet = Literal["fundamental", "seismic", "characteristic", "frequent", "quasi-permanent"]
+Expression = Literal["6.10", "6.10a/b"]
+
+_COMPONENTS = ("E_x", "E_y", "E_z")
+
+
+@dataclass(frozen=True)
+class Combination:
+    """A combination of actions.
+
+    Attributes:
+        name: as a report prints it: `1.35 G + 1.5 Q`, `G + 0.3 Q + E_x + 0.3 E_y`.
+        set: design situation or serviceability combination that it belongs to.
+        equation: of EN 1990.
+        static: factor by name of the load case; cases that are absent do not act.
+        seismic: factors of E_x, E_y, E_z.
+        directions: how the seismic components add up: `30 %` as a sum of the effects times `seismic`, `srss` as the
+            root of the sum of their squares, whose sign is that of `seismic`.
+        leading: names of the cases of the leading variable action; empty without one.
+    """
+
+    name: str
+    set: CombinationSet
+    equation: str
+    static: Mapping[str, float]
+    seismic: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    directions: DirectionRule = "30 %"
+    leading: Action = ()
+
+
+def fundamental(
+    cases: Mapping[str, str],
+    psi: Mapping[str, Psi],
+    factors: ActionFactors,
+    expression: str = "6.10",
+    favourable: bool = False,
+) -> tuple[Combination, ...]:
+    """Return the combinations for persistent and transient design situations.
+
+    6.10 is sum gamma_G G + gamma_Q Q_1 + sum gamma_Q psi_0 Q_i; each variable action leads once. 6.10a has psi_0 at
+    the leading action too, 6.10b has xi gamma_G,sup at permanent actions; the less favourable of both counts.
+
+    Args:
+        cases: category of each load case by its name: `permanent`, or a category of `psi`.
+        psi: factors by category.
+        factors: partial factors.
+        expression: `6.10`, or `6.10a/b` for the pair.
+        favourable: add combinations in which permanent actions are favourable (gamma_G,inf) and in which variable
+            actions are absent.
+
+    Raises:
+        InputError: a category or the expression is not known, no case is permanent, or there are too many combinations.
+
+    Source: EN 1990:2002+A1, 6.4.3.2(3), Eqs. 6.10, 6.10a, 6.10b; Table A1.2(B) with Note 3 (all permanent actions of
+        one origin take one factor).
+    """
+    if expression not in ("6.10", "6.10a/b"):
+        raise unknown("expression of EN 1990", expression, ("6.10", "6.10a/b"))
+    permanent, variable = split_cases(cases, psi)
+
+    def rows() -> Iterator[Combination]:
+        for actions in sets_of_actions(variable, favourable):
+            for G in (factors.G_sup, factors.G_inf) if favourable else (factors.G_sup,):
+                if expression == "6.10a/b":
+                    static = dict.fromkeys(permanent, G)
+                    static |= {case: factors.Q * psi[cases[case]].psi_0 for action in actions for case in action}
+                    yield _combination("fundamental", "6.10a", static)
+                reduced = G * factors.xi if expression == "6.10a/b" and G == factors.G_sup else G
+                for leading in actions or ((),):
+                    static = dict.fromkeys(permanent, reduced)
+                    for action in actions:
+                        for case in action:
+                            static[case] = factors.Q * (1.0 if action == leading else psi[cases[case]].psi_0)
+                    equation = "6.10" if expression == "6.10" else "6.10b"
+                    yield _combination("fundamental", equation, static, leading)
+
+    return _distinct(rows())
+
+
+def characteristic(
+    cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool = False
+) -> tuple[Combination, ...]:
+    """Return the characteristic combinations, G + Q_1 + sum psi_0 Q_i; arguments and errors as `fundamental`.
+
+    Source: EN 1990:2002+A1, 6.5.3(2) a, Eq. 6.14b.
+    """
+    return _serviceability("characteristic", "6.14b", cases, psi, favourable)
+
+
+def frequent(cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool = False) -> tuple[Combination, ...]:
+    """Return the frequent combinations, G + psi_1 Q_1 + sum psi_2 Q_i; arguments and errors as `fundamental`.
+
+    Source: EN 1990:2002+A1, 6.5.3(2) b, Eq. 6.15b.
+    """
+    return _serviceability("frequent", "6.15b", cases, psi, favourable)
+
+
+def quasi_permanent(
+    cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool = False
+) -> tuple[Combination, ...]:
+    """Return the quasi-permanent combinations, G + sum psi_2 Q; arguments and errors as `fundamental`.
+
+    Source: EN 1990:2002+A1, 6.5.3(2) c, Eq. 6.16b.
+    """
+    return _serviceability("quasi-permanent", "6.16b", cases, psi, favourable)
+
+
+def seismic(
+    cases: Mapping[str, str], psi: Mapping[str, Psi], directions: str = "30 %", vertical: bool = False
+) -> tuple[Combination, ...]:
+    """Return the combinations for the seismic design situation, G + sum psi_2 Q + A_Ed.
+
+    The seismic action contains gamma_I already, so its factor is 1 in the direction that leads.
+
+    Args:
+        cases, psi: as `fundamental`.
+        directions: `30 %` or `srss`.
+        vertical: the vertical component acts too.
+
+    Raises:
+        InputError: as `fundamental`, or there is no such rule of directions.
+
+    Source: EN 1990:2002+A1, 6.4.3.4(2), Eq. 6.12b; EN 1998-1:2004, 3.2.4 and 4.3.3.5.
+    """
+    permanent, variable = split_cases(cases, psi)
+
+    def rows() -> Iterator[Combination]:
+        for actions in sets_of_actions(variable, favourable=False):
+            static = dict.fromkeys(permanent, 1.0)
+            static |= {case: psi[cases[case]].psi_2 for action in actions for case in action}
+            for factors in direction_factors(directions, vertical):
+                yield _combination("seismic", "6.12b", static, (), factors, directions)
+
+    return _distinct(rows())
+
+
+def _serviceability(
+    kind: CombinationSet, equation: str, cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool
+) -> tuple[Combination, ...]:
+    permanent, variable = split_cases(cases, psi)
+
+    def factor(case: str, leads: bool) -> float:
+        of_case = psi[cases[case]]
+        if kind == "characteristic":
+            return 1.0 if leads else of_case.psi_0
+        return of_case.psi_1 if leads and kind == "frequent" else of_case.psi_2
+
+    def rows() -> Iterator[Combination]:
+        for actions in sets_of_actions(variable, favourable):
+            for leading in actions if actions and kind != "quasi-permanent" else ((),):
+                static = dict.fromkeys(permanent, 1.0)
+                static |= {case: factor(case, action == leading) for action in actions for case in action}
+                yield _combination(kind, equation, static, leading)
+
+    return _distinct(rows())
+
+
+def _combination(
+    kind: CombinationSet,
+    equation: str,
+    static: Mapping[str, float],
+    leading: Action = (),
+    factors: tuple[float, float, float] = (0.0, 0.0, 0.0),
+    directions: str = "30 %",
+) -> Combination:
+    acting = {case: factor for case, factor in static.items() if factor != 0.0}
+    terms = [(factor, case) for case, factor in acting.items()]
+    if directions == "srss":
+        components = [name for name, factor in zip(_COMPONENTS, factors, strict=True) if factor]
+        terms.append((max(factors, key=abs), f"SRSS({', '.join(components)})"))
+        return Combination(_sum(terms), kind, equation, acting, factors, "srss", leading)
+    # the component that leads is named first: G + E_y + 0.3 E_x
+    order = sorted(zip(factors, _COMPONENTS, strict=True), key=lambda term: -abs(term[0]))
+    terms += [term for term in order if term[0]]
+    return Combination(_sum(terms), kind, equation, acting, factors, "30 %", leading)
+
+
+def _sum(terms: Iterable[tuple[float, str]]) -> str:
+    text = ""
+    for factor, symbol in terms:
+        size = abs(factor)
+        term = symbol if size == 1.0 else f"{size:.6g} {symbol}"
+        sign = "-" if factor < 0.0 else "+"
+        text += f" {sign} {term}" if text else (f"-{term}" if factor < 0.0 else term)
+    return text
+
+
+def _distinct(rows: Iterator[Combination]) -> tuple[Combination, ...]:
+    """The rows without repetitions of what acts: one name stands for one set of factors."""
+    kept: dict[tuple[str, str], Combination] = {}
+    for row in rows:
+        kept.setdefault((row.equation, row.name), row)
+        if len(kept) > MOST_COMBINATIONS:
+            raise InputError(
+                f"there are more than {MOST_COMBINATIONS} combinations: merge load cases that act together"
+            )
+    return tuple(kept.values())
