@@ -16,9 +16,11 @@ from edesign.codes.ec8 import DesignSpectrum, ElasticSpectrum
 from edesign.codes.ec8.lateral_force import lateral_forces
 from edesign.codes.ec8.modal_combination import close_modes, cqc_coefficients
 from edesign.codes.ec8.torsion import accidental_moments
-from edesign.core.space import SpaceModel, SpaceModes, combine, combine_internal
+from edesign.core.space import Points, SpaceModel, combine, combine_internal
+from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.space.frame import LoadCase, SpaceFrame
+from edesign.space.model import diaphragm_floors
 
 Axis = Literal["x", "y"]
 AXES: tuple[Axis, Axis] = ("x", "y")
@@ -119,23 +121,23 @@ def seismic_response(
 
     shear = _modal_storey_shear(frame, modes, direction)  # (k, storeys) for an amplitude of 1
     drift, storey = _modal_drift(frame, modes, direction)  # (k, columns)
-    storey_shear = combine((shear * amplitude[:, None]).T, rho)
+    storey_shear = combine(shear.T, rho * np.outer(amplitude, amplitude))
     twist = _accidental_torsion(model, frame, modes, axis, float(storey_shear[0]), torsion)
 
     def drifts(of: np.ndarray) -> np.ndarray:
-        found = combine((drift * of[:, None]).T, rho) + twist.drift
+        found = combine(drift.T, rho * np.outer(of, of)) + twist.drift
         worst = np.zeros(frame.n_floors)
         np.maximum.at(worst, storey, found)
         return worst
 
-    internal = combine_internal(modes.end_forces * amplitude[:, None, None], STATIONS, rho)
+    internal = combine_internal(modes.end_forces, rho * np.outer(amplitude, amplitude), STATIONS)
     return SeismicResponse(
         axis=axis,
         spectrum=spectrum,
         acceleration=S_d,
         lower_bound=np.asarray(S_d > free.acceleration(modes.period)),
         base_shear=float(storey_shear[0]),
-        base_shear_without_beta=float(combine((shear[:, :1] * amplitude_free[:, None]).T, rho)[0]),
+        base_shear_without_beta=float(combine(shear[:, :1].T, rho * np.outer(amplitude_free, amplitude_free))[0]),
         storey_shear=storey_shear,
         drift=drifts(amplitude),
         drift_elastic=drifts(amplitude_elastic),
@@ -203,7 +205,7 @@ def _accidental_torsion(
 ) -> _Twist:
     """Return the effects of M_ai = e_ai F_i, F_i by the heights of the floors (Eq. 4.11), without sign."""
     level = _level(frame)
-    rigid = [int(np.flatnonzero((frame.node_floor == floor))[0]) for floor in _diaphragms(frame)]
+    rigid = [int(np.flatnonzero((frame.node_floor == floor))[0]) for floor in diaphragm_floors(frame)]
     if ratio == 0.0 or not rigid:
         nothing = np.zeros((len(frame.members), STATIONS.size, 6))
         return _Twist(nothing, np.zeros(len(_columns(frame))))
@@ -221,22 +223,21 @@ def _accidental_torsion(
 
 
 def _static(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticResponse:
-    points = [
-        (np.full(case.point_member.shape, number), case.point_member, case.point_position, case.point_force)
-        for number, case in enumerate(cases)
-    ]
-    joined = tuple(np.concatenate(part) for part in zip(*points, strict=True))
+    points = Points(
+        case=np.repeat(np.arange(len(cases)), [case.point_member.size for case in cases]),
+        member=np.concatenate([case.point_member for case in cases]),
+        position=np.concatenate([case.point_position for case in cases]),
+        force=np.concatenate([case.point_force for case in cases]),
+    )
     uniform = np.stack([case.uniform for case in cases])
-    found = model.static(np.stack([case.nodal for case in cases]), uniform, joined)
-    internal = model.internal(found, uniform, joined, STATIONS)
+    found = model.static(np.stack([case.nodal for case in cases]), uniform, points)
+    internal = model.internal(found.end_forces, STATIONS, uniform, points)
     return StaticResponse(tuple(case.name for case in cases), found.displacements, internal, found.reactions)
 
 
 def _nodal_case(frame: SpaceFrame, name: str, nodal: np.ndarray) -> LoadCase:
     none = np.zeros(0, dtype=int)
-    return LoadCase(
-        name, "seismic", nodal, np.zeros((len(frame.members), 3)), none, np.zeros(0), np.zeros((0, 3))
-    )
+    return LoadCase(name, "seismic", nodal, np.zeros((len(frame.members), 3)), none, np.zeros(0), np.zeros((0, 3)))
 
 
 def _ends(frame: SpaceFrame) -> tuple[np.ndarray, np.ndarray]:
@@ -248,10 +249,6 @@ def _ends(frame: SpaceFrame) -> tuple[np.ndarray, np.ndarray]:
 
 def _columns(frame: SpaceFrame) -> np.ndarray:
     return np.array([number for number, member in enumerate(frame.members) if member.kind == COLUMN])
-
-
-def _diaphragms(frame: SpaceFrame) -> tuple[int, ...]:
-    return tuple(sorted({int(floor) for floor in frame.node_floor if floor >= 0}))
 
 
 def _level(frame: SpaceFrame) -> np.ndarray:
