@@ -205,7 +205,7 @@ def _accidental_torsion(
 ) -> _Twist:
     """Return the effects of M_ai = e_ai F_i, F_i by the heights of the floors (Eq. 4.11), without sign."""
     level = _level(frame)
-    rigid = [int(np.flatnonzero((frame.node_floor == floor))[0]) for floor in diaphragm_floors(frame)]
+    rigid = [int(np.flatnonzero(frame.node_floor == floor)[0]) for floor in diaphragm_floors(frame)]
     if ratio == 0.0 or not rigid:
         nothing = np.zeros((len(frame.members), STATIONS.size, 6))
         return _Twist(nothing, np.zeros(len(_columns(frame))))
