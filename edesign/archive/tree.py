@@ -75,11 +75,9 @@ class Tree:
         with _reading(""):
             stored = self._attributes(self._open(""))
         found = decode(stored["edesign_archive"]) if "edesign_archive" in stored else None
-        if found == 1 and CONTENT_CHECKSUM in stored:
-            found = (
-                FORMAT  # layout 1 has no checksums: the mark is not as it was written, and its checksum will tell so
-            )
         self.layout = found if found is None or isinstance(found, int) else str(found)
+        if self.layout == 1 and CONTENT_CHECKSUM in stored:
+            self.layout = FORMAT  # layout 1 has no checksums: the mark is not as it was written, as its checksum tells
 
     def has(self, path: str) -> bool:
         """Whether there is something at a path.
