@@ -1,0 +1,1 @@
+"""Rules of EN 1998-1 for the whole building: modes, ductility, regularity, storeys, overstrength, joints."""

@@ -1,0 +1,63 @@
+"""Effects of combinations of actions on members."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.codes.en1990.combinations import Combination
+from edesign.space.frame import SpaceFrame
+from edesign.space.response import AXES, Axis, SeismicResponse, StaticResponse
+from edesign.space.storeys import Storeys
+
+
+@dataclass(frozen=True)
+class Effects:
+    """Internal forces of load cases and of the seismic action in both directions, with its second-order effects.
+
+    Attributes:
+        cases: (n_cases,) names.
+        static: (n_cases, n_members, n_stations, 6) N, V_y, V_z, T, M_y, M_z, with sign; N tension positive.
+        seismic: (2, n_members, n_stations, 6) along x and y, without sign.
+    """
+
+    cases: tuple[str, ...]
+    static: np.ndarray
+    seismic: np.ndarray
+
+    def of_static(self, combination: Combination) -> np.ndarray:
+        """Return the static part of a combination, (n_members, n_stations, 6)."""
+        factors = np.array([combination.static.get(case, 0.0) for case in self.cases])
+        return np.asarray(np.tensordot(factors, self.static, 1))
+
+    def of_seismic(self, combination: Combination) -> np.ndarray:
+        """Return the magnitude of the seismic part of a combination, (n_members, n_stations, 6)."""
+        factors = np.abs(combination.seismic[:2])
+        if combination.directions == "srss":
+            return np.asarray(np.sqrt(np.tensordot(factors**2, self.seismic**2, 1)))
+        return np.asarray(np.tensordot(factors, self.seismic, 1))
+
+
+def effects(
+    frame: SpaceFrame,
+    static: StaticResponse,
+    seismic: Mapping[Axis, SeismicResponse],
+    storeys: Mapping[Axis, Storeys],
+) -> Effects:
+    """Return the effects on members; those of the seismic action grow by the factor of the member's storey.
+
+    Source: EN 1998-1:2004, 4.4.2.2(3).
+    """
+    number = np.array([member.storey - 1 for member in frame.members])
+    grown = [seismic[axis].internal * storeys[axis].amplification[number, None, None] for axis in AXES]
+    return Effects(static.names, static.internal, np.stack(grown))
+
+
+def largest(effects: Effects, combinations: Sequence[Combination]) -> np.ndarray:
+    """Return the largest magnitude of each internal force over combinations, (n_members, n_stations, 6)."""
+    found = np.zeros(effects.static.shape[1:])
+    for combination in combinations:
+        np.maximum(found, np.abs(effects.of_static(combination)) + effects.of_seismic(combination), out=found)
+    return found

@@ -1,0 +1,78 @@
+"""Storeys under the seismic action: second-order effects and damage limitation, EN 1998-1:2004, 4.4.2.2 and 4.4.3.2."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.codes.ec8.design_displacement import design_displacement
+from edesign.codes.ec8.drift import drift_limit, reduced_drift
+from edesign.codes.ec8.second_order import NEGLIGIBLE, drift_sensitivity
+from edesign.project.building.design import Design
+from edesign.space.response import Axis, SeismicResponse
+
+
+@dataclass(frozen=True)
+class Storeys:
+    """The storeys of a building under the seismic action in one direction; all arrays are (n_storeys,), from below.
+
+    Attributes:
+        axis: of the action.
+        height: m.
+        gravity: P_tot, N.
+        shear: V_tot, N.
+        drift: d_r, design interstorey drift, m: as `design.displacement` says.
+        drift_q: q_d d_e without the cap of the elastic spectrum, m.
+        theta, theta_q: interstorey drift sensitivity with either.
+        amplification: factor on the effects of the action for second-order effects.
+        reduced: nu d_r / h.
+        limit: of `reduced`; None where the file asks for none.
+    """
+
+    axis: Axis
+    height: np.ndarray
+    gravity: np.ndarray
+    shear: np.ndarray
+    drift: np.ndarray
+    drift_q: np.ndarray
+    theta: np.ndarray
+    theta_q: np.ndarray
+    amplification: np.ndarray
+    reduced: np.ndarray
+    limit: float | None
+
+
+def storeys(response: SeismicResponse, height: np.ndarray, gravity: np.ndarray, design: Design) -> Storeys:
+    """Return the storeys of one direction.
+
+    theta above 0.2 asks for an analysis of second order and above 0.3 is not allowed (4.4.2.2(3), (4)). The factor
+    1/(1 - theta) is applied up to 0.3 all the same, so that the other checks are of use; a theta above 0.2 fails its
+    own check.
+
+    Args:
+        response: of this direction.
+        height: (n_storeys,) m.
+        gravity: (n_storeys,) P_tot in the seismic design situation, N.
+        design: block of the file.
+    """
+    q = response.spectrum.q
+    drift_q = design_displacement(response.drift, q)
+    capped = design_displacement(response.drift, q, response.drift_elastic)
+    drift = capped if design.displacement == "elastic_cap" else drift_q
+    theta = drift_sensitivity(gravity, drift, response.storey_shear, height)
+    counted = np.where((theta > NEGLIGIBLE) & (design.second_order == "amplify"), np.minimum(theta, 0.3), 0.0)
+    kind = design.drift.limit
+    return Storeys(
+        axis=response.axis,
+        height=height,
+        gravity=gravity,
+        shear=response.storey_shear,
+        drift=drift,
+        drift_q=drift_q,
+        theta=theta,
+        theta_q=drift_sensitivity(gravity, drift_q, response.storey_shear, height),
+        amplification=1.0 / (1.0 - counted),
+        reduced=reduced_drift(drift, height, design.drift.nu),
+        limit=None if kind == "none" else drift_limit(kind),
+    )
