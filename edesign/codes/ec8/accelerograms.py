@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.criterion import Criterion
+from edesign.codes.ec8.criterion import ROUNDING, Criterion
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
 
@@ -23,7 +23,6 @@ BAND = (0.2, 2.0)
 STATIONARY_DURATION = 10.0
 """Least duration of the stationary part of artificial accelerograms, s."""
 
-_ROUNDING = 1e-9  # a suite scaled to a_g S exactly must not fail by the last bits
 _WIDEST_STEP = 1.05  # of neighbouring periods: a coarser grid could step over a valley of the mean spectrum
 
 
@@ -94,10 +93,10 @@ def in_band(periods: np.ndarray, T_1: float) -> np.ndarray:
     low, high = period_band(T_1)
     if periods.ndim != 1 or periods.size < 2 or np.any(np.diff(periods) <= 0.0):
         raise InputError("the periods must be a rising list")
-    inside = (periods >= low * (1.0 - _ROUNDING)) & (periods <= high * (1.0 + _ROUNDING))
+    inside = (periods >= low * (1.0 - ROUNDING)) & (periods <= high * (1.0 + ROUNDING))
     chosen = periods[inside]
-    covered = chosen.size > 1 and chosen[0] <= low * (1.0 + _ROUNDING) and chosen[-1] >= high * (1.0 - _ROUNDING)
-    if not covered or np.max(chosen[1:] / chosen[:-1]) > _WIDEST_STEP * (1.0 + _ROUNDING):
+    covered = chosen.size > 1 and chosen[0] <= low * (1.0 + ROUNDING) and chosen[-1] >= high * (1.0 - ROUNDING)
+    if not covered or np.max(chosen[1:] / chosen[:-1]) > _WIDEST_STEP * (1.0 + ROUNDING):
         raise InputError(
             f"the check needs periods from 0.2 T_1 = {low:g} s to 2 T_1 = {high:g} s, ends included, at most 5 % apart "
             "(`check_periods` makes them)"
@@ -162,7 +161,7 @@ def _number(count: int) -> Criterion:
 
 def _zero_period(mean: float, a_g_S: float) -> Criterion:
     text = "mean zero-period spectral acceleration at least a_g S"
-    return Criterion("3.2.3.1.2(4)b", text, a_g_S, mean, "m/s2", mean >= a_g_S * (1.0 - _ROUNDING))
+    return Criterion("3.2.3.1.2(4)b", text, a_g_S, mean, "m/s2", mean >= a_g_S * (1.0 - ROUNDING))
 
 
 def _worst(T: np.ndarray, psa: np.ndarray, target: Spectrum, T_1: float) -> tuple[float, float]:
@@ -179,7 +178,7 @@ def _mean_spectrum(lowest: float | None, at: float | None, T_1: float | None) ->
         return Criterion(clause, f"{text} from 0.2 T_1 to 2 T_1", LOWEST_RATIO, None, "", None, "T_1 is not known")
     low, high = period_band(T_1)
     text = f"{text} from {low:.3g} s to {high:.3g} s (0.2 T_1 to 2 T_1)"
-    passed = lowest >= LOWEST_RATIO * (1.0 - _ROUNDING)
+    passed = lowest >= LOWEST_RATIO * (1.0 - ROUNDING)
     return Criterion(clause, text, LOWEST_RATIO, lowest, "", passed, f"at T = {at:.3g} s")
 
 
@@ -188,7 +187,7 @@ def _stationary(durations: Sequence[float]) -> Criterion:
     if len(durations) == 0:
         return Criterion(clause, text, STATIONARY_DURATION, None, "s", None, "not applicable: none is artificial")
     shortest = min(durations)
-    passed = bool(shortest >= STATIONARY_DURATION * (1.0 - _ROUNDING))
+    passed = bool(shortest >= STATIONARY_DURATION * (1.0 - ROUNDING))
     detail = "unless site-specific data say otherwise"
     return Criterion(clause, text, STATIONARY_DURATION, shortest, "s", passed, detail)
 

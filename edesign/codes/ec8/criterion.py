@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+ROUNDING = 1e-9
+"""Share of a limit by which rounding may miss it: a suite scaled to a_g S exactly must not fail by the last bits."""
+
 
 @dataclass(frozen=True)
 class Criterion:
@@ -26,3 +29,13 @@ class Criterion:
     unit: str
     passed: bool | None
     detail: str = ""
+
+
+def at_most(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
+    """Return the criterion that a ratio is at most a limit; the limit itself passes, whatever its last bits."""
+    return Criterion(clause, text, limit, value, "", value <= limit * (1.0 + ROUNDING), detail)
+
+
+def at_least(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
+    """Return the criterion that a ratio is at least a limit; the limit itself passes, whatever its last bits."""
+    return Criterion(clause, text, limit, value, "", value >= limit * (1.0 - ROUNDING), detail)

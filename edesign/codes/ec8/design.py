@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.branches import checked_action, checked_periods, four_branches
+from edesign.codes.ec8.branches import checked_action, four_branches
 from edesign.codes.ec8.elastic import ElasticSpectrum
 from edesign.codes.ec8.vertical import VerticalSpectrum
 from edesign.errors import InputError
@@ -56,10 +56,30 @@ class DesignSpectrum:
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_d(T), m/s2, in the shape of `period` (s); Eqs. 3.13-3.16."""
-        T = checked_periods(period)
-        shape = self.S * four_branches(T, self.corners, start=2.0 / 3.0, plateau=2.5 / self.q)
-        bounded = np.where(T > self.corners[1], np.maximum(shape, self.beta), shape)
+        shape = self._shape(period)
+        bounded = np.where(self.lower_bound_governs(period), self.beta, shape)
         return self.gamma_I * (self.a_gR * bounded)
+
+    def lower_bound_governs(self, period: ArrayLike) -> np.ndarray:
+        """Return whether beta a_g stands in place of the branch of the spectrum, in the shape of `period` (s).
+
+        Where it does, a larger q saves nothing any more: forces stay, and only the demands of ductility grow.
+        """
+        return (np.asarray(period) > self.corners[1]) & (self._shape(period) < self.beta)
+
+    def lower_bound_note(self, period: float) -> str:
+        """Return what to say where the lower bound governs at a period (s), such as T_1; empty where it does not."""
+        if not self.lower_bound_governs(period):
+            return ""
+        bound, alone = self.gamma_I * self.a_gR * np.array([self.beta, float(self._shape(period))])
+        return (
+            f"S_d({period:.3g} s) is the lower bound beta a_g = {bound:.3g} m/s2 (beta = {self.beta:g}); "
+            f"q = {self.q:g} alone would give {alone:.3g} m/s2 (EN 1998-1, 3.2.2.5(4)P)"
+        )
+
+    def _shape(self, period: ArrayLike) -> np.ndarray:
+        """S_d(T) / a_g without the lower bound."""
+        return self.S * four_branches(period, self.corners, start=2.0 / 3.0, plateau=2.5 / self.q)
 
 
 def vertical_design_spectrum(

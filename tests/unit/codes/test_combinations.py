@@ -72,7 +72,7 @@ def test_pair_of_6_10a_and_6_10b() -> None:
 
 
 def test_favourable_actions() -> None:
-    """The rows that a program lists for one permanent and two independent imposed cases (Dlubal, FAQ 002341), and G_inf."""
+    """The rows of one permanent and two independent imposed cases as Dlubal, FAQ 002341 lists them; and with G_inf."""
     rows = fundamental({"LF1": "permanent", "LF3": "A", "LF4": "A"}, PSI, FACTORS, favourable=True)
     assert {row.name for row in rows if row.static["LF1"] == 1.35} == {
         "1.35 LF1",

@@ -1,0 +1,58 @@
+"""Masses in the seismic design situation, EN 1998-1:2004, 3.2.4 and 4.2.4."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.constants import g
+
+from edesign.codes.quantities import check_not_negative
+
+_WITH_STOREYS = "ABC"
+
+
+def phi(category: str, factors: Mapping[str, float], roof: bool = False, correlated: bool = False) -> float:
+    """Return phi of Table 4.2: what share of the quasi-permanent load is thought to be there in all storeys at once.
+
+    Args:
+        category: of the action: A to H, `snow`, ...; only A, B and C have a phi below 1.
+        factors: `NationalParameters.phi`.
+        roof: the load stands on the roof.
+        correlated: the storeys have correlated occupancies; otherwise they are occupied independently.
+
+    Source: EN 1998-1:2004, 4.2.4(2)P, Table 4.2.
+    """
+    if category not in _WITH_STOREYS:
+        return factors["other"]
+    if roof:
+        return factors["roof"]
+    return factors["correlated" if correlated else "independent"]
+
+
+def psi_E(phi: float, psi_2: float) -> float:
+    """Return psi_E = phi psi_2, the share of a variable load that has mass in an earthquake.
+
+    Source: EN 1998-1:2004, 4.2.4(2)P, Eq. 4.2.
+    """
+    check_not_negative(phi=phi, psi_2=psi_2)
+    return phi * psi_2
+
+
+def seismic_mass(permanent: ArrayLike, variable: ArrayLike, factors: ArrayLike) -> np.ndarray:
+    """Return the masses (G + sum psi_E Q) / g, kg.
+
+    Args:
+        permanent: (...) weight of permanent loads, N.
+        variable: (n, ...) weight of each variable load, N.
+        factors: (n,) psi_E of each.
+
+    Raises:
+        InputError: a weight or a factor is negative.
+
+    Source: EN 1998-1:2004, 3.2.4(2)P, Eq. 3.17.
+    """
+    check_not_negative(permanent=permanent, variable=variable, factors=factors)
+    loads = np.tensordot(np.asarray(factors, dtype=float), np.asarray(variable, dtype=float), axes=1)
+    return np.asarray((np.asarray(permanent, dtype=float) + loads) / g)

@@ -1,0 +1,238 @@
+"""Clauses of EN 1998-1:2004, chapter 6 and 4.4.2, on steel frames: tables, and values worked out by hand.
+
+Table 6.2 and Table 6.3 were typed a second time.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from edesign.codes.ec8.behaviour_factor import (
+    SYSTEMS,
+    alpha_ratio,
+    behaviour_factor,
+    largest_section_class,
+    reference_q,
+)
+from edesign.codes.ec8.capacity import amplified_effect, connection_resistance, foundation_effect, overstrength
+from edesign.codes.ec8.concentric_braces import (
+    adjacent_column_force,
+    asymmetry,
+    brace_overstrength,
+    diagonals_that_count,
+    slenderness,
+    tension_resistance,
+    v_brace_forces,
+)
+from edesign.codes.ec8.moment_frames import (
+    beam_axial_force,
+    beam_moment,
+    beam_shear,
+    column_hinge_moment,
+    column_shear,
+    frame_overstrength,
+    hinge_shear,
+    rotation_capacity,
+    stiffened_panel_resistance,
+    web_panel_resistance,
+    web_panel_shear,
+    web_panel_slenderness,
+)
+from edesign.codes.ec8.strong_column import LEAST_RATIO, is_exempt, strength_ratio
+from edesign.errors import InputError
+
+
+@pytest.mark.parametrize(
+    ("system", "medium", "high", "with_ratio"),
+    [  # Table 6.2; alpha_u / alpha_1 = 1.25 stands for any
+        ("moment_frame", 4.0, 6.25, True),
+        ("concentric_diagonal", 4.0, 4.0, False),
+        ("concentric_v", 2.0, 2.5, False),
+        ("eccentric", 4.0, 6.25, True),
+        ("inverted_pendulum", 2.0, 2.5, True),
+        ("moment_frame_with_concentric_bracing", 4.0, 5.0, True),
+        ("moment_frame_with_infills_in_contact", 2.0, 2.0, False),
+        ("moment_frame_with_isolated_infills", 4.0, 6.25, True),
+    ],
+)
+def test_table_6_2(system: str, medium: float, high: float, with_ratio: bool) -> None:
+    assert reference_q(system, "medium", 1.25) == medium
+    assert reference_q(system, "high", 1.25) == high
+    assert (reference_q(system, "high", 1.0) != high) is with_ratio
+    assert reference_q(system, "low", 1.25) == 1.5
+    assert len(SYSTEMS) == 8
+
+
+def test_the_thesis_has_6_5_in_x_and_4_in_y() -> None:
+    """Section 5.2: moment frames of ten storeys and several bays, q = 5 x 1.3; diagonal bracings, q = 4."""
+    assert behaviour_factor("moment_frame", "high", alpha_ratio("moment_frame", 10, 4)) == 6.5
+    assert behaviour_factor("concentric_diagonal", "high", alpha_ratio("concentric_diagonal", 10, 3)) == 4.0
+
+
+def test_defaults_of_alpha() -> None:
+    """Figures 6.1-6.8."""
+    assert [alpha_ratio("moment_frame", *frame) for frame in ((1, 3), (5, 1), (5, 3))] == [1.1, 1.2, 1.3]
+    assert alpha_ratio("eccentric", 5, 3) == alpha_ratio("moment_frame_with_concentric_bracing", 5, 3) == 1.2
+    assert alpha_ratio("moment_frame", 5, 3, regular_in_plan=False) == pytest.approx(1.15)
+
+
+def test_irregularity_in_elevation_takes_20_percent() -> None:
+    assert behaviour_factor("moment_frame", "high", 1.3, regular_in_elevation=False) == pytest.approx(5.2)
+    assert behaviour_factor("concentric_v", "medium", regular_in_elevation=False) == pytest.approx(1.6)
+    assert behaviour_factor("moment_frame", "low", regular_in_elevation=False) == 1.5  # 6.1.2(3)
+    assert behaviour_factor("moment_frame", "low", regular_in_elevation=False, low_ductility_q=2.0) == 1.6
+
+
+@pytest.mark.parametrize(
+    ("ductility", "q", "section_class"),
+    [  # Table 6.3
+        ("medium", 1.8, 3),
+        ("medium", 2.0, 3),
+        ("medium", 2.1, 2),
+        ("medium", 4.0, 2),
+        ("high", 6.5, 1),
+        ("high", 4.0, 1),
+        ("low", 1.5, 4),
+        ("low", 2.0, 3),
+    ],
+)
+def test_table_6_3(ductility: str, q: float, section_class: int) -> None:
+    assert largest_section_class(ductility, q) == section_class
+
+
+def test_bad_input_of_behaviour_factors() -> None:
+    with pytest.raises(InputError, match=r"`moment_frames`; did you mean `moment_frame`\?"):
+        reference_q("moment_frames", "high")
+    with pytest.raises(InputError, match="ductility class `DCH`"):
+        reference_q("moment_frame", "DCH")
+    with pytest.raises(InputError, match=r"between 1 and 1\.6, not 1\.7"):
+        reference_q("moment_frame", "high", 1.7)
+    with pytest.raises(InputError, match="at most 2, not 3"):
+        reference_q("moment_frame", "low", low_ductility_q=3.0)
+    with pytest.raises(InputError, match="q = 5 is too large for ductility class medium"):
+        largest_section_class("medium", 5.0)
+    with pytest.raises(InputError, match="at least one storey"):
+        alpha_ratio("moment_frame", 0, 1)
+
+
+# IPE450 of S275: W_pl 1702 cm3, A_vz 50.85 cm2, A 98.82 cm2; M_pl 468.05 kNm, V_pl 807.3 kN, N_pl 2717.6 kN
+M_PL, V_PL, N_PL = 1702e-6 * 275e6, 50.85e-4 * 275e6 / math.sqrt(3.0), 98.82e-4 * 275e6
+
+
+def test_beam_of_a_moment_frame() -> None:
+    assert beam_moment(-374.44e3, M_PL) == pytest.approx(0.8)
+    assert beam_axial_force(0.15 * N_PL, N_PL) == pytest.approx(1.0)
+    V_M = hinge_shear(M_PL, M_PL, 6.75)  # 7.2 m less half a column HEB450 at each end
+    assert V_M == pytest.approx(138.68e3, rel=1e-4)  # printed digits
+    V_G = 23e3 * 6.75 / 2.0
+    assert beam_shear(-V_G, V_M, V_PL) == pytest.approx(2.0 * (77.625e3 + 138.68e3) / 807.35e3, rel=1e-4)
+    assert column_shear(-100e3, 400e3) == 0.5
+    with pytest.raises(InputError, match="resistance must be greater than zero"):
+        beam_moment(1.0, [1.0, 0.0])
+
+
+def test_overstrength_is_the_least_of_all_beams_and_a_beam_without_moment_has_none() -> None:
+    Omega, which = frame_overstrength([400.0, 400.0, 300.0], [300.0, 0.0, -250.0])
+    assert (Omega, which) == (1.2, 2)
+    assert overstrength([2.0], [0.0]).tolist() == [math.inf]
+    with pytest.raises(InputError, match="there are none"):
+        frame_overstrength([400.0], [0.0])
+    with pytest.raises(InputError, match="there are none"):
+        frame_overstrength([], [])
+
+
+def test_amplified_effects() -> None:
+    """Eq. 6.6 with gamma_ov 1.25, Omega 1.2: 1.1 x 1.25 x 1.2 = 1.65."""
+    np.testing.assert_allclose(amplified_effect([-100.0, 50.0], [-40.0, 20.0], 1.2), [-166.0, 83.0], rtol=1e-14)
+    assert connection_resistance(M_PL) == pytest.approx(1.375 * M_PL)
+    assert foundation_effect(100.0, 50.0, 1.2, q=4.0) == pytest.approx(100.0 + 1.2 * 1.2 * 50.0)  # Eq. 4.30
+    assert foundation_effect(100.0, 50.0, 3.5, q=2.0) == pytest.approx(200.0)  # gamma_Rd 1, Omega as q
+    with pytest.raises(InputError, match="Omega must be greater than zero, not inf"):
+        amplified_effect(1.0, 1.0, math.inf)
+
+
+def test_hinge_at_the_base_of_a_column() -> None:
+    assert column_hinge_moment([-10.0, 5.0], 100.0).tolist() == [-100.0, 100.0]
+
+
+def test_web_panel() -> None:
+    """HEB450 of S275 between two IPE450: z = 450 - 14.6 = 435.4 mm; V = 2 x 468.05 / 0.4354; A_vc 79.66 cm2."""
+    V = web_panel_shear(2.0 * M_PL, 0.4354)
+    assert V == pytest.approx(2150e3, rel=1e-3)  # printed digits
+    assert web_panel_shear(2.0 * M_PL, 0.4354, 250e3) == pytest.approx(float(V) - 250e3)
+    assert web_panel_resistance(79.66e-4, 275e6) == pytest.approx(1138.3e3, rel=1e-4)  # 0.9 x 7966 x 275 / sqrt(3)
+    assert web_panel_slenderness(0.344, 0.014, 275e6) == pytest.approx(24.571 / (69.0 * 0.92442), rel=1e-4)
+    assert stiffened_panel_resistance(20e3, 15e3, 0.4) == pytest.approx(175e3)  # 2 (20 + 15) / 0.4
+    assert stiffened_panel_resistance(20e3, 30e3, 0.4) == pytest.approx(200e3)  # 4 x 20 / 0.4
+
+
+def test_rotation_capacity() -> None:
+    assert [rotation_capacity(d, 4.0) for d in ("high", "medium", "low")] == [0.035, 0.025, 0.0]
+    assert rotation_capacity("medium", 2.0) == 0.0
+
+
+def test_asymmetry_of_diagonals() -> None:
+    """Three single diagonals a frame: 2 against 1 fails, |2 - 1| / 3; two mirrored frames have 3 against 3."""
+    one_frame = asymmetry(2.0, 1.0, 4)
+    assert one_frame.value == pytest.approx(1.0 / 3.0) and not one_frame.passed and one_frame.detail == "storey 4"
+    assert asymmetry(3.0, 3.0, 1).passed
+    assert asymmetry(1.05, 0.95, 1).passed  # 0.05 itself is allowed, up to rounding of the sum
+    with pytest.raises(InputError, match="must be greater than zero"):
+        asymmetry(0.0, 0.0, 1)
+
+
+@pytest.mark.parametrize(
+    ("value", "kind", "storeys", "clause", "passed"),
+    [
+        (1.3, "x", 10, "6.7.3(1)", False),
+        (1.31, "x", 10, "6.7.3(1)", True),
+        (2.01, "x", 10, "6.7.3(1)", False),
+        (0.5, "diagonal", 10, "6.7.3(2)", True),
+        (2.1, "diagonal", 10, "6.7.3(2)", False),
+        (2.0, "v", 10, "6.7.3(3)", True),
+        (2.5, "x", 2, "6.7.3(4)", None),
+    ],
+)
+def test_slenderness(value: float, kind: str, storeys: int, clause: str, passed: bool | None) -> None:
+    check = slenderness(value, kind, storeys, "DY_A_1_5_r")
+    assert (check.clause, check.passed, check.detail) == (clause, passed, "DY_A_1_5_r")
+
+
+def test_overstrength_of_diagonals_and_its_homogeneity() -> None:
+    Omega, which, check = brace_overstrength([2000.0, 1800.0, 1600.0], [-1600.0, 1500.0, 1060.0])
+    assert (Omega, which) == (1.2, 1)
+    assert check.value == pytest.approx(1600.0 / 1060.0 / 1.2 - 1.0) and not check.passed
+    assert brace_overstrength([100.0, 125.0], [100.0, 100.0])[2].passed  # 25 % is allowed
+    with pytest.raises(InputError, match="each with a force"):
+        brace_overstrength([100.0, 100.0], [100.0, 0.0])
+    with pytest.raises(InputError, match="Omega needs diagonals"):
+        brace_overstrength([], [])
+    assert tension_resistance(-80.0, 100.0) == 0.8
+
+
+def test_v_bracing() -> None:
+    """Equal diagonals at 45 degrees: vertical (1 - 0.3) N sin, horizontal (1 + 0.3) N cos."""
+    vertical, horizontal = v_brace_forces(1000e3, 1000e3, math.pi / 4, math.pi / 4)
+    assert vertical == pytest.approx(700e3 / math.sqrt(2.0))
+    assert horizontal == pytest.approx(1300e3 / math.sqrt(2.0))
+    assert diagonals_that_count("v") == "both"
+    assert diagonals_that_count("x") == diagonals_that_count("diagonal") == "tension"
+    assert adjacent_column_force(400e3, math.pi / 6) == pytest.approx(200e3)
+    with pytest.raises(InputError, match=r"between 0 and pi/2 rad, not 45"):
+        v_brace_forces(1.0, 1.0, 45.0, 45.0)
+    with pytest.raises(InputError, match="kind of bracing `k`"):
+        diagonals_that_count("k")
+
+
+def test_strong_columns() -> None:
+    """Eq. 4.29: two columns of 800 and two beams of 500 have 1.6; with one column at the roof 0.8, which is exempt."""
+    ratios = strength_ratio([[800.0, 800.0], [800.0, 0.0], [800.0, 0.0]], [[500.0, 500.0], [500.0, 500.0], [0.0, 0.0]])
+    assert ratios.tolist() == [1.6, 0.8, math.inf]
+    assert (ratios >= LEAST_RATIO).tolist() == [True, False, True]
+    assert is_exempt(10, 10) and not is_exempt(9, 10)
+    assert is_exempt(1, 1) and is_exempt(3, 10, frame_in_plane=False)
+    with pytest.raises(InputError, match="M_Rb must be at least zero"):
+        strength_ratio([1.0], [-1.0])
