@@ -1,1 +1,162 @@
-"""Rules of EN 1998-1 for the whole building: modes, ductility, regularity, storeys, overstrength, joints."""
+"""Rules of EN 1998-1 for the whole building: modes, behaviour factor, sections, storeys, overstrength, joints, bracing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from edesign.building.section_class import section_class
+from edesign.building.steel_section import steel_section
+from edesign.codes.ec3.buckling import critical_force
+from edesign.codes.ec3.buckling import slenderness as flexural_slenderness
+from edesign.codes.ec8.behaviour_factor import alpha_ratio, behaviour_factor, largest_section_class
+from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, asymmetry, slenderness
+from edesign.codes.ec8.criterion import Criterion, at_least, at_most
+from edesign.codes.ec8.modal_combination import check_modes
+from edesign.codes.ec8.second_order import AMPLIFIED
+from edesign.codes.ec8.strong_column import LEAST_RATIO
+from edesign.core.space_modes import SpaceModes
+from edesign.project.building.building import Building
+from edesign.project.building.design import System
+from edesign.space.capacity import Joint, Overstrength
+from edesign.space.frame import SpaceFrame
+from edesign.space.response import AXES, Axis
+from edesign.space.storeys import Storeys
+
+MOMENT_FRAME = "moment_frame"
+
+
+def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: float) -> float:
+    """Return the upper limit of q in one direction.
+
+    Args:
+        building: with its block `design`.
+        system: of this direction.
+        axis: direction.
+        low_ductility_q: of the country.
+
+    Source: EN 1998-1:2004, 6.3.2, Table 6.2.
+    """
+    design = building.checked_design()
+    default = alpha_ratio(system.type, building.n_storeys, building.n_bays(axis))
+    return behaviour_factor(
+        system.type,
+        design.ductility_class,
+        system.alpha_u_over_alpha_1 or default,
+        design.regular_in_elevation,
+        low_ductility_q,
+    )
+
+
+def modal_criteria(modes: SpaceModes) -> list[Criterion]:
+    """Return whether the modes taken have enough mass in both directions."""
+    return [
+        check_modes(modes.effective_mass_ratio[:, number], modes.period.size, axis) for number, axis in enumerate(AXES)
+    ]
+
+
+def behaviour_criteria(
+    building: Building, frame: SpaceFrame, q: Mapping[Axis, float], limit: Mapping[Axis, float], axis: Axis,
+    dissipative: Sequence[int],
+) -> list[Criterion]:
+    """Return whether q, and the class of the dissipative sections in one direction, are allowed.
+
+    Args:
+        building, frame: with the members.
+        q, limit: behaviour factors and their upper limits.
+        axis: direction.
+        dissipative: numbers of the dissipative members.
+    """
+    design = building.checked_design()
+    found = [at_most("6.3.2(1)", f"behaviour factor q, direction {axis}", limit[axis], q[axis])]
+    reference = limit[axis] if design.regular_in_elevation else limit[axis] / 0.8
+    allowed = largest_section_class(design.ductility_class, min(q[axis], reference))
+    worst, where = 0, ""
+    for name, material in sorted({(frame.members[n].section, frame.members[n].material) for n in dissipative}):
+        bent = design.system(axis).type == MOMENT_FRAME
+        of = section_class(steel_section(name), building.materials[material].fy, 0.0 if bent else -1.0, about_y=bent)
+        if of.number > worst:
+            worst, where = of.number, name
+    if worst:
+        text = f"class of dissipative sections, direction {axis}"
+        found.append(at_most("6.5.3(2)", text, allowed, worst, where))
+    return found
+
+
+def storey_criteria(storeys: Storeys) -> Iterator[Criterion]:
+    """Yield whether second-order effects and drifts of one direction are within limits; the worst storey counts."""
+    worst = int(storeys.theta.argmax())
+    yield at_most(
+        "4.4.2.2(3)",
+        f"theta, direction {storeys.axis}; up to 0.2 by amplification, above 0.3 never",
+        AMPLIFIED,
+        float(storeys.theta[worst]),
+        f"storey {worst + 1}",
+    )
+    if storeys.limit is not None:
+        worst = int(storeys.reduced.argmax())
+        yield at_most(
+            "4.4.3.2(1)",
+            f"nu d_r / h, direction {storeys.axis}",
+            storeys.limit,
+            float(storeys.reduced[worst]),
+            f"storey {worst + 1}",
+        )
+
+
+def joint_criteria(joints: Sequence[Joint], axis: Axis) -> list[Criterion]:
+    """Return whether columns are stronger than beams at the joints of one direction; the worst joint counts."""
+    asked = [joint for joint in joints if not joint.exempt]
+    if not asked:
+        return []
+    worst = min(asked, key=lambda joint: joint.ratio)
+    text = f"sum M_Rc / sum M_Rb, direction {axis}"
+    return [at_least("4.4.2.3(4)", text, LEAST_RATIO, worst.ratio, worst.node)]
+
+
+def bracing_criteria(
+    building: Building, frame: SpaceFrame, overstrength: Overstrength, modulus: Mapping[str, float]
+) -> list[Criterion]:
+    """Return the rules for diagonals of one direction: slenderness, homogeneous overstrength, symmetry.
+
+    Args:
+        building, frame: with the members.
+        overstrength: of this direction.
+        modulus: E by material, Pa.
+    """
+    axis, number = overstrength.axis, AXES.index(overstrength.axis)
+    if not overstrength.members.size:
+        return []
+    members = [frame.members[n] for n in overstrength.members]
+    factor = building.checked_design().members.buckling_length.braces
+    found, steepest, slender = [], -1.0, None
+    for n, member in zip(overstrength.members, members, strict=True):
+        section, fy = steel_section(member.section), building.materials[member.material].fy
+        length = frame.length[n] * max(factor.y, factor.z)
+        critical = critical_force(modulus[member.material], min(section.I_y, section.I_z), length)
+        value = flexural_slenderness(section.A, fy, critical)
+        if value > steepest:
+            steepest, slender = value, member.name
+    found.append(slenderness(steepest, "diagonal", frame.n_floors, slender or ""))
+    if frame.n_floors > FEW_STOREYS:
+        excess = float(overstrength.ratios.max()) / overstrength.Omega - 1.0
+        detail = f"Omega from {overstrength.Omega:.3g} to {overstrength.ratios.max():.3g}"
+        text = f"overstrength of the diagonals over the least one, direction {axis}"
+        found.append(at_most("6.7.3(8)", text, HOMOGENEITY, excess, detail))
+    worst: Criterion | None = None
+    for storey in sorted({member.storey for member in members}):
+        sides = [0.0, 0.0]
+        for n, member in zip(overstrength.members, members, strict=True):
+            if member.storey == storey:
+                rise = frame.coordinates[member.end] - frame.coordinates[member.start]
+                cosine = abs(rise[number]) / frame.length[n]
+                sides[int(rise[number] > 0.0)] += steel_section(member.section).A * cosine
+        one = asymmetry(sides[1], sides[0], storey)
+        if worst is None or (one.value or 0.0) > (worst.value or 0.0):
+            worst = one
+    return [*found, worst] if worst is not None else found
+
+
+
+
