@@ -1,10 +1,10 @@
 /* edcore: the numerical core of edesign. Plane frames of force-based fibre beam-columns under static loads,
- * prescribed displacements and ground acceleration; response spectra of ground acceleration.
+ * prescribed displacements and ground acceleration; linear elastic space frames; response spectra of ground acceleration.
  *
  * Conventions
  *   Units      any consistent set (edesign uses m, N, kg, s). No tolerance depends on it; of the
  *              dampers, fractional laws resolve 1e-4 to 2e3 s, and viscous power laws are linear below 1e-9 m/s.
- *   Degrees    three a node: 0 ux, 1 uy, 2 rz (anticlockwise). y points upwards.
+ *   Degrees    three a node: 0 ux, 1 uy, 2 rz (anticlockwise). y points upwards. Space frames have their own, below.
  *   Elements   local x runs from end i to end j, local y 90 degrees anticlockwise of it.
  *   Sections   strain at depth y is e0 - y*kappa; axial force and strain are positive in tension.
  *   Ids        non-negative integers in the order of creation; a negative return is an ed_status.
@@ -350,6 +350,84 @@ int ed_damper_history_in_series(const ed_damper *damper, int n, const double *ti
 int ed_fading(int n, const double *decay, const double *made, double before, double *q);
 /* The same of complex numbers, real and imaginary part side by side. */
 int ed_swinging(int n, const double *decay, const double *made, const double *before, double *q);
+
+/* ---- linear elastic space frames -------------------------------------------------------------------------------- */
+
+/* Degrees of a node: 0 ux, 1 uy, 2 uz, 3 rx, 4 ry, 5 rz, right-handed, z upwards. Local x of a member runs from its start to its end,
+ * local z along `web`, local y completes a right-handed system. Forces on the ends of a member: N V_y V_z T M_y M_z at its start, then
+ * at its end, as components along local x, y, z of what acts on the member. One thread at a time may use an object. */
+typedef struct ed_space ed_space;
+
+/* Section and material of a member: E, G, A, A_y, A_z, I_t, I_y, I_z. A_y, A_z: shear areas for V_y and V_z, 0: no shear deformation. */
+#define ED_SPACE_PROPERTIES 8
+
+/* What a frame is made of; read only by ed_space_new. ux, uy and rz of the nodes of a floor follow the floor's master, at its place in
+ * plan, as a rigid body. A node of a floor may be held in rz, and then, or where it lies on the axis of the master, in ux and uy. */
+typedef struct {
+  int n_nodes, n_floors, n_members;
+  const char *const *node_name, *const *member_name; /* for messages */
+  const double *coordinates; /* n_nodes x 3 */
+  const int *node_floor;     /* n_nodes: 0 .. n_floors - 1, -1: none */
+  const double *masters;     /* n_floors x 2: x, y */
+  const int *fixed;          /* n_nodes x 6: held */
+  const double *springs;     /* n_nodes x 6: to the ground, >= 0 */
+  const int *start, *end;    /* n_members: nodes */
+  const double *web;         /* n_members x 3, of length 1 and at right angles to the member */
+  const double *properties;  /* n_members x ED_SPACE_PROPERTIES */
+  const double *ends;        /* n_members x 4: rotational springs y at start, z at start, y at end, z at end; 0: pin, infinite: rigid */
+  const int *axial_only;     /* n_members: carries an axial force alone between its ends; of its properties E and A count */
+} ed_space_input;
+
+/* Checks, numbers, analyses the matrix symbolically and factors it. On failure *status and `message` (size bytes) say why and NULL is
+ * returned: ED_E_ARGUMENT, ED_E_ID, ED_E_EMPTY, ED_E_DISCONNECTED, ED_E_MECHANISM (with the degrees that move), ED_E_NOT_FINITE,
+ * ED_E_MEMORY. Rotations of a node that no member and no spring resists are no degrees, nor is uz of a node of a floor without members. */
+ed_space *ed_space_new(const ed_space_input *input, int *status, char *message, int size);
+void ed_space_free(ed_space *space);
+const char *ed_space_message(const ed_space *space); /* the last error, for people */
+int ed_space_n_equations(const ed_space *space);
+double ed_space_n_nonzeros(const ed_space *space); /* of the factor */
+/* Equation of each degree of the nodes (6 n_nodes), then of Ux, Uy, Rz of each master (3 n_floors); -1: held, or follows a master. */
+void ed_space_equations(const ed_space *space, int *equation);
+
+/* New properties (n x ED_SPACE_PROPERTIES) of n members, and new factors without a new symbolic analysis. After an error nothing has
+ * changed, but after ED_E_MEMORY. */
+int ed_space_change(ed_space *space, int n, const int *member, const double *properties);
+
+/* Loads on members: force a length of the member, and forces at a fraction of its length, in global components. */
+typedef struct {
+  const double *uniform; /* n_cases x n_members x 3, or NULL */
+  int n_points;
+  const int *point_case, *point_member; /* n_points */
+  const double *point_position;         /* n_points: 0 .. 1 */
+  const double *point_force;            /* n_points x 3 */
+} ed_space_loads;
+
+/* Static cases. nodal: n_cases x n_nodes x 6, or NULL. Results, each may be NULL but end_forces: displacements and reactions n_cases x
+ * n_nodes x 6, end_forces n_cases x n_members x 12. Reactions are those of supports and springs; of a floor that is held, at the node that
+ * holds it. */
+int ed_space_static(ed_space *space, int n_cases, const double *nodal, const ed_space_loads *loads, double *displacements,
+                    double *end_forces, double *reactions);
+/* N V_y V_z T M_y M_z on the face whose outward normal is +x at stations (fractions of the length), n_cases x n_members x n_stations x 6.
+ * Of a force at a station what is just before it is given, at the end of the member what is behind it. loads: those of the end forces,
+ * or NULL. */
+int ed_space_internal(ed_space *space, int n_cases, const double *end_forces, const ed_space_loads *loads, int n_stations,
+                      const double *stations, double *internal);
+
+/* Flexibility: n right sides over the equations (n x n_equations), solved in place. */
+int ed_space_solve(ed_space *space, int n, double *right_sides);
+/* Displacements of the nodes (n x n_nodes x 6) and end forces (n x n_members x 12; may be NULL) of n solutions over the equations. */
+int ed_space_expand(ed_space *space, int n, const double *solution, double *displacements, double *end_forces);
+
+/* The least factor > 0 of the axial forces (n_members, tension > 0) at which the frame buckles by bending, *factor infinite if none does. */
+int ed_space_critical(ed_space *space, const double *axial, double *factor);
+
+/* Combination of modal values: result_q = sqrt(r_q^T rho r_q). values: n_modes x n, one mode after the other; rho: n_modes x n_modes,
+ * symmetric. result: n. */
+int ed_combine(int n, int n_modes, const double *values, const double *rho, double *result);
+/* The same of N V_y V_z T M_y M_z at stations of members without loads between their ends. end_forces: n_modes x n_members x 12;
+ * result: n_members x n_stations x 6. M is linear in between, so that three forms of its ends serve all stations. */
+int ed_combine_stations(int n_members, int n_modes, const double *end_forces, const double *rho, int n_stations, const double *stations,
+                        double *result);
 
 /* ---- oscillators under ground acceleration ---------------------------------------------------------------------- */
 

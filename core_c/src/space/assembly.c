@@ -1,0 +1,251 @@
+/* Pattern and values of the matrix; factors; between nodes and equations. */
+#include "space/space.h"
+
+#include <limits.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { NAMED = 8 }; /* degrees in a message */
+
+/* A pivot below this share of its diagonal term has lost all but some four digits to rounding: the degree meets no resistance. */
+static const double VANISHING = 1e-12;
+
+static int compare_ints(const void *a, const void *b)
+{
+  return *(const int *)a - *(const int *)b;
+}
+
+static const int *equations(const ed_space *s, int m, int end)
+{
+  return s->node[s->member[m].node[end]].equation;
+}
+
+/* Calls that count (`row` NULL) or write the couples of equations, larger one first. */
+static void couple(int a, int b, int *next, int *row)
+{
+  if (a < 0 || b < 0)
+    return;
+  const int column = a < b ? a : b;
+  if (row)
+    row[next[column]] = a < b ? b : a;
+  next[column]++;
+}
+
+static void couple_all(const ed_space *s, int *next, int *row)
+{
+  for (int i = 0; i < s->n; i++)
+    couple(i, i, next, row);
+  for (int f = 0; f < s->n_floors; f++)
+    for (int k = 0; k < 3; k++)
+      for (int l = 0; l < k; l++)
+        couple(s->floor[f].equation[k], s->floor[f].equation[l], next, row);
+  for (int m = 0; m < s->n_members; m++)
+    for (int i = 0; i < 12; i++)
+      for (int j = 0; j < i; j++)
+        couple(equations(s, m, i / 6)[i % 6], equations(s, m, j / 6)[j % 6], next, row);
+}
+
+static int place_of(const ed_space *s, int a, int b)
+{
+  if (a < 0 || b < 0)
+    return s->nnz;
+  const int column = a < b ? a : b, row = a < b ? b : a;
+  const int *first = s->row + s->column_start[column];
+  const int *found = bsearch(&row, first, (size_t)(s->column_start[column + 1] - s->column_start[column]), sizeof *first, compare_ints);
+  return found ? (int)(found - s->row) : s->nnz;
+}
+
+static void add_spring(ed_space *s, int a, int b, double value)
+{
+  s->spring_place[s->n_springs] = place_of(s, a, b);
+  s->spring_value[s->n_springs++] = value;
+}
+
+static int place_springs(ed_space *s)
+{
+  int count = 0;
+  for (int i = 0; i < s->n_nodes; i++)
+    for (int d = 0; d < 6; d++)
+      count += s->node[i].spring[d] > 0.0;
+  s->spring_place = malloc((3 * (size_t)count + 1) * sizeof *s->spring_place);
+  s->spring_value = malloc((3 * (size_t)count + 1) * sizeof *s->spring_value);
+  if (!s->spring_place || !s->spring_value)
+    return ED_E_MEMORY;
+  for (int i = 0; i < s->n_nodes; i++) {
+    const ed_space_node *node = &s->node[i];
+    for (int d = 0; d < 6; d++) {
+      const double k = node->spring[d], arm = d == 0 ? -node->dy : node->dx;
+      if (!(k > 0.0))
+        continue;
+      add_spring(s, node->equation[d], node->equation[d], k);
+      if (node->floor >= 0 && d < 2) {
+        add_spring(s, node->equation[d], node->equation[5], arm * k);
+        add_spring(s, node->equation[5], node->equation[5], arm * arm * k);
+      }
+    }
+  }
+  return ED_OK;
+}
+
+int ed_space_build_pattern(ed_space *s)
+{
+  const size_t n = (size_t)s->n;
+  int *next = calloc(n + 1, sizeof *next);
+  s->column_start = calloc(n + 1, sizeof *s->column_start);
+  if (!next || !s->column_start) {
+    free(next);
+    return ED_E_MEMORY;
+  }
+  couple_all(s, next, NULL);
+  long total = 0;
+  for (int i = 0; i < s->n && total <= INT_MAX; i++) {
+    const int count = next[i];
+    next[i] = (int)total;
+    total += count;
+  }
+  s->row = total <= INT_MAX ? malloc(((size_t)total + 1) * sizeof *s->row) : NULL; /* else too many for their numbers */
+  if (!s->row) {
+    free(next);
+    return ED_E_MEMORY;
+  }
+  couple_all(s, next, s->row);
+  for (int i = 0, from = 0; i < s->n; i++) {
+    qsort(s->row + from, (size_t)(next[i] - from), sizeof *s->row, compare_ints);
+    s->column_start[i] = s->nnz;
+    for (int k = from; k < next[i]; k++)
+      if (k == from || s->row[k] != s->row[s->nnz - 1])
+        s->row[s->nnz++] = s->row[k]; /* nnz never runs ahead of k */
+    from = next[i];
+  }
+  s->column_start[s->n] = s->nnz;
+  free(next);
+  s->place = malloc((size_t)s->n_members * ED_SPACE_PLACES * sizeof *s->place);
+  s->matrix = malloc(((size_t)s->nnz + 1) * sizeof *s->matrix);
+  s->geometric = malloc(((size_t)s->nnz + 1) * sizeof *s->geometric);
+  if (!s->place || !s->matrix || !s->geometric)
+    return ED_E_MEMORY;
+  int *place = s->place;
+  for (int m = 0; m < s->n_members; m++)
+    for (int i = 0; i < 12; i++)
+      for (int j = 0; j <= i; j++)
+        *place++ = place_of(s, equations(s, m, i / 6)[i % 6], equations(s, m, j / 6)[j % 6]);
+  s->ldl = ed_ldl_new(s->n, s->n_masters, s->column_start, s->row);
+  return s->ldl ? place_springs(s) : ED_E_MEMORY;
+}
+
+/* Displacements of a node of a floor: ux = Ux - dy Rz, uy = Uy + dx Rz, rz = Rz. */
+static void follow_master(const ed_space_node *node, int end, double *matrix)
+{
+  if (node->floor < 0)
+    return;
+  const int at = 6 * end;
+  for (int i = 0; i < 12; i++)
+    matrix[12 * i + at + 5] += node->dx * matrix[12 * i + at + 1] - node->dy * matrix[12 * i + at];
+  for (int j = 0; j < 12; j++)
+    matrix[12 * (at + 5) + j] += node->dx * matrix[12 * (at + 1) + j] - node->dy * matrix[12 * at + j];
+}
+
+void ed_space_assemble(ed_space *s, int springs, double *result)
+{
+  memset(result, 0, ((size_t)s->nnz + 1) * sizeof *result);
+  for (int m = 0; m < s->n_members; m++) {
+    const ed_space_node *start = &s->node[s->member[m].node[0]], *end = &s->node[s->member[m].node[1]];
+    const int *place = s->place + (size_t)ED_SPACE_PLACES * (size_t)m;
+    double matrix[144];
+    ed_member_matrix(&s->member[m], &s->stiffness[m], matrix);
+    for (int i = 0; i < 12; i++)
+      for (int j = 0; j < i; j++)
+        matrix[12 * j + i] = matrix[12 * i + j];
+    follow_master(start, 0, matrix);
+    follow_master(end, 1, matrix);
+    if (start->floor >= 0 && start->floor == end->floor) { /* one equation twice: both halves meet on the diagonal */
+      matrix[12 * 6 + 0] *= 2.0;
+      matrix[12 * 7 + 1] *= 2.0;
+      matrix[12 * 11 + 5] *= 2.0;
+    }
+    for (int i = 0; i < 12; i++)
+      for (int j = 0; j <= i; j++)
+        result[*place++] += matrix[12 * i + j];
+  }
+  for (int i = 0; springs && i < s->n_springs; i++)
+    result[s->spring_place[i]] += s->spring_value[i];
+  result[s->nnz] = 0.0;
+}
+
+/* The degrees that move most where a pivot has vanished. */
+static void name_mechanism(ed_space *s, char *buffer, size_t size)
+{
+  double *x = s->geometric; /* at least as long: every diagonal is in the matrix */
+  double largest = 0.0;
+  int moving = 0;
+  ed_ldl_free_motion(s->ldl, ed_ldl_vanished(s->ldl), x);
+  for (int i = 0; i < s->n; i++) {
+    const int degree = s->name[i], masters = degree - 6 * s->n_nodes;
+    if (masters >= 0 ? masters % 3 == 2 : degree % 6 >= 3)
+      x[i] *= s->length;
+    largest = fmax(largest, fabs(x[i]));
+  }
+  for (int i = 0; i < s->n; i++) {
+    char name[2 * ED_SPACE_NAME];
+    if (fabs(x[i]) < 0.5 * largest)
+      continue;
+    const size_t used = strlen(buffer);
+    if (moving++ < NAMED)
+      snprintf(buffer + used, size - used, "%s%s", moving > 1 ? ", " : "", ed_space_degree_name(s, i, name, sizeof name));
+  }
+  const size_t used = strlen(buffer);
+  if (moving > NAMED)
+    snprintf(buffer + used, size - used, " and %d more", moving - NAMED);
+}
+
+int ed_space_factor(ed_space *s)
+{
+  for (int m = 0; m < s->n_members; m++)
+    s->stiffness[m] = s->member[m].stiffness;
+  ed_space_assemble(s, 1, s->matrix);
+  for (int k = 0; k < s->nnz; k++)
+    if (!isfinite(s->matrix[k]))
+      return ed_space_fail(s, ED_E_NOT_FINITE, "the stiffness of the frame is not a finite number");
+  if (ed_ldl_factor(s->ldl, s->matrix, VANISHING) == 0 && ed_ldl_negative(s->ldl) == 0)
+    return ED_OK;
+  if (ed_ldl_vanished(s->ldl) < 0)
+    return ed_space_fail(s, ED_E_SINGULAR, "the stiffness of the frame is lost in rounding: stiff and soft members differ too much");
+  char names[NAMED * (2 * ED_SPACE_NAME + 2) + 40] = "";
+  name_mechanism(s, names, sizeof names);
+  return ed_space_fail(s, ED_E_MECHANISM, "the frame is a mechanism; it moves freely at %s", names);
+}
+
+double ed_space_n_nonzeros(const ed_space *space)
+{
+  return ed_ldl_nonzeros(space->ldl);
+}
+
+void ed_space_reduce(const ed_space *s, const double *nodal, double *right_side)
+{
+  memset(right_side, 0, (size_t)s->n * sizeof *right_side);
+  for (int i = 0; i < s->n_nodes; i++) {
+    const ed_space_node *node = &s->node[i];
+    const double *force = nodal + 6 * (size_t)i;
+    for (int d = 0; d < 6; d++)
+      if (node->equation[d] >= 0)
+        right_side[node->equation[d]] += force[d];
+    if (node->floor >= 0 && node->equation[5] >= 0)
+      right_side[node->equation[5]] += node->dx * force[1] - node->dy * force[0];
+  }
+}
+
+void ed_space_spread(const ed_space *s, const double *solution, double *displacements)
+{
+  for (int i = 0; i < s->n_nodes; i++) {
+    const ed_space_node *node = &s->node[i];
+    double *u = displacements + 6 * (size_t)i;
+    for (int d = 0; d < 6; d++)
+      u[d] = node->equation[d] >= 0 ? solution[node->equation[d]] : 0.0;
+    if (node->floor >= 0) {
+      u[0] -= node->dy * u[5];
+      u[1] += node->dx * u[5];
+    }
+  }
+}

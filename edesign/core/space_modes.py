@@ -1,0 +1,162 @@
+"""Natural modes of space frames from the flexibility of the degrees that have mass."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+import scipy.linalg
+from numpy.typing import ArrayLike
+
+
+@dataclass(frozen=True)
+class SpaceModes:
+    """Natural modes in rising order of frequency, generalised mass 1.
+
+    Attributes:
+        omega: (k,) rad/s.
+        period: (k,) s.
+        floor_shapes: (k, f, 3) Ux, Uy, Rz of the masters.
+        displacements: (k, n, 6) of the nodes.
+        participation: (k, 3) factors for ground motion along x, along y, and about a vertical axis; sqrt(kg), m sqrt(kg).
+        effective_mass_ratio: (k, 3) effective modal masses over all mass that moves so.
+        end_forces: (k, m, 12) of the members under `displacements`, N and N m.
+    """
+
+    omega: np.ndarray
+    period: np.ndarray
+    floor_shapes: np.ndarray
+    displacements: np.ndarray
+    participation: np.ndarray
+    effective_mass_ratio: np.ndarray
+    end_forces: np.ndarray
+
+
+@dataclass(frozen=True)
+class MassFactor:
+    """A lumped mass matrix as B^T B; each row of B is a mass that moves along x or along y, or a moment of inertia.
+
+    Attributes:
+        b: (r, d) over the degrees that can have mass; sqrt(kg) and m sqrt(kg).
+        equations: (d,) of these degrees.
+        direction: (r,) 0 along x, 1 along y, 2 rotation about a vertical axis.
+        size: (r,) root of the mass or moment of inertia; sqrt(kg), m sqrt(kg).
+        place: (r, 2) in plan, m.
+    """
+
+    b: np.ndarray
+    equations: np.ndarray
+    direction: np.ndarray
+    size: np.ndarray
+    place: np.ndarray
+
+    def rigid(self, origin: ArrayLike | None) -> np.ndarray:
+        """Return B times rigid motions by 1 along x, along y, and about a vertical axis through `origin`: (r, 3).
+
+        Without an origin the axis goes through the centre of all masses that move.
+        """
+        weight = self.size**2 * (self.direction == 0)
+        centre = weight @ self.place / np.sum(weight) if np.any(weight) else np.zeros(2)
+        x, y = (self.place - (centre if origin is None else np.asarray(origin, dtype=float))).T
+        motion = np.zeros((self.size.size, 3))
+        for direction, turned in ((0, -y), (1, x)):
+            motion[self.direction == direction, direction] = 1.0
+            motion[:, 2] += np.where(self.direction == direction, turned, 0.0)
+        motion[self.direction == 2, 2] = 1.0
+        return self.size[:, None] * motion
+
+
+@dataclass(frozen=True)
+class EquationModes:
+    """Modes over the equations: omega (k,), shapes (k, n), participation (k, 3), effective_mass_ratio (k, 3)."""
+
+    omega: np.ndarray
+    shapes: np.ndarray
+    participation: np.ndarray
+    effective_mass_ratio: np.ndarray
+
+
+def mass_factor(
+    mass: np.ndarray, coordinates: np.ndarray, node_floor: np.ndarray, masters: np.ndarray, equation: np.ndarray
+) -> MassFactor:
+    """Return B of the mass matrix B^T B of masses at nodes that act horizontally.
+
+    A diaphragm moves as its mass at the centre of mass and as the polar moment of inertia about that centre: rows
+    sqrt(m) (1, 0, -e_y), sqrt(m) (0, 1, e_x) and sqrt(J) (0, 0, 1) over Ux, Uy, Rz, e from the master to the centre.
+
+    Args:
+        mass: (n,) kg.
+        coordinates: (n, 3) m.
+        node_floor: (n,) diaphragm of each node, -1: none.
+        masters: (f, 2) m.
+        equation: (6 n + 3 f,) equation of each degree of the nodes and of the masters, -1: held.
+
+    Raises:
+        ValueError: a mass is negative or not finite, or no mass can move.
+    """
+    wrong = np.flatnonzero(~(np.isfinite(mass) & (mass >= 0.0)))
+    if wrong.size:
+        raise ValueError(f"the mass of node {wrong[0]} is {mass[wrong[0]]:g} kg; it must be a finite number of at least 0")
+    n, plan = len(mass), coordinates[:, :2]
+    rows: list[tuple[dict[int, float], int, float, np.ndarray]] = []
+    for floor, master in enumerate(masters):
+        own = (node_floor == floor) & (mass > 0.0)
+        total = float(np.sum(mass[own]))
+        if total == 0.0:
+            continue
+        centre = mass[own] @ plan[own] / total
+        polar = float(mass[own] @ np.sum((plan[own] - centre) ** 2, axis=1))
+        if polar <= total * (4.0 * np.finfo(float).eps * float(np.max(np.abs(plan)))) ** 2:
+            polar = 0.0  # masses at one place: what is left is rounding of their centre
+        U_x, U_y, R_z = (int(e) for e in equation[6 * n + 3 * floor : 6 * n + 3 * floor + 3])
+        e_x, e_y = centre - master
+        root, gyration = float(np.sqrt(total)), float(np.sqrt(polar))
+        rows.append(({U_x: root, R_z: -root * e_y}, 0, root, centre))
+        rows.append(({U_y: root, R_z: root * e_x}, 1, root, centre))
+        rows.append(({R_z: gyration}, 2, gyration, centre))
+    for node in np.flatnonzero((node_floor < 0) & (mass > 0.0)):
+        root = float(np.sqrt(mass[node]))
+        rows += [({int(equation[6 * node + d]): root}, d, root, plan[node]) for d in (0, 1)]
+    rows = [row for row in rows if any(e >= 0 and value != 0.0 for e, value in row[0].items())]
+    if not rows:
+        raise ValueError("no mass can move: the frame has none, or it is held")
+    equations = np.array(sorted({e for row in rows for e in row[0] if e >= 0}))
+    column = {int(e): k for k, e in enumerate(equations)}
+    b = np.zeros((len(rows), equations.size))
+    for r, (values, _, _, _) in enumerate(rows):
+        for e, value in values.items():
+            if e >= 0:
+                b[r, column[e]] = value
+    _, direction, size, place = zip(*rows, strict=True)
+    return MassFactor(b, equations, np.array(direction), np.array(size), np.array(place))
+
+
+def equation_modes(
+    solution: np.ndarray, factor: MassFactor, count: int | None, origin: ArrayLike | None
+) -> EquationModes:
+    """Return the lowest modes from the flexibility F of the degrees with mass: B F B^T y = y / omega^2, phi = omega^2 F B^T y.
+
+    Args:
+        solution: (d, n) displacements over all equations under a unit force at each of the degrees with mass.
+        factor: the mass matrix over these degrees.
+        count: how many modes; all without it.
+        origin: (2,) place that rotation about a vertical axis refers to; the centre of all masses without it.
+
+    Raises:
+        ValueError: there are fewer modes than asked for.
+    """
+    weighted = factor.b @ solution
+    flexibility = weighted[:, factor.equations] @ factor.b.T
+    inverse, vectors = scipy.linalg.eigh(0.5 * (flexibility + flexibility.T))
+    inverse, vectors = inverse[::-1], vectors[:, ::-1]
+    there = int(np.sum(inverse > inverse.size * np.finfo(float).eps * inverse[0]))
+    count = there if count is None else count
+    if not 0 < count <= there:
+        raise ValueError(f"{count} modes are asked for; the frame has {there}")
+    omega, y = 1.0 / np.sqrt(inverse[:count]), vectors[:, :count]
+    y = y * np.sign(np.take_along_axis(y, np.argmax(np.abs(y), axis=0)[None], axis=0))
+    rigid = factor.rigid(origin)
+    participation = y.T @ rigid
+    total = np.sum(rigid**2, axis=0)
+    ratio = np.divide(participation**2, total, out=np.zeros_like(participation), where=total > 0.0)
+    return EquationModes(omega, (y.T @ weighted) * omega[:, None] ** 2, participation, ratio)
