@@ -1,10 +1,8 @@
-"""Rules of EN 1998-1 for the whole building: modes, behaviour factor, sections, storeys, overstrength, joints, bracing."""
+"""Rules of EN 1998-1 for the whole building: modes, ductility, storeys, overstrength, joints, bracing."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-
-import numpy as np
 
 from edesign.building.section_class import section_class
 from edesign.building.steel_section import steel_section
@@ -17,14 +15,31 @@ from edesign.codes.ec8.modal_combination import check_modes
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.core.space_modes import SpaceModes
+from edesign.errors import InputError
 from edesign.project.building.building import Building
-from edesign.project.building.design import System
+from edesign.project.building.design import Design, System
 from edesign.space.capacity import Joint, Overstrength
 from edesign.space.frame import SpaceFrame
 from edesign.space.response import AXES, Axis
 from edesign.space.storeys import Storeys
 
 MOMENT_FRAME = "moment_frame"
+
+
+def design_of(building: Building) -> Design:
+    """Return the block `design` of a building.
+
+    Raises:
+        InputError: the file has none.
+    """
+    if building.design is None:
+        raise InputError(f"{building.path}: design: this block is missing; docs/building_file.md explains it")
+    return building.design
+
+
+def system_of(design: Design, axis: Axis) -> System:
+    """Return the structural system of one direction."""
+    return design.systems.x if axis == "x" else design.systems.y
 
 
 def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: float) -> float:
@@ -38,7 +53,7 @@ def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: f
 
     Source: EN 1998-1:2004, 6.3.2, Table 6.2.
     """
-    design = building.checked_design()
+    design = design_of(building)
     default = alpha_ratio(system.type, building.n_storeys, building.n_bays(axis))
     return behaviour_factor(
         system.type,
@@ -57,7 +72,11 @@ def modal_criteria(modes: SpaceModes) -> list[Criterion]:
 
 
 def behaviour_criteria(
-    building: Building, frame: SpaceFrame, q: Mapping[Axis, float], limit: Mapping[Axis, float], axis: Axis,
+    building: Building,
+    frame: SpaceFrame,
+    q: Mapping[Axis, float],
+    limit: Mapping[Axis, float],
+    axis: Axis,
     dissipative: Sequence[int],
 ) -> list[Criterion]:
     """Return whether q, and the class of the dissipative sections in one direction, are allowed.
@@ -68,13 +87,13 @@ def behaviour_criteria(
         axis: direction.
         dissipative: numbers of the dissipative members.
     """
-    design = building.checked_design()
+    design = design_of(building)
     found = [at_most("6.3.2(1)", f"behaviour factor q, direction {axis}", limit[axis], q[axis])]
     reference = limit[axis] if design.regular_in_elevation else limit[axis] / 0.8
     allowed = largest_section_class(design.ductility_class, min(q[axis], reference))
     worst, where = 0, ""
     for name, material in sorted({(frame.members[n].section, frame.members[n].material) for n in dissipative}):
-        bent = design.system(axis).type == MOMENT_FRAME
+        bent = system_of(design, axis).type == MOMENT_FRAME
         of = section_class(steel_section(name), building.materials[material].fy, 0.0 if bent else -1.0, about_y=bent)
         if of.number > worst:
             worst, where = of.number, name
@@ -129,7 +148,7 @@ def bracing_criteria(
     if not overstrength.members.size:
         return []
     members = [frame.members[n] for n in overstrength.members]
-    factor = building.checked_design().members.buckling_length.braces
+    factor = design_of(building).members.buckling_length.braces
     found, steepest, slender = [], -1.0, None
     for n, member in zip(overstrength.members, members, strict=True):
         section, fy = steel_section(member.section), building.materials[member.material].fy
@@ -156,7 +175,3 @@ def bracing_criteria(
         if worst is None or (one.value or 0.0) > (worst.value or 0.0):
             worst = one
     return [*found, worst] if worst is not None else found
-
-
-
-
