@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from edesign.building.section import fillets
+from edesign.building.section import Spot, fillets
 from edesign.building.section_names import SectionName
 from edesign.errors import InputError
 
@@ -112,7 +112,7 @@ class HollowSection:
         webs = 2.0 * t * H**3 * (B**2 / 16.0 + B * H / 24.0 + H**2 / 120.0)
         return inertia**2 / (flanges + webs)
 
-    def _corners(self, depth: float) -> tuple[tuple, tuple]:
+    def _corners(self, depth: float) -> tuple[tuple[Spot, Spot], tuple[Spot, Spot]]:
         """What the roundings take from the outer rectangle, and what they add to the wall inside, below and above."""
         return fillets(0.5 * depth, self.r_o), fillets(0.5 * depth - self.t, self.r_i)
 

@@ -1,0 +1,195 @@
+"""EN 1993-1-1, members in bending and compression: worked examples that were published by others.
+
+MSB04, MSB08, SSB04: Steel Buildings in Europe (2010), Multi-storey parts 4 and 8, Single-storey part 4. DS EC 06 and 07:
+BuildSoft, Diamonds, validation of EN 1993-1-1, after worked example 5 of Boissonnade, Greiner, Jaspart & Lindner, Rules
+for member stability in EN 1993-1-1 (ECCS 119). V.EC3: Bentley, STAAD.Pro, verification examples, European steel design.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from edesign.building.section_class import section_class
+from edesign.building.steel_section import steel_section
+from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
+from edesign.codes.ec3.interaction import (
+    AnnexAMember,
+    annex_a_factors,
+    annex_a_terms,
+    annex_b_factors,
+    member_interaction,
+)
+from edesign.codes.ec3.materials import E, G
+from edesign.codes.ec3.moment_factors import linear_moment_factor, linear_moment_factor_a, loaded_moment_factor_a
+from edesign.errors import InputError
+
+S235, S275, S355 = 235e6, 275e6, 355e6
+G_81 = 81e9  # as the clause rounds it
+
+
+def test_pinned_column() -> None:
+    """UC 152x152x30, S275, 4 m: lambda_z 1.203, chi 0.4323, 455 kN. Source: steelcalculator.app, UK column buckling."""
+    s = steel_section("UC152x152x30")
+    curve = buckling.rolled_i_curve(s.h, s.b, s.tf, "z", S275)
+    slenderness = buckling.slenderness(s.A, S275, buckling.critical_force(E, s.I_z, 4.0))
+    chi = buckling.reduction_factor(slenderness, curve)
+    assert curve == "c"
+    assert slenderness == pytest.approx(1.203, rel=1.5e-3)  # i_z of the source has three digits: 38.3 mm
+    assert chi == pytest.approx(0.4323, rel=2e-3)
+    assert buckling.buckling_resistance(s.A, S275, chi) == pytest.approx(455e3, rel=3e-3)
+
+
+def test_unrestrained_beam() -> None:
+    """MSB04, A.1 (SX001): IPE 330, S235, 5.7 m, load on the top flange: M_cr 113.9 kNm, ..., M_b,Rd 92.24 kNm."""
+    s = steel_section("IPE330")
+    C1, C2, k_c = lateral_torsional.TRANSVERSE_LOADS["uniform_pinned"]
+    M_cr = lateral_torsional.critical_moment(E, G, s.I_z, s.I_t, s.I_w, 5.7, C1, C2, z_g=0.165)
+    slenderness = lateral_torsional.slenderness(s.W_pl_y, S235, M_cr)
+    curve = lateral_torsional.rolled_curve(s.h, s.b)
+    chi = lateral_torsional.reduction_factor(slenderness, curve)
+    modified = lateral_torsional.modified_reduction_factor(chi, slenderness, k_c)
+    assert M_cr == pytest.approx(113.9e3, rel=5e-4)  # printed digits, as below
+    assert curve == "c"
+    assert slenderness == pytest.approx(1.288, abs=6e-4)
+    assert chi == pytest.approx(0.480, abs=6e-4)
+    assert lateral_torsional.buckling_moment(modified, s.W_pl_y, S235) == pytest.approx(92.24e3, rel=5e-4)
+
+
+def test_beam_under_a_point_load() -> None:
+    """V.EC3, laterally unrestrained beam: HD 320x127, S275, 5 m, E 205 GPa, C1 1.348, C2 0.63, z_g 160 mm."""
+    s = steel_section("HD320x127")
+    modulus = 205e9
+    C1, C2, _ = lateral_torsional.TRANSVERSE_LOADS["point_pinned"]
+    M_cr = lateral_torsional.critical_moment(modulus, modulus / 2.6, s.I_z, s.I_t, s.I_w, 5.0, C1, C2, z_g=0.16)
+    slenderness = lateral_torsional.slenderness(s.W_pl_y, S275, M_cr)
+    chi = lateral_torsional.reduction_factor(slenderness, lateral_torsional.rolled_curve(s.h, s.b))
+    k_c = lateral_torsional.correction_of_factor(C1)
+    modified = lateral_torsional.modified_reduction_factor(chi, slenderness, k_c)
+    assert M_cr == pytest.approx(1375e3, rel=4e-4)
+    found = (slenderness, chi, k_c, chi / modified, modified)
+    assert found == pytest.approx((0.656, 0.891, 0.861, 0.934, 0.955), abs=6e-4)
+    assert lateral_torsional.buckling_moment(modified, s.W_pl_y, S275) == pytest.approx(564.3e3, rel=2e-4)
+
+
+def test_classes() -> None:
+    """MSB08, examples 1 and 2: IPE 500 in bending; IPE 450 with 127 kN of compression, alpha 0.55; S355."""
+    web, flange = section_class(steel_section("IPE500"), S355).parts
+    found = (web.slenderness, web.limits[0], flange.slenderness, flange.limits[0])
+    assert found == pytest.approx((41.8, 58.3, 4.6, 7.3), rel=6e-3)  # with epsilon 0.81 for 0.8136
+    web, flange = section_class(steel_section("IPE450"), S355, N_Ed=-127e3).parts
+    found = (web.slenderness, web.limits[0], flange.slenderness, flange.limits[0])
+    assert found == pytest.approx((40.3, 52.1, 4.7, 7.3), rel=1e-2)  # the same, and alpha with two digits
+    assert web.number == flange.number == 1
+
+
+def test_rafter() -> None:
+    """MSB08, example 2: IPE 450, S355, N 127 kN, M 356 kNm constant, 1.7 m; SSB04, Appendix D, 7.8.3: M_pl 604 kNm."""
+    s = steel_section("IPE450")
+    M_cr = lateral_torsional.critical_moment(E, G_81, s.I_z, s.I_t, s.I_w, 1.7)
+    slenderness = lateral_torsional.slenderness(s.W_pl_y, S355, M_cr)
+    chi = lateral_torsional.reduction_factor(slenderness, lateral_torsional.rolled_curve(s.h, s.b))
+    assert M_cr == pytest.approx(2733e3, rel=5e-4)
+    assert (slenderness, chi) == pytest.approx((0.470, 0.961), abs=6e-4)
+    assert cross_section.moment_resistance(s.W_pl_y, S355) == pytest.approx(604e3, rel=9e-4)
+    # N_b,y,Rd is printed as 3507 kN, chi_y 1
+    assert cross_section.axial_resistance(s.A, S355) == pytest.approx(3507e3, rel=5e-4)
+
+
+def test_column_of_a_portal_frame() -> None:
+    """SSB04, Appendix D, 7.5: lambda_z 1.15, N 168 of 2092 kN, M 444 of 640 kNm, psi 0: k_zy 0.977, utilisation 0.758."""
+    C_mLT = linear_moment_factor(0.0)
+    n_z = 168.0 / 2092.0
+    k = annex_b_factors(0.6, 1.0, C_mLT, 0.5, 1.15, 0.05, n_z)
+    assert k.k_zy == pytest.approx(0.977, abs=6e-4)
+    assert member_interaction(k, 0.0, n_z, 444.0 / 640.0, 0.0)[1] == pytest.approx(0.758, abs=6e-4)
+
+
+class IPE500:
+    """The member of DS EC 06 and 07: IPE 500, S235, all lengths 3.75 m; N 500 kN, M_y 200 kNm, M_z 12.5 kNm, C1 1.201.
+
+    M_y is that of a load at the middle with end moments, M_z linear with psi = 0; the checked section is the middle.
+    """
+
+    N, M_y, M_z, length = 500e3, 200e3, 12.5e3, 3.75
+
+    def __init__(self) -> None:
+        s = self.section = steel_section("IPE500")
+        self.N_cr = [buckling.critical_force(E, inertia, self.length) for inertia in (s.I_y, s.I_z)]
+        self.N_cr_T = buckling.torsional_critical_force(E, G, s.A, s.I_y + s.I_z, s.I_t, s.I_w, self.length)
+        self.slenderness = [buckling.slenderness(s.A, S235, force) for force in self.N_cr]
+        self.chi = [buckling.reduction_factor(x, c) for x, c in zip(self.slenderness, "ab", strict=True)]
+        M_cr_0 = lateral_torsional.critical_moment(E, G, s.I_z, s.I_t, s.I_w, self.length)
+        self.lambda_0 = lateral_torsional.slenderness(s.W_pl_y, S235, M_cr_0)
+        lambda_LT = lateral_torsional.slenderness(s.W_pl_y, S235, 1.201 * M_cr_0)
+        curve = lateral_torsional.general_curve(s.h, s.b)
+        self.chi_LT = lateral_torsional.reduction_factor_general(lambda_LT, curve)
+        self.n_y, self.n_z = (self.N / (chi * s.A * S235) for chi in self.chi)
+        self.m_y, self.m_z = self.M_y / (self.chi_LT * s.W_pl_y * S235), self.M_z / (s.W_pl_z * S235)
+
+
+def test_annex_a() -> None:
+    """DS EC 06: N_cr 71042.7, 3156.6, 5880.5 kN; lambda 0.195, 0.93, 0.757; C, k and the utilisation 0.872."""
+    m = IPE500()
+    s = m.section
+    assert [*m.N_cr, m.N_cr_T] == pytest.approx([71042.7e3, 3156.6e3, 5880.5e3], rel=1e-3)  # fillets as polygons there
+    assert [*m.slenderness, m.lambda_0] == pytest.approx([0.195, 0.93, 0.757], abs=4e-3)
+    member = AnnexAMember(
+        N_Rk=s.A * S235,
+        N_cr_y=m.N_cr[0],
+        N_cr_z=m.N_cr[1],
+        N_cr_T=m.N_cr_T,
+        chi_y=m.chi[0],
+        chi_z=m.chi[1],
+        chi_LT=m.chi_LT,
+        lambda_y=m.slenderness[0],
+        lambda_z=m.slenderness[1],
+        lambda_0=m.lambda_0,
+        C1=1.201,
+        W_pl_y=s.W_pl_y,
+        W_el_y=s.W_el_y,
+        W_pl_z=s.W_pl_z,
+        W_el_z=s.W_el_z,
+        A=s.A,
+        I_y=s.I_y,
+        I_t=s.I_t,
+        M_pl_y=s.W_pl_y * S235,
+        M_pl_z=s.W_pl_z * S235,
+    )
+    C_my_0 = loaded_moment_factor_a("point", m.N, m.N_cr[0])
+    C_mz_0 = linear_moment_factor_a(0.0, m.N, m.N_cr[1])
+    terms = annex_a_terms(member, m.N, m.M_y, m.M_z, C_my_0, C_mz_0)
+    k = annex_a_factors(member, m.N, terms)
+    found = (terms.C_my, terms.C_mz, terms.C_mLT, terms.C_yy, terms.C_yz, k.k_yy, k.k_yz)
+    assert found == pytest.approx((1.000, 0.771, 1.137, 0.984, 0.852, 1.164, 0.739), rel=3e-3)  # from rounded steps
+    assert member_interaction(k, m.n_y, m.n_z, m.m_y, m.m_z)[0] == pytest.approx(0.872, rel=3e-3)
+
+
+def test_annex_b() -> None:
+    """DS EC 07, the same member: C_my 0.925, C_mz 0.6, k_yy 0.924, k_yz 0.489, utilisation 0.715."""
+    m = IPE500()
+    C_mz = linear_moment_factor(0.0)
+    k = annex_b_factors(0.925, C_mz, 0.925, *m.slenderness, m.n_y, m.n_z)
+    assert C_mz == 0.6
+    assert (k.k_yy, k.k_yz) == pytest.approx((0.924, 0.489), rel=3e-3)  # from rounded steps
+    assert member_interaction(k, m.n_y, m.n_z, m.m_y, m.m_z)[0] == pytest.approx(0.715, rel=3e-3)
+
+
+def test_axial_force_and_bending() -> None:
+    """Designers' Guide to EN 1993-1-1, example 6.6: UB 457x191x98, f_y 265 MPa, 1400 kN; A 12500 mm2, W_pl 2230 cm3.
+
+    n = 0.42 and a = 0.40, so that M_N,y,Rd = M_pl (1 - 0.42) / (1 - 0.20) = 0.72 M_pl.
+    """
+    s, fy = steel_section("UB457x191x98"), 265e6
+    assert (s.A, s.W_pl_y) == pytest.approx((12500e-6, 2230e-6), rel=2e-3)
+    n = 1400e3 / cross_section.axial_resistance(s.A, fy)
+    a = cross_section.web_share(s.A, 2.0 * s.b * s.tf)
+    assert (n, a) == pytest.approx((0.42, 0.40), abs=6e-3)
+    M_pl = cross_section.moment_resistance(s.W_pl_y, fy)
+    assert cross_section.moment_resistance_with_axial_force_y(M_pl, n, a) / M_pl == pytest.approx(0.72, abs=6e-3)
+
+
+def test_class_4_is_refused_by_name() -> None:
+    slender = section_class(steel_section("IPE600"), 460e6, N_Ed=-1.0, about_y=False)
+    assert slender.number == 4
+    with pytest.raises(InputError, match=r"C_A1_1: IPE600 is of class 4, allowed is 3: c/t of its web is 42\.8"):
+        slender.required(3, "C_A1_1: ")
