@@ -40,8 +40,7 @@ def checked_hazard(project: Project) -> Hazard:
         place = "zone"
         _a_gR(hazard)
         place = "spectrum"
-        if hazard.zone is not None:
-            _national(hazard).check_spectrum_type(hazard.zone, hazard.spectrum)
+        _spectrum_type(hazard)
         place = "parameters"
         _parameters(hazard)
         place = "levels"
@@ -78,7 +77,9 @@ def vertical_spectrum(hazard: Hazard, level: str | None = None) -> VerticalSpect
     """
     gamma_I = 1.0 if level is None else importance_factor(hazard, level)
     label = f"{_code(hazard).title} type {hazard.spectrum}, vertical, {_action(hazard, level)}"
-    return VerticalSpectrum(_a_gR(hazard), _national(hazard).vertical(hazard.spectrum), gamma_I, hazard.damping, label)
+    return VerticalSpectrum(
+        _a_gR(hazard), _national(hazard).vertical(_spectrum_type(hazard)), gamma_I, hazard.damping, label
+    )
 
 
 def design_spectrum(hazard: Hazard, level: str | None = None) -> DesignSpectrum:
@@ -162,9 +163,16 @@ def _a_gR(hazard: Hazard) -> float:
     return _national(hazard).a_gR(hazard.zone)
 
 
+def _spectrum_type(hazard: Hazard) -> int:
+    """The type of spectrum, which the zone may fix."""
+    if hazard.zone is not None:
+        _national(hazard).check_spectrum_type(hazard.zone, hazard.spectrum)
+    return hazard.spectrum
+
+
 def _parameters(hazard: Hazard) -> HorizontalParameters:
     """The table's values, and those of the project in their place."""
-    table = _national(hazard).horizontal(hazard.spectrum, hazard.ground)
+    table = _national(hazard).horizontal(_spectrum_type(hazard), hazard.ground)
     return replace(table, **hazard.parameters.model_dump(exclude_none=True))
 
 

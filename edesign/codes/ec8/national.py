@@ -161,7 +161,7 @@ class NationalParameters:
             return
         fixed = self.parameters["zone_spectra"].value[self._zone(zone)]
         if spectrum_type != fixed:
-            raise InputError(f"zone {zone} of {self.country} takes spectrum {fixed}, not {spectrum_type}")
+            raise InputError(f"zone {zone} of {self.country} takes spectrum type {fixed}, not {spectrum_type}")
 
     def gamma_I(self, importance_class: str) -> float:
         """Return the importance factor of a class I to IV, 4.2.5(5)P.

@@ -46,7 +46,7 @@ def alpha_A(area: float, category: str, psi_0: float) -> float:
     return max(factor, LEAST_ALPHA_A) if category in "CD" else factor
 
 
-def alpha_n(storeys: int, category: str, psi_0: float) -> float:
+def alpha_n(storeys: int, category: str, psi_0: float, leading: bool = True) -> float:
     """Return alpha_n = (2 + (n - 2) psi_0) / n: the reduction of imposed loads of several storeys in a column or wall.
 
     It applies to the total of more than two storeys of one category; for up to two it is 1.
@@ -55,26 +55,16 @@ def alpha_n(storeys: int, category: str, psi_0: float) -> float:
         storeys: n, loaded storeys above the member.
         category: A, B, C or D.
         psi_0: combination factor of the category (EN 1990, Table A1.1).
+        leading: the load leads its combination; as an accompanying action psi reduces it already, and alpha_n is 1.
 
     Raises:
         InputError: the loads of the category are not reduced, or a number makes no sense.
 
-    Source: EN 1991-1-1:2002, 6.3.1.2(11), Eq. 6.2; 6.2.2(2) allows it for columns and walls.
+    Source: EN 1991-1-1:2002, 6.3.1.2(11), Eq. 6.2; 6.2.2(2) allows it for columns and walls, 3.3.2(2)P not with psi.
     """
     _check_category(category)
     check_not_negative(storeys=storeys, psi_0=psi_0)
-    return 1.0 if storeys <= 2 else (2.0 + (storeys - 2) * psi_0) / storeys
-
-
-def may_use_alpha_n(leading: bool) -> bool:
-    """Return whether alpha_n may be used: not where psi already reduces the load as an accompanying action.
-
-    Args:
-        leading: the imposed load is the leading variable action.
-
-    Source: EN 1991-1-1:2002, 3.3.2(2)P.
-    """
-    return leading
+    return 1.0 if storeys <= 2 or not leading else (2.0 + (storeys - 2) * psi_0) / storeys
 
 
 def _check_category(category: str) -> None:

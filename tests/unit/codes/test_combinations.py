@@ -9,7 +9,7 @@ import pytest
 from edesign.codes.ec8 import national_parameters
 from edesign.codes.ec8.directions import combined_effect, direction_factors, vertical_component_counts
 from edesign.codes.en1990 import Combination, characteristic, frequent, fundamental, quasi_permanent, seismic
-from edesign.codes.en1991.imposed import alpha_A, alpha_n, may_use_alpha_n
+from edesign.codes.en1991.imposed import alpha_A, alpha_n
 from edesign.errors import InputError
 
 NATIONAL = national_parameters()
@@ -162,7 +162,7 @@ def test_reduction_of_imposed_loads() -> None:
     assert alpha_A(1000.0, "C", 0.7) == 0.6
     assert alpha_n(10, "A", 0.7) == pytest.approx(0.76)  # (2 + 8 x 0.7) / 10
     assert alpha_n(2, "A", 0.7) == alpha_n(1, "A", 0.7) == 1.0
-    assert may_use_alpha_n(leading=True) and not may_use_alpha_n(leading=False)
+    assert alpha_n(10, "A", 0.7, leading=False) == 1.0  # psi reduces it already
     with pytest.raises(InputError, match="category E .* are not reduced"):
         alpha_n(5, "E", 1.0)
     with pytest.raises(InputError, match="category of imposed load `Z`"):

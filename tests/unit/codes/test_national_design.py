@@ -73,7 +73,7 @@ def test_a_zone_of_france_takes_one_type_of_spectrum() -> None:
     france = national_parameters("france")
     france.check_spectrum_type("3", 2)
     france.check_spectrum_type("5", 1)
-    with pytest.raises(InputError, match="zone 3 of france takes spectrum 2, not 1"):
+    with pytest.raises(InputError, match="zone 3 of france takes spectrum type 2, not 1"):
         france.check_spectrum_type("3", 1)
     with pytest.raises(InputError, match="no zone in france `6`"):
         france.check_spectrum_type("6", 1)
@@ -99,7 +99,7 @@ frame:
 materials: {steel: {law: elastic, E: 210 GPa}}
 analyses: [{name: gravity, kind: gravity}]
 """
-    with pytest.raises(InputError, match=r":8:.*hazard\.spectrum: zone 4 of france takes spectrum 2"):
+    with pytest.raises(InputError, match=r":8:.*hazard\.spectrum: zone 4 of france takes spectrum type 2"):
         checked_hazard(parse_project(text))
     hazard = checked_hazard(parse_project(text.replace("spectrum: 1", "spectrum: 2")))
     # plateau of zone 4 on ground B: 1.6 x 1.35 x 2.5 / 4
