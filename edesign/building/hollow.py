@@ -7,6 +7,7 @@ import re
 from collections.abc import Collection, Iterator
 
 from edesign.building.profiles import profile_names
+from edesign.building.section import fillets
 from edesign.building.section_names import SectionNames
 
 _NAME = re.compile(r"(SHS|RHS|CHS)(\d{1,4}(?:\.\d{1,2})?)X(\d{1,4}(?:\.\d{1,2})?)(?:X(\d{1,3}(?:\.\d{1,2})?))?")
@@ -39,6 +40,24 @@ def hollow_area(name: str) -> float | None:
         return math.pi * (height - thickness) * thickness
     corners = (4.0 - math.pi) * ((1.5 * thickness) ** 2 - thickness**2)
     return 2.0 * thickness * (height + width - 2.0 * thickness) - corners
+
+
+def hollow_inertia(name: str, strong: bool = True) -> float | None:
+    """Return the second moment of area, m4, of a hollow section about its strong or weak axis; None: it is none.
+
+    Source: EN 10210-2:2006, Annex A: rectangles less the rounded corners, each a square without a quarter of a circle.
+    """
+    sizes = hollow_sizes(name)
+    if sizes is None:
+        return None
+    height, width, t = sizes
+    if width == 0.0:
+        return math.pi / 64.0 * (height**4 - (height - 2.0 * t) ** 4)
+    depth, across = (max(height, width), min(height, width)) if strong else (min(height, width), max(height, width))
+    walls = (across * depth**3 - (across - 2.0 * t) * (depth - 2.0 * t) ** 3) / 12.0
+    outer, inner = fillets(0.5 * depth, 1.5 * t), fillets(0.5 * depth - t, t)
+    lost = sum(pair.inertia + pair.area * pair.centre**2 for pair in outer)
+    return walls - lost + sum(pair.inertia + pair.area * pair.centre**2 for pair in inner)
 
 
 class BuildingSections(Collection[str]):

@@ -1,4 +1,4 @@
-"""`edesign check`: read a project or study, build its frame, and run nothing."""
+"""`edesign check`: read a project, study or building, build its frame, and run nothing."""
 
 from __future__ import annotations
 
@@ -8,14 +8,22 @@ from typing import Annotated
 import typer
 
 
-def check(project: Annotated[Path, typer.Argument(help="The project or study file.", show_default=False)]) -> None:
-    """Check a project or study file, its records and its frame; print a summary."""
+def check(
+    project: Annotated[Path, typer.Argument(help="The project, study or building file.", show_default=False)],
+) -> None:
+    """Check a project, study or building file, its records and its frame; print a summary."""
+    from edesign.building.building_file import load_building
     from edesign.building.project_file import load_project, load_study
-    from edesign.project.study_loader import is_study
+    from edesign.project.yaml_file import file_kind
     from edesign.report.visible import visible_line
+    from edesign.space.check import check_building
     from edesign.study.check import check_project, check_study
 
-    found = check_study(load_study(project)) if is_study(project) else check_project(load_project(project))
+    kind = file_kind(project)
+    if kind == "building":
+        found = check_building(load_building(project))
+    else:
+        found = check_study(load_study(project)) if kind == "study" else check_project(load_project(project))
     for label, text in found.items():
         for i, line in enumerate(text.split("\n")):
             print(visible_line(f"{label + ':' if i == 0 else '':<11} {line}"))

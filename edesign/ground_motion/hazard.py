@@ -15,21 +15,22 @@ from edesign.codes.ec8 import (
 )
 from edesign.codes.ec8.importance import factor_of_probability, factor_of_return_period
 from edesign.errors import InputError
+from edesign.project.building.building import Building
 from edesign.project.hazard import YEAR, Hazard
 from edesign.project.problems import unknown_name
 from edesign.project.project import Project
 from edesign.project.units import STANDARD_GRAVITY
 
 
-def checked_hazard(project: Project) -> Hazard:
-    """Return the hazard of a project after checking everything that its code has to say.
+def checked_hazard(project: Project | Building) -> Hazard:
+    """Return the hazard of a project or building after checking everything that its code has to say.
 
     Args:
-        project: the validated project.
+        project: the validated project or building.
 
     Raises:
-        InputError: the project has no hazard, or names a country, zone or parameter that does not exist or fit; the
-            message names the place in the project file.
+        InputError: it has no hazard, or names a country, zone or parameter that does not exist or fit; the
+            message names the place in the file.
     """
     hazard = project.hazard
     if hazard is None:

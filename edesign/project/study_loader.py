@@ -12,11 +12,9 @@ from edesign.project.problems import FileProblems, Problems
 from edesign.project.project import Project
 from edesign.project.sections import Catalogue
 from edesign.project.study import Study
-from edesign.project.yaml_file import KINDS, check_model, read_yaml_text
-from edesign.project.yaml_nodes import top_level_keys
+from edesign.project.yaml_file import check_model, file_kind, read_yaml_text
 
-_KIND = "edesign_study"
-_WHAT, _BEGINS = "study file", f"{_KIND}: 1"
+_WHAT, _BEGINS = "study file", "edesign_study: 1"
 
 
 class StudyError(FileProblems):
@@ -29,8 +27,7 @@ def is_study(path: Path | str) -> bool:
     Raises:
         InputError: it cannot be read.
     """
-    text = read_yaml_text(Path(path), "project or study file")
-    return next((key for key in top_level_keys(text) if key in KINDS), "") == _KIND
+    return file_kind(path) == "study"
 
 
 def load_study(path: Path | str, profiles: Catalogue | None = None) -> Study:

@@ -12,7 +12,7 @@ from edesign.project.explain import explain
 from edesign.project.file_bytes import read_file
 from edesign.project.limits import YAML_ADVICE, YAML_BYTES
 from edesign.project.problems import Problem, Problems
-from edesign.project.yaml_nodes import Mark, parse
+from edesign.project.yaml_nodes import Mark, parse, top_level_keys
 
 M = TypeVar("M", bound=BaseModel)
 
@@ -37,6 +37,16 @@ def read_yaml_text(path: Path, what: str) -> str:
         InputError: missing, a folder, unreadable, too large, or not UTF-8.
     """
     return yaml_text(read_yaml_file(path, what), path)
+
+
+def file_kind(path: Path | str) -> str:
+    """Return what a file is, by the first of its keys that tells: "project", "study", "building", ...; "" if none does.
+
+    Raises:
+        InputError: it cannot be read.
+    """
+    text = read_yaml_text(Path(path), "project or study file")
+    return next((KINDS[key] for key in top_level_keys(text) if key in KINDS), "")
 
 
 def read_yaml_file(path: Path, what: str) -> bytes:

@@ -66,16 +66,23 @@ def live_case(category: str) -> str:
     return f"Q_{category}"
 
 
-def on_nodes(frame: SpaceFrame, case: LoadCase) -> np.ndarray:
-    """Return what each node carries of a case if its members are simply supported, (n_nodes, 3) N, global."""
+def on_nodes(frame: SpaceFrame, case: LoadCase, but: np.ndarray | None = None) -> np.ndarray:
+    """Return what each node carries of a case if its members are simply supported, (n_nodes, 3) N, global.
+
+    Args:
+        frame: nodes and members.
+        case: one of its load cases.
+        but: (n_members,) members whose loads do not count; None: all count.
+    """
     found = case.nodal[:, :3].copy()
     ends = np.array([[member.start, member.end] for member in frame.members])
-    half = 0.5 * case.uniform * frame.length[:, None]
+    counts = np.ones(len(frame.members)) if but is None else np.where(but, 0.0, 1.0)
+    half = 0.5 * case.uniform * (frame.length * counts)[:, None]
     np.add.at(found, ends[:, 0], half)
     np.add.at(found, ends[:, 1], half)
-    place = case.point_position[:, None]
-    np.add.at(found, ends[case.point_member, 0], (1.0 - place) * case.point_force)
-    np.add.at(found, ends[case.point_member, 1], place * case.point_force)
+    place, points = case.point_position[:, None], case.point_force * counts[case.point_member, None]
+    np.add.at(found, ends[case.point_member, 0], (1.0 - place) * points)
+    np.add.at(found, ends[case.point_member, 1], place * points)
     return found
 
 
@@ -145,6 +152,13 @@ def _members_of(place: BeamPlace, members: dict[str, int]) -> list[int]:
     """The member of a beam, or those of its two halves."""
     name = str(place)
     return [members[name]] if name in members else [members[f"{name}_1"], members[f"{name}_2"]]
+
+
+def on_members(frame: SpaceFrame, case: LoadCase) -> np.ndarray:
+    """Return the whole load of a case on each member, (n_members, 3) N, global."""
+    found = case.uniform * frame.length[:, None]
+    np.add.at(found, case.point_member, case.point_force)
+    return found
 
 
 def _self_weight(building: Building, frame: SpaceFrame) -> LoadCase:

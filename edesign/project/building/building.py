@@ -152,7 +152,7 @@ class Building(FileModel):
         return tuple(accumulate(self.heights, initial=0.0))
 
     def support(self, line: ColumnLine) -> Springs:
-        """Return what holds the foot of a column line; one that a mapping does not name takes its `default`, or fixed."""
+        """Return what holds the foot of a column line; without a name in a mapping its `default`, or fixed."""
         if not isinstance(self.supports, dict):
             return springs_of(self.supports)
         found = self.supports.get("default", "fixed")

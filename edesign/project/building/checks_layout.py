@@ -62,7 +62,7 @@ def _selections(building: Building, problems: Problems) -> bool:
     for i, brace in enumerate(building.braces):
         keys: Keys = ("braces", i)
         check.frames((*keys, "frames"), brace.frames, brace.along)
-        check.numbers((*keys, "bays"), brace.bays, f"bay along {brace.along}", building.n_bays(brace.along))
+        check.numbers((*keys, "bays"), brace.bays, "bay", building.n_bays(brace.along), f" along {brace.along}")
         check.storeys(keys, brace.storeys)
         if brace.kind in CHEVRONS and brace.compression is False:
             message = f"both braces of a {brace.kind} count, in tension and compression (EN 1998-1, 6.7.2(2)P)"

@@ -62,12 +62,12 @@ def _area(building: Building, problems: Problems, keys: Keys, area: Areas) -> No
         for panel in sorted(wanted & layout.floors[floor]):
             bare |= {beam for beam in carriers(area, edges(panel, floor)) if beam not in layout.beam_at}
     if bare:
-        message = f"the floor rests on beams that are missing: {listed(sorted(bare, key=_by_floor))}"
+        message = f"the floor rests on beams that are missing: {listed(_by_floor(bare))}"
         problems.at_value(keys, message)
 
 
-def _by_floor(place: BeamPlace) -> tuple[int, BeamPlace]:
-    return place.floor, place
+def _by_floor(places: set[BeamPlace]) -> list[BeamPlace]:
+    return sorted(places, key=lambda place: (place.floor, place))
 
 
 def carriers(area: Areas, around: tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]) -> tuple[BeamPlace, ...]:

@@ -25,13 +25,13 @@ class Selections:
         self.building = building
         self.problems = problems
 
-    def numbers(self, keys: Keys, chosen: NumberSelection, what: str, last: int) -> bool:
-        """Every number is from 1 to `last`."""
+    def numbers(self, keys: Keys, chosen: NumberSelection, what: str, last: int, of: str = "") -> bool:
+        """Every number is from 1 to `last`; `of` says more of what they are."""
         good = True
         for i, (low, high) in enumerate(chosen.ranges):
             if low < 1 or high > last:
                 outside = low if low < 1 else high
-                message = f"there is no {what} {outside}; {what}s are numbered 1 to {last}"
+                message = f"there is no {what} {outside}{of}; {what}s are numbered 1 to {last}"
                 self.problems.at_item(keys, i, message)
                 good = False
         return good
@@ -52,7 +52,7 @@ class Selections:
             at = (*keys, i) if several else keys
             for along, chosen in (("x", block.x), ("y", block.y)):
                 last = self.building.n_bays("x" if along == "x" else "y")
-                good &= self.numbers((*at, along), chosen, f"bay along {along}", last)
+                good &= self.numbers((*at, along), chosen, "bay", last, f" along {along}")
         return good
 
     def lines(self, keys: Keys, chosen: ColumnLineSelection) -> bool:
@@ -86,7 +86,7 @@ class Selections:
         """Frames, bays and floors exist."""
         frames = self.frames((*keys, "frames"), chosen.frames, chosen.along)
         last = self.building.n_bays(chosen.along)
-        bays = self.numbers((*keys, "bays"), chosen.bays, f"bay along {chosen.along}", last)
+        bays = self.numbers((*keys, "bays"), chosen.bays, "bay", last, f" along {chosen.along}")
         return self.floors(keys, chosen.floors) and frames and bays
 
     def standing_beams(self, keys: Keys, chosen: BeamPlaces) -> bool:

@@ -138,8 +138,8 @@ class Design(Model):
     """What is checked, and how the seismic action is combined.
 
     Where q is of the table, a building that is not `regular_in_elevation` has 0.8 of it (EN 1998-1, 4.2.3.1(7)).
-    `level` of the hazard; without it the only one. `accidental_torsion`: eccentricity over the length of the plan, 0 for
-    none. `directions`: share of the other direction's action, or `srss`.
+    `level` of the hazard; without it the only one. `accidental_torsion`: eccentricity over the length of the plan, 0
+    for none. `directions`: share of the other direction's action, or `srss`.
     """
 
     code: Codes = Codes()

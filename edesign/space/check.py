@@ -1,0 +1,131 @@
+"""What `edesign check` says of a building: its geometry, its members, loads and masses of its floors."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from typing import TypeVar
+
+import numpy as np
+
+from edesign.ground_motion.hazard import checked_hazard
+from edesign.project.building.building import Building
+from edesign.project.building.layout import DIRECTIONS
+from edesign.project.building.names import column_name
+from edesign.project.problems import listed
+from edesign.space.extract.rectangles import plane_section
+from edesign.space.frame import SpaceFrame
+from edesign.space.geometry import space_frame
+from edesign.space.load_cases import on_nodes
+
+R = TypeVar("R")
+
+
+def check_building(building: Building) -> dict[str, str]:
+    """Check what a run would meet, and describe the building in a few lines.
+
+    Args:
+        building: from `load_building`.
+
+    Returns:
+        Text by label: title, plan, storeys, members, loads, masses; and warnings, one a line.
+
+    Raises:
+        InputError: the values are not those of the text, a name in the hazard is unknown, or a mass is negative.
+    """
+    building.check_unchanged()
+    if building.hazard is not None:
+        checked_hazard(building)
+    frame = space_frame(building)
+    warnings = _warnings(building)
+    return {
+        "title": building.title,
+        "plan": ", ".join(_bays(building.widths(along), along) for along in DIRECTIONS),
+        "storeys": f"{building.n_storeys}, {building.levels[-1]:g} m high; {len(frame.node_names)} nodes",
+        "members": _members(frame),
+        "loads": _loads(frame),
+        "masses": _masses(frame) if building.masses is not None else "none",
+        **({"warnings": "\n".join(warnings)} if warnings else {}),
+    }
+
+
+def floor_of_nodes(frame: SpaceFrame) -> np.ndarray:
+    """Return the floor of each node by its level, (n_nodes,); the base is 0."""
+    return np.searchsorted(frame.levels, frame.coordinates[:, 2])
+
+
+def floor_loads(frame: SpaceFrame) -> dict[str, np.ndarray]:
+    """Return what each load case brings to the floors, (n_floors + 1,) N downwards, the base first, by case."""
+    floors = floor_of_nodes(frame)
+    return {
+        name: np.bincount(floors, -on_nodes(frame, case)[:, 2], minlength=frame.n_floors + 1)
+        for name, case in frame.cases.items()
+    }
+
+
+def _bays(widths: tuple[float, ...], along: str) -> str:
+    count = f"{len(widths)} bay{'s' * (len(widths) > 1)}"
+    return f"{count} along {along}, {sum(widths):g} m"
+
+
+def _members(frame: SpaceFrame) -> str:
+    """Number, kind, section and material of each group, a line each."""
+    groups = Counter((m.group, m.kind, m.section, m.material) for m in frame.members)
+    return "\n".join(
+        f"{group}: {count} {kind}{'s' * (count > 1)} {section} {material}"
+        for (group, kind, section, material), count in groups.items()
+    )
+
+
+def _loads(frame: SpaceFrame) -> str:
+    """Total load of each case by floors, equal floors in one line, and in all."""
+    loads = {name: np.round(values / 1e3, 6) for name, values in floor_loads(frame).items()}
+    rows = [tuple(values[floor] for values in loads.values()) for floor in range(1, frame.n_floors + 1)]
+    names = list(loads)
+    lines = [f"{floors}: {_sums(names, row)}" for floors, row in _floors(rows)]
+    totals = tuple(float(values.sum()) for values in loads.values())
+    return "\n".join([*lines, f"building: {_sums(names, totals)}"])
+
+
+def _sums(names: list[str], values: tuple[float, ...]) -> str:
+    return ", ".join(f"{name} {value:.1f} kN" for name, value in zip(names, values, strict=True))
+
+
+def _masses(frame: SpaceFrame) -> str:
+    """Mass, its centre and radius of gyration at each floor, and the mass in all."""
+    floors = floor_of_nodes(frame)
+    rows = []
+    for floor in range(1, frame.n_floors + 1):
+        mass, plan = frame.node_mass[floors == floor], frame.coordinates[floors == floor, :2]
+        total = float(mass.sum())
+        if total == 0.0:
+            rows.append("no mass")
+            continue
+        x, y = (mass @ plan) / total
+        gyration = float(np.sqrt(mass @ ((plan - (x, y)) ** 2).sum(axis=1) / total))
+        rows.append(f"{total / 1e3:.1f} t at x = {x:.2f} m, y = {y:.2f} m, radius of gyration {gyration:.2f} m")
+    lines = [f"{floors_text}: {text}" for floors_text, text in _floors(rows)]
+    return "\n".join([*lines, f"building: {frame.node_mass.sum() / 1e3:.1f} t"])
+
+
+def _floors(rows: Sequence[R]) -> Iterator[tuple[str, R]]:
+    """Each run of equal rows with the floors that it is of."""
+    first = 0
+    for i in range(1, len(rows) + 1):
+        if i == len(rows) or rows[i] != rows[first]:
+            yield (f"floor {first + 1}" if i == first + 1 else f"floors {first + 1}-{i}"), rows[first]
+            first = i
+
+
+def _warnings(building: Building) -> list[str]:
+    """What is allowed and may not be meant: columns that grow upwards."""
+    at = building.layout.column_at
+    larger = [
+        column_name(line, storey)
+        for (line, storey), run in at.items()
+        if (below := at.get((line, storey - 1))) is not None
+        and plane_section(run.section, True)[0] > plane_section(below.section, True)[0]
+    ]
+    if not larger:
+        return []
+    return [f"columns are larger than those below them: {listed(larger)}"]

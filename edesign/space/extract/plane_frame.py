@@ -1,0 +1,193 @@
+"""A plane frame of a building with what falls to it: loads on its beams and nodes, masses, supports."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.project.building.building import Building
+from edesign.project.building.layout import DIRECTIONS
+from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Ends
+from edesign.project.building.names import (
+    BeamPlace,
+    BracePlace,
+    ColumnLine,
+    Direction,
+    bay_lines,
+    frame_name,
+    node_name,
+)
+from edesign.project.problems import listed
+from edesign.space.frame import SpaceFrame
+from edesign.space.load_cases import on_members, on_nodes
+
+AtNodes = dict[tuple[int, int], float]
+"""Values by number of the line, from 0, and floor."""
+
+
+@dataclass(frozen=True)
+class PlaneFrame:
+    """A plane frame of a building.
+
+    Attributes:
+        building: from `load_building`.
+        space: its space frame.
+        along: direction of the frame.
+        number: of the frame, from 0.
+    """
+
+    building: Building
+    space: SpaceFrame
+    along: Direction
+    number: int
+
+    @property
+    def name(self) -> str:
+        return frame_name(self.along, self.number)
+
+    @cached_property
+    def lines(self) -> tuple[ColumnLine, ...]:
+        """Its column lines, from its beginning."""
+        bays = [bay_lines(self.along, self.number, bay + 1) for bay in range(self.building.n_bays(self.along))]
+        return (bays[0][0], *(end for _, end in bays))
+
+    @cached_property
+    def columns(self) -> dict[tuple[int, int], ColumnRun]:
+        """Its columns by (number of the line from 0, storey)."""
+        at = self.building.layout.column_at
+        places = [(i, s) for s in range(1, self.building.n_storeys + 1) for i in range(len(self.lines))]
+        return {(i, s): at[self.lines[i], s] for i, s in places if (self.lines[i], s) in at}
+
+    @cached_property
+    def beams(self) -> dict[BeamPlace, BeamRun]:
+        """Its beams."""
+        at = self.building.layout.beam_at
+        return {p: run for p, run in at.items() if (p.along, p.frame) == (self.along, self.number)}
+
+    @cached_property
+    def braces(self) -> dict[BracePlace, BraceRun]:
+        """Its braces."""
+        at = self.building.layout.brace_at
+        return {p: run for p, run in at.items() if (p.along, p.frame) == (self.along, self.number)}
+
+    @property
+    def resists(self) -> bool:
+        """Whether braces, or beams with a moment at an end, resist horizontal forces in it."""
+        return bool(self.braces) or any(not _pinned(run.ends) for run in self.beams.values())
+
+    def beam_load(self, factors: Mapping[str, float]) -> dict[tuple[int, int], float]:
+        """Return the mean load on each of its beams, by (bay, floor), N/m, downwards.
+
+        Args:
+            factors: on load cases, by name.
+        """
+        total = np.zeros(len(self.space.members))
+        for name, factor in factors.items():
+            total -= factor * on_members(self.space, self.space.cases[name])[:, 2]
+        numbers = {member.name: i for i, member in enumerate(self.space.members)}
+        widths = self.building.widths(self.along)
+        return {(p.bay, p.floor): float(total[numbers[str(p)]]) / widths[p.bay - 1] for p in self.beams}
+
+    def node_load(self, factors: Mapping[str, float]) -> AtNodes:
+        """Return what other members bring to its nodes above the base, N, downwards; arguments as `beam_load`.
+
+        Beams at right angles bring half of their load, columns and braces half of their weight.
+        """
+        own = {str(place) for place in self.beams}
+        return self._carried(factors, np.array([member.name in own for member in self.space.members]))
+
+    def weight(self, factors: Mapping[str, float]) -> AtNodes:
+        """Return what its nodes above the base carry of all members, N, downwards; arguments as `beam_load`."""
+        return self._carried(factors, None)
+
+    def node_mass(self) -> AtNodes:
+        """Return the mass at each of its nodes above the base, kg."""
+        return self._at_nodes(self.space.node_mass)
+
+    def _carried(self, factors: Mapping[str, float], but: np.ndarray | None) -> AtNodes:
+        total = np.zeros(len(self.space.node_names))
+        for name, factor in factors.items():
+            total -= factor * on_nodes(self.space, self.space.cases[name], but)[:, 2]
+        return self._at_nodes(total)
+
+    def _at_nodes(self, values: np.ndarray) -> AtNodes:
+        """Values of its nodes; those in the middle of a beam go to its ends in halves."""
+        nodes = {name: i for i, name in enumerate(self.space.node_names)}
+        whole = values.astype(float)
+        for beam in self.building.layout.halved_beams:
+            for line in beam.lines:
+                whole[nodes[node_name(line, beam.floor)]] += 0.5 * values[nodes[str(beam)]]
+        places = [(i, floor) for floor in range(1, self.building.n_storeys + 1) for i in range(len(self.lines))]
+        named = {place: node_name(self.lines[place[0]], place[1]) for place in places}
+        return {place: float(whole[nodes[name]]) for place, name in named.items() if name in nodes}
+
+    def support(self, i: int) -> str:
+        """Return the support of a line in the plane of the frame: fixed, pinned, roller.
+
+        Raises:
+            InputError: it is a spring, which project files do not have.
+        """
+        springs = self.building.support(self.lines[i])
+        held = (springs.ux, springs.ry) if self.along == "x" else (springs.uy, springs.rx)
+        kinds = {("fixed", "fixed"): "fixed", ("fixed", "free"): "pinned", ("free", "free"): "roller"}
+        kind = kinds.get((str(held[0]), str(held[1])))
+        if springs.uz != "fixed" or kind is None:
+            raise self._refuse(
+                f"project files have no support like that of {self.lines[i]}, only fixed, pinned, roller"
+            )
+        return kind
+
+    def check(self) -> None:
+        """Check that a project file can say what the frame is.
+
+        Raises:
+            InputError: it has semi-rigid ends, or chevrons, or no column.
+        """
+        soft = [str(place) for place, run in self.beams.items() if _semi_rigid(run.ends)]
+        if soft:
+            raise self._refuse(f"project files have no semi-rigid ends, as those of {listed(soft)}")
+        halved = [str(place) for place in self.beams if place in self.building.layout.halved_beams]
+        if halved:
+            raise self._refuse(f"project files have no braces to the middle of a beam, as to that of {listed(halved)}")
+        if not self.columns:
+            raise self._refuse("no column stands in it")
+
+    def _refuse(self, message: str) -> InputError:
+        return InputError(f"{self.building.path}: frame {self.name}: {message}")
+
+
+def plane_frame(building: Building, space: SpaceFrame, name: str) -> PlaneFrame:
+    """Return a plane frame of a building by its name.
+
+    Args:
+        building: from `load_building`.
+        space: its space frame.
+        name: `X2` along x on line 2, `YA` along y on line A.
+
+    Raises:
+        InputError: there is no such frame.
+    """
+    for along in DIRECTIONS:
+        for number in range(building.n_frames(along)):
+            if name.strip().upper() == frame_name(along, number):
+                return PlaneFrame(building, space, along, number)
+    known = " and ".join(f"{frame_name(a, 0)} to {frame_name(a, building.n_frames(a) - 1)}" for a in DIRECTIONS)
+    raise InputError(f"{building.path}: there is no frame `{name}`; the frames are {known}")
+
+
+def parallel_frames(frame: PlaneFrame) -> list[PlaneFrame]:
+    """Return all frames of the building in the direction of one, with itself."""
+    count = frame.building.n_frames(frame.along)
+    return [PlaneFrame(frame.building, frame.space, frame.along, number) for number in range(count)]
+
+
+def _pinned(ends: Ends) -> bool:
+    return ends.start == ends.end == "pinned"
+
+
+def _semi_rigid(ends: Ends) -> bool:
+    return isinstance(ends.start, float) or isinstance(ends.end, float)

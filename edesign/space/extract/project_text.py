@@ -1,0 +1,267 @@
+"""A plane frame of a building as the text of a project file."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from edesign.project.building.layout import ways
+from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.names import line_name
+from edesign.project.yaml_edit import yaml_text
+from edesign.space.extract.leaning import leaning, leaning_shares
+from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames
+from edesign.space.extract.rectangles import plane_name, plane_section, rectangles
+from edesign.space.extract.selections import runs, value
+from edesign.space.load_cases import PERMANENT, SELF_WEIGHT
+
+LEANING = "leaning"
+"""Section of the line of columns that stands for what leans on the frame."""
+
+
+def project_text(frame: PlaneFrame) -> str:
+    """Return a plane frame as a project file: tributary loads and masses, sections, supports, and first analyses.
+
+    The loads of a beam are spread over its length. The steel is elastic-perfectly plastic. Parallel frames that resist
+    nothing stand as one more line of pin-ended columns, tied by the diaphragms, with their share of mass and load.
+
+    Args:
+        frame: of a building.
+
+    Raises:
+        InputError: it has semi-rigid ends, chevrons or springs at its feet, which project files do not have.
+    """
+    frame.check()
+    return "\n".join(_ProjectText(frame).text)
+
+
+class _ProjectText:
+    """The parts of the file."""
+
+    def __init__(self, frame: PlaneFrame) -> None:
+        self.frame = frame
+        self.building = frame.building
+        self.storeys = frame.building.n_storeys
+        self.shares = leaning_shares(frame)
+        tied = len(frame.building.diaphragms.numbers(1, self.storeys)) == self.storeys
+        self.leans = bool(self.shares) and tied
+        """Whether there is a line for what leans on the frame."""
+        self.lines = range(len(frame.lines) + self.leans)
+        self.bays = range(1, len(self.lines))
+        self.leaning_line = len(frame.lines)
+
+    @property
+    def text(self) -> list[str]:
+        parts = (
+            self.head,
+            self.grid,
+            self.members,
+            self.sections,
+            self.materials,
+            self.loads,
+            self.masses,
+            self.actions,
+        )
+        return [line for part in parts for line in part()]
+
+    def head(self) -> list[str]:
+        frame = self.frame
+        last = line_name(len(frame.lines) - 1)
+        text = [
+            f"# Frame {frame.name} of the building; lines A to {last} are its column lines {frame.lines[0]} to "
+            f"{frame.lines[-1]}.",
+            "# Beams carry the mean of their loads over their length, nodes what beams at right angles bring.",
+        ]
+        others = parallel_frames(frame)
+        shares = ", ".join(f"{share:.4g} of {others[number].name}" for number, share in self.shares.items())
+        if self.leans:
+            text += [
+                f"# Frames that resist nothing along {frame.along} lean on this one by the lever rule: {shares}.",
+                f"# Line {line_name(self.leaning_line)} is theirs: pin-ended columns with their masses and loads.",
+            ]
+        elif self.shares:
+            text += [
+                f"# Frames that resist nothing along {frame.along} lean on this one by the lever rule: {shares}.",
+                "# Not all floors are diaphragms, which would tie them: their masses and loads are not in this file.",
+            ]
+        if any(not run.in_compression for run in frame.braces.values()):
+            text.append("# The building counts these diagonals in tension alone; here they carry compression too.")
+        return [*text, "", "edesign: 1", f"title: {yaml_text(f'{self.building.title}, frame {frame.name}')}", ""]
+
+    def grid(self) -> list[str]:
+        widths = list(self.building.widths(self.frame.along))
+        widths += widths[-1:] if self.leans else []
+        supports = {i: self.frame.support(i) for i in range(self.leaning_line) if (i, 1) in self.frame.columns}
+        supports |= {self.leaning_line: "pinned"} if self.leans else {}
+        kinds = set(supports.values())
+        by_line = "{" + ", ".join(f"{line_name(i)}: {kind}" for i, kind in supports.items()) + "}"
+        return [
+            "frame:",
+            f"  bays: {_lengths(widths, 'width')}",
+            f"  storeys: {_lengths(self.building.heights, 'height')}",
+            f"  supports: {kinds.pop() if len(kinds) == 1 else by_line}",
+            f"  diaphragms: {self.building.diaphragms}",
+        ]
+
+    def members(self) -> list[str]:
+        frame = self.frame
+        columns = {place: (self._column_section(run), run.material) for place, run in frame.columns.items()}
+        first = next(iter(frame.columns.values())).material
+        columns |= {(self.leaning_line, s): (LEANING, first) for s in range(1, self.storeys + 1) if self.leans}
+        beams = {(p.bay, p.floor): (run.section, run.material) for p, run in frame.beams.items()}
+        braces = {}
+        for place, run in frame.braces.items():
+            found = ways(place, run)
+            kind = "cross" if len(found) == 2 else "rising" if "r" in found else "falling"
+            braces[place.bay, place.storey] = kind, run.section, run.material
+        text = ["  columns:"]
+        for at, storeys, (name, steel) in runs(columns, self.lines, self.storeys, line_name):
+            text.append(f"    - {{lines: {at}, storeys: {storeys}, {_section(name, steel)}}}")
+        text.append("  beams:" if beams else "  beams: []")
+        for at, floors, (name, steel) in runs(beams, self.bays, self.storeys, str):
+            text.append(f"    - {{bays: {at}, floors: {floors}, {_section(name, steel)}}}")
+        text += ["  braces:"] if braces else []
+        for at, storeys, (kind, name, steel) in runs(braces, self.bays, self.storeys, str):
+            text.append(f"    - {{bays: {at}, storeys: {storeys}, kind: {kind}, {_section(name, steel)}}}")
+        return [*text, *self._missing(columns, beams), *self._releases(), ""]
+
+    def _missing(self, columns: Mapping[tuple[int, int], object], beams: Mapping[tuple[int, int], object]) -> list[str]:
+        """Places of the grid that this frame does not fill."""
+        levels = range(1, self.storeys + 1)
+        no_columns = {(i, s): True for s in levels for i in self.lines if (i, s) not in columns}
+        no_beams = {(b, f): True for f in levels for b in self.bays if (b, f) not in beams}
+        text = ["  missing:"] if no_columns or no_beams else []
+        if no_columns:
+            places = runs(no_columns, self.lines, self.storeys, line_name)
+            text.append("    columns: [" + ", ".join(f"{{lines: {at}, storeys: {s}}}" for at, s, _ in places) + "]")
+        if no_beams:
+            places = runs(no_beams, self.bays, self.storeys, str)
+            text.append("    beams: [" + ", ".join(f"{{bays: {at}, floors: {f}}}" for at, f, _ in places) + "]")
+        return text
+
+    def _releases(self) -> list[str]:
+        ends = {(True, True): "both", (True, False): "start", (False, True): "end"}
+        pins = {}
+        for p, run in self.frame.beams.items():
+            pinned = (run.ends.start == "pinned", run.ends.end == "pinned")
+            if any(pinned):
+                pins[p.bay, p.floor] = ends[pinned]
+        text = ["  releases:"] if pins or self.leans else []
+        for at, floors, which in runs(pins, self.bays, self.storeys, str):
+            text.append(f"    - {{beams: {{bays: {at}, floors: {floors}}}, ends: {which}}}")
+        if self.leans:
+            text.append(f"    - {{columns: {{lines: {line_name(self.leaning_line)}, storeys: all}}, ends: both}}")
+        return text
+
+    def _column_section(self, run: ColumnRun) -> str:
+        return plane_name(run.section, run.strong == self.frame.along)
+
+    def sections(self) -> list[str]:
+        """Own sections: hollow ones, I sections about their weak axis, and that of what leans on the frame."""
+        own: dict[str, str] = {}
+        for column in self.frame.columns.values():
+            own[self._column_section(column)] = rectangles(column.section, column.strong == self.frame.along)
+        others: list[BeamRun | BraceRun] = [*self.frame.beams.values(), *self.frame.braces.values()]
+        for run in others:
+            own[run.section] = rectangles(run.section, strong=True)
+        text = [f"  {yaml_text(name)}: {{rectangles: [{parts}]}}" for name, parts in own.items() if parts]
+        if self.leans:
+            text.append(f"  {LEANING}: {self._leaning_section()}")
+        return [
+            *(["sections:", *text, ""] if text else []),
+            "fibres: {fillets: true}                # areas and moments of inertia of the catalogue",
+            "",
+        ]
+
+    def _leaning_section(self) -> str:
+        """The share of the columns of the first storey; pin-ended, they do not bend."""
+        others = parallel_frames(self.frame)
+        area = inertia = 0.0
+        for number, share in self.shares.items():
+            for (_, storey), run in others[number].columns.items():
+                if storey == 1:
+                    own_area, own_inertia = plane_section(run.section, run.strong == self.frame.along)
+                    area, inertia = area + share * own_area, inertia + share * own_inertia
+        return f"{{area: {value(1e4 * area, 'cm^2')}, inertia: {value(1e8 * inertia, 'cm^4')}}}"
+
+    def materials(self) -> list[str]:
+        frame = self.frame
+        used = [run.material for run in frame.columns.values()] + [run.material for run in frame.beams.values()]
+        used += [run.material for run in frame.braces.values()]
+        text = ["materials:"]
+        for name in dict.fromkeys(used):
+            steel = self.building.materials[name]
+            moduli = f"E: {value(steel.E / 1e9, 'GPa')}, fy: {value(steel.fy / 1e6, 'MPa')}"
+            text.append(f"  {yaml_text(name)}: {{law: bilinear, {moduli}, hardening: 0}}")
+        return [*text, ""]
+
+    def loads(self) -> list[str]:
+        """Line loads and nodal loads; Q of several categories with different psi_2 is multiplied with them."""
+        G = {name: 1.0 for name in (PERMANENT, SELF_WEIGHT) if name in self.frame.space.cases}
+        Q, factor, why = self._live()
+        beams_G, beams_Q = self.frame.beam_load(G), self.frame.beam_load(Q)
+        nodes_G, nodes_Q = self._node_load(G), self._node_load(Q)
+        beams = {place: (_kilo(load), _kilo(beams_Q.get(place, 0.0))) for place, load in beams_G.items()}
+        nodes = {node: (_kilo(load), _kilo(nodes_Q.get(node, 0.0))) for node, load in nodes_G.items()}
+        text = ["loads:", "  beams:" if beams else "  beams: []"]
+        for at, floors, (own, live) in runs(beams, self.bays, self.storeys, str):
+            text.append(f"    - {{bays: {at}, floors: {floors}, G: {value(own, 'kN/m')}, Q: {value(live, 'kN/m')}}}")
+        text.append("  nodes:")
+        for at, floors, (own, live) in runs(nodes, self.lines, self.storeys, line_name):
+            text.append(f"    - {{lines: {at}, floors: {floors}, G: {value(own, 'kN')}, Q: {value(live, 'kN')}}}")
+        return [*text, f"  gravity: {{G: 1.0, Q: {factor:.6g}}}              # {why}", ""]
+
+    def _node_load(self, factors: Mapping[str, float]) -> AtNodes:
+        found = self.frame.node_load(factors)
+        if self.leans:
+            weights = leaning(self.frame, lambda other: other.weight(factors))
+            found |= {(self.leaning_line, floor): weight for floor, weight in weights.items()}
+        return found
+
+    def _live(self) -> tuple[dict[str, float], float, str]:
+        """Factors on the live load cases, the factor of Q in the gravity loads, and what it is."""
+        live = {n: case.category for n, case in self.frame.space.cases.items() if case.category != "permanent"}
+        masses = self.building.masses
+        if masses is None or masses.from_loads is None:
+            return dict.fromkeys(live, 1.0), 0.3, "the building file does not say psi_2"
+        psi_2 = {name: masses.from_loads.psi_2(category) for name, category in live.items()}
+        if len(set(psi_2.values())) <= 1:
+            return dict.fromkeys(live, 1.0), next(iter(psi_2.values()), 0.0), "psi_2"
+        return psi_2, 1.0, "Q is multiplied with psi_2 of its categories"
+
+    def masses(self) -> list[str]:
+        found = self.frame.node_mass()
+        if self.leans:
+            leans = leaning(self.frame, PlaneFrame.node_mass)
+            found |= {(self.leaning_line, floor): mass for floor, mass in leans.items()}
+        tonnes = {node: _kilo(mass) for node, mass in found.items() if mass > 0.0}
+        if not tonnes:
+            return []
+        text = ["masses:", "  directions: horizontal", "  given:"]
+        for at, floors, mass in runs(tonnes, self.lines, self.storeys, line_name):
+            text.append(f"    - {{lines: {at}, floors: {floors}, mass: {value(mass, 't')}}}")
+        return [*text, ""]
+
+    def actions(self) -> list[str]:
+        """The seismic action of the building, and analyses to begin with."""
+        hazard = self.building.root.child("hazard")
+        text = [f"hazard: {yaml_text(hazard.plain())}", ""] if hazard is not None else []
+        text += ["analyses:", "  - {name: gravity, kind: gravity}"]
+        if self.building.masses is not None:
+            text.append(f"  - {{name: modes, kind: modal, modes: {min(3, self.storeys)}}}")
+            text.append("  - {name: pushover, kind: pushover, pattern: first_mode, roof_drift: 2 %}")
+        return [*text, ""]
+
+
+def _section(name: str, steel: str) -> str:
+    return f"section: {yaml_text(name)}, material: {yaml_text(steel)}"
+
+
+def _lengths(lengths: tuple[float, ...] | list[float], key: str) -> str:
+    if len(set(lengths)) == 1 and len(lengths) > 1:
+        return f"{{count: {len(lengths)}, {key}: {value(lengths[0], 'm')}}}"
+    return f"[{', '.join(value(length, 'm') for length in lengths)}]"
+
+
+def _kilo(number: float) -> float:
+    """A thousandth of a number, with the digits that are written, so that equal values are written once."""
+    return float(f"{number / 1e3:.6g}")
