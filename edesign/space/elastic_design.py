@@ -9,10 +9,8 @@ import numpy as np
 
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.criterion import Criterion
-from edesign.codes.ec8.modal_combination import needed_modes
 from edesign.codes.ec8.national import NationalParameters, Psi, national_parameters
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
-from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum
@@ -104,7 +102,7 @@ def elastic_design(building: Building) -> ElasticDesign:
     model = space_model(frame, building.materials)
     limit = {axis: largest_q(building, system_of(design, axis), axis, national.low_ductility_q) for axis in AXES}
     q = {axis: limit[axis] if (of := system_of(design, axis).q) == "table" else float(of) for axis in AXES}
-    modes = _modes(building, model, frame)
+    modes = model.modes(frame.node_mass, None if design.modes == "auto" else design.modes)
     static = static_response(model, frame)
     elastic = elastic_spectrum(hazard, design.level)
     response = {
@@ -181,15 +179,6 @@ def _psi(building: Building, national: NationalParameters) -> dict[str, Psi]:
             except KeyError:  # no load of this category
                 continue
     return psi
-
-
-def _modes(building: Building, model: SpaceModel, frame: SpaceFrame) -> SpaceModes:
-    wanted = design_of(building).modes
-    if wanted != "auto":
-        return model.modes(frame.node_mass, int(wanted))
-    modes = model.modes(frame.node_mass)
-    enough = needed_modes(modes.effective_mass_ratio[:, :2])
-    return modes if enough is None else model.modes(frame.node_mass, enough)
 
 
 def _notes(response: Mapping[Axis, SeismicResponse], of_storeys: Mapping[Axis, Storeys]) -> list[str]:

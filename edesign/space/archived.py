@@ -1,0 +1,170 @@
+"""The results of an elastic design as groups of an archive."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from edesign.archive.dataset import Group, Variable
+from edesign.space.elastic_design import ElasticDesign
+from edesign.space.response import AXES, STATIONS
+
+PLACE = "building"
+FORCES = ("N", "V_y", "V_z", "T", "M_y", "M_z")
+_UNITS = "N, moments N*m"
+
+
+def groups(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
+    """Yield the groups of an elastic design with their places below `PLACE`."""
+    yield PLACE, _summary(design)
+    yield f"{PLACE}/modes", _modes(design)
+    yield f"{PLACE}/combinations", _combinations(design)
+    for axis in AXES:
+        yield f"{PLACE}/storeys_{axis}", _storeys(design, axis)
+    yield f"{PLACE}/criteria", _criteria(design)
+    if design.joints:
+        yield f"{PLACE}/joints", _joints(design)
+    yield f"{PLACE}/members", _members(design)
+    yield f"{PLACE}/forces", _forces(design)
+
+
+def _summary(design: ElasticDesign) -> Group:
+    frame = design.frame
+    group = Group(
+        attributes={
+            "passed": int(design.passed),
+            "notes": list(design.notes),
+            "mass_kg": float(frame.node_mass.sum()),
+            "ductility_class": design.building.design.ductility_class if design.building.design else "",
+        }
+    )
+    for axis in AXES:
+        of = design.response[axis]
+        group.attributes |= {
+            f"q_{axis}": of.spectrum.q,
+            f"base_shear_{axis}_N": of.base_shear,
+            f"base_shear_without_beta_{axis}_N": of.base_shear_without_beta,
+            f"Omega_{axis}": design.overstrength[axis].Omega,
+            f"Omega_member_{axis}": design.overstrength[axis].governing,
+        }
+    return group
+
+
+def _modes(design: ElasticDesign) -> Group:
+    modes = design.modes
+    group = _numbered("mode", modes.period.size, "number of the mode")
+    group.add("period", ("mode",), modes.period, "s", "natural period")
+    for number, name in enumerate(("x", "y", "rz")):
+        ratio = modes.effective_mass_ratio[:, number]
+        group.add(f"effective_mass_ratio_{name}", ("mode",), ratio, "1", f"effective modal mass ratio, {name}")
+    group.coords["diaphragm"] = _numbers("diaphragm", modes.floor_shapes.shape[1], "rigid floor, from below")
+    group.coords["degree"] = Variable(("degree",), np.array(["ux", "uy", "rz"]), "", "degree of a floor")
+    shape = "shape of the floors, generalised mass 1"
+    group.add("floor_shape", ("mode", "diaphragm", "degree"), modes.floor_shapes, "kg^-1/2", shape)
+    for axis in AXES:
+        of = design.response[axis]
+        group.add(f"design_acceleration_{axis}", ("mode",), of.acceleration, "m/s^2", f"S_d(T), direction {axis}")
+        group.add(f"lower_bound_{axis}", ("mode",), of.lower_bound, "1", f"beta a_g governs, direction {axis}")
+    return group
+
+
+def _combinations(design: ElasticDesign) -> Group:
+    group = _numbered("combination", len(design.combinations), "number of the combination")
+    for name, text in (("name", "as reports print it"), ("set", "design situation"), ("equation", "of EN 1990")):
+        values = np.array([getattr(row, name) for row in design.combinations])
+        group.add(name, ("combination",), values, "", text)
+    return group
+
+
+def _storeys(design: ElasticDesign, axis: str) -> Group:
+    table = design.storeys[axis]  # type: ignore[index]
+    group = _numbered("storey", table.height.size, "storey, from below")
+    if table.limit is not None:
+        group.attributes["limit"] = table.limit
+    for name, unit, text in (
+        ("height", "m", "storey height"),
+        ("gravity", "N", "P_tot, gravity load at and above the storey"),
+        ("shear", "N", "V_tot, storey shear"),
+        ("drift", "m", "d_r, design interstorey drift"),
+        ("drift_q", "m", "q d_e"),
+        ("theta", "1", "interstorey drift sensitivity"),
+        ("theta_q", "1", "interstorey drift sensitivity with q d_e"),
+        ("amplification", "1", "factor for second-order effects"),
+        ("reduced", "1", "nu d_r / h"),
+    ):
+        group.add(name, ("storey",), getattr(table, name), unit, text)
+    return group
+
+
+def _criteria(design: ElasticDesign) -> Group:
+    rules = design.criteria
+    group = _numbered("rule", len(rules), "number of the rule")
+    for name, text in (("clause", "of EN 1998-1:2004"), ("text", "what is asked"), ("detail", "where, or what follows")):
+        group.add(name, ("rule",), np.array([getattr(rule, name) for rule in rules]), "", text)
+    for name, text in (("required", "limit"), ("value", "what was found")):
+        values = [np.nan if getattr(rule, name) is None else getattr(rule, name) for rule in rules]
+        group.add(name, ("rule",), np.array(values, dtype=float), "1", text)
+    passed = np.array([-1 if rule.passed is None else int(rule.passed) for rule in rules])
+    group.add("passed", ("rule",), passed, "1", "1: passed, 0: failed, -1: only informs")
+    return group
+
+
+def _joints(design: ElasticDesign) -> Group:
+    joints = design.joints
+    group = _numbered("joint", len(joints), "number of the joint")
+    group.add("node", ("joint",), np.array([joint.node for joint in joints]), "", "node")
+    group.add("axis", ("joint",), np.array([joint.axis for joint in joints]), "", "direction of its beams")
+    for name, unit, text in (
+        ("M_Rc", "N*m", "sum of the resistances of the columns"),
+        ("M_Rb", "N*m", "sum of the resistances of the beams"),
+        ("ratio", "1", "of both, at least 1.3"),
+    ):
+        group.add(name, ("joint",), np.array([getattr(joint, name) for joint in joints]), unit, text)
+    group.add("exempt", ("joint",), np.array([joint.exempt for joint in joints]), "1", "the rule is not asked here")
+    return group
+
+
+def _members(design: ElasticDesign) -> Group:
+    members = design.frame.members
+    names = np.array([member.name for member in members])
+    group = Group(coords={"member": Variable(("member",), names, "", "name of the member")})
+    for name in ("kind", "section", "material", "group"):
+        group.add(name, ("member",), np.array([getattr(member, name) for member in members]), "", name)
+    frames = np.array([", ".join(member.frame) for member in members])
+    group.add("frame", ("member",), frames, "", "plane frames that it stands in")
+    group.add("storey", ("member",), np.array([member.storey for member in members]), "1", "storey")
+    group.add("length", ("member",), design.frame.length, "m", "length")
+    checks = design.members
+    group.coords["check"] = Variable(("check",), np.array(checks.checks), "", "check")
+    group.add("clause", ("check",), np.array(checks.clauses), "", "clause of the check")
+    group.add("utilisation", ("member", "check"), checks.utilisation, "1", "largest utilisation, nan: does not apply")
+    group.add("combination", ("member", "check"), checks.combination, "1", "number of the governing combination, 0: none")
+    group.add("station", ("member", "check"), checks.station, "1", "governing place as a fraction of the length")
+    return group
+
+
+def _forces(design: ElasticDesign) -> Group:
+    acting = design.effects
+    names = np.array([member.name for member in design.frame.members])
+    group = Group(
+        coords={
+            "member": Variable(("member",), names, "", "name of the member"),
+            "station": Variable(("station",), STATIONS, "1", "place as a fraction of the length"),
+            "force": Variable(("force",), np.array(FORCES), "", "internal force, N positive in tension"),
+            "case": Variable(("case",), np.array(acting.cases), "", "load case"),
+            "axis": Variable(("axis",), np.array(AXES), "", "direction of the seismic action"),
+        }
+    )
+    group.add("static", ("case", "member", "station", "force"), acting.static, _UNITS, "effects of load cases")
+    text = "effects of the seismic action without sign, with second-order effects and accidental torsion"
+    group.add("seismic", ("axis", "member", "station", "force"), acting.seismic, _UNITS, text)
+    return group
+
+
+def _numbered(name: str, count: int, text: str) -> Group:
+    return Group(coords={name: _numbers(name, count, text)})
+
+
+def _numbers(name: str, count: int, text: str) -> Variable:
+    return Variable((name,), np.arange(1, count + 1), "1", text)
