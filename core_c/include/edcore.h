@@ -385,7 +385,7 @@ ed_space *ed_space_new(const ed_space_input *input, int *status, char *message, 
 void ed_space_free(ed_space *space);
 const char *ed_space_message(const ed_space *space); /* the last error, for people */
 int ed_space_n_equations(const ed_space *space);
-double ed_space_n_nonzeros(const ed_space *space); /* of the factor */
+int ed_space_n_nonzeros(const ed_space *space); /* of the stiffness */
 /* Equation of each degree of the nodes (6 n_nodes), then of Ux, Uy, Rz of each master (3 n_floors); -1: held, or follows a master. */
 void ed_space_equations(const ed_space *space, int *equation);
 

@@ -168,9 +168,9 @@ class SpaceModel:
             raise CoreError(status_name(status), message)
 
     @property
-    def factor_size(self) -> float:
-        """Values in the factor of the stiffness."""
-        return float(lib.ed_space_n_nonzeros(self._handle))
+    def n_nonzeros(self) -> int:
+        """Values in the stiffness."""
+        return int(lib.ed_space_n_nonzeros(self._handle))
 
     def static(
         self, nodal: ArrayLike | None = None, uniform: ArrayLike | None = None, points: Points | None = None

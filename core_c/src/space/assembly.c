@@ -9,7 +9,7 @@
 
 enum { NAMED = 8 }; /* degrees in a message */
 
-/* A pivot below this share of its diagonal term has lost all but some four digits to rounding: the degree meets no resistance. */
+/* A pivot below this share of its diagonal term has lost all but some four digits to rounding: a degree meets no resistance. */
 static const double VANISHING = 1e-12;
 
 static int compare_ints(const void *a, const void *b)
@@ -22,14 +22,13 @@ static const int *equations(const ed_space *s, int m, int end)
   return s->node[s->member[m].node[end]].equation;
 }
 
-/* Calls that count (`row` NULL) or write the couples of equations, larger one first. */
-static void couple(int a, int b, int *next, int *row)
+/* Counts (`row` NULL) or writes that two equations meet in the matrix. */
+static void couple(int column, int other, int *next, int *row)
 {
-  if (a < 0 || b < 0)
+  if (column < 0 || other < 0)
     return;
-  const int column = a < b ? a : b;
   if (row)
-    row[next[column]] = a < b ? b : a;
+    row[next[column]] = other;
   next[column]++;
 }
 
@@ -38,20 +37,18 @@ static void couple_all(const ed_space *s, int *next, int *row)
   for (int i = 0; i < s->n; i++)
     couple(i, i, next, row);
   for (int f = 0; f < s->n_floors; f++)
-    for (int k = 0; k < 3; k++)
-      for (int l = 0; l < k; l++)
-        couple(s->floor[f].equation[k], s->floor[f].equation[l], next, row);
+    for (int k = 0; k < 9; k++)
+      couple(s->floor[f].equation[k / 3], s->floor[f].equation[k % 3], next, row);
   for (int m = 0; m < s->n_members; m++)
     for (int i = 0; i < 12; i++)
-      for (int j = 0; j < i; j++)
+      for (int j = 0; j < 12; j++)
         couple(equations(s, m, i / 6)[i % 6], equations(s, m, j / 6)[j % 6], next, row);
 }
 
-static int place_of(const ed_space *s, int a, int b)
+static int place_of(const ed_space *s, int row, int column)
 {
-  if (a < 0 || b < 0)
+  if (row < 0 || column < 0)
     return s->nnz;
-  const int column = a < b ? a : b, row = a < b ? b : a;
   const int *first = s->row + s->column_start[column];
   const int *found = bsearch(&row, first, (size_t)(s->column_start[column + 1] - s->column_start[column]), sizeof *first, compare_ints);
   return found ? (int)(found - s->row) : s->nnz;
@@ -69,8 +66,8 @@ static int place_springs(ed_space *s)
   for (int i = 0; i < s->n_nodes; i++)
     for (int d = 0; d < 6; d++)
       count += s->node[i].spring[d] > 0.0;
-  s->spring_place = malloc((3 * (size_t)count + 1) * sizeof *s->spring_place);
-  s->spring_value = malloc((3 * (size_t)count + 1) * sizeof *s->spring_value);
+  s->spring_place = malloc((4 * (size_t)count + 1) * sizeof *s->spring_place);
+  s->spring_value = malloc((4 * (size_t)count + 1) * sizeof *s->spring_value);
   if (!s->spring_place || !s->spring_value)
     return ED_E_MEMORY;
   for (int i = 0; i < s->n_nodes; i++) {
@@ -82,6 +79,7 @@ static int place_springs(ed_space *s)
       add_spring(s, node->equation[d], node->equation[d], k);
       if (node->floor >= 0 && d < 2) {
         add_spring(s, node->equation[d], node->equation[5], arm * k);
+        add_spring(s, node->equation[5], node->equation[d], arm * k);
         add_spring(s, node->equation[5], node->equation[5], arm * arm * k);
       }
     }
@@ -89,15 +87,9 @@ static int place_springs(ed_space *s)
   return ED_OK;
 }
 
-int ed_space_build_pattern(ed_space *s)
+/* Rows of each column in rising order, each once. */
+static int sort_pattern(ed_space *s, int *next)
 {
-  const size_t n = (size_t)s->n;
-  int *next = calloc(n + 1, sizeof *next);
-  s->column_start = calloc(n + 1, sizeof *s->column_start);
-  if (!next || !s->column_start) {
-    free(next);
-    return ED_E_MEMORY;
-  }
   couple_all(s, next, NULL);
   long total = 0;
   for (int i = 0; i < s->n && total <= INT_MAX; i++) {
@@ -106,10 +98,8 @@ int ed_space_build_pattern(ed_space *s)
     total += count;
   }
   s->row = total <= INT_MAX ? malloc(((size_t)total + 1) * sizeof *s->row) : NULL; /* else too many for their numbers */
-  if (!s->row) {
-    free(next);
+  if (!s->row)
     return ED_E_MEMORY;
-  }
   couple_all(s, next, s->row);
   for (int i = 0, from = 0; i < s->n; i++) {
     qsort(s->row + from, (size_t)(next[i] - from), sizeof *s->row, compare_ints);
@@ -120,19 +110,43 @@ int ed_space_build_pattern(ed_space *s)
     from = next[i];
   }
   s->column_start[s->n] = s->nnz;
+  return ED_OK;
+}
+
+static int is_rotation(const ed_space *s, int equation)
+{
+  const int degree = s->name[equation], of_masters = degree - 6 * s->n_nodes;
+  return of_masters >= 0 ? of_masters % 3 == 2 : degree % 6 >= 3;
+}
+
+int ed_space_build_pattern(ed_space *s)
+{
+  const size_t n = (size_t)s->n;
+  int *next = calloc(n + 1, sizeof *next);
+  s->column_start = calloc(n + 1, sizeof *s->column_start);
+  s->diagonal = calloc(n, sizeof *s->diagonal);
+  s->scale = calloc(n, sizeof *s->scale);
+  s->work = calloc(n, sizeof *s->work);
+  const int status = next && s->column_start && s->diagonal && s->scale && s->work ? sort_pattern(s, next) : ED_E_MEMORY;
   free(next);
+  if (status != ED_OK)
+    return status;
   s->place = malloc((size_t)s->n_members * ED_SPACE_PLACES * sizeof *s->place);
   s->matrix = malloc(((size_t)s->nnz + 1) * sizeof *s->matrix);
   s->geometric = malloc(((size_t)s->nnz + 1) * sizeof *s->geometric);
   if (!s->place || !s->matrix || !s->geometric)
     return ED_E_MEMORY;
+  for (int i = 0; i < s->n; i++) {
+    s->diagonal[i] = place_of(s, i, i);
+    s->scale[i] = is_rotation(s, i) ? 1.0 / s->length : 1.0;
+  }
   int *place = s->place;
   for (int m = 0; m < s->n_members; m++)
     for (int i = 0; i < 12; i++)
-      for (int j = 0; j <= i; j++)
+      for (int j = 0; j < 12; j++)
         *place++ = place_of(s, equations(s, m, i / 6)[i % 6], equations(s, m, j / 6)[j % 6]);
-  s->ldl = ed_ldl_new(s->n, s->n_masters, s->column_start, s->row);
-  return s->ldl ? place_springs(s) : ED_E_MEMORY;
+  s->solver = ed_solver_new(s->n, s->column_start, s->row, s->diagonal, s->scale);
+  return s->solver ? place_springs(s) : ED_E_MEMORY;
 }
 
 /* Displacements of a node of a floor: ux = Ux - dy Rz, uy = Uy + dx Rz, rz = Rz. */
@@ -160,36 +174,39 @@ void ed_space_assemble(ed_space *s, int springs, double *result)
         matrix[12 * j + i] = matrix[12 * i + j];
     follow_master(start, 0, matrix);
     follow_master(end, 1, matrix);
-    if (start->floor >= 0 && start->floor == end->floor) { /* one equation twice: both halves meet on the diagonal */
-      matrix[12 * 6 + 0] *= 2.0;
-      matrix[12 * 7 + 1] *= 2.0;
-      matrix[12 * 11 + 5] *= 2.0;
-    }
-    for (int i = 0; i < 12; i++)
-      for (int j = 0; j <= i; j++)
-        result[*place++] += matrix[12 * i + j];
+    for (int i = 0; i < ED_SPACE_PLACES; i++) /* adds up where both ends follow one master */
+      result[place[i]] += matrix[i];
   }
   for (int i = 0; springs && i < s->n_springs; i++)
     result[s->spring_place[i]] += s->spring_value[i];
   result[s->nnz] = 0.0;
 }
 
-/* The degrees that move most where a pivot has vanished. */
+/* The degrees that move most in the softest motion, by inverse iteration on a slightly stiffened matrix. */
 static void name_mechanism(ed_space *s, char *buffer, size_t size)
 {
-  double *x = s->geometric; /* at least as long: every diagonal is in the matrix */
-  double largest = 0.0;
-  int moving = 0;
-  ed_ldl_free_motion(s->ldl, ed_ldl_vanished(s->ldl), x);
-  for (int i = 0; i < s->n; i++) {
-    const int degree = s->name[i], masters = degree - 6 * s->n_nodes;
-    if (masters >= 0 ? masters % 3 == 2 : degree % 6 >= 3)
-      x[i] *= s->length;
-    largest = fmax(largest, fabs(x[i]));
+  double *x = s->work, largest = 0.0;
+  int repivoted, moving = 0;
+  for (int i = 0; i < s->n; i++)
+    largest = fmax(largest, s->matrix[s->diagonal[i]] * s->scale[i] * s->scale[i]);
+  for (int i = 0; i < s->n; i++) { /* degrees without any stiffness get some */
+    s->matrix[s->diagonal[i]] += 1e-9 * s->matrix[s->diagonal[i]] + 1e-18 * largest / (s->scale[i] * s->scale[i]);
+    x[i] = (1.0 + 0.1 * ((i * 7L) % 11)) * s->scale[i];
+  }
+  if (ed_solver_factor(s->solver, s->matrix, &repivoted) != ED_OK)
+    return;
+  for (int iteration = 0; iteration < 6; iteration++) {
+    if (ed_solver_solve(s->solver, x, 1) != ED_OK)
+      return;
+    largest = 0.0;
+    for (int i = 0; i < s->n; i++)
+      largest = fmax(largest, fabs(x[i]) / s->scale[i]);
+    for (int i = 0; largest > 0.0 && i < s->n; i++)
+      x[i] /= largest;
   }
   for (int i = 0; i < s->n; i++) {
     char name[2 * ED_SPACE_NAME];
-    if (fabs(x[i]) < 0.5 * largest)
+    if (fabs(x[i]) / s->scale[i] < 0.5)
       continue;
     const size_t used = strlen(buffer);
     if (moving++ < NAMED)
@@ -202,24 +219,26 @@ static void name_mechanism(ed_space *s, char *buffer, size_t size)
 
 int ed_space_factor(ed_space *s)
 {
+  int repivoted;
   for (int m = 0; m < s->n_members; m++)
     s->stiffness[m] = s->member[m].stiffness;
   ed_space_assemble(s, 1, s->matrix);
   for (int k = 0; k < s->nnz; k++)
     if (!isfinite(s->matrix[k]))
       return ed_space_fail(s, ED_E_NOT_FINITE, "the stiffness of the frame is not a finite number");
-  if (ed_ldl_factor(s->ldl, s->matrix, VANISHING) == 0 && ed_ldl_negative(s->ldl) == 0)
+  const int factored = ed_solver_factor(s->solver, s->matrix, &repivoted);
+  if (factored == ED_E_MEMORY)
+    return ed_space_fail(s, ED_E_MEMORY, "out of memory");
+  if (factored == ED_OK && ed_solver_pivot_ratio(s->solver) > VANISHING)
     return ED_OK;
-  if (ed_ldl_vanished(s->ldl) < 0)
-    return ed_space_fail(s, ED_E_SINGULAR, "the stiffness of the frame is lost in rounding: stiff and soft members differ too much");
   char names[NAMED * (2 * ED_SPACE_NAME + 2) + 40] = "";
   name_mechanism(s, names, sizeof names);
   return ed_space_fail(s, ED_E_MECHANISM, "the frame is a mechanism; it moves freely at %s", names);
 }
 
-double ed_space_n_nonzeros(const ed_space *space)
+int ed_space_n_nonzeros(const ed_space *space)
 {
-  return ed_ldl_nonzeros(space->ldl);
+  return space->nnz;
 }
 
 void ed_space_reduce(const ed_space *s, const double *nodal, double *right_side)

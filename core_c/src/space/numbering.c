@@ -49,7 +49,7 @@ int ed_space_check_connected(ed_space *s)
                        lost > NAMED ? ", ..." : "");
 }
 
-/* Marks in `left_out` all but what members or springs resist; 2: a member ends at the node. */
+/* Marks in `left_out` rotations that neither members nor springs resist, and uz of nodes of floors where no member ends. */
 static void find_idle(ed_space *s)
 {
   for (int i = 0; i < s->n_nodes; i++) {
@@ -117,7 +117,6 @@ int ed_space_number(ed_space *s)
       node->equation[d] = n++;
     }
   }
-  const int own = n;
   for (int f = 0; f < s->n_floors; f++)
     for (int k = 0; k < 3; k++) {
       s->floor[f].equation[k] = -1;
@@ -131,7 +130,6 @@ int ed_space_number(ed_space *s)
       if (OF_FLOOR[d] >= 0)
         s->node[i].equation[d] = s->floor[s->node[i].floor].equation[OF_FLOOR[d]];
   s->n = n;
-  s->n_masters = n - own;
   return n ? ED_OK : ed_space_fail(s, ED_E_EMPTY, "the frame has no free degree of freedom");
 }
 

@@ -4,12 +4,12 @@
 
 #include "edcore.h"
 #include "space/member.h"
-#include "system/ldl.h"
+#include "system/solver.h"
 
 #include <stddef.h>
 
 enum { ED_SPACE_NAME = 48, ED_SPACE_MESSAGE = 1024 };
-enum { ED_SPACE_PLACES = 78 }; /* lower triangle of a member's matrix, row by row */
+enum { ED_SPACE_PLACES = 144 }; /* of a member's matrix, row by row */
 
 typedef struct {
   char name[ED_SPACE_NAME];
@@ -30,13 +30,14 @@ typedef struct {
 } ed_space_floor;
 
 struct ed_space {
-  int n_nodes, n_floors, n_members, n, n_masters; /* n_masters: equations of masters, the last ones */
+  int n_nodes, n_floors, n_members;
+  int n; /* equations */
   ed_space_node *node;
   ed_space_floor *floor;
   ed_space_member *member;
   char (*member_name)[ED_SPACE_NAME];
   int *name;                    /* n: degree (6 node + direction, then 6 n_nodes + 3 floor + direction) of each equation */
-  int *column_start, *row;      /* lower triangle, compressed columns */
+  int *column_start, *row, *diagonal; /* compressed columns */
   int nnz;
   int *place;                   /* ED_SPACE_PLACES a member, in `matrix`; nnz: nowhere */
   int n_springs;                /* terms of springs in the matrix */
@@ -47,7 +48,9 @@ struct ed_space {
   ed_space_stiffness *stiffness; /* n_members: what is being assembled */
   double *saved;                /* properties before a change */
   double length;                /* mean of the members */
-  ed_ldl *ldl;
+  double *scale;                /* n: 1 of displacements, 1 / length of rotations */
+  double *work;                 /* n */
+  ed_solver *solver;
   char message[ED_SPACE_MESSAGE];
 };
 

@@ -129,6 +129,13 @@ static void find_reactions(const ed_space *s, const double *displacements, doubl
   gather_floors(s, rest, sums, reactions);
 }
 
+static int solve(ed_space *s, int n, double *right_sides)
+{
+  if (ed_solver_solve(s->solver, right_sides, n) != ED_OK)
+    return ed_space_fail(s, ED_E_SINGULAR, "the frame's equations could not be solved");
+  return ED_OK;
+}
+
 int ed_space_static(ed_space *s, int n_cases, const double *nodal, const ed_space_loads *loads, double *displacements,
                     double *end_forces, double *reactions)
 {
@@ -154,8 +161,8 @@ int ed_space_static(ed_space *s, int n_cases, const double *nodal, const ed_spac
     add_end_forces(s, -1.0, end_forces + c * per_case, forces);
     ed_space_reduce(s, forces, right + c * n);
   }
-  ed_ldl_solve(s->ldl, n_cases, right);
-  for (size_t c = 0; c < (size_t)n_cases; c++) {
+  status = solve(s, n_cases, right);
+  for (size_t c = 0; c < (size_t)n_cases && status == ED_OK; c++) {
     double *u = displacements ? displacements + c * degrees : own;
     ed_space_spread(s, right + c * n, u);
     for (size_t i = 0; i < degrees && status == ED_OK; i++)
@@ -180,7 +187,9 @@ int ed_space_solve(ed_space *s, int n, double *right_sides)
 {
   if (n < 0)
     return ed_space_fail(s, ED_E_ARGUMENT, "the number of right sides is negative");
-  ed_ldl_solve(s->ldl, n, right_sides);
+  const int status = solve(s, n, right_sides);
+  if (status != ED_OK)
+    return status;
   for (size_t i = 0; i < (size_t)n * (size_t)s->n; i++)
     if (!isfinite(right_sides[i]))
       return ed_space_fail(s, ED_E_NOT_FINITE, "a solution is not a finite number");
