@@ -7,9 +7,11 @@ from typing import Annotated
 
 import typer
 
+from edesign.errors import AnalysisError, InputError
+
 
 def run(
-    project: Annotated[Path, typer.Argument(help="The project or study file.", show_default=False)],
+    project: Annotated[Path, typer.Argument(help="The project, study or building file.", show_default=False)],
     archive: Annotated[
         Path | None, typer.Option("--archive", "-a", help="Where to write; by default what the file says.")
     ] = None,
@@ -33,15 +35,55 @@ def run(
         str | None,
         typer.Option("--scheduler", metavar="ADDRESS", help="Of a dask cluster: tcp://host:8786; it implies dask."),
     ] = None,
+    check: Annotated[
+        bool, typer.Option("--check", help="Exit with 3 if a check of a building is not met.")
+    ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
-    """Run the analyses of a project or study, archive them, and print a summary.
+    """Run the analyses of a project or study, or design checks of a building, archive them, and print a summary.
 
     A run that was interrupted goes on where it stopped when it is called again.
     """
+    from edesign.project.yaml_file import file_kind
+
+    if file_kind(project) == "building":
+        if only or folder or scheduler:
+            raise InputError("--only, --folder and --scheduler are for projects and studies, not for a building")
+        _run_building(project, archive, overwrite, check, quiet)
+    else:
+        _run_analyses(project, archive, only, folder, fresh, overwrite, workers, backend, scheduler, quiet)
+
+
+def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool, quiet: bool) -> None:
+    from edesign.archive.reader import open_archive
+    from edesign.building.building_file import load_building
+    from edesign.report.building_tables import building_tables
+    from edesign.report.text import print_tables
+    from edesign.study.building import run_building
+
+    path, design = run_building(load_building(file), archive, overwrite)
+    if not quiet:
+        with open_archive(path) as opened:
+            print_tables(building_tables(opened))
+        print(f"archive: {path}")
+    if check and not design.passed:
+        raise AnalysisError(f"{file}: not all checks are met; all are in {path}")
+
+
+def _run_analyses(
+    project: Path,
+    archive: Path | None,
+    only: list[str] | None,
+    folder: list[Path] | None,
+    fresh: bool,
+    overwrite: bool,
+    workers: int,
+    backend: str,
+    scheduler: str | None,
+    quiet: bool,
+) -> None:
     from edesign.building.project_file import load_project, load_study
     from edesign.cli.progress import listener
-    from edesign.errors import AnalysisError
     from edesign.ground_motion.project_records import with_folders
     from edesign.project.study_loader import is_study
     from edesign.report.tables import overview

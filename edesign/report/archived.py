@@ -13,11 +13,17 @@ from edesign.project.study import Study
 from edesign.project.study_loader import parse_study
 
 STUDY = "study"
+BUILDING = "building"
 
 
 def is_study_archive(archive: Archive) -> bool:
     """Whether an archive is that of a study."""
     return archive.attributes.get("kind") == STUDY
+
+
+def is_building_archive(archive: Archive) -> bool:
+    """Whether an archive is that of the elastic design of a building."""
+    return archive.attributes.get("kind") == BUILDING
 
 
 def archived_project(archive: Archive) -> Project | None:

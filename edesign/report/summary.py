@@ -46,6 +46,8 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
     about = {name: archive.attributes.get(name) for name in ROOT} | {"complete": archive.complete}
     about[ATTRIBUTE] = input_warnings(archive)
     damage = {"damage": archive.damage} if archive.damage_in_short() else {}
+    if is_building_archive(archive):
+        return {"archive": finite(about | damage), "building": building_summary(archive)}
     found = {"archive": finite(about | damage), "analyses": [entry(name, results(archive, name)) for name in names]}
     return found if analysis is not None else {**found, "records": finite(record_entries(archive, RECORDS))}
 

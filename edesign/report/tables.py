@@ -10,7 +10,8 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
 from edesign.errors import EdesignError
-from edesign.report.archived import is_study_archive
+from edesign.report.archived import is_building_archive, is_study_archive
+from edesign.report.building_tables import building_tables
 from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
 from edesign.report.measure_columns import FRAME_COLUMNS, ROUNDING
 from edesign.report.record_tables import tables_of
@@ -41,6 +42,8 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
     if not isinstance(archive, Archive):
         with open_archive(archive) as opened:
             return overview(opened)
+    if is_building_archive(archive):
+        return [_heading(archive), *building_tables(archive)]
     if is_study_archive(archive):
         try:
             return [_heading(archive), warnings_table(archive), *tables_of(archive), *study_tables(archive)]
@@ -178,9 +181,11 @@ def _heading(archive: Archive) -> Table:
     state = str(about.get("status")) if archive.complete else "not complete: the run goes on or was interrupted"
     made = archive.group_attributes("provenance").get("created", "?") if "provenance" in archive.names() else "?"
     project = f"{about.get('project_file')}, sha256 {str(about.get('project_checksum'))[:12]}"
+    building = f"{about.get('building_file')}, sha256 {str(about.get('building_checksum'))[:12]}"
     rows = [
         ["archive", str(archive.path)],
         *([["project", project]] if about.get("project_file") else []),  # `edesign match` needs none
+        *([["building", building]] if about.get("building_file") else []),
         ["made", f"{made} by edesign {about.get('edesign_version')}, core {about.get('core_version')}"],
         ["status", state],
         *([["damaged", damage]] if (damage := archive.damage_in_short()) else []),

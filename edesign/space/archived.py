@@ -100,7 +100,11 @@ def _storeys(design: ElasticDesign, axis: str) -> Group:
 def _criteria(design: ElasticDesign) -> Group:
     rules = design.criteria
     group = _numbered("rule", len(rules), "number of the rule")
-    for name, text in (("clause", "of EN 1998-1:2004"), ("text", "what is asked"), ("detail", "where, or what follows")):
+    for name, text in (
+        ("clause", "of EN 1998-1:2004"),
+        ("text", "what is asked"),
+        ("detail", "where, or what follows"),
+    ):
         group.add(name, ("rule",), np.array([getattr(rule, name) for rule in rules]), "", text)
     for name, text in (("required", "limit"), ("value", "what was found")):
         values = [np.nan if getattr(rule, name) is None else getattr(rule, name) for rule in rules]
@@ -139,7 +143,9 @@ def _members(design: ElasticDesign) -> Group:
     group.coords["check"] = Variable(("check",), np.array(checks.checks), "", "check")
     group.add("clause", ("check",), np.array(checks.clauses), "", "clause of the check")
     group.add("utilisation", ("member", "check"), checks.utilisation, "1", "largest utilisation, nan: does not apply")
-    group.add("combination", ("member", "check"), checks.combination, "1", "number of the governing combination, 0: none")
+    group.add(
+        "combination", ("member", "check"), checks.combination, "1", "number of the governing combination, 0: none"
+    )
     group.add("station", ("member", "check"), checks.station, "1", "governing place as a fraction of the length")
     return group
 

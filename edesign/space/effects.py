@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.codes.en1990.combinations import Combination
 from edesign.space.frame import SpaceFrame
+from edesign.space.model import TENSION_ONLY_SHARE
 from edesign.space.response import AXES, Axis, SeismicResponse, StaticResponse
 from edesign.space.storeys import Storeys
 
@@ -48,10 +49,13 @@ def effects(
 ) -> Effects:
     """Return the effects on members; those of the seismic action grow by the factor of the member's storey.
 
-    Source: EN 1998-1:2004, 4.4.2.2(3).
+    A brace that does not count in compression carries alone what the model divides between two.
+
+    Source: EN 1998-1:2004, 4.4.2.2(3), 6.7.2(2)P.
     """
+    alone = np.array([1.0 if member.compression else 1.0 / TENSION_ONLY_SHARE for member in frame.members])
     number = np.array([member.storey - 1 for member in frame.members])
-    grown = [seismic[axis].internal * storeys[axis].amplification[number, None, None] for axis in AXES]
+    grown = [seismic[axis].internal * (alone * storeys[axis].amplification[number])[:, None, None] for axis in AXES]
     return Effects(static.names, static.internal, np.stack(grown))
 
 

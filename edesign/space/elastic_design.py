@@ -3,18 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.criterion import Criterion
-from edesign.codes.ec8.national import NationalParameters, Psi, national_parameters
+from edesign.codes.ec8.national import ActionFactors, NationalParameters, Psi, national_parameters
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project.building.building import Building
+from edesign.project.building.design import Design
 from edesign.project.hazard import Hazard
 from edesign.space.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
 from edesign.space.criteria import (
@@ -31,6 +32,7 @@ from edesign.space.criteria import (
 from edesign.space.effects import Effects, effects
 from edesign.space.frame import SpaceFrame
 from edesign.space.geometry import space_frame
+from edesign.space.member_checks import MemberResults, member_results
 from edesign.space.model import space_model
 from edesign.space.response import (
     AXES,
@@ -62,6 +64,7 @@ class ElasticDesign:
         q: behaviour factors.
         overstrength: of either direction.
         joints: of moment frames.
+        members: checks of all members.
         criteria: rules for the whole building.
         notes: what an engineer should know, a sentence each.
     """
@@ -77,8 +80,16 @@ class ElasticDesign:
     q: Mapping[Axis, float]
     overstrength: Mapping[Axis, Overstrength]
     joints: tuple[Joint, ...]
+    members: MemberResults
     criteria: tuple[Criterion, ...]
     notes: tuple[str, ...]
+
+    @property
+    def passed(self) -> bool:
+        """Whether all checks and rules are met."""
+        return not bool((self.members.utilisation > 1.0).any()) and all(
+            rule.passed is not False for rule in self.criteria
+        )
 
 
 def elastic_design(building: Building) -> ElasticDesign:
@@ -126,12 +137,13 @@ def elastic_design(building: Building) -> ElasticDesign:
     height = np.array(building.heights)
     of_storeys = {axis: storeys(response[axis], height, gravity, design) for axis in AXES}
     acting = effects(frame, static, response, of_storeys)
-    combinations = (*fundamental(cases, psi, national.action_factors), *characteristic(cases, psi), *rows)
+    persistent = fundamental(cases, psi, _action_factors(design, national))
     gamma_M0 = design.partial_factors.M0
     Omega = {
         axis: overstrength(frame, building.materials, acting, rows, axis, system_of(design, axis).type, gamma_M0)
         for axis in AXES
     }
+    checked = member_results(building, frame, acting, persistent, rows, Omega, design.overstrength)
     frames = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
     of_joints = {axis: joints(frame, building.materials, acting, rows, axis, gamma_M0) for axis in frames}
     criteria = modal_criteria(modes)
@@ -152,9 +164,10 @@ def elastic_design(building: Building) -> ElasticDesign:
         response=response,
         storeys=of_storeys,
         effects=acting,
-        combinations=combinations,
+        combinations=(*checked.rows, *characteristic(cases, psi)),
         q=q,
         overstrength=Omega,
+        members=checked,
         joints=tuple(joint for axis in frames for joint in of_joints[axis]),
         criteria=tuple(criteria),
         notes=tuple(_notes(response, of_storeys)),
@@ -165,6 +178,11 @@ def _hazard(building: Building) -> Hazard:
     if building.hazard is None:
         raise InputError(f"{building.path}: hazard: this block is missing; docs/building_file.md explains it")
     return building.hazard
+
+
+def _action_factors(design: Design, national: NationalParameters) -> ActionFactors:
+    """Return the national partial factors with gamma_G and gamma_Q of the file."""
+    return replace(national.action_factors, G_sup=design.partial_factors.G, Q=design.partial_factors.Q)
 
 
 def _psi(building: Building, national: NationalParameters) -> dict[str, Psi]:

@@ -26,7 +26,16 @@ from edesign.codes.ec3.buckling import (
 from edesign.codes.ec3.moment_factors import SWAY
 from edesign.codes.ec8.moment_frames import hinge_shear
 from edesign.codes.en1990.combinations import Combination
-from edesign.core.member_checks import CHECKS, CONSTANTS, check_members, kind_of
+from edesign.core.member_checks import (
+    BEAM_CHECKS,
+    CLAUSES,
+    MEMBER_CHECKS,
+    SECTION_CHECKS,
+    Check,
+    MemberConstants,
+    mask,
+    member_checks,
+)
 from edesign.errors import InputError
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
@@ -36,10 +45,6 @@ from edesign.space.effects import Effects, largest
 from edesign.space.frame import Member, SpaceFrame
 from edesign.space.response import AXES, STATIONS, Axis
 
-STRENGTH = ("N", "V_y", "V_z", "M_y", "M_z", "N_M")
-STABILITY = ("N_B", "M_B", "6_61", "6_62")
-BEAM = ("BEAM_M", "BEAM_N", "BEAM_V")
-COLUMN = ("COLUMN_V",)
 PERSISTENT, SEISMIC, CAPACITY = range(3)
 LARGEST_CLASS = 3
 
@@ -90,31 +95,48 @@ def member_results(
     amplified = amplified_combinations(design, seismic, overstrength, gamma_ov)
     rows = (*fundamental, *seismic, *amplified)
     force = -np.abs(largest(effects, rows)[:, :, 0].max(axis=1))
-    constants, kinds = [], []
-    for number, member in enumerate(frame.members):
-        of = _constants(building, design, member, float(frame.length[number]), float(force[number]))
-        constants.append([of[name] for name in CONSTANTS])
-        kinds.append(of["kind"])
-    found = check_members(
-        static=effects.static,
-        spectral=effects.seismic,
+    members = [
+        _constants(building, design, member, float(frame.length[number]), float(force[number]))
+        for number, member in enumerate(frame.members)
+    ]
+    spectral, factors = _spectral(effects, rows)
+    found = member_checks(
+        statics=effects.static,
+        spectral=spectral,
         static_factors=np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows]),
-        spectral_factors=np.abs(np.array([row.seismic[:2] for row in rows])),
-        sets=np.repeat([PERSISTENT, SEISMIC, CAPACITY], [len(fundamental), len(seismic), len(amplified)]),
-        gravity=np.ones(len(effects.cases), dtype=bool),
-        constants=np.array(constants),
-        kinds=np.array(kinds),
+        spectral_factors=factors,
+        combination_set=np.repeat([PERSISTENT, SEISMIC, CAPACITY], [len(fundamental), len(seismic), len(amplified)]),
+        gravity=np.ones(len(effects.cases), dtype=int),
+        members=members,
         masks=_masks(frame, design, bool(amplified)),
     )
     applies = found.combination >= 0
     return MemberResults(
-        checks=tuple(CHECKS),
-        clauses=tuple(CHECKS.values()),
+        checks=tuple(check.name for check in Check),
+        clauses=tuple(CLAUSES[check] for check in Check),
         utilisation=np.where(applies, found.utilisation, np.nan),
         combination=np.where(applies, found.combination + 1, 0),
         station=np.where(applies, STATIONS[np.maximum(found.station, 0)], np.nan),
         rows=rows,
     )
+
+
+def _spectral(effects: Effects, rows: Sequence[Combination]) -> tuple[np.ndarray, np.ndarray]:
+    """Return magnitudes of seismic effects, and the factor of each in each combination.
+
+    Components that add up as squares are one more magnitude for each pair of factors.
+    """
+    squares = {row.seismic[:2] for row in rows if row.directions == "srss" and any(row.seismic)}
+    pairs = sorted({(abs(x), abs(y)) for x, y in squares})
+    more = [np.sqrt((x * effects.seismic[0]) ** 2 + (y * effects.seismic[1]) ** 2) for x, y in pairs]
+    factors = np.zeros((len(rows), 2 + len(pairs)))
+    for number, row in enumerate(rows):
+        x, y = abs(row.seismic[0]), abs(row.seismic[1])
+        if (x, y) in pairs:
+            factors[number, 2 + pairs.index((x, y))] = 1.0
+        else:
+            factors[number, :2] = x, y
+    return np.stack([*effects.seismic, *more]), factors
 
 
 def amplified_combinations(
@@ -139,31 +161,25 @@ def amplified_combinations(
 
 def _masks(frame: SpaceFrame, design: Design, capacity: bool) -> np.ndarray:
     """Return the checks of each member in each set of combinations, as bits, (n_members, 3)."""
-    bits = {name: 1 << number for number, name in enumerate(CHECKS)}
-    of_kind = {
-        "beam": sum(bits[name] for name in (*STRENGTH, *STABILITY)),
-        "column": sum(bits[name] for name in (*STRENGTH, *STABILITY)),
-        "brace": bits["N"] + bits["N_B"],
-    }
+    usual = {kind: mask(*SECTION_CHECKS, *MEMBER_CHECKS) for kind in ("beam", "column")}
+    usual["brace"] = mask(Check.N, Check.N_B)
     masks = np.zeros((len(frame.members), 3), dtype=np.intc)
     dissipative = {axis: set(dissipative_members(frame, axis, system_of(design, axis).type).tolist()) for axis in AXES}
+    frames = any(system_of(design, axis).type == MOMENT_FRAME for axis in AXES)
     for number, member in enumerate(frame.members):
-        usual = of_kind[member.kind] - (bits["N_B"] if not member.compression else 0)
-        masks[number, PERSISTENT] = usual if member.kind != "brace" or member.compression else 0
-        axis = next((axis for axis in AXES if number in dissipative[axis]), None)
-        if axis is not None or not capacity:
-            masks[number, SEISMIC] = usual
-        else:
-            masks[number, CAPACITY] = usual
-        if capacity and axis is not None and member.kind == "beam":
-            masks[number, SEISMIC] |= sum(bits[name] for name in BEAM)
-        if capacity and member.kind == "column" and MOMENT_FRAME in {system_of(design, axis).type for axis in AXES}:
-            masks[number, CAPACITY] |= sum(bits[name] for name in COLUMN)
+        of_kind = usual[member.kind] if member.compression else mask(Check.N)
+        dissipates = any(number in dissipative[axis] for axis in AXES)
+        masks[number, PERSISTENT] = of_kind
+        masks[number, SEISMIC if dissipates or not capacity else CAPACITY] = of_kind
+        if capacity and dissipates and member.kind == "beam":
+            masks[number, SEISMIC] |= mask(*BEAM_CHECKS)
+        if capacity and frames and member.kind == "column":
+            masks[number, CAPACITY] |= mask(Check.COLUMN_V)
     return masks
 
 
-def _constants(building: Building, design: Design, member: Member, length: float, N_Ed: float) -> dict[str, float]:
-    """Return the constants of a member by the names of `CONSTANTS`, and its `kind`."""
+def _constants(building: Building, design: Design, member: Member, length: float, N_Ed: float) -> MemberConstants:
+    """Return the constants of a member under a largest compression N_Ed, N."""
     section, steel = steel_section(member.section), building.materials[member.material]
     fy, factors = steel.fy, design.partial_factors
     bent = member.kind != "brace"
@@ -184,23 +200,24 @@ def _constants(building: Building, design: Design, member: Member, length: float
         cross_section.web_share(section.A, 2.0 * side * section.tf)
         for side in (section.b, section.h if hollow else section.b)
     ]
-    found = {
-        "N_RD": cross_section.axial_resistance(section.A, fy, factors.M0),
-        "V_Y_RD": cross_section.shear_resistance(section.A_vy, fy, factors.M0),
-        "V_Z_RD": cross_section.shear_resistance(section.A_vz, fy, factors.M0),
-        "M_Y_RD": M_y,
-        "M_Z_RD": M_z,
-        "M_Y_SHEAR": min(cross_section.moment_of_shear_area(web, webs, fy, factors.M0), M_y) if plastic else M_y,
-        "N_WEB": 0.0 if hollow else web * section.tw * fy / factors.M0,
-        "A_Y": shares[0],
-        "A_Z": shares[1],
-        "M_Z_RK": W_z * fy / factors.M1,
-        "V_M": float(hinge_shear(M_y, M_y, length)) if member.kind == "beam" and max(member.ends) > 0.0 else 0.0,
-    }
-    found |= _stability(design, member, section, fy, steel.E, steel.nu, W_y, length)
     twists = section.kind == "I" and not (member.kind == "beam" and design.members.lateral_restraint.beams == "slab")
-    found["kind"] = kind_of(section.kind, class_3=not plastic, twists=twists)
-    return found
+    return MemberConstants(
+        N_Rd=cross_section.axial_resistance(section.A, fy, factors.M0),
+        V_y_Rd=cross_section.shear_resistance(section.A_vy, fy, factors.M0),
+        V_z_Rd=cross_section.shear_resistance(section.A_vz, fy, factors.M0),
+        M_y_Rd=M_y,
+        M_z_Rd=M_z,
+        M_y_shear=min(cross_section.moment_of_shear_area(web, webs, fy, factors.M0), M_y) if plastic else M_y,
+        N_web=0.0 if hollow else web * section.tw * fy / factors.M0,
+        a_y=shares[0],
+        a_z=shares[1],
+        M_z_Rk=W_z * fy / factors.M1,
+        V_M=float(hinge_shear(M_y, M_y, length)) if member.kind == "beam" and max(member.ends) > 0.0 else 0.0,
+        shape=section.kind,
+        class_3=not plastic,
+        twists=twists,
+        **_stability(design, member, section, fy, steel.E, steel.nu, W_y, length),
+    )
 
 
 def _stability(
@@ -233,12 +250,12 @@ def _stability(
     sway = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
     about = {bends_about_y(member, axis) for axis in sway} if member.kind == "column" else set()
     return {
-        "N_B_Y": buckling_resistance(section.A, fy, chi["y"], gamma_M1),
-        "N_B_Z": buckling_resistance(section.A, fy, chi["z"], gamma_M1),
-        "M_B": lateral_torsional.buckling_moment(chi_LT, W_y, fy, gamma_M1),
-        "LAMBDA_Y": slender["y"],
-        "LAMBDA_Z": slender["z"],
-        "C_MY": SWAY if True in about else 1.0,
-        "C_MZ": SWAY if False in about else 1.0,
-        "C_MLT": 1.0,
+        "N_b_y_Rd": buckling_resistance(section.A, fy, chi["y"], gamma_M1),
+        "N_b_z_Rd": buckling_resistance(section.A, fy, chi["z"], gamma_M1),
+        "M_b_Rd": lateral_torsional.buckling_moment(chi_LT, W_y, fy, gamma_M1),
+        "lambda_y": slender["y"],
+        "lambda_z": slender["z"],
+        "C_my": SWAY if True in about else 1.0,
+        "C_mz": SWAY if False in about else 1.0,
+        "C_mLT": 1.0,
     }

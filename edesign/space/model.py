@@ -11,11 +11,16 @@ from edesign.core.space import SpaceMembers, SpaceModel
 from edesign.project.building.building import Steel
 from edesign.space.frame import NO_DIAPHRAGM, SpaceFrame
 
+TENSION_ONLY_SHARE = 0.5
+"""Share of its area that a brace has in the model if it does not count in compression."""
 SECTION_PROPERTIES = ("A", "A_y", "A_z", "I_t", "I_y", "I_z")
 
 
 def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel:
     """Return the model of a frame; the master of each rigid floor is at the centre of its mass.
+
+    Braces that do not count in compression come in pairs, of which one is in tension. In a linear model each has half
+    its area, so that a pair is as stiff as the one that acts (`TENSION_ONLY_SHARE`; EN 1998-1, 6.7.2(2)P).
 
     Args:
         frame: of a building.
@@ -27,6 +32,8 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel
     members = frame.members
     steels = [materials[member.material] for member in members]
     sections = [steel_section(member.section) for member in members]
+    properties = {name: np.array([getattr(section, name) for section in sections]) for name in SECTION_PROPERTIES}
+    properties["A"] *= [1.0 if member.compression else TENSION_ONLY_SHARE for member in members]
     E = np.array([steel.E for steel in steels])
     start, end = np.array([[member.start, member.end] for member in members]).T
     return SpaceModel(
@@ -43,7 +50,7 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel
             G=E / (2.0 * (1.0 + np.array([steel.nu for steel in steels]))),
             ends=np.array([member.ends for member in members]),
             axial_only=np.array([member.axial_only for member in members]),
-            **{name: np.array([getattr(section, name) for section in sections]) for name in SECTION_PROPERTIES},
+            **properties,
         ),
         node_names=frame.node_names,
         member_names=tuple(member.name for member in members),
