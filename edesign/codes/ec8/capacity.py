@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.quantities import check_positive
+from edesign.codes.quantities import check_not_negative, check_positive
 
 OVERSTRENGTH = 1.1
 """Factor beside gamma_ov. Source: EN 1998-1:2004, Eqs. 6.1, 6.6 and 6.12."""
@@ -21,11 +21,12 @@ def overstrength(resistance: ArrayLike, demand: ArrayLike) -> np.ndarray:
         demand: design value in the seismic design situation, gravity included, in the same unit, any sign.
 
     Raises:
-        InputError: a resistance is not greater than zero.
+        InputError: a resistance is not greater than zero, or a demand is not a number.
 
     Source: EN 1998-1:2004, 6.6.3(1) and 6.7.4(1).
     """
     check_positive(resistance=resistance)
+    check_not_negative(demand=np.abs(demand))
     R, E = np.broadcast_arrays(np.asarray(resistance, dtype=float), np.abs(np.asarray(demand, dtype=float)))
     return np.divide(R, E, out=np.full(R.shape, np.inf), where=E > 0.0)
 

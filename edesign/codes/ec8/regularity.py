@@ -37,8 +37,8 @@ class ChangeLimits:
     """Changes from one storey to the next above that still are gradual. EN 1998-1 has no figures.
 
     Attributes:
-        mass: largest change of mass either way, over the lower value.
-        stiffness_fall, stiffness_rise: largest fall and rise of the storey stiffness going up, over the lower value.
+        mass: largest change of mass either way, over that of the storey below.
+        stiffness_fall, stiffness_rise: largest fall and rise of the stiffness, over that of the storey below.
     """
 
     mass: float
@@ -179,10 +179,12 @@ def setbacks(lower: ArrayLike, upper: ArrayLike, top: ArrayLike) -> tuple[Criter
         One criterion a rule that applies; one that only informs where a storey stands out over the one below.
 
     Raises:
-        InputError: a storey has no width.
+        InputError: a storey has no width, or the numbers of storeys differ.
 
     Source: EN 1998-1:2004, 4.2.3.3(5) and Figure 4.1.
     """
+    if not np.shape(lower) == np.shape(upper) == np.shape(top):
+        raise InputError("each storey has a lower face, an upper face and a top")
     faces = np.array([lower, upper], dtype=float)
     width = faces[1] - faces[0]
     if not (width > 0.0).all():

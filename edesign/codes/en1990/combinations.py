@@ -91,7 +91,7 @@ def fundamental(
                     equation = "6.10" if expression == "6.10" else "6.10b"
                     yield _combination("fundamental", equation, static, leading)
 
-    return _distinct(rows())
+    return _distinct(rows(), favourable)
 
 
 def characteristic(
@@ -148,7 +148,7 @@ def seismic(
             for factors in direction_factors(directions, vertical):
                 yield _combination("seismic", "6.12b", static, (), factors, directions)
 
-    return _distinct(rows())
+    return _distinct(rows(), favourable=False)
 
 
 def _serviceability(
@@ -169,7 +169,7 @@ def _serviceability(
                 static |= {case: factor(case, action == leading) for action in actions for case in action}
                 yield _combination(kind, equation, static, leading)
 
-    return _distinct(rows())
+    return _distinct(rows(), favourable)
 
 
 def _combination(
@@ -202,13 +202,21 @@ def _sum(terms: Iterable[tuple[float, str]]) -> str:
     return text
 
 
-def _distinct(rows: Iterator[Combination]) -> tuple[Combination, ...]:
-    """The rows without repetitions of what acts: one name stands for one set of factors."""
+def _distinct(rows: Iterator[Combination], favourable: bool) -> tuple[Combination, ...]:
+    """The rows without repetitions, and unless actions may be favourable without those that another row covers."""
     kept: dict[tuple[str, str], Combination] = {}
     for row in rows:
-        kept.setdefault((row.equation, row.name), row)
+        kept.setdefault((row.equation, row.name), row)  # one name stands for one set of factors
         if len(kept) > MOST_COMBINATIONS:
             raise InputError(
                 f"there are more than {MOST_COMBINATIONS} combinations: merge load cases that act together"
             )
-    return tuple(kept.values())
+    found = tuple(kept.values())
+    return found if favourable else tuple(row for row in found if not any(_covers(other, row) for other in found))
+
+
+def _covers(other: Combination, row: Combination) -> bool:
+    """Whether each action of a row acts at least as much in the other one, and something more."""
+    if other is row or (other.equation, other.seismic) != (row.equation, row.seismic):
+        return False
+    return all(other.static.get(case, 0.0) >= factor for case, factor in row.static.items())

@@ -103,6 +103,14 @@ def test_winds_exclude_each_other_and_roof_loads_exclude_snow_and_wind() -> None
         "1.35 G + 0.75 S + 1.5 Wy",
         "1.35 G + 1.5 R",
     ]
+    cases = {"G": "permanent", "Q": "B", "R": "H", "S": "snow_above_1000_m"}
+    assert names(fundamental(cases, PSI, FACTORS)) == [  # 1.35 G + 1.5 Q without snow would say nothing more
+        "1.35 G + 1.5 Q + 1.05 S",
+        "1.35 G + 1.05 Q + 1.5 S",
+        "1.35 G + 1.05 Q + 1.5 R",
+    ]
+    assert [row.static for row in seismic(cases, PSI)] == [{"G": 1.0, "Q": 0.3, "S": 0.2}] * 8
+    cases = {"G": "permanent", "R": "H", "S": "snow", "Wx": "wind", "Wy": "wind"}
     assert not any({"Wx", "Wy"} <= set(row.static) for row in fundamental(cases, PSI, FACTORS, favourable=True))
 
 

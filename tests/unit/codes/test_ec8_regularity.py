@@ -103,6 +103,8 @@ def test_a_storey_that_stands_out_is_told() -> None:
     assert check.passed is None and "stands out" in check.text
     with pytest.raises(InputError, match="must lie beyond its lower face"):
         setbacks([0.0, 5.0], [10.0, 5.0], [3.0, 6.0])
+    with pytest.raises(InputError, match="each storey has a lower face"):
+        setbacks([0.0, 5.0], [10.0, 9.0], [3.0])
 
 
 @pytest.mark.parametrize(

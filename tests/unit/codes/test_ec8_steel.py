@@ -138,6 +138,8 @@ def test_overstrength_is_the_least_of_all_beams_and_a_beam_without_moment_has_no
     Omega, which = frame_overstrength([400.0, 400.0, 300.0], [300.0, 0.0, -250.0])
     assert (Omega, which) == (1.2, 2)
     assert overstrength([2.0], [0.0]).tolist() == [math.inf]
+    with pytest.raises(InputError, match="demand must be at least zero, not nan"):
+        overstrength([2.0, 2.0], [1.0, math.nan])
     with pytest.raises(InputError, match="there are none"):
         frame_overstrength([400.0], [0.0])
     with pytest.raises(InputError, match="there are none"):
