@@ -84,11 +84,11 @@ def _loads(frame: SpaceFrame) -> str:
     names = list(loads)
     lines = [f"{floors}: {_sums(names, row)}" for floors, row in _floors(rows)]
     totals = tuple(float(values.sum()) for values in loads.values())
-    return "\n".join([*lines, f"building: {_sums(names, totals)}"])
+    return "\n".join([*lines, f"building, with the lower half of storey 1: {_sums(names, totals)}"])
 
 
 def _sums(names: list[str], values: tuple[float, ...]) -> str:
-    return ", ".join(f"{name} {value:.1f} kN" for name, value in zip(names, values, strict=True))
+    return ", ".join(f"{name} {value:.1f} kN" for name, value in zip(names, values, strict=True) if value) or "no load"
 
 
 def _masses(frame: SpaceFrame) -> str:

@@ -156,8 +156,8 @@ def _braces(building: Building, nodes: Mapping[str, int], coordinates: np.ndarra
 def _brace(place: BracePlace, run: BraceRun, way: str, start: int, end: int, coordinates: np.ndarray) -> Member:
     axis = coordinates[end] - coordinates[start]
     axis = axis / np.linalg.norm(axis)
-    web = np.array(Z) - axis[2] * axis  # the part of the vertical at right angles to the brace
-    web = web / np.linalg.norm(web)
+    level = np.array(X if place.along == "x" else Y)
+    web = (axis @ level) * np.array(Z) - axis[2] * level  # in the plane of the frame, at right angles to the brace
     return Member(
         name=place.name(way),
         kind="brace",

@@ -35,7 +35,8 @@ class _Sum:
         """Add the share of a beam."""
         if share.uniform:
             self.uniform[place] += share.uniform
-        self.points[place] += [point for point in share.points if point[1]]
+        if share.points:
+            self.points[place] += share.points
 
 
 def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from edesign.project.building.building import Building
 from edesign.project.building.checks_selections import Selections
-from edesign.project.building.layout import DIRECTIONS, met_beam, ways
+from edesign.project.building.layout import DIRECTIONS, Panel, met_beam, ways
 from edesign.project.building.members import CHEVRONS, BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BeamPlace, column_name, frame_name, node_name
 from edesign.project.building.places import parse_column_lines
@@ -94,7 +94,21 @@ def _floors(building: Building, problems: Problems) -> bool:
     bare = [floor for floor, panels in layout.floors.items() if not panels]
     for floor in bare:
         problems.at_key(("setbacks",), f"floor {floor} covers no bay")
+    for floor in building.diaphragms.numbers(1, building.n_storeys):
+        if not _connected(layout.floors[floor]):
+            message = f"floor {floor} is in parts that do not touch, which one diaphragm would tie; leave it out"
+            problems.at_key(("diaphragms",) if problems.root.child("diaphragms") else ("setbacks",), message)
     return not bare
+
+
+def _connected(panels: frozenset[Panel]) -> bool:
+    """Whether bays of a floor all hang together by common sides."""
+    found, edge = set[Panel](), set(sorted(panels)[:1])
+    while edge:
+        found |= edge
+        beside = {(i + a, j + b) for i, j in edge for a, b in ((1, 0), (-1, 0), (0, 1), (0, -1))}
+        edge = (beside & panels) - found
+    return found == panels
 
 
 def _covered(building: Building, problems: Problems) -> bool:

@@ -8,32 +8,34 @@ from collections.abc import Callable
 from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames
 
 
-def leaning_shares(frame: PlaneFrame) -> dict[int, float]:
-    """Return what share of each frame without resistance leans on a frame, by the number of the former.
+def leaning_shares(frame: PlaneFrame) -> dict[int, dict[int, float]]:
+    """Return what share of each frame without resistance leans on a frame, by floor and number of the former.
 
-    A floor carries its mass to the two nearest frames that resist, by the lever rule; beyond the last of them to that
-    one. So the shares of all frames that resist make the whole, and their mass has the centre of the building's.
+    A floor carries its mass to the two nearest frames that resist and reach up to it, by the lever rule; beyond the
+    last of them to that one. So the shares of all frames that resist make the whole, and their mass has the centre of
+    the floor's.
 
     Args:
         frame: of a building.
     """
     frames = parallel_frames(frame)
     place = frame.building.coordinates("y" if frame.along == "x" else "x")
-    firm = [other.number for other in frames if other.resists]
-    shares: dict[int, float] = {}
-    for other in frames:
-        if other.resists or frame.number not in firm:
-            continue
-        before = [n for n in firm if n < other.number][-1:]
-        after = [n for n in firm if n > other.number][:1]
-        if not (before and after):
-            share = 1.0 if frame.number in before + after else 0.0
-        else:
-            lever = (place[other.number] - place[before[0]]) / (place[after[0]] - place[before[0]])
-            share = {before[0]: 1.0 - lever, after[0]: lever}.get(frame.number, 0.0)
-        if share > 0.0:
-            shares[other.number] = share
-    return shares
+    found: dict[int, dict[int, float]] = {}
+    for floor in range(1, frame.top + 1):
+        firm = [other.number for other in frames if other.resists and other.top >= floor]
+        loose = [other.number for other in frames if not other.resists and other.top >= floor]
+        shares = {number: _share(place, firm, number, frame.number) for number in loose}
+        found[floor] = {number: share for number, share in shares.items() if share > 0.0}
+    return {floor: shares for floor, shares in found.items() if shares}
+
+
+def _share(place: tuple[float, ...], firm: list[int], loose: int, number: int) -> float:
+    """The share of one loose frame that leans on a firm one."""
+    before, after = [n for n in firm if n < loose][-1:], [n for n in firm if n > loose][:1]
+    if not (before and after):
+        return 1.0 if number in before + after else 0.0
+    lever = (place[loose] - place[before[0]]) / (place[after[0]] - place[before[0]])
+    return {before[0]: 1.0 - lever, after[0]: lever}.get(number, 0.0)
 
 
 def leaning(frame: PlaneFrame, values: Callable[[PlaneFrame], AtNodes]) -> dict[int, float]:
@@ -45,7 +47,7 @@ def leaning(frame: PlaneFrame, values: Callable[[PlaneFrame], AtNodes]) -> dict[
     """
     frames = parallel_frames(frame)
     found: dict[int, float] = defaultdict(float)
-    for number, share in leaning_shares(frame).items():
-        for (_, floor), value in values(frames[number]).items():
-            found[floor] += share * value
+    for floor, shares in leaning_shares(frame).items():
+        for number, share in shares.items():
+            found[floor] += share * sum(value for (_, at), value in values(frames[number]).items() if at == floor)
     return dict(found)

@@ -74,6 +74,11 @@ class PlaneFrame:
         at = self.building.layout.brace_at
         return {p: run for p, run in at.items() if (p.along, p.frame) == (self.along, self.number)}
 
+    @cached_property
+    def top(self) -> int:
+        """The highest floor that it reaches; 0 where it has no column."""
+        return max((storey for _, storey in self.columns), default=0)
+
     @property
     def resists(self) -> bool:
         """Whether braces, or beams with a moment at an end, resist horizontal forces in it."""
@@ -145,7 +150,7 @@ class PlaneFrame:
         """Check that a project file can say what the frame is.
 
         Raises:
-            InputError: it has semi-rigid ends, or chevrons, or no column.
+            InputError: it has semi-rigid ends, chevrons, no column, or nothing that resists while other frames do.
         """
         soft = [str(place) for place, run in self.beams.items() if _semi_rigid(run.ends)]
         if soft:
@@ -155,6 +160,9 @@ class PlaneFrame:
             raise self._refuse(f"project files have no braces to the middle of a beam, as to that of {listed(halved)}")
         if not self.columns:
             raise self._refuse("no column stands in it")
+        if not self.resists and (firm := [other.name for other in parallel_frames(self) if other.resists]):
+            message = f"it leans on others, as its beams are pinned and it has no braces; extract {listed(firm)}"
+            raise self._refuse(message)
 
     def _refuse(self, message: str) -> InputError:
         return InputError(f"{self.building.path}: frame {self.name}: {message}")

@@ -11,7 +11,7 @@ from edesign.project.yaml_edit import yaml_text
 from edesign.space.extract.leaning import leaning, leaning_shares
 from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames
 from edesign.space.extract.rectangles import plane_name, plane_section, rectangles
-from edesign.space.extract.selections import runs, value
+from edesign.space.extract.selections import runs, selection, value
 from edesign.space.load_cases import PERMANENT, SELF_WEIGHT
 
 LEANING = "leaning"
@@ -40,11 +40,12 @@ class _ProjectText:
     def __init__(self, frame: PlaneFrame) -> None:
         self.frame = frame
         self.building = frame.building
-        self.storeys = frame.building.n_storeys
+        self.storeys = frame.top
         self.shares = leaning_shares(frame)
-        tied = len(frame.building.diaphragms.numbers(1, self.storeys)) == self.storeys
+        tied = set(self.shares) <= set(frame.building.diaphragms.numbers(1, self.storeys))
         self.leans = bool(self.shares) and tied
         """Whether there is a line for what leans on the frame."""
+        self.leaning_top = max(self.shares) if self.leans else 0
         self.lines = range(len(frame.lines) + self.leans)
         self.bays = range(1, len(self.lines))
         self.leaning_line = len(frame.lines)
@@ -72,15 +73,17 @@ class _ProjectText:
             "# Beams carry the mean of their loads over their length, nodes what beams at right angles bring.",
         ]
         others = parallel_frames(frame)
-        shares = ", ".join(f"{share:.4g} of {others[number].name}" for number, share in self.shares.items())
+        first = next(iter(self.shares), 0)
+        leaning = ", ".join(f"{share:.4g} of {others[n].name}" for n, share in self.shares.get(first, {}).items())
+        shares = f"by the lever rule, at floor {first} {leaning}"
         if self.leans:
             text += [
-                f"# Frames that resist nothing along {frame.along} lean on this one by the lever rule: {shares}.",
+                f"# Frames that resist nothing along {frame.along} lean on this one {shares}.",
                 f"# Line {line_name(self.leaning_line)} is theirs: pin-ended columns with their masses and loads.",
             ]
         elif self.shares:
             text += [
-                f"# Frames that resist nothing along {frame.along} lean on this one by the lever rule: {shares}.",
+                f"# Frames that resist nothing along {frame.along} lean on this one {shares}.",
                 "# Not all floors are diaphragms, which would tie them: their masses and loads are not in this file.",
             ]
         if any(not run.in_compression for run in frame.braces.values()):
@@ -97,16 +100,20 @@ class _ProjectText:
         return [
             "frame:",
             f"  bays: {_lengths(widths, 'width')}",
-            f"  storeys: {_lengths(self.building.heights, 'height')}",
+            f"  storeys: {_lengths(self.building.heights[: self.storeys], 'height')}",
             f"  supports: {kinds.pop() if len(kinds) == 1 else by_line}",
-            f"  diaphragms: {self.building.diaphragms}",
+            f"  diaphragms: {self._diaphragms()}",
         ]
+
+    def _diaphragms(self) -> str:
+        floors = list(self.building.diaphragms.numbers(1, self.storeys))
+        return selection(floors, list(range(1, self.storeys + 1)), str) if floors else "none"
 
     def members(self) -> list[str]:
         frame = self.frame
         columns = {place: (self._column_section(run), run.material) for place, run in frame.columns.items()}
         first = next(iter(frame.columns.values())).material
-        columns |= {(self.leaning_line, s): (LEANING, first) for s in range(1, self.storeys + 1) if self.leans}
+        columns |= {(self.leaning_line, s): (LEANING, first) for s in range(1, self.leaning_top + 1)}
         beams = {(p.bay, p.floor): (run.section, run.material) for p, run in frame.beams.items()}
         braces = {}
         for place, run in frame.braces.items():
@@ -176,7 +183,7 @@ class _ProjectText:
         """The share of the columns of the first storey; pin-ended, they do not bend."""
         others = parallel_frames(self.frame)
         area = inertia = 0.0
-        for number, share in self.shares.items():
+        for number, share in next(iter(self.shares.values())).items():
             for (_, storey), run in others[number].columns.items():
                 if storey == 1:
                     own_area, own_inertia = plane_section(run.section, run.strong == self.frame.along)

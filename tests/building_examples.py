@@ -1,0 +1,86 @@
+"""Small buildings that are right, for tests of their files and space frames."""
+
+from __future__ import annotations
+
+from edesign.building.hollow import BuildingSections
+from edesign.project.building import Building, parse_building
+
+SMALL = """\
+edesign_building: 1
+title: Two storeys
+plan: {x: [6 m, 4 m], y: {count: 2, width: 5 m}}
+storeys: [4 m, 3 m]
+columns: [{section: HEB200, material: S275, strong: x}]
+beams:
+  - {along: x, section: IPE300, material: S275}
+  - {along: y, section: IPE240, material: S275, ends: pinned}
+braces:
+  - {along: y, frames: [A, C], bays: 1, kind: cross, section: CHS101.6x5, material: S275}
+materials: {S275: {fy: 275 MPa}}
+loads:
+  areas: [{G: 4 kN/m^2, Q: 2 kN/m^2, category: B, spans: x}]
+masses: {from_loads: {}}
+hazard: {code: ec8-2004, a_gR: 0.24 g, ground: B, spectrum: 1, levels: {DBE: {probability: 10 %}}}
+design:
+  ductility_class: medium
+  systems: {x: {type: moment_frame, q: 4}, y: {type: concentric_diagonal, q: table}}
+"""
+"""Lines A to C along x, 1 to 3 along y."""
+
+IRREGULAR = """\
+edesign_building: 1
+title: Hall with a tower
+plan: {x: [6 m, 7 m, 5 m], y: [4 m, 8 m]}
+storeys: [5 m, 3.5 m, 3 m]
+setbacks:
+  - {floors: 2-3, bays: [{x: 1-2, y: all}, {x: 3, y: 1}]}
+  - {floors: 3, bays: {x: 1, y: all}}
+supports:
+  default: fixed
+  C-D: pinned
+  D1: {uz: 400 MN/m, rx: 30 MN*m/rad, ry: free}
+columns:
+  - {section: HEB260, material: S355, strong: x}
+  - {at: [A, B2-D2], storeys: 1, section: HEB300, material: S355, strong: y, group: low}
+  - {at: C3, section: RHS300x200x10, material: S355, strong: y, group: tubes}
+beams:
+  - {along: x, section: IPE360, material: S355, ends: {start: 40 MN*m/rad, end: rigid}}
+  - {along: x, frames: X1, section: IPE330, material: S355}
+  - {along: y, section: IPE300, material: S355, ends: pinned}
+braces:
+  - {along: y, frames: A, bays: 2, storeys: 1-2, kind: chevron, section: SHS120x8, material: S355}
+  - {along: y, frames: A, bays: 2, storeys: 3, kind: v, section: SHS120x8, material: S355, group: D1}
+  - {along: y, frames: C, bays: 1, storeys: 1-2, compression: true, kind: alternating, section: SHS140x8,
+     material: S355}
+  - {along: y, frames: D, bays: 1, storeys: 1, kind: falling, section: SHS140x8, material: S355}
+missing:
+  columns: [{at: B2, storeys: 1}]
+  beams: [{along: x, frames: X2, bays: 1, floors: 3}]
+materials: {S355: {E: 205 GPa, fy: 355 MPa, density: 8000 kg/m^3}}
+loads:
+  areas:
+    - {floors: 1, G: 5 kN/m^2, Q: 5 kN/m^2, category: C, spans: two_way}
+    - {floors: 2, bays: {x: 1, y: all}, G: 4 kN/m^2, Q: 3 kN/m^2, category: B, spans: x, secondary_beams: 1}
+    - floors: 2
+      bays: [{x: 2, y: all}, {x: 3, y: 1}]
+      G: 4 kN/m^2
+      Q: 3 kN/m^2
+      category: B
+      spans: y
+      secondary_beams: 2
+    - {floors: 3, G: 3 kN/m^2, Q: 0.8 kN/m^2, category: snow, spans: x}
+  perimeter: [{floors: 1-2, G: 1.5 kN/m}]
+  beams: [{along: y, frames: A, bays: 2, floors: 1, Q: 7 kN/m, category: C}]
+  nodes: [{at: D1-D3, floors: 1, G: 20 kN}]
+  live_load_reduction: true
+masses: {from_loads: {Q: {B: 0.3, C: 0.6, snow: 0}}, phi: 0.8}
+"""
+"""Lines A to D along x, 1 to 3 along y."""
+
+
+def building(text: str, *changes: tuple[str, str]) -> Building:
+    """A building of a text with some of it changed."""
+    for old, new in changes:
+        assert text.count(old) == 1, f"{old!r} must stand in the building once"
+        text = text.replace(old, new)
+    return parse_building(text, "building.yaml", BuildingSections())
