@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -30,7 +30,7 @@ from edesign.space.criteria import (
     system_of,
 )
 from edesign.space.effects import Effects, effects
-from edesign.space.frame import SpaceFrame
+from edesign.space.frame import LoadCase, SpaceFrame
 from edesign.space.geometry import space_frame
 from edesign.space.member_checks import MemberResults, member_results
 from edesign.space.model import space_model
@@ -45,7 +45,7 @@ from edesign.space.response import (
 )
 from edesign.space.storeys import Storeys, storeys
 
-PERMANENT = "permanent"
+PERMANENT = "permanent"  # category of load cases
 
 
 @dataclass(frozen=True)
@@ -105,7 +105,7 @@ def elastic_design(building: Building) -> ElasticDesign:
     design = design_of(building)
     hazard = _hazard(building)
     national = national_parameters(hazard.country)
-    frame = space_frame(building)
+    frame = _with_joined_cases(space_frame(building))
     if not frame.node_mass.any():
         raise InputError(
             f"{building.path}: masses: the seismic action needs masses; docs/building_file.md explains them"
@@ -178,6 +178,28 @@ def _hazard(building: Building) -> Hazard:
     if building.hazard is None:
         raise InputError(f"{building.path}: hazard: this block is missing; docs/building_file.md explains it")
     return building.hazard
+
+
+def _with_joined_cases(frame: SpaceFrame) -> SpaceFrame:
+    """Return the frame with its permanent cases as one, `G`, and a single category of use as `Q`."""
+    permanent = [case for case in frame.cases.values() if case.category == PERMANENT]
+    variable = [case for case in frame.cases.values() if case.category != PERMANENT]
+    cases = {"G": _sum("G", permanent)} | {case.name: case for case in variable}
+    if len(variable) == 1:
+        cases = {"G": cases["G"], "Q": replace(variable[0], name="Q")}
+    return replace(frame, cases=cases)
+
+
+def _sum(name: str, cases: Sequence[LoadCase]) -> LoadCase:
+    return LoadCase(
+        name,
+        PERMANENT,
+        nodal=np.sum([case.nodal for case in cases], axis=0),
+        uniform=np.sum([case.uniform for case in cases], axis=0),
+        point_member=np.concatenate([case.point_member for case in cases]),
+        point_position=np.concatenate([case.point_position for case in cases]),
+        point_force=np.concatenate([case.point_force for case in cases]),
+    )
 
 
 def _action_factors(design: Design, national: NationalParameters) -> ActionFactors:

@@ -7,6 +7,7 @@ set, all others in the capacity set; in ductility class low all in the seismic s
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
@@ -47,6 +48,7 @@ from edesign.space.response import AXES, STATIONS, Axis
 
 PERSISTENT, SEISMIC, CAPACITY = range(3)
 LARGEST_CLASS = 3
+_SEISMIC_TERM = re.compile(r"(?:([0-9.]+) )?E_([xy])")
 
 
 @dataclass(frozen=True)
@@ -57,7 +59,7 @@ class MemberResults:
         checks: (n_checks,) names, with the clause: `N-M (EN 1993-1-1, 6.2.9)`.
         clauses: (n_checks,) clauses.
         utilisation: (n_members, n_checks); nan where the check does not apply.
-        combination: (n_members, n_checks) number of the governing combination, from 1; 0 where the check does not apply.
+        combination: (n_members, n_checks) number of the governing combination, from 1; 0 where it does not apply.
         station: (n_members, n_checks) governing place as a fraction of the length; nan where it does not apply.
         rows: the combinations that the numbers mean: those of actions, then the amplified ones.
     """
@@ -154,8 +156,8 @@ def amplified_combinations(
     found = []
     for row in seismic:
         x, y, z = row.seismic
-        name = row.name.replace("E_x", f"{factor['x']:.3g} E_x").replace("E_y", f"{factor['y']:.3g} E_y")
-        found.append(replace(row, name=name.replace("0.3 ", "0.3 x "), seismic=(x * factor["x"], y * factor["y"], z)))
+        name = _SEISMIC_TERM.sub(lambda term: f"{float(term[1] or 1.0) * factor[term[2]]:.3g} E_{term[2]}", row.name)  # type: ignore[index]
+        found.append(replace(row, name=name, seismic=(x * factor["x"], y * factor["y"], z)))
     return tuple(found)
 
 
