@@ -455,6 +455,65 @@ int ed_rotated_spectrum(int n, double dt, const double *first, const double *sec
 int ed_recursion_peaks(int n, const double *samples, int n_recursions, const double *numerator, const double *denominator,
                        double share, int most, int *count, double *place, double *value, const ed_stop *stop);
 
+/* ---- checks of steel members ------------------------------------------------------------------------------------ */
+
+/* Forces at stations along members, in the order N (tension positive), V_y, V_z, T, M_y, M_z: statics n_cases x n_members x
+ * n_stations x 6; spectral n_directions x ..., magnitudes of responses without sign. static_factors: n_combinations x n_cases,
+ * spectral_factors: n_combinations x n_directions (magnitudes count). In each combination N takes both signs of the spectral part,
+ * moments and shears the one that adds. T is not checked.
+ * set: n_combinations, number of the set of checks of a combination; masks: n_members x n_sets, the checks of a member under it, 1 <<
+ * ED_CHECK_...; gravity: n_cases, whether a case counts in V_Ed,G. constants: n_members x ED_N_CONSTANTS; kind: n_members, shape,
+ * | ED_CLASS_3, | ED_NO_TWIST. Member checks (N_B, M_B, 6_61, 6_62) count with the largest compression and moments along the member;
+ * their station is that of the compression, of M_y elsewhere.
+ * Of each member and check: the largest utilisation (1 is the limit), the first combination and station that give it, or 0, -1, -1
+ * where none applies: n_members x ED_N_CHECKS each. every: 1 evaluates all combinations, 0 leaves out those that cannot govern; the
+ * results are the same. ED_E_ARGUMENT: a number or constant is out of range, ED_E_NOT_FINITE, ED_E_MEMORY; nothing is written then. */
+#define ED_MAX_LOADS 4096 /* cases and directions */
+enum { ED_I = 0, ED_RHS = 1, ED_CHS = 2, ED_CLASS_3 = 4, ED_NO_TWIST = 8 };
+enum {
+  ED_N_RD = 0,       /* A f_y / gamma_M0 */
+  ED_V_Y_RD = 1,
+  ED_V_Z_RD = 2,
+  ED_M_Y_RD = 3,     /* plastic, of class 3 elastic */
+  ED_M_Z_RD = 4,
+  ED_M_Y_SHEAR = 5,  /* the part of M_Y_RD that the shear area carries, Eq. 6.30 */
+  ED_N_WEB = 6,      /* h_w t_w f_y / gamma_M0 of an I section, else 0 */
+  ED_A_Y = 7,        /* a, a_w of Eqs. 6.36, 6.39 */
+  ED_A_Z = 8,        /* a, a_f of Eqs. 6.38, 6.40 */
+  ED_N_B_Y = 9,      /* chi_y N_Rk / gamma_M1 */
+  ED_N_B_Z = 10,
+  ED_M_B = 11,       /* chi_LT M_y,Rk / gamma_M1 */
+  ED_M_Z_RK = 12,    /* M_z,Rk / gamma_M1 */
+  ED_LAMBDA_Y = 13,
+  ED_LAMBDA_Z = 14,
+  ED_C_MY = 15,
+  ED_C_MZ = 16,
+  ED_C_MLT = 17,     /* above 0.25 */
+  ED_V_M = 18,       /* V_Ed,M of EN 1998-1, 6.6.2(2) */
+  ED_N_CONSTANTS = 19
+};
+enum {
+  ED_CHECK_N = 0,         /* EN 1993-1-1, 6.2.3, 6.2.4 */
+  ED_CHECK_V_Y = 1,       /* 6.2.6 */
+  ED_CHECK_V_Z = 2,
+  ED_CHECK_M_Y = 3,       /* 6.2.5, 6.2.8 */
+  ED_CHECK_M_Z = 4,
+  ED_CHECK_N_M = 5,       /* 6.2.9, 6.2.10 */
+  ED_CHECK_N_B = 6,       /* 6.3.1 */
+  ED_CHECK_M_B = 7,       /* 6.3.2 */
+  ED_CHECK_6_61 = 8,      /* 6.3.3, Annex B */
+  ED_CHECK_6_62 = 9,
+  ED_CHECK_BEAM_M = 10,   /* EN 1998-1, 6.6.2(2), Eq. 6.2: M_Ed / M_pl,Rd */
+  ED_CHECK_BEAM_N = 11,   /* Eq. 6.3: N_Ed / N_pl,Rd by 0.15 */
+  ED_CHECK_BEAM_V = 12,   /* Eq. 6.4: (V_Ed,G + V_Ed,M) / V_pl,Rd by 0.5 */
+  ED_CHECK_COLUMN_V = 13, /* 6.6.3(4), Eq. 6.7: V_Ed / V_pl,Rd by 0.5 */
+  ED_N_CHECKS = 14
+};
+int ed_member_checks(int n_cases, int n_directions, int n_members, int n_stations, int n_combinations, int n_sets,
+                     const double *statics, const double *spectral, const double *static_factors,
+                     const double *spectral_factors, const int *set, const int *gravity, const double *constants,
+                     const int *kind, const int *masks, int every, double *utilisation, int *combination, int *station);
+
 #ifdef __cplusplus
 }
 #endif
