@@ -478,8 +478,8 @@ enum {
   ED_M_Z_RD = 4,
   ED_M_Y_SHEAR = 5,  /* the part of M_Y_RD that the shear area carries, Eq. 6.30 */
   ED_N_WEB = 6,      /* h_w t_w f_y / gamma_M0 of an I section, else 0 */
-  ED_A_Y = 7,        /* a, a_w of Eqs. 6.36, 6.39 */
-  ED_A_Z = 8,        /* a, a_f of Eqs. 6.38, 6.40 */
+  ED_WEB_SHARE_Y = 7,        /* a, a_w of Eqs. 6.36, 6.39 */
+  ED_WEB_SHARE_Z = 8,        /* a, a_f of Eqs. 6.38, 6.40 */
   ED_N_B_Y = 9,      /* chi_y N_Rk / gamma_M1 */
   ED_N_B_Z = 10,
   ED_M_B = 11,       /* chi_LT M_y,Rk / gamma_M1 */

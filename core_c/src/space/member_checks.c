@@ -81,15 +81,15 @@ static inline void with_axial_force(const member *b, double n, double N_ratio, d
     *y = *z = 1.0 - pow(n, 1.7);
     return;
   }
-  *y = smaller(left / (1.0 - 0.5 * c[ED_A_Y]), 1.0);
+  *y = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Y]), 1.0);
   if (b->shape == ED_RHS) {
-    *z = smaller(left / (1.0 - 0.5 * c[ED_A_Z]), 1.0);
+    *z = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Z]), 1.0);
     return;
   }
   if (n <= 0.25 && N_ratio <= 1.0)
     *y = 1.0;
-  const double beyond = (n - c[ED_A_Z]) / (1.0 - c[ED_A_Z]);
-  *z = n <= c[ED_A_Z] ? 1.0 : 1.0 - beyond * beyond;
+  const double beyond = (n - c[ED_WEB_SHARE_Z]) / (1.0 - c[ED_WEB_SHARE_Z]);
+  *z = n <= c[ED_WEB_SHARE_Z] ? 1.0 : 1.0 - beyond * beyond;
 }
 
 /* 6.2.9.1(2) and (6), 6.2.1(7), 6.2.9.2 */
@@ -401,7 +401,7 @@ static int valid_members(int members, const double *constants, const int *kind)
       if (!(c[positive[j]] > 0.0))
         return 0;
     if (!(c[ED_C_MLT] > 0.25) || !(c[ED_M_Y_SHEAR] >= 0.0 && c[ED_M_Y_SHEAR] <= c[ED_M_Y_RD]) || !(c[ED_N_WEB] >= 0.0) ||
-        !(c[ED_A_Y] >= 0.0 && c[ED_A_Y] <= 0.5) || !(c[ED_A_Z] >= 0.0 && c[ED_A_Z] <= 0.5) || !(c[ED_LAMBDA_Y] >= 0.0) ||
+        !(c[ED_WEB_SHARE_Y] >= 0.0 && c[ED_WEB_SHARE_Y] <= 0.5) || !(c[ED_WEB_SHARE_Z] >= 0.0 && c[ED_WEB_SHARE_Z] <= 0.5) || !(c[ED_LAMBDA_Y] >= 0.0) ||
         !(c[ED_LAMBDA_Z] >= 0.0) || !(c[ED_V_M] >= 0.0))
       return 0;
     if (kind[i] < 0 || kind[i] > (KIND_SHAPE | ED_CLASS_3 | ED_NO_TWIST) || (kind[i] & KIND_SHAPE) > ED_CHS)
