@@ -35,9 +35,7 @@ def run(
         str | None,
         typer.Option("--scheduler", metavar="ADDRESS", help="Of a dask cluster: tcp://host:8786; it implies dask."),
     ] = None,
-    check: Annotated[
-        bool, typer.Option("--check", help="Exit with 3 if a check of a building is not met.")
-    ] = False,
+    check: Annotated[bool, typer.Option("--check", help="Exit with 3 if a check of a building is not met.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
     """Run the analyses of a project or study, or design checks of a building, archive them, and print a summary.

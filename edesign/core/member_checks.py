@@ -163,13 +163,13 @@ def member_checks(
         CoreError: a value is not finite, a resistance is not greater than zero, or a response is negative.
     """
     arrays = [_doubles(x) for x in (statics, spectral, static_factors, spectral_factors)]
-    of_sets, of_cases, of_members = (
-        np.ascontiguousarray(x, dtype=np.intc) for x in (combination_set, gravity, masks)
-    )
+    of_sets, of_cases, of_members = (np.ascontiguousarray(x, dtype=np.intc) for x in (combination_set, gravity, masks))
     c, m, s, n_forces = arrays[0].shape
     d, k = arrays[1].shape[0], of_sets.shape[0]
     shapes = [a.shape for a in (*arrays, of_sets, of_cases)]
-    if shapes != [(c, m, s, len(FORCES)), (d, m, s, len(FORCES)), (k, c), (k, d), (k,), (c,)] or n_forces != len(FORCES):
+    if shapes != [(c, m, s, len(FORCES)), (d, m, s, len(FORCES)), (k, c), (k, d), (k,), (c,)] or n_forces != len(
+        FORCES
+    ):
         raise ValueError(f"shapes do not fit together: {shapes}")
     if len(members) != m or of_members.ndim != 2 or of_members.shape[0] != m:
         raise ValueError(f"{len(members)} constants and masks {of_members.shape} of {m} members")

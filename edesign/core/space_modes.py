@@ -96,7 +96,9 @@ def mass_factor(
     """
     wrong = np.flatnonzero(~(np.isfinite(mass) & (mass >= 0.0)))
     if wrong.size:
-        raise ValueError(f"the mass of node {wrong[0]} is {mass[wrong[0]]:g} kg; it must be a finite number of at least 0")
+        raise ValueError(
+            f"the mass of node {wrong[0]} is {mass[wrong[0]]:g} kg; it must be a finite number of at least 0"
+        )
     n, plan = len(mass), coordinates[:, :2]
     rows: list[tuple[dict[int, float], int, float, np.ndarray]] = []
     for floor, master in enumerate(masters):

@@ -112,4 +112,5 @@ def _check_variables(table: VariableTable, i: int, problems: Problems) -> None:
         if len(row.values) != length:
             problems.at_value((*keys, "values"), f"{len(row.values)} values for {length} {of}")
         for k, cell in enumerate(row.cells()):
-            _check_bar(problems, (*keys, "values", k), cell, table.bar(row, cell))
+            if cell is not None:
+                _check_bar(problems, (*keys, "values", k), cell, table.bar(row, cell))

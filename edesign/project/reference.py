@@ -112,18 +112,18 @@ class ResponseTable(Model):
 
 
 class VariableRow(Model):
-    """A variable of a group of the archive: its values in `unit`, in the order of the archive."""
+    """A variable of a group of the archive: its values in `unit`, in the order of the archive; null leaves one out."""
 
     variable: Text
     label: Text
     unit: Text
     within: PositiveFactor | None = None
     note: Text | None = None
-    values: Annotated[tuple[Printed, ...], Field(min_length=1)]
+    values: Annotated[tuple[Printed | None, ...], Field(min_length=1)]
 
-    def cells(self) -> tuple[Cell, ...]:
-        """The values."""
-        return tuple(_cell(value) for value in self.values)
+    def cells(self) -> tuple[Cell | None, ...]:
+        """The values; None where the source has none to compare."""
+        return tuple(None if value is None else _cell(value) for value in self.values)
 
 
 class VariableTable(Model):

@@ -76,6 +76,8 @@ def _cells(
     have = 0 if values is None else len(values)
     cells = []
     for k, cell in enumerate(row.cells()):
+        if cell is None:
+            continue
         value = float(values[k]) if values is not None and k < have else None
         finite = value is not None and bool(np.isfinite(value))
         absent = f"the archive has no {table.group}" if group is None else f"there are {have} values"

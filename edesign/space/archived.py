@@ -58,6 +58,9 @@ def _modes(design: ElasticDesign) -> Group:
     for number, name in enumerate(("x", "y", "rz")):
         ratio = modes.effective_mass_ratio[:, number]
         group.add(f"effective_mass_ratio_{name}", ("mode",), ratio, "1", f"effective modal mass ratio, {name}")
+    about = "effective modal mass ratio of rotation about the corner of lines A and 1, as some programs give it"
+    group.add("effective_mass_ratio_rz_corner", ("mode",), _about_corner(design), "1", about)
+    group.add("frequency", ("mode",), 1.0 / modes.period, "Hz", "natural frequency")
     group.coords["diaphragm"] = _numbers("diaphragm", modes.floor_shapes.shape[1], "rigid floor, from below")
     group.coords["degree"] = Variable(("degree",), np.array(["ux", "uy", "rz"]), "", "degree of a floor")
     shape = "shape of the floors, generalised mass 1"
@@ -67,6 +70,14 @@ def _modes(design: ElasticDesign) -> Group:
         group.add(f"design_acceleration_{axis}", ("mode",), of.acceleration, "m/s^2", f"S_d(T), direction {axis}")
         group.add(f"lower_bound_{axis}", ("mode",), of.lower_bound, "1", f"beta a_g governs, direction {axis}")
     return group
+
+
+def _about_corner(design: ElasticDesign) -> np.ndarray:
+    """Return the effective modal mass ratios of rotation about a vertical axis through the origin, (n_modes,)."""
+    mass, moved = design.frame.node_mass, design.modes.displacements
+    x, y = design.frame.coordinates[:, 0], design.frame.coordinates[:, 1]
+    participation = (mass * (x * moved[:, :, 1] - y * moved[:, :, 0])).sum(axis=1)
+    return np.asarray(participation**2 / (mass * (x**2 + y**2)).sum())
 
 
 def _combinations(design: ElasticDesign) -> Group:
