@@ -9,8 +9,9 @@
 
 enum { STEPS = 300, PROOFS = 8 };
 /* Change of the eigenvalue in a step, relative, from which on it is looked at. A proof holds down to PROVED below the factor: there the
- * smallest pivot is still far from rounding, and no engineer minds a factor passed over so close to the other. */
-static const double SETTLED = 1e-12, PROVED = 1e-4;
+ * smallest pivot is still far from rounding, and no engineer minds a factor passed over so close to the other. Below NONE of the
+ * largest eigenvalue of either sign there is only rounding. */
+static const double SETTLED = 1e-12, PROVED = 1e-4, NONE = 1e-8;
 
 typedef struct {
   int n, steps;
@@ -123,6 +124,11 @@ static int stable(ed_space *s, double lambda)
   return ed_solver_factor(s->solver, s->matrix, &repivoted) == ED_OK && ed_solver_negative_pivots(s->solver) == 0;
 }
 
+static int not_found(ed_space *s, const lanczos *l, double below)
+{
+  return ed_space_fail(s, ED_E_NOT_CONVERGED, "the critical load factor was not found in %d steps; it is below %g", l->steps, below);
+}
+
 static int iterate(ed_space *s, lanczos *l, int most, double *factor)
 {
   double before = 0.0, refuted = -HUGE_VAL;
@@ -146,8 +152,10 @@ static int iterate(ed_space *s, lanczos *l, int most, double *factor)
     if (!isfinite(theta) || !isfinite(rest))
       return ed_space_fail(s, ED_E_NOT_FINITE, "the critical load factor is not a finite number");
     if (ended || (j > 0 && fabs(theta - before) <= SETTLED * bound(l))) {
-      if (ended && theta <= 1e-10 * bound(l)) /* nothing but rounding: no axial force bends anything out */
-        return ED_OK;
+      if (ended && theta <= NONE * bound(l)) { /* nothing but rounding: no axial force bends anything out */
+        const int none = bound(l) == 0.0 || stable(s, 1.0 / (NONE * bound(l))), status = ed_space_factor(s);
+        return status != ED_OK || none ? status : not_found(s, l, *factor);
+      }
       if (theta > 0.0 && (ended || theta - refuted > SETTLED * bound(l))) {
         proofs++;
         refuted = theta;
@@ -157,7 +165,7 @@ static int iterate(ed_space *s, lanczos *l, int most, double *factor)
           return status;
       }
       if (ended || proofs == PROOFS)
-        return ed_space_fail(s, ED_E_NOT_CONVERGED, "the critical load factor was not found in %d steps; it is below %g", l->steps, *factor);
+        return not_found(s, l, *factor);
     }
     before = theta;
     l->beta[j] = rest;
