@@ -25,7 +25,8 @@ typedef struct {
 } loads;
 
 typedef struct {
-  const double *c; /* constants, ED_N_RD ... */
+  const double *c;             /* constants, ED_N_RD ... */
+  double per[ED_N_CONSTANTS];  /* 1 / c of resistances */
   int shape, elastic, twists;
 } member;
 
@@ -44,10 +45,11 @@ static inline double smaller(double a, double b)
   return a < b ? a : b;
 }
 
-/* load / resistance, where a resistance that is used up carries nothing */
+/* load / resistance, where a resistance that is used up carries nothing; both are computed, so that loops have no branches */
 static inline double ratio(double load, double resistance)
 {
-  return load <= 0.0 ? 0.0 : resistance > 0.0 ? load / resistance : HUGE_VAL;
+  const double quotient = load / resistance, without = load > 0.0 ? HUGE_VAL : 0.0;
+  return resistance > 0.0 ? quotient : without;
 }
 
 /* 6.2.8(3) */
@@ -68,9 +70,14 @@ static inline sheared with_shear(const member *b, double v_y, double v_z, double
 {
   const double *c = b->c, y = shear_reduction(v_y), z = shear_reduction(v_z);
   const double N_V = c[ED_N_RD] - sqrt(3.0) * (y * c[ED_V_Y_RD] + z * c[ED_V_Z_RD]);
-  const double N_web = 0.5 * (1.0 - z) * c[ED_N_WEB];
-  return (sheared){ratio(M_y, c[ED_M_Y_RD] - z * c[ED_M_Y_SHEAR]), ratio(M_z, (1.0 - y) * c[ED_M_Z_RD]),
-                   N_V > 0.0 ? 1.0 / N_V : HUGE_VAL, N_web > 0.0 ? 1.0 / N_web : HUGE_VAL};
+  return (sheared){ratio(M_y, c[ED_M_Y_RD] - z * c[ED_M_Y_SHEAR]), ratio(M_z, (1.0 - y) * c[ED_M_Z_RD]), ratio(1.0, N_V),
+                   ratio(1.0, 0.5 * (1.0 - z) * c[ED_N_WEB])};
+}
+
+/* The same without shear above half of the resistance. */
+static inline sheared without_shear(const member *b, double M_y, double M_z)
+{
+  return (sheared){M_y * b->per[ED_M_Y_RD], M_z * b->per[ED_M_Z_RD], b->per[ED_N_RD], 2.0 * b->per[ED_N_WEB]};
 }
 
 /* M_N,Rd / M_Rd, 6.2.9.1(4) and (5); N_ratio: N / half of the web's N, n < 1 */
@@ -92,12 +99,12 @@ static inline void with_axial_force(const member *b, double n, double N_ratio, d
   *z = n <= c[ED_WEB_SHARE_Z] ? 1.0 : 1.0 - beyond * beyond;
 }
 
-/* 6.2.9.1(2) and (6), 6.2.1(7), 6.2.9.2 */
-static double section(const member *b, const sheared *s, double N_Ed)
+/* 6.2.9.1(2) and (6), 6.2.1(7), 6.2.9.2; any value below `found` may be returned for one below it */
+static inline double section(const member *b, const sheared *s, double N_Ed, double found)
 {
   const double n = N_Ed > 0.0 ? N_Ed * s->n_scale : 0.0;
   const double linear = n + s->m_y + s->m_z;
-  if (b->elastic || !(n < 1.0))
+  if (b->elastic || !(n < 1.0) || linear < found) /* the last: the result would be less still */
     return linear;
   double y, z;
   with_axial_force(b, n, N_Ed * s->n_web_scale, &y, &z);
@@ -118,23 +125,30 @@ static double section(const member *b, const sheared *s, double N_Ed)
   return smaller(larger(single, both), linear);
 }
 
-/* Not less than `section` for any smaller forces. */
-static inline double section_bound(const member *b, const sheared *s, double N_Ed)
+/* Not less than `section` for any smaller forces; `shape` is constant where it is inlined, and nothing branches. Exponents of ratios
+ * up to 1 are at least 2 and 1 (I), 2 (CHS), 1.66 (RHS, taken as 1.5); n^1.7 is not more than n^1.5. */
+static inline __attribute__((always_inline)) double section_bound(const member *b, int shape, const sheared *s, double N_Ed)
 {
-  const double n = N_Ed > 0.0 ? N_Ed * s->n_scale : 0.0;
+  const double *c = b->c, scaled = N_Ed * s->n_scale, n = N_Ed > 0.0 ? scaled : 0.0, left = 1.0 - n;
   const double linear = n + s->m_y + s->m_z;
-  if (b->elastic || !(n < 1.0) || linear > 1e3)
-    return linear;
   double y, z;
-  with_axial_force(b, n, N_Ed * s->n_web_scale, &y, &z);
-  const double r_y = ratio(s->m_y, y), r_z = ratio(s->m_z, z);
-  if (!(r_y <= 1.0 && r_z <= 1.0))
-    return linear;
-  /* exponents are at least 2 and 1 (I), 2 (CHS), 1.66 (RHS, taken as 1.5) */
-  const double both = b->shape == ED_I     ? r_y * r_y + r_z
-                      : b->shape == ED_CHS ? r_y * r_y + r_z * r_z
-                                           : r_y * sqrt(r_y) + r_z * sqrt(r_z);
-  return smaller(larger(larger(r_y, r_z), both), linear);
+  if (shape == ED_CHS) {
+    y = z = 1.0 - n * sqrt(n);
+  } else if (shape == ED_RHS) {
+    y = smaller(left / (1.0 - 0.5 * c[ED_A_Y]), 1.0);
+    z = smaller(left / (1.0 - 0.5 * c[ED_A_Z]), 1.0);
+  } else {
+    const double line = smaller(left / (1.0 - 0.5 * c[ED_A_Y]), 1.0);
+    y = larger(4.0 * n, N_Ed * s->n_web_scale) <= 1.0 ? 1.0 : line;
+    const double beyond = larger(n - c[ED_A_Z], 0.0) / (1.0 - c[ED_A_Z]);
+    z = 1.0 - beyond * beyond;
+  }
+  const double r_y = ratio(s->m_y, y), r_z = ratio(s->m_z, z), single = larger(r_y, r_z);
+  const double both = shape == ED_I     ? r_y * r_y + r_z
+                      : shape == ED_CHS ? r_y * r_y + r_z * r_z
+                                        : r_y * sqrt(r_y) + r_z * sqrt(r_z);
+  const double plastic = smaller(larger(single, both), linear);
+  return larger(n, single) < 1.0 ? plastic : linear;
 }
 
 /* ---- a member in bending and compression, 6.3.3, Annex B -------------------------------------------------------- */
@@ -165,92 +179,122 @@ static inline factors annex_b(const member *b, double n_y, double n_z)
   return k;
 }
 
-/* The largest factors for compression between none and this one: they are linear in it. */
-static inline factors annex_b_bound(const member *b, const factors *none, double n_y, double n_z)
-{
-  const factors k = annex_b(b, n_y, n_z);
-  return (factors){larger(none->yy, k.yy), larger(none->yz, k.yz), larger(none->zy, k.zy), larger(none->zz, k.zz)};
-}
+typedef struct {
+  int n;          /* distinct combinations */
+  int *of;        /* n: their numbers, the first of equal ones */
+  double *factor; /* (cases + directions) x n: magnitudes */
+  double *force;  /* (FORCES + 1) x n: bounds of N ... M_z, and of V_z by gravity in place FORCES */
+  double *bound;  /* ED_N_CHECKS x n */
+  double *top;    /* (cases + directions) x FORCES */
+  double *steady, *swing, *gravity; /* stations x FORCES twice, stations */
+  int *mask;      /* n: of the member */
+  int *open;      /* n: whether a combination may govern a check */
+} workspace;
 
 /* ---- exact evaluation of one combination ------------------------------------------------------------------------ */
 
 static inline void keep(worst *w, int check, double value, int combination, int station)
 {
-  if (value > w->utilisation[check] || (value == w->utilisation[check] && combination < w->combination[check]))
+  if (value > w->utilisation[check] || (value == w->utilisation[check] && value >= 0.0 && combination < w->combination[check]))
     w->utilisation[check] = value, w->combination[check] = combination, w->station[check] = station;
 }
 
 #define HAS(check) (mask >> (check) & 1)
 
-static void evaluate(const loads *l, const member *b, int at, int k, int mask, worst *w)
+/* Forces of one combination at all stations: the steady part with its sign, what swings without, V_z by gravity. */
+static inline __attribute__((always_inline)) void combine(const loads *l, int at, int k, const workspace *space)
 {
-  const double *c = b->c;
   const double *f = l->f + (size_t)k * l->cases, *g = l->g + (size_t)k * l->directions;
-  const size_t row = (size_t)l->stations * FORCES, all = row * l->members, own = row * at;
-  double compression = 0.0, most_y = 0.0, most_z = 0.0;
-  int at_compression = 0, at_y = 0;
+  const int row = l->stations * FORCES;
+  const size_t all = (size_t)row * l->members, own = (size_t)row * at;
+  double *restrict steady = space->steady, *restrict swing = space->swing, *restrict gravity = space->gravity;
+  for (int j = 0; j < row; j++)
+    steady[j] = swing[j] = 0.0;
+  for (int s = 0; s < l->stations; s++)
+    gravity[s] = 0.0;
+  for (int i = 0; i < l->cases; i++) {
+    const double *restrict of = l->statics + i * all + own;
+    const double factor = f[i];
+    for (int j = 0; j < row; j++)
+      steady[j] += factor * of[j];
+    for (int s = 0; s < l->stations && l->gravity[i]; s++)
+      gravity[s] += factor * of[s * FORCES + V_Z];
+  }
+  for (int i = 0; i < l->directions; i++) {
+    const double *restrict of = l->spectral + i * all + own;
+    const double factor = fabs(g[i]);
+    for (int j = 0; j < row; j++)
+      swing[j] += factor * of[j];
+  }
+}
+
+typedef struct {
+  double value;
+  int station;
+} peak;
+
+static inline void climb(peak *p, double value, int station)
+{
+  if (value > p->value)
+    p->value = value, p->station = station;
+}
+
+ED_CLONES static void evaluate(const loads *l, const member *b, int at, int k, int mask, const workspace *space, worst *w)
+{
+  enum { COMPRESSION = FORCES, GRAVITY, PEAKS };
+  const double *c = b->c, *per = b->per;
+  peak top[PEAKS] = {{0.0, 0}};
+  combine(l, at, k, space);
   for (int s = 0; s < l->stations; s++) {
-    double steady[FORCES] = {0.0}, swing[FORCES] = {0.0}, gravity = 0.0, F[FORCES];
-    for (int i = 0; i < l->cases; i++) {
-      const double *of = l->statics + i * all + own + (size_t)s * FORCES;
-      for (int j = 0; j < FORCES; j++)
-        steady[j] += f[i] * of[j];
-      if (l->gravity[i])
-        gravity += f[i] * of[V_Z];
-    }
-    for (int i = 0; i < l->directions; i++) {
-      const double *of = l->spectral + i * all + own + (size_t)s * FORCES;
-      for (int j = 0; j < FORCES; j++)
-        swing[j] += fabs(g[i]) * of[j];
-    }
+    const double *steady = space->steady + s * FORCES, *swing = space->swing + s * FORCES;
+    for (int j = 0; j < FORCES; j++)
+      climb(&top[j], fabs(steady[j]) + swing[j], s);
+    climb(&top[COMPRESSION], swing[N] - steady[N], s);
+    climb(&top[GRAVITY], fabs(space->gravity[s]), s);
+  }
+  const double v_y = top[V_Y].value * per[ED_V_Y_RD], v_z = top[V_Z].value * per[ED_V_Z_RD];
+  const int shears = v_y > 0.5 || v_z > 0.5;
+  for (int s = 0; s < l->stations && (HAS(ED_CHECK_N_M) || (shears && mask & (1 << ED_CHECK_M_Y | 1 << ED_CHECK_M_Z))); s++) {
+    const double *steady = space->steady + s * FORCES, *swing = space->swing + s * FORCES;
+    double F[FORCES];
     for (int j = 0; j < FORCES; j++)
       F[j] = fabs(steady[j]) + swing[j];
-    const double v_y = F[V_Y] / c[ED_V_Y_RD], v_z = F[V_Z] / c[ED_V_Z_RD];
-    if (HAS(ED_CHECK_N))
-      keep(w, ED_CHECK_N, F[N] / c[ED_N_RD], k, s);
-    if (HAS(ED_CHECK_V_Y))
-      keep(w, ED_CHECK_V_Y, v_y, k, s);
-    if (HAS(ED_CHECK_V_Z))
-      keep(w, ED_CHECK_V_Z, v_z, k, s);
-    if (mask & (1 << ED_CHECK_M_Y | 1 << ED_CHECK_M_Z | 1 << ED_CHECK_N_M)) {
-      const sheared m = with_shear(b, v_y, v_z, F[M_Y], F[M_Z]);
-      if (HAS(ED_CHECK_M_Y))
-        keep(w, ED_CHECK_M_Y, m.m_y, k, s);
-      if (HAS(ED_CHECK_M_Z))
-        keep(w, ED_CHECK_M_Z, m.m_z, k, s);
-      if (HAS(ED_CHECK_N_M)) {
-        keep(w, ED_CHECK_N_M, section(b, &m, F[N]), k, s);
-        if (swing[N] > 0.0 && m.m_z > 0.0) /* the other sign: a larger N may raise the exponent of m_z */
-          keep(w, ED_CHECK_N_M, section(b, &m, fabs(fabs(steady[N]) - swing[N])), k, s);
+    const sheared m = shears ? with_shear(b, F[V_Y] * per[ED_V_Y_RD], F[V_Z] * per[ED_V_Z_RD], F[M_Y], F[M_Z])
+                             : without_shear(b, F[M_Y], F[M_Z]);
+    if (shears && HAS(ED_CHECK_M_Y))
+      keep(w, ED_CHECK_M_Y, m.m_y, k, s);
+    if (shears && HAS(ED_CHECK_M_Z))
+      keep(w, ED_CHECK_M_Z, m.m_z, k, s);
+    if (HAS(ED_CHECK_N_M)) {
+      keep(w, ED_CHECK_N_M, section(b, &m, F[N], w->utilisation[ED_CHECK_N_M]), k, s);
+      if (swing[N] > 0.0 && m.m_z > 0.0) { /* the other sign: a larger N may raise the exponent of m_z */
+        const double other = fabs(fabs(steady[N]) - swing[N]);
+        keep(w, ED_CHECK_N_M, section(b, &m, other, w->utilisation[ED_CHECK_N_M]), k, s);
       }
     }
-    if (HAS(ED_CHECK_BEAM_M))
-      keep(w, ED_CHECK_BEAM_M, F[M_Y] / c[ED_M_Y_RD], k, s);
-    if (HAS(ED_CHECK_BEAM_N))
-      keep(w, ED_CHECK_BEAM_N, F[N] / (0.15 * c[ED_N_RD]), k, s);
-    if (HAS(ED_CHECK_BEAM_V))
-      keep(w, ED_CHECK_BEAM_V, (fabs(gravity) + c[ED_V_M]) / (0.5 * c[ED_V_Z_RD]), k, s);
-    if (HAS(ED_CHECK_COLUMN_V))
-      keep(w, ED_CHECK_COLUMN_V, larger(v_y, v_z) / 0.5, k, s);
-    if (swing[N] - steady[N] > compression)
-      compression = swing[N] - steady[N], at_compression = s;
-    if (F[M_Y] > most_y)
-      most_y = F[M_Y], at_y = s;
-    most_z = larger(most_z, F[M_Z]);
   }
-  const double n_y = compression / c[ED_N_B_Y], n_z = compression / c[ED_N_B_Z];
-  const double m_y = most_y / c[ED_M_B], m_z = most_z / c[ED_M_Z_RK];
-  if (HAS(ED_CHECK_N_B))
-    keep(w, ED_CHECK_N_B, larger(n_y, n_z), k, at_compression);
-  if (HAS(ED_CHECK_M_B))
-    keep(w, ED_CHECK_M_B, m_y, k, at_y);
-  if (mask & (1 << ED_CHECK_6_61 | 1 << ED_CHECK_6_62)) {
-    const factors a = annex_b(b, n_y, n_z);
-    if (HAS(ED_CHECK_6_61))
-      keep(w, ED_CHECK_6_61, n_y + a.yy * m_y + a.yz * m_z, k, at_y);
-    if (HAS(ED_CHECK_6_62))
-      keep(w, ED_CHECK_6_62, n_z + a.zy * m_y + a.zz * m_z, k, at_y);
-  }
+  const double n_y = top[COMPRESSION].value * per[ED_N_B_Y], n_z = top[COMPRESSION].value * per[ED_N_B_Z];
+  const double m_y = top[M_Y].value * per[ED_M_B], m_z = top[M_Z].value * per[ED_M_Z_RK];
+  const factors a = annex_b(b, n_y, n_z);
+  const peak result[ED_N_CHECKS] = {
+    [ED_CHECK_N] = {top[N].value * per[ED_N_RD], top[N].station},
+    [ED_CHECK_V_Y] = {v_y, top[V_Y].station},
+    [ED_CHECK_V_Z] = {v_z, top[V_Z].station},
+    [ED_CHECK_M_Y] = {shears ? -1.0 : top[M_Y].value * per[ED_M_Y_RD], top[M_Y].station},
+    [ED_CHECK_M_Z] = {shears ? -1.0 : top[M_Z].value * per[ED_M_Z_RD], top[M_Z].station},
+    [ED_CHECK_N_M] = {-1.0, 0},
+    [ED_CHECK_N_B] = {larger(n_y, n_z), top[COMPRESSION].station},
+    [ED_CHECK_M_B] = {m_y, top[M_Y].station},
+    [ED_CHECK_6_61] = {n_y + a.yy * m_y + a.yz * m_z, top[M_Y].station},
+    [ED_CHECK_6_62] = {n_z + a.zy * m_y + a.zz * m_z, top[M_Y].station},
+    [ED_CHECK_BEAM_M] = {top[M_Y].value * per[ED_M_Y_RD], top[M_Y].station},
+    [ED_CHECK_BEAM_N] = {top[N].value * per[ED_N_RD] / 0.15, top[N].station},
+    [ED_CHECK_BEAM_V] = {(top[GRAVITY].value + c[ED_V_M]) * per[ED_V_Z_RD] / 0.5, top[GRAVITY].station},
+    [ED_CHECK_COLUMN_V] = {larger(v_y, v_z) / 0.5, v_y > v_z ? top[V_Y].station : top[V_Z].station},
+  };
+  for (int i = 0; i < ED_N_CHECKS; i++)
+    if (HAS(i))
+      keep(w, i, result[i].value, k, result[i].station);
 }
 
 /* ---- bounds of all combinations of one member ------------------------------------------------------------------- */
@@ -269,15 +313,6 @@ static void largest(const loads *l, int at, double *top)
   }
 }
 
-typedef struct {
-  int n;          /* distinct combinations */
-  int *of;        /* n: their numbers, the first of equal ones */
-  double *factor; /* (cases + directions) x n: magnitudes */
-  double *force;  /* (FORCES + 1) x n: bounds of N ... M_z, and of V_z by gravity in place FORCES */
-  double *bound;  /* ED_N_CHECKS x n */
-  double *top;    /* (cases + directions) x FORCES */
-} workspace;
-
 ED_CLONES static void force_bounds(const loads *l, const workspace *w)
 {
   const int n = w->n;
@@ -295,71 +330,104 @@ ED_CLONES static void force_bounds(const loads *l, const workspace *w)
     }
 }
 
-static void check_bounds(const member *b, const workspace *w)
+static inline __attribute__((always_inline)) void fill_bounds(const member *b, int shape, const workspace *w)
 {
-  const double *c = b->c;
-  const factors none = annex_b(b, 0.0, 0.0);
-  const double *force[FORCES + 1];
-  double *u[ED_N_CHECKS];
-  for (int j = 0; j <= FORCES; j++)
-    force[j] = w->force + (size_t)j * w->n;
-  for (int i = 0; i < ED_N_CHECKS; i++)
-    u[i] = w->bound + (size_t)i * w->n;
-  for (int k = 0; k < w->n; k++) {
-    const double v_y = force[V_Y][k] / c[ED_V_Y_RD], v_z = force[V_Z][k] / c[ED_V_Z_RD];
-    const sheared m = with_shear(b, v_y, v_z, force[M_Y][k], force[M_Z][k]);
-    const double n_y = force[N][k] / c[ED_N_B_Y], n_z = force[N][k] / c[ED_N_B_Z];
-    const double m_y = force[M_Y][k] / c[ED_M_B], m_z = force[M_Z][k] / c[ED_M_Z_RK];
-    const factors a = annex_b_bound(b, &none, n_y, n_z);
-    u[ED_CHECK_N][k] = force[N][k] / c[ED_N_RD];
-    u[ED_CHECK_V_Y][k] = v_y;
-    u[ED_CHECK_V_Z][k] = v_z;
-    u[ED_CHECK_M_Y][k] = m.m_y;
-    u[ED_CHECK_M_Z][k] = m.m_z;
-    u[ED_CHECK_N_M][k] = section_bound(b, &m, force[N][k]);
-    u[ED_CHECK_N_B][k] = larger(n_y, n_z);
-    u[ED_CHECK_M_B][k] = m_y;
-    u[ED_CHECK_6_61][k] = n_y + a.yy * m_y + a.yz * m_z;
-    u[ED_CHECK_6_62][k] = n_z + a.zy * m_y + a.zz * m_z;
-    u[ED_CHECK_BEAM_M][k] = force[M_Y][k] / c[ED_M_Y_RD];
-    u[ED_CHECK_BEAM_N][k] = force[N][k] / (0.15 * c[ED_N_RD]);
-    u[ED_CHECK_BEAM_V][k] = (force[FORCES][k] + c[ED_V_M]) / (0.5 * c[ED_V_Z_RD]);
-    u[ED_CHECK_COLUMN_V][k] = larger(v_y, v_z) / 0.5;
+  const int n = w->n;
+  const size_t row = n;
+  const double *restrict N_Ed = w->force + N * row, *restrict V_G = w->force + FORCES * row;
+  const double *restrict V_y = w->force + V_Y * row, *restrict V_z = w->force + V_Z * row;
+  const double *restrict M_y = w->force + M_Y * row, *restrict M_z = w->force + M_Z * row;
+  const member own = *b;
+  const double *c = own.c, *per = own.per, plastic = own.elastic ? 0.0 : 1.0;
+  /* factors of Annex B are linear in the compression, and the largest at one of its ends: none, or a unit of n */
+  const factors none = annex_b(&own, 0.0, 0.0), unit = annex_b(&own, 1.0, 1.0);
+  const double yy = larger(unit.yy - none.yy, 0.0), zz = larger(unit.zz - none.zz, 0.0), yz = none.yz / none.zz;
+  const double zy = own.twists ? 0.0 : none.zy / none.yy, zy_none = own.twists ? none.zy : 0.0;
+  double *restrict u = w->bound;
+  for (int k = 0; k < n; k++) {
+    const double n_y = N_Ed[k] * per[ED_N_B_Y], n_z = N_Ed[k] * per[ED_N_B_Z];
+    const double m_y = M_y[k] * per[ED_M_B], m_z = M_z[k] * per[ED_M_Z_RK];
+    const double k_yy = none.yy + yy * n_y, k_zz = none.zz + zz * n_z;
+    u[ED_CHECK_N * row + k] = N_Ed[k] * per[ED_N_RD];
+    u[ED_CHECK_V_Y * row + k] = V_y[k] * per[ED_V_Y_RD];
+    u[ED_CHECK_V_Z * row + k] = V_z[k] * per[ED_V_Z_RD];
+    u[ED_CHECK_N_B * row + k] = larger(n_y, n_z);
+    u[ED_CHECK_M_B * row + k] = m_y;
+    u[ED_CHECK_6_61 * row + k] = n_y + k_yy * m_y + yz * k_zz * m_z;
+    u[ED_CHECK_6_62 * row + k] = n_z + (zy_none + zy * k_yy) * m_y + k_zz * m_z;
+    u[ED_CHECK_BEAM_M * row + k] = M_y[k] * per[ED_M_Y_RD];
+    u[ED_CHECK_BEAM_N * row + k] = N_Ed[k] * per[ED_N_RD] / 0.15;
+    u[ED_CHECK_BEAM_V * row + k] = (V_G[k] + c[ED_V_M]) * per[ED_V_Z_RD] / 0.5;
+    u[ED_CHECK_COLUMN_V * row + k] = larger(V_y[k] * per[ED_V_Y_RD], V_z[k] * per[ED_V_Z_RD]) / 0.5;
+  }
+  for (int k = 0; k < n; k++) {
+    const sheared m = with_shear(&own, V_y[k] * per[ED_V_Y_RD], V_z[k] * per[ED_V_Z_RD], M_y[k], M_z[k]);
+    const double linear = N_Ed[k] * m.n_scale + m.m_y + m.m_z, curved = section_bound(&own, shape, &m, N_Ed[k]);
+    u[ED_CHECK_M_Y * row + k] = m.m_y;
+    u[ED_CHECK_M_Z * row + k] = m.m_z;
+    u[ED_CHECK_N_M * row + k] = plastic > 0.0 ? curved : linear;
   }
 }
 
-/* Whether a combination may still govern one of its checks. */
-static int may_govern(const workspace *w, int k, int mask, const worst *found)
+ED_CLONES static void check_bounds(const member *b, const workspace *w)
 {
+  if (b->shape == ED_I)
+    fill_bounds(b, ED_I, w);
+  else if (b->shape == ED_RHS)
+    fill_bounds(b, ED_RHS, w);
+  else
+    fill_bounds(b, ED_CHS, w);
+}
+
+/* Whether a combination may still govern one of its checks. */
+static int may_govern(const workspace *w, int k, const worst *found)
+{
+  const int mask = w->mask[k];
   for (int i = 0; i < ED_N_CHECKS; i++)
     if (HAS(i) && !(w->bound[(size_t)i * w->n + k] * (1.0 + ROUNDING) < found->utilisation[i]))
       return 1;
   return 0;
 }
 
-static void check_member(const loads *l, const member *b, int at, const int *masks, const workspace *w, int every, worst *found)
+/* The same of all combinations. */
+ED_CLONES static void find_open(const workspace *w, const worst *found)
+{
+  const int n = w->n, *restrict mask = w->mask;
+  int *restrict open = w->open;
+  memset(open, 0, sizeof *open * n);
+  for (int i = 0; i < ED_N_CHECKS; i++) {
+    const double *restrict bound = w->bound + (size_t)i * n;
+    const double best = found->utilisation[i];
+    for (int k = 0; k < n; k++)
+      open[k] |= (bound[k] * (1.0 + ROUNDING) < best ? 0 : 1) & mask[k] >> i;
+  }
+}
+
+/* `found`: of the member before, whose governing combinations are a good guess; then of this one. */
+static void check_member(const loads *l, const member *b, int at, const int *masks, workspace *w, int every, worst *found)
 {
   const int n = w->n;
+  const worst before = *found;
   for (int i = 0; i < ED_N_CHECKS; i++)
     found->utilisation[i] = -1.0, found->combination[i] = found->station[i] = -1;
+  for (int k = 0; k < n; k++)
+    w->mask[k] = masks[l->set[w->of[k]]], w->open[k] = w->mask[k] != 0;
   if (!every) {
     largest(l, at, w->top);
     force_bounds(l, w);
     check_bounds(b, w);
-    for (int i = 0; i < ED_N_CHECKS; i++) { /* of each check first the combination that promises most */
-      int first = -1;
-      for (int k = 0; k < n; k++)
-        if (masks[l->set[w->of[k]]] >> i & 1 && (first < 0 || w->bound[(size_t)i * n + k] > w->bound[(size_t)i * n + first]))
-          first = k;
-      if (first >= 0 && may_govern(w, first, 1 << i, found))
-        evaluate(l, b, at, w->of[first], masks[l->set[w->of[first]]], found);
+    for (int i = 0; i < ED_N_CHECKS; i++) {
+      int seen = before.combination[i] < 0;
+      for (int j = 0; j < i && !seen; j++)
+        seen = before.combination[j] == before.combination[i];
+      if (!seen)
+        evaluate(l, b, at, before.combination[i], masks[l->set[before.combination[i]]], w, found);
     }
+    find_open(w, found);
   }
-  for (int k = 0; k < n; k++) {
-    const int mask = masks[l->set[w->of[k]]];
-    if (mask && (every || may_govern(w, k, mask, found)))
-      evaluate(l, b, at, w->of[k], mask, found);
-  }
+  for (int k = 0; k < n; k++)
+    if (w->open[k] && (every || may_govern(w, k, found)))
+      evaluate(l, b, at, w->of[k], w->mask[k], w, found);
 }
 
 /* ---- the call --------------------------------------------------------------------------------------------------- */
@@ -383,12 +451,18 @@ static int distinct(const loads *l, int *of)
   return n;
 }
 
-static int without_nan_or_infinity(size_t n, const double *x)
+/* Whether all are finite; *least: the least of them, or 0. Eight lanes, so that the compiler can run them side by side. */
+ED_CLONES static int without_nan_or_infinity(size_t n, const double *x, double *least)
 {
-  double sum = 0.0;
-  for (size_t i = 0; i < n; i++)
-    sum += 0.0 * x[i];
-  return sum == 0.0;
+  double sum[8] = {0.0}, low[8] = {0.0}, all = 0.0;
+  for (size_t i = 0; i < n; i++) {
+    sum[i & 7] += 0.0 * x[i];
+    low[i & 7] = smaller(low[i & 7], x[i]);
+  }
+  *least = 0.0;
+  for (int i = 0; i < 8; i++)
+    all += sum[i], *least = smaller(*least, low[i]);
+  return all == 0.0;
 }
 
 static int valid_members(int members, const double *constants, const int *kind)
@@ -410,24 +484,15 @@ static int valid_members(int members, const double *constants, const int *kind)
   return 1;
 }
 
-static int valid_loads(const loads *l)
-{
-  for (int i = 0; i < l->combinations; i++)
-    if (l->set[i] < 0 || l->set[i] >= l->sets)
-      return 0;
-  const size_t n = (size_t)l->directions * l->members * l->stations * FORCES;
-  for (size_t i = 0; i < n; i++)
-    if (l->spectral[i] < 0.0)
-      return 0;
-  return 1;
-}
-
-static int all_finite(const loads *l, const double *constants)
+static int all_finite(const loads *l, const double *constants, double *least_response)
 {
   const size_t n = (size_t)l->members * l->stations * FORCES;
-  return without_nan_or_infinity(n * l->cases, l->statics) && without_nan_or_infinity(n * l->directions, l->spectral) &&
-         without_nan_or_infinity((size_t)l->combinations * l->cases, l->f) && without_nan_or_infinity((size_t)l->combinations * l->directions, l->g) &&
-         without_nan_or_infinity((size_t)l->members * ED_N_CONSTANTS, constants);
+  double any;
+  return without_nan_or_infinity(n * l->cases, l->statics, &any) &&
+         without_nan_or_infinity((size_t)l->combinations * l->cases, l->f, &any) &&
+         without_nan_or_infinity((size_t)l->combinations * l->directions, l->g, &any) &&
+         without_nan_or_infinity((size_t)l->members * ED_N_CONSTANTS, constants, &any) &&
+         without_nan_or_infinity(n * l->directions, l->spectral, least_response);
 }
 
 int ed_member_checks(int n_cases, int n_directions, int n_members, int n_stations, int n_combinations, int n_sets,
@@ -440,31 +505,42 @@ int ed_member_checks(int n_cases, int n_directions, int n_members, int n_station
     return ED_E_ARGUMENT;
   const loads l = {n_cases, n_directions, n_members, n_stations, n_combinations, n_sets,
                    statics, spectral,     static_factors, spectral_factors, set, gravity};
-  if (!all_finite(&l, constants))
+  double least_response;
+  if (!all_finite(&l, constants, &least_response))
     return ED_E_NOT_FINITE;
-  if (!valid_loads(&l) || !valid_members(n_members, constants, kind))
+  if (least_response < 0.0 || !valid_members(n_members, constants, kind))
     return ED_E_ARGUMENT;
-  const size_t k = n_combinations, all = (size_t)n_cases + n_directions;
-  double *block = malloc(sizeof *block * (k * (all + FORCES + 1 + ED_N_CHECKS) + all * FORCES + 1));
-  int *of = malloc(sizeof *of * (k + 1));
+  for (int i = 0; i < n_combinations; i++)
+    if (set[i] < 0 || set[i] >= n_sets)
+      return ED_E_ARGUMENT;
+  const size_t k = n_combinations, all = (size_t)n_cases + n_directions, rows = (2 * FORCES + 1) * (size_t)n_stations;
+  double *block = malloc(sizeof *block * (k * (all + FORCES + 1 + ED_N_CHECKS) + all * FORCES + rows));
+  int *of = malloc(sizeof *of * (3 * k + 1));
   if (!block || !of) {
     free(block);
     free(of);
     return ED_E_MEMORY;
   }
-  workspace w = {.of = of, .factor = block};
+  workspace w = {.of = of, .mask = of + k, .open = of + 2 * k, .factor = block};
   w.n = distinct(&l, of);
   w.force = w.factor + all * w.n;
   w.bound = w.force + (size_t)(FORCES + 1) * w.n;
   w.top = w.bound + (size_t)ED_N_CHECKS * w.n;
+  w.steady = w.top + all * FORCES;
+  w.swing = w.steady + (size_t)n_stations * FORCES;
+  w.gravity = w.swing + (size_t)n_stations * FORCES;
   for (size_t i = 0; i < all; i++)
     for (int j = 0; j < w.n; j++)
       w.factor[i * w.n + j] = fabs(i < (size_t)n_cases ? static_factors[(size_t)of[j] * n_cases + i]
                                                         : spectral_factors[(size_t)of[j] * n_directions + i - n_cases]);
+  worst found;
+  for (int i = 0; i < ED_N_CHECKS; i++)
+    found.combination[i] = -1;
   for (int m = 0; m < n_members; m++) {
-    const member b = {constants + (size_t)m * ED_N_CONSTANTS, kind[m] & KIND_SHAPE, kind[m] & ED_CLASS_3,
-                      !(kind[m] & ED_NO_TWIST)};
-    worst found;
+    member b = {.c = constants + (size_t)m * ED_N_CONSTANTS, .shape = kind[m] & KIND_SHAPE,
+                .elastic = kind[m] & ED_CLASS_3, .twists = !(kind[m] & ED_NO_TWIST)};
+    for (int i = 0; i < ED_N_CONSTANTS; i++)
+      b.per[i] = b.c[i] > 0.0 ? 1.0 / b.c[i] : HUGE_VAL;
     check_member(&l, &b, m, masks + (size_t)m * n_sets, &w, every, &found);
     for (int i = 0; i < ED_N_CHECKS; i++) {
       const size_t to = (size_t)m * ED_N_CHECKS + i;
