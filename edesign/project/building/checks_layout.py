@@ -85,7 +85,8 @@ def _supports(building: Building, problems: Problems, check: Selections) -> None
         except ValueError as error:
             problems.at_key(("supports", name), f"{error}, or `default`")
             continue
-        check.lines(("supports", name), chosen)
+        for message in check.lines_outside(chosen).values():
+            problems.at_key(("supports", name), message)
 
 
 def _floors(building: Building, problems: Problems) -> bool:
@@ -96,7 +97,7 @@ def _floors(building: Building, problems: Problems) -> bool:
         problems.at_key(("setbacks",), f"floor {floor} covers no bay")
     for floor in building.diaphragms.numbers(1, building.n_storeys):
         if not _connected(layout.floors[floor]):
-            message = f"floor {floor} is in parts that do not touch, which one diaphragm would tie; leave it out"
+            message = f"floor {floor} is in parts that do not touch, which one diaphragm would tie; leave it out of `diaphragms`"
             problems.at_key(("diaphragms",) if problems.root.child("diaphragms") else ("setbacks",), message)
     return not bare
 

@@ -57,14 +57,19 @@ class Selections:
 
     def lines(self, keys: Keys, chosen: ColumnLineSelection) -> bool:
         """Every column line exists."""
+        outside = self.lines_outside(chosen)
+        for i, message in outside.items():
+            self.problems.at_item(keys, i, message)
+        return not outside
+
+    def lines_outside(self, chosen: ColumnLineSelection) -> dict[int, str]:
+        """Return a message for each item of a selection that is outside the plan, by its number."""
         n_x, n_y = self.building.n_bays("x"), self.building.n_bays("y")
-        good = True
-        for i, item in enumerate(chosen.items):
-            if (item.x is not None and item.x[1] > n_x) or (item.y is not None and item.y[1] > n_y):
-                message = f"`{item.text}`: column lines go from A1 to {line_name(n_x)}{n_y + 1}"
-                self.problems.at_item(keys, i, message)
-                good = False
-        return good
+        return {
+            i: f"`{item.text}`: column lines go from A1 to {line_name(n_x)}{n_y + 1}"
+            for i, item in enumerate(chosen.items)
+            if (item.x is not None and item.x[1] > n_x) or (item.y is not None and item.y[1] > n_y)
+        }
 
     def frames(self, keys: Keys, chosen: FrameSelection, along: Direction) -> bool:
         """Every frame exists and is of the direction."""
