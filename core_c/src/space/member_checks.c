@@ -135,12 +135,12 @@ static inline __attribute__((always_inline)) double section_bound(const member *
   if (shape == ED_CHS) {
     y = z = 1.0 - n * sqrt(n);
   } else if (shape == ED_RHS) {
-    y = smaller(left / (1.0 - 0.5 * c[ED_A_Y]), 1.0);
-    z = smaller(left / (1.0 - 0.5 * c[ED_A_Z]), 1.0);
+    y = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Y]), 1.0);
+    z = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Z]), 1.0);
   } else {
-    const double line = smaller(left / (1.0 - 0.5 * c[ED_A_Y]), 1.0);
+    const double line = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Y]), 1.0);
     y = larger(4.0 * n, N_Ed * s->n_web_scale) <= 1.0 ? 1.0 : line;
-    const double beyond = larger(n - c[ED_A_Z], 0.0) / (1.0 - c[ED_A_Z]);
+    const double beyond = larger(n - c[ED_WEB_SHARE_Z], 0.0) / (1.0 - c[ED_WEB_SHARE_Z]);
     z = 1.0 - beyond * beyond;
   }
   const double r_y = ratio(s->m_y, y), r_z = ratio(s->m_z, z), single = larger(r_y, r_z);
