@@ -150,6 +150,10 @@ def _members(design: ElasticDesign) -> Group:
     group.add("frame", ("member",), frames, "", "plane frames that it stands in")
     group.add("storey", ("member",), np.array([member.storey for member in members]), "1", "storey")
     group.add("length", ("member",), design.frame.length, "m", "length")
+    group.coords["coordinate"] = Variable(("coordinate",), np.array(["x", "y", "z"]), "", "global coordinate")
+    for end in ("start", "end"):
+        places = design.frame.coordinates[[getattr(member, end) for member in members]]
+        group.add(end, ("member", "coordinate"), places, "m", f"{end} of the member")
     checks = design.members
     group.coords["check"] = Variable(("check",), np.array(checks.checks), "", "check")
     group.add("clause", ("check",), np.array(checks.clauses), "", "clause of the check")

@@ -10,6 +10,7 @@ import numpy as np
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.national import ActionFactors, NationalParameters, Psi, national_parameters
+from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
@@ -231,7 +232,7 @@ def _notes(response: Mapping[Axis, SeismicResponse], of_storeys: Mapping[Axis, S
                 f"without it {of.base_shear_without_beta / 1e3:.0f} kN (EN 1998-1, 3.2.2.5(4)P)"
             )
         table = of_storeys[axis]
-        if table.theta_q.max() > table.theta.max() * 1.001:
+        if table.theta_q.max() > max(NEGLIGIBLE, 1.001 * table.theta.max()):
             found.append(
                 f"theta along {axis} is up to {table.theta_q.max():.2f} with q d_e and {table.theta.max():.2f} with "
                 "the cap of the elastic spectrum (EN 1998-1, 4.3.4(3))"

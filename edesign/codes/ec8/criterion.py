@@ -33,9 +33,9 @@ class Criterion:
 
 def at_most(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
     """Return the criterion that a ratio is at most a limit; the limit itself passes, whatever its last bits."""
-    return Criterion(clause, text, limit, value, "", value <= limit * (1.0 + ROUNDING), detail)
+    return Criterion(clause, text, limit, value, "", bool(value <= limit * (1.0 + ROUNDING)), detail)
 
 
 def at_least(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
     """Return the criterion that a ratio is at least a limit; the limit itself passes, whatever its last bits."""
-    return Criterion(clause, text, limit, value, "", value >= limit * (1.0 - ROUNDING), detail)
+    return Criterion(clause, text, limit, value, "", bool(value >= limit * (1.0 - ROUNDING)), detail)

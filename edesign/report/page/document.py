@@ -11,8 +11,10 @@ from edesign.archive.files import check_file, write_text
 from edesign.archive.reader import Archive, DamagedArchive, open_archive, read_archive
 from edesign.assess.sets import NOT_RUN
 from edesign.errors import ArchiveError, InputError
+from edesign.report.archived import is_building_archive
 from edesign.report.page.render import Cover, render
 from edesign.report.page.section import Section
+from edesign.report.page.sections.building import building
 from edesign.report.page.sections.dampers import dampers
 from edesign.report.page.sections.design import design
 from edesign.report.page.sections.ground_motion import ground_motion
@@ -32,6 +34,7 @@ from edesign.report.page.source import Source
 SECTIONS: tuple[Callable[[Source], Section], ...] = (
     summary,
     inputs,
+    building,
     ground_motion,
     modes,
     design,
@@ -96,6 +99,12 @@ def page_text(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], N
     return render(_cover(source), made)
 
 
+def _kind(source: Source) -> str:
+    if is_building_archive(source.archive):
+        return "Design report"
+    return "Study report" if source.text("study_text") else "Analysis report"
+
+
 def _cover(source: Source) -> Cover:
     about = source.attributes
     date = str(source.provenance.get("created", ""))[:10]
@@ -108,7 +117,7 @@ def _cover(source: Source) -> Cover:
         )
     return Cover(
         title=str(about.get("title") or source.archive.path.stem),
-        kind="Study report" if source.text("study_text") else "Analysis report",
+        kind=_kind(source),
         about=" · ".join(part for part in (date, who, source.archive.path.name) if part),
         banner=" ".join(filter(None, told)),
         footer=f"Made by edesign {__version__} from {source.archive.path.name}, input SHA-256 "
