@@ -153,6 +153,8 @@ def elastic_design(building: Building) -> ElasticDesign:
         dissipative = dissipative_members(frame, axis, system_of(design, axis).type)
         criteria += behaviour_criteria(building, frame, q, limit, axis, [int(n) for n in dissipative])
         criteria += storey_criteria(of_storeys[axis])
+        if design.ductility_class == "low":
+            continue  # no capacity design (EN 1998-1, 6.1.2(4))
         if axis in frames:
             criteria += joint_criteria(of_joints[axis], axis)
         else:
