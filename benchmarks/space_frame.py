@@ -71,13 +71,11 @@ class Building:
         n, m = len(self.coordinates), self.members.count
         names = [f"N{i}" for i in range(n)], [f"M{i}" for i in range(m)]
         springs = np.zeros((n, 6))
-        return SpaceModel(
-            self.coordinates, self.node_floor, self.masters, self.fixed, springs, self.members, *names
-        )
+        return SpaceModel(self.coordinates, self.node_floor, self.masters, self.fixed, springs, self.members, *names)
 
 
 def building(bays_x: int, bays_y: int, storeys: int) -> Building:
-    """Columns with the web along x, rigid beams along x, beams on hinges along y, a diagonal in each bay of both end frames."""
+    """A frame whose beams along x are rigid and those along y on hinges, a diagonal in each bay of both end frames."""
     nx, ny = bays_x + 1, bays_y + 1
     grid = np.arange((storeys + 1) * ny * nx).reshape(storeys + 1, ny, nx)
     k, j, i = np.meshgrid(np.arange(storeys + 1), np.arange(ny), np.arange(nx), indexing="ij")
@@ -165,7 +163,9 @@ def report(title: str, b: Building, repeats: int) -> None:
         "  CQC, one direction": lambda: combine_internal(modes.end_forces, np.eye(COUNT), STATIONS),
         "  critical factor": lambda: model.critical_factor(np.where(b.members.web[:, 0] == 1, -1e5, 0.0)),
     }
-    print(f"\n{title}: {model.n_equations} equations, {model.n_members} members, {model.n_nonzeros} values in the stiffness")
+    print(
+        f"\n{title}: {model.n_equations} equations, {model.n_members} members, {model.n_nonzeros} values of stiffness"
+    )
     for name, call in calls.items():
         middle, spread = cpu_seconds(call, repeats)
         print(f"  {name:32s}{1e3 * middle:8.2f} ms{100 * spread:6.0f} %")

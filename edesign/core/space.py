@@ -1,9 +1,9 @@
 """Linear elastic space frames, computed by the core: static cases, natural modes, combination, critical load factor.
 
-Degrees of a node: ux, uy, uz, rx, ry, rz, global, z upwards. Local x of a member runs from its start to its end, local z
-along its web, local y completes a right-handed system. End forces are N, V_y, V_z, T, M_y, M_z at the start, then at the
-end: local components of what acts on the member. Internal forces are those on the face whose outward normal is +x: N is
-positive in tension; at the end they are the end forces, at the start the end forces with the other sign.
+Degrees of a node: ux, uy, uz, rx, ry, rz, global, z upwards. Local x of a member runs from its start to its end, local
+z along its web, local y completes a right-handed system. End forces are N, V_y, V_z, T, M_y, M_z at the start, then at
+the end: local components of what acts on the member. Internal forces are those on the face whose outward normal is +x:
+N is positive in tension; at the end they are the end forces, at the start the end forces with the other sign.
 """
 
 from __future__ import annotations
@@ -81,8 +81,8 @@ class Static:
     Attributes:
         displacements: (c, n, 6) m and rad.
         end_forces: (c, m, 12) N and N m, local.
-        reactions: (c, n, 6) of supports and springs on the frame, N and N m. Those of a diaphragm that is held are at the
-            node that holds it.
+        reactions: (c, n, 6) of supports and springs on the frame, N and N m. Those of a diaphragm that is held are at
+            the node that holds it.
     """
 
     displacements: np.ndarray
@@ -99,15 +99,15 @@ class SpaceModel:
     Args:
         coordinates: (n, 3) m.
         node_floor: (n,) diaphragm of each node, from 0; -1: none.
-        masters: (f, 2) place of each master in plan, m; at the centre of mass the master's displacements are those of it.
+        masters: (f, 2) place of each master in plan, m; often the centre of mass.
         fixed: (n, 6) True where ux, uy, uz, rx, ry, rz is held.
         springs: (n, 6) stiffness to the ground, N/m and N m/rad.
         members: the members.
         node_names, member_names: for messages.
 
     Raises:
-        CoreError: the frame is a mechanism, a node is connected to no support, a property is out of range, or a direction
-            of a web is not at right angles to its member; the message names the node, degree or member.
+        CoreError: the frame is a mechanism, a node is connected to no support, a property is out of range, or the
+            direction of a web is not at right angles to its member; the message names the node, degree or member.
         ValueError: an array has another shape than the others ask for.
     """
 
@@ -229,7 +229,7 @@ class SpaceModel:
         Args:
             node_mass: (n,) kg. The degrees with mass are ux, uy, rz of diaphragms, and ux, uy of nodes without one.
             count: how many modes; all without it.
-            origin: (2,) place in plan that rotation about a vertical axis refers to in participation and effective mass;
+            origin: (2,) place in plan of the vertical axis that participation and effective mass in rotation refer to;
                 the centre of all masses without it.
 
         Raises:
@@ -276,9 +276,10 @@ class SpaceModel:
     def critical_factor(self, axial: ArrayLike) -> float:
         """Return the least factor > 0 of axial forces at which the frame buckles by bending; infinite if none does.
 
-        The geometric stiffness is that of the bent member, consistent with its elastic shape: a member that buckles alone
-        between its nodes is found too stiff (a strut on hinges as one member by 22 %, as two by 0.75 %), a storey that
-        sways close to exactly. Bars have that of a string. Twisting and lateral torsional buckling are not in it.
+        The geometric stiffness is that of the bent member, consistent with its elastic shape, and errs to the unsafe
+        side: a member that buckles between its nodes is 22 % too strong as one (hinges at its ends) and 0.75 % as two, a
+        storey of columns that sways at most 1.3 %. Bars have that of a string, and never buckle between their nodes.
+        Twisting and lateral torsional buckling are not in it.
 
         Args:
             axial: (m,) N, tension positive.
@@ -322,7 +323,7 @@ def combine(values: np.ndarray, rho: np.ndarray) -> np.ndarray:
     Args:
         values: (q, k) of each quantity in each mode. Quickest where the values of one mode lie side by side, as in
             `end_forces.reshape(k, -1).T`.
-        rho: (k, k) symmetric: correlation of the modes, which may be scaled by their ordinates; the unit matrix for SRSS.
+        rho: (k, k) symmetric: correlation of the modes, which may be scaled by their ordinates; SRSS: the unit matrix.
 
     Raises:
         CoreError: rho is not symmetric, or a value is not finite.

@@ -18,7 +18,7 @@ class SpaceModes:
         period: (k,) s.
         floor_shapes: (k, f, 3) Ux, Uy, Rz of the masters.
         displacements: (k, n, 6) of the nodes.
-        participation: (k, 3) factors for ground motion along x, along y, and about a vertical axis; sqrt(kg), m sqrt(kg).
+        participation: (k, 3) factors for ground motion along x, along y (sqrt(kg)) and about a vertical one (m sqrt(kg)).
         effective_mass_ratio: (k, 3) effective modal masses over all mass that moves so.
         end_forces: (k, m, 12) of the members under `displacements`, N and N m.
     """
@@ -136,7 +136,9 @@ def mass_factor(
 def equation_modes(
     solution: np.ndarray, factor: MassFactor, count: int | None, origin: ArrayLike | None
 ) -> EquationModes:
-    """Return the lowest modes from the flexibility F of the degrees with mass: B F B^T y = y / omega^2, phi = omega^2 F B^T y.
+    """Return the lowest modes from the flexibility F of the degrees with mass.
+
+    B F B^T y = y / omega^2 is symmetric, and phi = omega^2 F B^T y has generalised mass 1.
 
     Args:
         solution: (d, n) displacements over all equations under a unit force at each of the degrees with mass.

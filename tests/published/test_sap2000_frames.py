@@ -1,8 +1,8 @@
 """Frames of the verification manual of SAP2000, as programs print their results.
 
 Problem 1-022: seven storeys, two bays in a plane; input and results (SAP2000, SeismoStruct) in PortalFrame2d.tcl of the
-examples of OpenSees. Problem 1-024 (Peterson 1981): two storeys of nine columns below rigid diaphragms whose mass lies off
-their centre; input and results in example 4 of the verification of MIDAS/Gen.
+examples of OpenSees. Problem 1-024 (Peterson 1981): two storeys of nine columns below rigid diaphragms, the mass off
+their centre; input and results in example 4 of the verification of MIDAS/Gen, its place in Frame24 of OpenBrIM.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ def plane(A: float, inertia: float) -> dict[str, float]:
 
 
 def seven_storeys() -> tuple[Frame, np.ndarray]:
-    """The frame and its nodes (storeys + 1, 3). Each floor moves along x as one: a diaphragm that is held in uy and rz."""
+    """The frame and its nodes (storeys + 1, 3). A floor moves along x as one: a diaphragm held in uy and rz."""
     f = Frame(masters=[(360.0, 0.0)] * 7)
     grid = np.zeros((8, 3), dtype=int)
     z = np.cumsum([0.0, *STOREY])
@@ -91,7 +91,7 @@ def two_storeys() -> SpaceModel:
 
 
 def test_problem_1_024() -> None:
-    """Four modes without rotational mass, all printed digits; roof displacement 0.0201 ft under 0.4 g along x, damping 4 %."""
+    """Four modes without rotational mass, all printed digits; roof 0.0201 ft under 0.4 g along x, damping 4 %."""
     model = two_storeys()
     mass = np.zeros(model.n_nodes)
     mass[-2:] = 6.21118

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from math import inf
+from typing import Any
 
 import numpy as np
 
@@ -24,7 +25,7 @@ class Frame:
     masters: list[tuple[float, float]] = field(default_factory=list)
     fixed: list[tuple[int, ...]] = field(default_factory=list)
     springs: list[tuple[float, ...]] = field(default_factory=list)
-    rows: list[dict[str, object]] = field(default_factory=list)
+    rows: list[dict[str, Any]] = field(default_factory=list)
 
     def node(
         self,
@@ -59,16 +60,14 @@ class Frame:
             z = up - x * (up @ x) / (x @ x)
             web = tuple(z / np.linalg.norm(z))
         values = {"E": E, "G": G} | SECTION | section
-        self.rows.append(
-            {"start": start, "end": end, "web": web, "ends": ends, "axial_only": axial_only} | values
-        )
+        self.rows.append({"start": start, "end": end, "web": web, "ends": ends, "axial_only": axial_only} | values)
         return len(self.rows) - 1
 
     def post(self) -> None:
         """Add a column apart from all else, so that a frame with nothing but held nodes has something free."""
         self.member(self.node(-50.0, 0, 0, fixed="all"), self.node(-50.0, 0, 1.0))
 
-    def line(self, start: int, end: int, parts: int, fixed: str = "", **options: object) -> list[int]:
+    def line(self, start: int, end: int, parts: int, fixed: str = "", **options: Any) -> list[int]:
         """Add members one after the other between two nodes, with `fixed` nodes in between."""
         a, b = np.array(self.nodes[start]), np.array(self.nodes[end])
         inner = [self.node(*(a + (b - a) * k / parts), fixed=fixed) for k in range(1, parts)]

@@ -1,4 +1,4 @@
-"""Members and frames in space: closed forms of bending, shear, springs, hinges and loads; equilibrium; invariance; errors."""
+"""Members and frames in space: closed forms of shear, springs, hinges and loads; equilibrium, invariance, errors."""
 
 from __future__ import annotations
 
@@ -30,8 +30,12 @@ def test_cantilever_with_shear() -> None:
     loads = np.concatenate([f.force(1, ux=P), f.force(1, uy=P), f.force(1, uz=P), f.force(1, rx=P)])
     u = f.model().static(loads).displacements[:, 1]
     np.testing.assert_allclose(u[0, 0], P * L / (E * SECTION["A"]), rtol=ROUNDING)
-    np.testing.assert_allclose(u[1, [1, 5]], [P * L**3 / (3 * EI_z) + P * L / (G * A_Y), P * L**2 / (2 * EI_z)], rtol=ROUNDING)
-    np.testing.assert_allclose(u[2, [2, 4]], [P * L**3 / (3 * EI_y) + P * L / (G * A_Z), -P * L**2 / (2 * EI_y)], rtol=ROUNDING)
+    np.testing.assert_allclose(
+        u[1, [1, 5]], [P * L**3 / (3 * EI_z) + P * L / (G * A_Y), P * L**2 / (2 * EI_z)], rtol=ROUNDING
+    )
+    np.testing.assert_allclose(
+        u[2, [2, 4]], [P * L**3 / (3 * EI_y) + P * L / (G * A_Z), -P * L**2 / (2 * EI_y)], rtol=ROUNDING
+    )
     np.testing.assert_allclose(u[3, 3], P * L / (G * SECTION["I_t"]), rtol=ROUNDING)
 
 
@@ -66,7 +70,9 @@ def test_uniform_load_between_held_nodes(ends: tuple[float, ...], start: float, 
     np.testing.assert_allclose(result.end_forces[0, 0, [4, 10]], [-start, end], atol=1e-9 * Q * L**2)
     middle = model.internal(result.end_forces, [0.0, 0.5, 1.0], uniform=load)[0, 0]
     np.testing.assert_allclose(middle[:, 4], [start, (start + end) / 2 - Q * L**2 / 8, end], atol=1e-9 * Q * L**2)
-    np.testing.assert_allclose(result.reactions[0, :2, 2], [Q * L / 2 + (start - end) / L, Q * L / 2 - (start - end) / L], rtol=ROUNDING)
+    np.testing.assert_allclose(
+        result.reactions[0, :2, 2], [Q * L / 2 + (start - end) / L, Q * L / 2 - (start - end) / L], rtol=ROUNDING
+    )
 
 
 def test_uniform_load_with_shear_on_a_propped_beam() -> None:
@@ -117,11 +123,13 @@ def test_bar_carries_its_weight_as_a_simple_beam() -> None:
     load = f.uniform(0, (0.0, 0.0, -Q))
     result = model.static(uniform=load)
     np.testing.assert_allclose(result.end_forces[0, 0], [0, 0, Q * L / 2, 0, 0, 0, 0, 0, Q * L / 2, 0, 0, 0], atol=1e-9)
-    np.testing.assert_allclose(model.internal(result.end_forces, [0.5], uniform=load)[0, 0, 0, 4], -Q * L**2 / 8, rtol=ROUNDING)
+    np.testing.assert_allclose(
+        model.internal(result.end_forces, [0.5], uniform=load)[0, 0, 0, 4], -Q * L**2 / 8, rtol=ROUNDING
+    )
 
 
 def test_portal_sways() -> None:
-    """Fixed portal, stiff in length: 24 EI / h^3 (1 + 6 k) / (4 + 6 k), k = I_b h / (I_c L); by rotations of the joints."""
+    """Fixed portal, stiff in length: 24 EI / h^3 (1 + 6 k) / (4 + 6 k), k = I_b h / (I_c L), by joint rotations."""
     h, span, ratio = 4.0, 6.0, 1.7
     f = Frame()
     feet = [f.node(x, 0, 0, fixed="all") for x in (0.0, span)]
@@ -221,9 +229,9 @@ def test_turned_and_mirrored() -> None:
     # of a mirrored frame: polar vectors change sign against the others, and so does local y
     for matrix, sign in ((turn, 1.0), (mirror, -1.0)):
         g = Frame(
-            [tuple(matrix @ v) for v in np.array(f.nodes)],  # type: ignore[misc]
+            [tuple(matrix @ v) for v in np.array(f.nodes)],
             f.floors,
-            [tuple(matrix[:2, :2] @ v) for v in np.array(f.masters)],  # type: ignore[misc]
+            [tuple(matrix[:2, :2] @ v) for v in np.array(f.masters)],
             f.fixed,
             f.springs,
             [row | {"web": tuple(matrix @ np.array(row["web"]))} for row in f.rows],
@@ -253,17 +261,17 @@ def test_internal_forces_are_those_of_two_members() -> None:
     whole = model.static(uniform=load)
     at = model.internal(whole.end_forces, [0.35], uniform=load)[0, 2, 0]
     row = f.rows[2]
-    a, b = (np.array(f.nodes[int(row[name])]) for name in ("start", "end"))  # type: ignore[call-overload]
+    a, b = (np.array(f.nodes[int(row[name])]) for name in ("start", "end"))
     cut = f.node(*(a + 0.35 * (b - a)))
-    f.rows[2] = row | {"end": cut, "ends": (*row["ends"][:2], inf, inf)}  # type: ignore[index]
-    f.rows.append(row | {"start": cut, "ends": (inf, inf, *row["ends"][2:])})  # type: ignore[index]
+    f.rows[2] = row | {"end": cut, "ends": (*row["ends"][:2], inf, inf)}
+    f.rows.append(row | {"start": cut, "ends": (inf, inf, *row["ends"][2:])})
     loads_of_parts = f.uniform(2, (2e3, -3e3, 5e3)) + f.uniform(len(f.rows) - 1, (2e3, -3e3, 5e3))
     parts = f.model().static(uniform=loads_of_parts).end_forces[0, 2, 6:]
     np.testing.assert_allclose(at, parts, atol=1e-9 * np.max(np.abs(parts)))
 
 
 def test_new_sections_are_those_of_a_new_model() -> None:
-    """A model whose sections change gives what a new model of these sections gives, to rounding; a wrong value changes nothing."""
+    """New sections give what a new model of them gives, to rounding; a wrong value changes nothing."""
     f = building(7)
     model = f.model()
     loads = random_case(f)
@@ -274,7 +282,9 @@ def test_new_sections_are_those_of_a_new_model() -> None:
     changed = model.static(**loads).end_forces
     for i, row in zip(numbers, values, strict=True):
         f.rows[i] |= dict(zip(PROPERTIES, row, strict=True))
-    np.testing.assert_allclose(changed, f.model().static(**loads).end_forces, rtol=1e-11, atol=1e-9 * np.max(np.abs(before)))
+    np.testing.assert_allclose(
+        changed, f.model().static(**loads).end_forces, rtol=1e-11, atol=1e-9 * np.max(np.abs(before))
+    )
     model.change_sections(numbers, values / 1.4)
     np.testing.assert_allclose(model.static(**loads).end_forces, before, rtol=1e-9, atol=1e-11 * np.max(np.abs(before)))
     with pytest.raises(CoreError, match="member M3: I_y is -1; it must be a finite number above 0"):
@@ -283,7 +293,7 @@ def test_new_sections_are_those_of_a_new_model() -> None:
 
 
 def test_hinges_at_both_ends_are_no_mechanism() -> None:
-    """A beam on hinges about y and z at both ends between two columns, and a post that only bars and hinges meet, stand."""
+    """A beam on hinges about y and z at both ends between two columns stands, and so does a node of bars alone."""
     f = Frame()
     tops = []
     for x in (0.0, 5.0):
@@ -324,13 +334,17 @@ def hinged_foot() -> SpaceModel:
         (hinged_storey, "ED_E_MECHANISM", "moves freely at .* of the diaphragm of N1"),
         (hinged_foot, "ED_E_MECHANISM", "moves freely at N0.ry, N1.ux, N1.ry"),
         (lambda: cantilever(A=0.0).model(), "ED_E_ARGUMENT", "member M0: A is 0; it must be a finite number above 0"),
-        (lambda: cantilever(A_y=-1.0).model(), "ED_E_ARGUMENT", "member M0: A_y is -1; it must be a finite number of at least 0"),
+        (
+            lambda: cantilever(A_y=-1.0).model(),
+            "ED_E_ARGUMENT",
+            "member M0: A_y is -1; it must be a finite number of at least 0",
+        ),
         (lambda: cantilever(E=np.nan).model(), "ED_E_ARGUMENT", "member M0: E is nan"),
         (lambda: cantilever(ends=(-1.0, 0, 0, 0)).model(), "ED_E_ARGUMENT", "a rotational spring has stiffness -1"),
         (lambda: cantilever(E=1e200, I_y=1e200).model(), "ED_E_NOT_FINITE", "member M0: its stiffness"),
     ],
 )
-def test_frames_that_cannot_be(make, status: str, message: str) -> None:  # type: ignore[no-untyped-def]
+def test_frames_that_cannot_be(make, status: str, message: str) -> None:
     """What cannot stand, or is out of range, is refused by name."""
     with pytest.raises(CoreError, match=message) as error:
         make()

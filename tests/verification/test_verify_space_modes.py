@@ -1,4 +1,4 @@
-"""Natural modes of space frames and the combination of modal values: closed forms and other ways to the same numbers."""
+"""Natural modes of space frames and the combination of modal values: closed forms, and other ways to the same."""
 
 from __future__ import annotations
 
@@ -27,11 +27,13 @@ def test_tip_mass() -> None:
     np.testing.assert_allclose(modes.omega, np.sqrt(stiffness / mass), rtol=1e-11)
     np.testing.assert_allclose(modes.effective_mass_ratio[:, :2], [[0, 1], [1, 0]], atol=1e-11)
     np.testing.assert_allclose(np.abs(modes.participation[[1, 0], [0, 1]]), np.sqrt(mass), rtol=1e-11)
-    np.testing.assert_allclose(modes.end_forces[1, 0, [1, 2, 4, 5]].max(), modes.displacements[1, 1, 0] * stiffness[1] * h, rtol=1e-9)
+    np.testing.assert_allclose(
+        modes.end_forces[1, 0, [1, 2, 4, 5]].max(), modes.displacements[1, 1, 0] * stiffness[1] * h, rtol=1e-9
+    )
 
 
 def eccentric_storey(e: float, om: float, radius: float) -> tuple[Frame, np.ndarray, float]:
-    """One storey with translational stiffness k along y only in play, torsional k om^2 radius^2, mass e off its centre."""
+    """One storey of stiffness k along y and k om^2 radius^2 in torsion, with its mass e off its centre."""
     k = 4e7
     f = Frame(masters=[(0.0, 0.0)])
     foot = f.node(0, 0, 0, fixed="all")
@@ -46,7 +48,10 @@ def eccentric_storey(e: float, om: float, radius: float) -> tuple[Frame, np.ndar
 
 @pytest.mark.parametrize(("ratio", "om"), [(0.2, 1.3), (0.05, 1.0), (0.5, 0.7)])
 def test_eccentric_storey(ratio: float, om: float) -> None:
-    """omega^2 / omega_y^2 = 1/2 [1 + W^2 -+ sqrt((1 - W^2)^2 + 4 (e/rho)^2)], W^2 = Om^2 + (e/rho)^2: Om about the stiffness centre."""
+    """omega^2 / omega_y^2 = 1/2 [1 + W^2 -+ sqrt((1 - W^2)^2 + 4 (e/rho)^2)], W^2 = Om^2 + (e/rho)^2.
+
+    Om is torsional stiffness about the centre of stiffness, W about that of mass.
+    """
     radius = 6.0
     f, mass, omega_y = eccentric_storey(ratio * radius, om, radius)
     modes = f.model().modes(mass)
@@ -66,7 +71,7 @@ def test_eccentric_storey_printed() -> None:
 
 
 def test_modes_against_a_dense_problem() -> None:
-    """K phi = omega^2 M phi of the whole frame, K from unit displacements' reactions: flexibility of the masters inverted."""
+    """K phi = omega^2 M phi of the masters: K is their flexibility inverted, M the sum of masses at the nodes."""
     f = building(11, bays=(2, 1), storeys=3)
     model = f.model()
     rng = np.random.default_rng(5)
@@ -147,7 +152,7 @@ def test_what_modes_cannot_be() -> None:
 
 
 def test_cqc_coefficients() -> None:
-    """Wilson, Three-dimensional static and dynamic analysis of structures, table 15.1: 5 %, five frequencies, printed digits."""
+    """Wilson, Three-dimensional static and dynamic analysis of structures, chapter 15: damping 5 %, printed digits."""
     rho = cqc(np.array([13.87, 13.93, 43.99, 44.19, 54.42]))
     printed = {(0, 1): 0.998, (0, 2): 0.006, (0, 4): 0.004, (2, 3): 0.998, (2, 4): 0.180, (3, 4): 0.186}
     for (i, j), value in printed.items():
@@ -180,6 +185,8 @@ def test_combination_at_stations() -> None:
     expected = combine(inner.reshape(len(rho), -1).T, rho).reshape(inner.shape[1:])
     found = combine_internal(modes.end_forces, rho, stations)
     scale = np.max(expected, axis=(0, 1))
-    np.testing.assert_allclose(found / scale, expected / scale, atol=1e-7)  # square roots of what cancels: 1e-8 of the ends
+    np.testing.assert_allclose(
+        found / scale, expected / scale, atol=1e-7
+    )  # square roots of what cancels: 1e-8 of the ends
     with pytest.raises(CoreError, match="a station is not from 0 to 1"):
         combine_internal(modes.end_forces, rho, [1.1])
