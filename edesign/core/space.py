@@ -91,7 +91,7 @@ class Static:
 
 
 class SpaceModel:
-    """A space frame with rigid diaphragms, factored once for many cases.
+    """A space frame with rigid diaphragms, factored once for many cases. One thread at a time may use a model.
 
     ux, uy and rz of the nodes of a diaphragm are those of its master, which moves as a rigid body in plan. A node of a
     diaphragm may be held in rz, and then, or where it lies on the axis of the master, in ux and uy.
@@ -241,7 +241,8 @@ class SpaceModel:
         solution = np.zeros((factor.equations.size, self.n_equations))
         solution[np.arange(factor.equations.size), factor.equations] = 1.0
         self._check(lib.ed_space_solve(self._handle, len(solution), _c(solution)))
-        found = equation_modes(solution, factor, count, origin)
+        axis = None if origin is None else _doubles("origin", origin, (2,))
+        found = equation_modes(solution, factor, count, axis)
         k = found.omega.size
         displacements, end_forces = np.empty((k, self.n_nodes, 6)), np.empty((k, self.n_members, 12))
         shapes = np.ascontiguousarray(found.shapes)
@@ -378,7 +379,10 @@ def _doubles(name: str, values: ArrayLike, shape: tuple[int, ...]) -> np.ndarray
 
 
 def _integers(name: str, values: ArrayLike, count: int) -> np.ndarray:
-    return np.ascontiguousarray(_shaped(name, np.asarray(values).astype(np.intc).reshape(-1), (count,)))
+    array = np.asarray(values)
+    if array.size and not np.issubdtype(array.dtype, np.integer):
+        raise ValueError(f"{name} has values of the type {array.dtype}, not whole numbers")
+    return np.ascontiguousarray(_shaped(name, np.clip(array.reshape(-1), -(2**31), 2**31 - 1), (count,)), dtype=np.intc)
 
 
 def _texts(texts: Sequence[str]) -> tuple[Any, list[Any]]:

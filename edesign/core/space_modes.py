@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy.linalg
-from numpy.typing import ArrayLike
 
 
 @dataclass(frozen=True)
@@ -50,14 +49,14 @@ class MassFactor:
     size: np.ndarray
     place: np.ndarray
 
-    def rigid(self, origin: ArrayLike | None) -> np.ndarray:
+    def rigid(self, origin: np.ndarray | None) -> np.ndarray:
         """Return B times rigid motions by 1 along x, along y, and about a vertical axis through `origin`: (r, 3).
 
         Without an origin the axis goes through the centre of all masses that move.
         """
         weight = self.size**2 * (self.direction == 0)
         centre = weight @ self.place / np.sum(weight) if np.any(weight) else np.zeros(2)
-        x, y = (self.place - (centre if origin is None else np.asarray(origin, dtype=float))).T
+        x, y = (self.place - (centre if origin is None else origin)).T
         motion = np.zeros((self.size.size, 3))
         for direction, turned in ((0, -y), (1, x)):
             motion[self.direction == direction, direction] = 1.0
@@ -99,42 +98,37 @@ def mass_factor(
         raise ValueError(
             f"the mass of node {wrong[0]} is {mass[wrong[0]]:g} kg; it must be a finite number of at least 0"
         )
-    n, plan = len(mass), coordinates[:, :2]
-    rows: list[tuple[dict[int, float], int, float, np.ndarray]] = []
-    for floor, master in enumerate(masters):
-        own = (node_floor == floor) & (mass > 0.0)
-        total = float(np.sum(mass[own]))
-        if total == 0.0:
-            continue
-        centre = mass[own] @ plan[own] / total
-        polar = float(mass[own] @ np.sum((plan[own] - centre) ** 2, axis=1))
-        if polar <= total * (4.0 * np.finfo(float).eps * float(np.max(np.abs(plan)))) ** 2:
-            polar = 0.0  # masses at one place: what is left is rounding of their centre
-        U_x, U_y, R_z = (int(e) for e in equation[6 * n + 3 * floor : 6 * n + 3 * floor + 3])
-        e_x, e_y = centre - master
-        root, gyration = float(np.sqrt(total)), float(np.sqrt(polar))
-        rows.append(({U_x: root, R_z: -root * e_y}, 0, root, centre))
-        rows.append(({U_y: root, R_z: root * e_x}, 1, root, centre))
-        rows.append(({R_z: gyration}, 2, gyration, centre))
-    for node in np.flatnonzero((node_floor < 0) & (mass > 0.0)):
-        root = float(np.sqrt(mass[node]))
-        rows += [({int(equation[6 * node + d]): root}, d, root, plan[node]) for d in (0, 1)]
-    rows = [row for row in rows if any(e >= 0 and value != 0.0 for e, value in row[0].items())]
-    if not rows:
+    n, n_floors, plan = len(mass), len(masters), coordinates[:, :2]
+    on_floor, alone = np.flatnonzero(node_floor >= 0), np.flatnonzero((node_floor < 0) & (mass > 0.0))
+    floor, weight = node_floor[on_floor], mass[on_floor]
+    total = np.bincount(floor, weight, n_floors)
+    moment = np.stack([np.bincount(floor, weight * x, n_floors) for x in plan[on_floor].T], axis=1)
+    centre = moment / np.where(total > 0.0, total, 1.0)[:, None]
+    polar = np.bincount(floor, weight * np.sum((plan[on_floor] - centre[floor]) ** 2, axis=1), n_floors)
+    # masses at one place: what is left is rounding of their centre
+    polar[polar <= total * (4.0 * np.finfo(float).eps * np.max(np.abs(plan))) ** 2] = 0.0
+    U_x, U_y, R_z = equation[6 * n :].reshape(n_floors, 3).T
+    root, single = np.sqrt(total), np.sqrt(mass[alone])
+    e_x, e_y = (centre - masters).T
+    size = np.concatenate([root, root, np.sqrt(polar), single, single])
+    direction = np.repeat([0, 1, 2, 0, 1], [n_floors] * 3 + [alone.size] * 2)
+    place = np.concatenate([centre] * 3 + [plan[alone]] * 2)
+    own = np.concatenate([U_x, U_y, R_z, equation[6 * alone], equation[6 * alone + 1]])
+    turning = np.concatenate([R_z, R_z, np.full(n_floors + 2 * alone.size, -1)])
+    arm = np.concatenate([-root * e_y, root * e_x, np.zeros(n_floors + 2 * alone.size)])
+    moves, turns = (own >= 0) & (size > 0.0), (turning >= 0) & (arm != 0.0)
+    rows = np.flatnonzero(moves | turns)
+    if not rows.size:
         raise ValueError("no mass can move: the frame has none, or it is held")
-    equations = np.array(sorted({e for row in rows for e in row[0] if e >= 0}))
-    column = {int(e): k for k, e in enumerate(equations)}
-    b = np.zeros((len(rows), equations.size))
-    for r, (values, _, _, _) in enumerate(rows):
-        for e, value in values.items():
-            if e >= 0:
-                b[r, column[e]] = value
-    _, direction, size, place = zip(*rows, strict=True)
-    return MassFactor(b, equations, np.array(direction), np.array(size), np.array(place))
+    equations = np.unique(np.concatenate([own[moves], turning[turns]]))
+    b = np.zeros((size.size, equations.size))
+    b[moves, np.searchsorted(equations, own[moves])] = size[moves]
+    b[turns, np.searchsorted(equations, turning[turns])] = arm[turns]
+    return MassFactor(b[rows], equations, direction[rows], size[rows], place[rows])
 
 
 def equation_modes(
-    solution: np.ndarray, factor: MassFactor, count: int | None, origin: ArrayLike | None
+    solution: np.ndarray, factor: MassFactor, count: int | None, origin: np.ndarray | None
 ) -> EquationModes:
     """Return the lowest modes from the flexibility F of the degrees with mass.
 

@@ -6,8 +6,9 @@
 #include <stddef.h>
 #include <stdlib.h>
 
-enum { LANES = 16 };                                    /* quantities side by side */
-enum { GROUP = 8, OF_MEMBER = 10, OF_GROUP = GROUP * OF_MEMBER }; /* N, V_y, V_z, T and both moments at both ends and in the middle */
+/* Quantities side by side: ten vectors of four, whose sums do not wait for each other and stay in registers. Of a member N, V_y, V_z, T
+ * and both moments at both ends and in the middle are combined. */
+enum { LANES = 40, GROUP = 8, OF_MEMBER = 10, OF_GROUP = GROUP * OF_MEMBER };
 _Static_assert(OF_GROUP % LANES == 0, "groups of members are whole blocks");
 
 /* root[l] = sqrt(r_l^T rho r_l) for LANES quantities; `values`: those of each mode, `stride` apart. The lower triangle of rho is read.
