@@ -4,8 +4,10 @@ The functions behind the commands, loaded when first used:
 
     load_project(path) -> Project             edesign check
     load_study(path) -> Study                 edesign check
+    load_building(path) -> Building           edesign check
     check_project(project) -> dict            edesign check
     check_study(study) -> dict                edesign check
+    check_building(building) -> dict          edesign check
     new_project(folder) -> Path               edesign new
     run_project(project, ...) -> RunSummary   edesign run
     run_study(study, ...) -> RunSummary       edesign run
@@ -22,8 +24,10 @@ from edesign._version import __version__
 
 __all__ = [
     "__version__",
+    "check_building",
     "check_project",
     "check_study",
+    "load_building",
     "load_project",
     "load_study",
     "new_project",
@@ -35,9 +39,11 @@ __all__ = [
 
 _PLACES = {
     "load_project": "edesign.building.project_file",
+    "load_building": "edesign.building.building_file",
     "load_study": "edesign.building.project_file",
     "new_project": "edesign.project.template",
     "check_project": "edesign.study.check",
+    "check_building": "edesign.space.check",
     "check_study": "edesign.study.check",
     "open_archive": "edesign.archive.reader",
     "run_project": "edesign.study.run",

@@ -97,7 +97,8 @@ def _floors(building: Building, problems: Problems) -> bool:
         problems.at_key(("setbacks",), f"floor {floor} covers no bay")
     for floor in building.diaphragms.numbers(1, building.n_storeys):
         if not _connected(layout.floors[floor]):
-            message = f"floor {floor} is in parts that do not touch, which one diaphragm would tie; leave it out of `diaphragms`"
+            parts = f"floor {floor} is in parts that do not touch, which one diaphragm would tie"
+            message = f"{parts}; leave it out of `diaphragms`"
             problems.at_key(("diaphragms",) if problems.root.child("diaphragms") else ("setbacks",), message)
     return not bare
 
