@@ -157,7 +157,7 @@ class Building(FileModel):
             return springs_of(self.supports)
         found = self.supports.get("default", "fixed")
         for name, support in self.supports.items():
-            if name != "default" and line in self.lines_of(parse_column_lines(name)):
+            if name != "default" and line in parse_column_lines(name):
                 found = support
         return springs_of(found)
 

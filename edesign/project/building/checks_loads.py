@@ -7,7 +7,7 @@ from edesign.project.building.checks_selections import Selections
 from edesign.project.building.layout import edges
 from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
 from edesign.project.building.names import BeamPlace, node_name
-from edesign.project.building.places import panels_in
+from edesign.project.building.places import Panels, panels_in
 from edesign.project.problems import Keys, Problems, listed
 
 
@@ -52,18 +52,29 @@ def _category(problems: Problems, keys: Keys, load: Areas | PerimeterLoad | Beam
 def _area(building: Building, problems: Problems, keys: Keys, area: Areas) -> None:
     layout = building.layout
     wanted = panels_in(area.bays, building.n_bays("x"), building.n_bays("y"))
-    whole = all(block.is_all for block in area.bays) or area.floors.is_all
     bare: set[BeamPlace] = set()
     for floor in area.floors.numbers(1, building.n_storeys):
-        outside = sorted(wanted - layout.floors[floor])
-        if outside and not whole:
-            message = f"floor {floor} does not cover bay {outside[0][0]} along x, {outside[0][1]} along y"
-            problems.at_value((*keys, "bays"), message)
+        for block in () if area.floors.is_all else area.bays:
+            if uncovered := _uncovered(building, floor, block):
+                problems.at_value((*keys, "bays"), f"floor {floor} does not cover {uncovered}")
         for panel in sorted(wanted & layout.floors[floor]):
             bare |= {beam for beam in carriers(area, edges(panel, floor)) if beam not in layout.beam_at}
     if bare:
         message = f"the floor rests on beams that are missing: {listed(_by_floor(bare))}"
         problems.at_value(keys, message)
+
+
+def _uncovered(building: Building, floor: int, block: Panels) -> str:
+    """What a block of bays names that a floor does not cover, "" if nothing: `all` takes those that it covers."""
+    covered = building.layout.floors[floor]
+    places = set(block.numbers(building.n_bays("x"), building.n_bays("y")))
+    if not (block.x.is_all or block.y.is_all):
+        return next((f"bay {i} along x, {j} along y" for i, j in sorted(places - covered)), "")
+    for along, chosen, axis in (("x", block.x, 0), ("y", block.y, 1)):
+        named = set() if chosen.is_all else {place[axis] for place in places}
+        if bare := sorted(named - {place[axis] for place in places & covered}):
+            return f"bay {bare[0]} along {along}"
+    return ""
 
 
 def _by_floor(places: set[BeamPlace]) -> list[BeamPlace]:

@@ -52,7 +52,7 @@ class System(Model):
     """The structural type in one direction, and its behaviour factor.
 
     `table`: q is the upper limit of EN 1998-1, Table 6.2, for the ductility class, with `alpha_u_over_alpha_1` where
-    the table has it (without it the default of 6.3.1(5)).
+    the table has it (without it the default of 6.3.2(3)).
     """
 
     type: SystemType
@@ -137,7 +137,8 @@ class Select(Model):
 class Design(Model):
     """What is checked, and how the seismic action is combined.
 
-    Where q is of the table, a building that is not `regular_in_elevation` has 0.8 of it (EN 1998-1, 4.2.3.1(7)).
+    Where q is of the table, a building that is not `regular_in_elevation` has 0.8 of it (EN 1998-1, 4.2.3.1(7)), and
+    one that is not `regular_in_plan` a smaller default of alpha_u / alpha_1 (6.3.2(4)).
     `level` of the hazard; without it the only one. `accidental_torsion`: eccentricity over the length of the plan, 0
     for none. `directions`: share of the other direction's action, or `srss`.
     """
@@ -146,6 +147,7 @@ class Design(Model):
     level: str | None = None
     ductility_class: Literal["low", "medium", "high"]
     systems: Systems
+    regular_in_plan: bool = True
     regular_in_elevation: bool = True
     combination: Literal["cqc", "srss"] = "cqc"
     damping: Annotated[float, BeforeValidator(lambda value: parse_ratio(value, 0.0, 1.0, False, False))] = 0.05

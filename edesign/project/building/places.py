@@ -43,13 +43,12 @@ class ColumnLineSelection:
     def is_all(self) -> bool:
         return not self.items
 
+    def __contains__(self, line: ColumnLine) -> bool:
+        return self.is_all or any(_within(line.i, item.x) and _within(line.j, item.y) for item in self.items)
+
     def lines(self, n_x: int, n_y: int) -> Iterator[ColumnLine]:
         """Yield the selected ones of n_x times n_y column lines, each once."""
-        whole = (ColumnLineItem("all", None, None),)
-        for i in range(n_x):
-            for j in range(n_y):
-                if any(_within(i, item.x) and _within(j, item.y) for item in self.items or whole):
-                    yield ColumnLine(i, j)
+        return (line for i in range(n_x) for j in range(n_y) if (line := ColumnLine(i, j)) in self)
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import defaultdict
 from collections.abc import Callable
 
 from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames
@@ -45,9 +44,11 @@ def leaning(frame: PlaneFrame, values: Callable[[PlaneFrame], AtNodes]) -> dict[
         frame: of a building.
         values: of the nodes of a frame, for instance its masses.
     """
-    frames = parallel_frames(frame)
-    found: dict[int, float] = defaultdict(float)
-    for floor, shares in leaning_shares(frame).items():
-        for number, share in shares.items():
-            found[floor] += share * sum(value for (_, at), value in values(frames[number]).items() if at == floor)
-    return dict(found)
+    shares = leaning_shares(frame)
+    found = dict.fromkeys(shares, 0.0)
+    for other in parallel_frames(frame):
+        if any(other.number in at_floor for at_floor in shares.values()):
+            for (_, floor), value in values(other).items():
+                if share := shares.get(floor, {}).get(other.number):
+                    found[floor] += share * value
+    return found

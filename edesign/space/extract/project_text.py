@@ -253,7 +253,7 @@ class _ProjectText:
         hazard = self.building.root.child("hazard")
         text = [f"hazard: {yaml_text(hazard.plain())}", ""] if hazard is not None else []
         text += ["analyses:", "  - {name: gravity, kind: gravity}"]
-        if self.building.masses is not None:
+        if self.masses():
             text.append(f"  - {{name: modes, kind: modal, modes: {min(3, self.storeys)}}}")
             text.append("  - {name: pushover, kind: pushover, pattern: first_mode, roof_drift: 2 %}")
         return [*text, ""]

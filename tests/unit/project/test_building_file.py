@@ -109,9 +109,8 @@ def test_what_is_no_selection_of_column_lines(written: Any) -> None:
 def test_selections_of_frames() -> None:
     assert [item.along for item in parse_frames(["X2", 1, "A-C", "YB"]).items] == ["x", "x", "y", "y"]
     assert parse_frames("X1-X3").numbers(4) == (0, 1, 2) and parse_frames("all").numbers(2) == (0, 1)
-    for wrong in ("XA", "Y2", "A-2", "3-1", "X", {}, None, 1.5, []):
-        if wrong == "X":
-            continue  # the 24th line across x
+    assert parse_frames("X").items[0].along == "y"  # the 24th line across x
+    for wrong in ("XA", "Y2", "A-2", "3-1", {}, None, 1.5, []):
         with pytest.raises(ValueError):
             parse_frames(wrong)
 
@@ -329,6 +328,32 @@ def test_a_floor_in_parts_has_no_diaphragm() -> None:
         "setbacks: floor 2 is in parts that do not touch, which one diaphragm would tie; leave it out of `diaphragms`"
     )
     assert building(text.replace("setbacks:", "diaphragms: 1\nsetbacks:")).diaphragms.ranges == ((1, 1),)
+
+
+def test_loads_on_bays_that_a_floor_does_not_cover() -> None:
+    """What is named one by one must be there; `all` takes what is."""
+    text = SMALL.replace("columns: [", "setbacks: [{floors: 2, bays: [{x: 1, y: all}, {x: 2, y: 1}]}]\ncolumns: [")
+    for bays, said in (
+        ("{x: 2, y: 2}", "bay 2 along x, 2 along y"),
+        ("{x: 1-2, y: 1-2}", "bay 2 along x, 2 along y"),
+        ("{x: 2, y: all}", ""),
+        ("all", ""),
+    ):
+        changed = text.replace("[{G: 4", f"[{{floors: 2, bays: {bays}, G: 4")
+        if said:
+            assert [m for _, m in faults(changed)] == [f"loads.areas[0].bays: floor 2 does not cover {said}"]
+        else:
+            building(changed)
+    narrow = SMALL.replace("columns: [", "setbacks: [{floors: 2, bays: {x: 1, y: all}}]\ncolumns: [").replace(
+        "C], b", "B], b"
+    )
+    for bays, said in (("{x: 2, y: all}", "bay 2 along x"), ("{x: all, y: 2}", "")):
+        changed = narrow.replace("[{G: 4", f"[{{floors: 2, bays: {bays}, G: 4")
+        assert (
+            [m for _, m in faults(changed)] == [f"loads.areas[0].bays: floor 2 does not cover {said}"]
+            if said
+            else building(changed)
+        )
 
 
 def test_the_perimeter_needs_its_beams() -> None:
