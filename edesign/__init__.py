@@ -11,6 +11,7 @@ The functions behind the commands, loaded when first used:
     new_project(folder) -> Path               edesign new
     run_project(project, ...) -> RunSummary   edesign run
     run_study(study, ...) -> RunSummary       edesign run
+    run_building(building, ...)               edesign run
     open_archive(path) -> Archive             edesign show
     summarise(archive) -> dict                edesign show --json
 """
@@ -32,6 +33,7 @@ __all__ = [
     "load_study",
     "new_project",
     "open_archive",
+    "run_building",
     "run_project",
     "run_study",
     "summarise",
@@ -46,6 +48,7 @@ _PLACES = {
     "check_building": "edesign.space.check",
     "check_study": "edesign.study.check",
     "open_archive": "edesign.archive.reader",
+    "run_building": "edesign.study.building",
     "run_project": "edesign.study.run",
     "run_study": "edesign.study.run",
     "summarise": "edesign.report.summary",
