@@ -116,7 +116,7 @@ def elastic_design(building: Building) -> ElasticDesign:
     q = {axis: limit[axis] if (of := system_of(design, axis).q) == "table" else float(of) for axis in AXES}
     modes = model.modes(frame.node_mass, None if design.modes == "auto" else design.modes)
     static = static_response(model, frame)
-    elastic = elastic_spectrum(hazard, design.level)
+    elastic = elastic_spectrum(hazard, design.level or next(iter(hazard.levels), None))
     response = {
         axis: seismic_response(
             model,

@@ -32,10 +32,11 @@ def run_building(
         The archive, and the design.
 
     Raises:
-        InputError: the file lacks something that the design needs.
+        InputError: the file lacks something that the design needs, or the values are not those of its text.
         CoreError: the structure is a mechanism.
         ArchiveError: the archive cannot be written, or is that of something else.
     """
+    building.check_unchanged()
     path = Path(archive_path) if archive_path is not None else building.archive_path
     root = Group(
         attributes={
