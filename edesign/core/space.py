@@ -278,8 +278,8 @@ class SpaceModel:
         """Return the least factor > 0 of axial forces at which the frame buckles by bending; infinite if none does.
 
         The geometric stiffness is that of the bent member, consistent with its elastic shape, and errs to the unsafe
-        side: a member that buckles between its nodes is 22 % too strong as one (hinges at its ends) and 0.75 % as two, a
-        storey of columns that sways at most 1.3 %. Bars have that of a string, and never buckle between their nodes.
+        side: a column on hinges that buckles between its nodes is 22 % too strong as one member and 0.75 % as two, a
+        storey that sways at most 1.3 %. Bars have that of a string, and never buckle between their nodes.
         Twisting and lateral torsional buckling are not in it.
 
         Args:

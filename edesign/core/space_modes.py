@@ -17,7 +17,7 @@ class SpaceModes:
         period: (k,) s.
         floor_shapes: (k, f, 3) Ux, Uy, Rz of the masters.
         displacements: (k, n, 6) of the nodes.
-        participation: (k, 3) factors for ground motion along x, along y (sqrt(kg)) and about a vertical one (m sqrt(kg)).
+        participation: (k, 3) factors for ground motion along x, along y (sqrt(kg)), about a vertical axis (m sqrt(kg)).
         effective_mass_ratio: (k, 3) effective modal masses over all mass that moves so.
         end_forces: (k, m, 12) of the members under `displacements`, N and N m.
     """
