@@ -55,8 +55,6 @@ struct ed_space {
 };
 
 int ed_space_fail(ed_space *space, int status, const char *format, ...) __attribute__((format(printf, 3, 4)));
-/* model.c */
-int ed_space_set_up(ed_space *space, const ed_space_input *input);
 /* numbering.c */
 int ed_space_number(ed_space *space);
 int ed_space_check_connected(ed_space *space);
