@@ -64,12 +64,17 @@ int ed_run_advance(ed_analysis *a, int max_steps)
     if (status != ED_OK)
       break;
     const int channel = ed_beyond_limit(a);
+    if (channel >= 0 && !ed_state_finite(a))
+      break;
     if (channel >= 0) {
       run->limited = channel + 1;
       return ed_fail(a, ED_LIMIT, "%s: channel %d is %.6g in step %d, at %.6g; its limit is %.6g", ed_status_text(ED_LIMIT),
                      channel, a->last[channel], run->done, a->committed.head->time, a->channels[channel].limit);
     }
   }
+  if (status == ED_OK && !ed_state_finite(a)) /* after many steps as well: what is not finite stays so */
+    status = ed_fail(a, ED_E_NOT_FINITE, "%s: the state after step %d, at %.6g", ed_status_text(ED_E_NOT_FINITE), run->done,
+                     a->committed.head->time);
   run->failed = status != ED_OK;
   return status;
 }

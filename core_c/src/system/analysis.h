@@ -205,6 +205,7 @@ void ed_commit(ed_analysis *a);
 void ed_revert(ed_analysis *a);
 void ed_backup(ed_analysis *a);
 void ed_restore(ed_analysis *a);
+int ed_state_finite(const ed_analysis *a); /* whether every number of the committed state is finite */
 
 /* devices.c */
 int ed_device_block_size(const ed_device *device);

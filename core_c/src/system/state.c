@@ -132,6 +132,19 @@ void ed_restore(ed_analysis *a)
   ed_remember_loads(a);
 }
 
+static int all_finite(const double *value, int n)
+{
+  double nothing = 0.0; /* stays 0 unless a value is not finite; a sum needs no branch */
+  for (int i = 0; i < n; i++)
+    nothing += 0.0 * value[i];
+  return nothing == 0.0;
+}
+
+int ed_state_finite(const ed_analysis *a)
+{
+  return all_finite(a->committed.block, a->state_size) && all_finite(a->layers, a->layer_size);
+}
+
 int ed_state_size(const ed_analysis *a)
 {
   return a->state_size + a->layer_size + a->model->n_patterns;

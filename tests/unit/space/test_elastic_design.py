@@ -178,7 +178,8 @@ def test_a_pair_of_tension_diagonals_is_as_stiff_as_one(tmp_path: Path) -> None:
         .replace(
             "materials:\n",
             "braces:\n"
-            "  - {along: y, frames: all, bays: all, kind: cross, section: SHS100x6, material: S275, compression: false}\n"
+            "  - {along: y, frames: all, bays: all, kind: cross, section: SHS100x6, material: S275,\n"
+            "     compression: false}\n"
             "materials:\n",
         )
         .replace("columns:\n", "supports: pinned\ncolumns:\n")
