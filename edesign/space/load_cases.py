@@ -28,15 +28,15 @@ class _Sum:
 
     category: str
     uniform: dict[BeamPlace, float] = field(default_factory=lambda: defaultdict(float))
-    points: dict[BeamPlace, list[tuple[float, float]]] = field(default_factory=lambda: defaultdict(list))
+    points: dict[tuple[BeamPlace, float], float] = field(default_factory=lambda: defaultdict(float))
     nodes: dict[str, float] = field(default_factory=lambda: defaultdict(float))
 
     def add(self, place: BeamPlace, share: BeamShare) -> None:
         """Add the share of a beam."""
         if share.uniform:
             self.uniform[place] += share.uniform
-        if share.points:
-            self.points[place] += share.points
+        for position, force in share.points:
+            self.points[place, position] += force
 
 
 def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
@@ -129,15 +129,14 @@ def _case(name: str, loads: _Sum, frame: SpaceFrame) -> LoadCase:
     for place, load in loads.uniform.items():
         for member in _members_of(place, members):
             uniform[member, 2] -= load
-    for place, on_beam in loads.points.items():
+    for (place, position), force in loads.points.items():
         whole = _members_of(place, members)
-        for position, force in on_beam:
-            if len(whole) == 1:
-                points.append((whole[0], position, force))
-            elif position == 0.5:
-                nodal[nodes[str(place)], 2] -= force
-            else:
-                points.append((whole[int(position > 0.5)], (2.0 * position) % 1.0, force))
+        if len(whole) == 1:
+            points.append((whole[0], position, force))
+        elif position == 0.5:
+            nodal[nodes[str(place)], 2] -= force
+        else:
+            points.append((whole[int(position > 0.5)], (2.0 * position) % 1.0, force))
     return LoadCase(
         name=name,
         category=loads.category,
