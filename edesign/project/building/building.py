@@ -115,6 +115,13 @@ class Building(FileModel):
         """Where the archive goes unless the command line says otherwise."""
         return self.folder / f"{self._path.stem}.h5"
 
+    @property
+    def design_level(self) -> str:
+        """The level of the hazard that the building is designed for; "" without a design."""
+        if self.design is None or self.hazard is None:
+            return ""
+        return self.design.level or next(iter(self.hazard.levels))
+
     @cached_property
     def layout(self) -> Layout:
         """What stands where."""

@@ -157,12 +157,12 @@ def _braces(building: Building, problems: Problems) -> None:
         beam = met_beam(place, run) if run.kind in CHEVRONS else BeamPlace(*place[:3], place.storey)
         if beam not in layout.beam_at:
             where = "at the base, where there is none" if beam.floor == 0 else "which is missing"
-            told.add((i, f"{place.name('')[:-1]} needs the beam {beam}, {where}"))
+            told.add((i, f"{place} needs the beam {beam}, {where}"))
             continue
         points = {point for pair in ways(place, run).values() for point in pair}
         for line, floor in sorted((line, floor) for line, floor in points if line is not None):
             if (line, floor) not in held:
-                told.add((i, f"{place.name('')[:-1]} ends at {node_name(line, floor)}, where no column or beam is"))
+                told.add((i, f"{place} ends at {node_name(line, floor)}, where no column or beam is"))
     for i, message in sorted(told):
         problems.at_value(("braces", i), message)
 

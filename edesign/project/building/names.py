@@ -47,9 +47,12 @@ class BracePlace(NamedTuple):
     bay: int
     storey: int
 
+    def __str__(self) -> str:
+        return f"D{self.along.upper()}_{line_label(self.along, self.frame)}_{self.bay}_{self.storey}"
+
     def name(self, way: str) -> str:
-        """Name of the brace that goes one way."""
-        return f"D{self.along.upper()}_{line_label(self.along, self.frame)}_{self.bay}_{self.storey}_{way}"
+        """Return the name of the brace that goes one way, `r` rising or `f` falling."""
+        return f"{self}_{way}"
 
     @property
     def lines(self) -> tuple[ColumnLine, ColumnLine]:

@@ -150,7 +150,8 @@ class PlaneFrame:
         """Check that a project file can say what the frame is.
 
         Raises:
-            InputError: it has semi-rigid ends, chevrons, no column, or nothing that resists while other frames do.
+            InputError: it has semi-rigid ends, chevrons, no column, nodes without a member of its own, or nothing that
+                resists while other frames do.
         """
         soft = [str(place) for place, run in self.beams.items() if _semi_rigid(run.ends)]
         if soft:
@@ -160,9 +161,23 @@ class PlaneFrame:
             raise self._refuse(f"project files have no braces to the middle of a beam, as to that of {listed(halved)}")
         if not self.columns:
             raise self._refuse("no column stands in it")
+        if loose := self._loose_nodes():
+            raise self._refuse(f"beams at right angles end at {listed(loose)}, where it has no member itself")
         if not self.resists and (firm := [other.name for other in parallel_frames(self) if other.resists]):
             message = f"it leans on others, as its beams are pinned and it has no braces; extract {listed(firm)}"
             raise self._refuse(message)
+
+    def _loose_nodes(self) -> list[str]:
+        """Nodes on its lines at which none of its own members ends."""
+        own = {(self.lines[i], floor) for i, storey in self.columns for floor in (storey - 1, storey)}
+        own |= {(line, place.floor) for place in self.beams for line in place.lines}
+        there = self.building.layout.node_lines
+        return [
+            node_name(line, floor)
+            for floor, lines in there.items()
+            for line in self.lines
+            if line in lines and (line, floor) not in own
+        ]
 
     def _refuse(self, message: str) -> InputError:
         return InputError(f"{self.building.path}: frame {self.name}: {message}")

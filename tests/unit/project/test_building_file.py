@@ -43,7 +43,7 @@ def test_a_small_building() -> None:
     assert (steel.E, steel.fy, steel.nu, steel.density) == (210e9, 275e6, 0.3, 7850.0)
     assert small.design is not None and small.design.systems.y.q == "table" and small.design.damping == 0.05
     assert small.design.partial_factors.G == 1.35 and small.design.members.interaction == "annex_b"
-    assert small.design.drift.limit == "ductile" and small.design.modes == "auto"
+    assert small.design_level == "DBE" and small.design.drift.limit == "ductile" and small.design.modes == "auto"
     assert small.checksum == building(SMALL).checksum
 
 

@@ -169,6 +169,16 @@ def test_a_frame_with_setbacks() -> None:
     assert node_name("C", 2) not in project.frame.nodes and project.frame.n_storeys == 2
 
 
+def test_a_frame_without_a_member_where_others_end() -> None:
+    """The column and the beams of X2 at B2.2 are missing; beams of YB meet there."""
+    gone = "missing: {columns: [{at: B2, storeys: 2}], beams: [{along: x, frames: 2, floors: 2}]}\nmaterials: {"
+    whole = building(SMALL, ("materials: {", gone))
+    with pytest.raises(
+        InputError, match="frame X2: beams at right angles end at `B2.2`, where it has no member itself"
+    ):
+        project_text(plane_frame(whole, space_frame(whole), "X2"))
+
+
 def test_runs_say_where_each_value_stands() -> None:
     values = {(i, s): "a" if i < 3 or s == 2 else "b" for i in range(4) for s in range(1, 4)}
     assert runs(values, range(4), 3, "ABCD".__getitem__) == [
