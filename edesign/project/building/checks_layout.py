@@ -168,24 +168,29 @@ def _braces(building: Building, problems: Problems) -> None:
 
 
 def _resisting(building: Building, problems: Problems) -> None:
-    """In both directions braces, or beams with a moment at their ends, resist horizontal forces."""
+    """In each storey and direction something resists horizontal forces.
+
+    That is a brace, or what holds the ends of columns from turning: beams with a moment at an end at the floor above or
+    below, or the feet of the first storey.
+    """
     layout = building.layout
     for along in DIRECTIONS:
-        if any(place.along == along for place in layout.brace_at):
-            continue
-        runs = [run for place, run in layout.beam_at.items() if place.along == along]
-        if any(run.ends.start != "pinned" or run.ends.end != "pinned" for run in runs):
-            continue
-        feet = [building.support(line) for line in layout.node_lines[0]]
         turning = "rx" if along == "y" else "ry"
-        if building.n_storeys == 1 and any(getattr(foot, turning) != "free" for foot in feet):
-            continue  # a hall of cantilever columns
-        first = next((i for i, run in enumerate(building.beams) if run.along == along), 0)
-        message = (
-            f"nothing resists along {along}: all beams along {along} are pinned and no bay of "
-            f"{frame_name(along, 0)} to {frame_name(along, building.n_frames(along) - 1)} is braced"
-        )
-        problems.at_value(("beams", first, "ends"), message)
+        held = {place.storey for place in layout.brace_at if place.along == along}
+        if any(getattr(building.support(line), turning) != "free" for line in layout.node_lines[0]):
+            held.add(1)
+        for beam, run in layout.beam_at.items():
+            if beam.along == along and (run.ends.start != "pinned" or run.ends.end != "pinned"):
+                held |= {beam.floor, beam.floor + 1}
+        loose = [storey for storey in range(1, building.n_storeys + 1) if storey not in held]
+        if loose:
+            first = next((i for i, run in enumerate(building.beams) if run.along == along), 0)
+            storeys = f"storey {loose[0]}" if len(loose) == 1 else f"storeys {', '.join(map(str, loose))}"
+            message = (
+                f"nothing resists along {along} in {storeys}: all beams above and below are pinned and no bay of "
+                f"{frame_name(along, 0)} to {frame_name(along, building.n_frames(along) - 1)} is braced"
+            )
+            problems.at_value(("beams", first, "ends"), message)
 
 
 def _groups(building: Building, problems: Problems) -> None:
