@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Mapping
 from functools import cached_property
 from itertools import accumulate
 from pathlib import Path
-from typing import Annotated, ClassVar, Literal
+from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag
 
@@ -104,6 +105,13 @@ class Building(FileModel):
     design: Design | None = None
 
     _path: Path = PrivateAttr(default=Path("building.yaml"))
+
+    def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
+        """Return a copy, which works out anew what follows from the values."""
+        found = super().model_copy(update=update, deep=deep)
+        for name in ("layout", "heights", "levels"):
+            found.__dict__.pop(name, None)
+        return found
 
     @property
     def checksum(self) -> str:

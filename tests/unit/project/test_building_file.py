@@ -77,6 +77,9 @@ def test_other_values() -> None:
     assert other.design is not None and other.design.drift.limit == "none"
     with pytest.raises(InputError, match="columns.0..section: there is no section `HEB265`"):
         other.with_values("columns[0].section", "HEB265")
+    larger = tuple(run.model_copy(update={"section": "HEB300"}) for run in other.columns)
+    assert other.layout.column_at[ColumnLine(0, 0), 1].section == "HEB260"
+    assert other.model_copy(update={"columns": larger}).layout.column_at[ColumnLine(0, 0), 1].section == "HEB300"
     copied = other.model_copy(update={"title": "x"})
     with pytest.raises(InputError, match="title: this copy of the building has `x`"):
         copied.check_unchanged()
