@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.building.hollow import BuildingSections
+from edesign.building.building_sections import BuildingSections
 from edesign.project.building import Building, parse_building
 
 SMALL = """\

@@ -7,8 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from edesign.building.hollow import hollow_area
-from edesign.building.profiles import profile
+from edesign.building.steel_section import steel_section
 from edesign.project.building.building import Building
 from edesign.project.building.layout import edges
 from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
@@ -165,13 +164,7 @@ def _self_weight(building: Building, frame: SpaceFrame) -> LoadCase:
     uniform = np.zeros((len(frame.members), 3))
     for i, member in enumerate(frame.members):
         density = building.materials[member.material].density
-        uniform[i, 2] = -_area(member.section) * density * STANDARD_GRAVITY
+        uniform[i, 2] = -steel_section(member.section).A * density * STANDARD_GRAVITY
     none = np.zeros(0)
     nodal = np.zeros((len(frame.node_names), 6))
     return LoadCase(SELF_WEIGHT, "permanent", nodal, uniform, none.astype(int), none, none.reshape(0, 3))
-
-
-def _area(section: str) -> float:
-    """Area of a section of the catalogue or of a hollow section, m2."""
-    area = hollow_area(section)
-    return profile(section).area if area is None else area

@@ -4,26 +4,20 @@ from __future__ import annotations
 
 import math
 
-from edesign.building.hollow import hollow_area, hollow_inertia
-from edesign.building.profiles import profile
+from edesign.building.steel_section import steel_section
 from edesign.space.extract.selections import value
 
 
 def plane_name(section: str, strong: bool) -> str:
     """Return the name of a section in the plane of a frame, in which it bends about its strong or weak axis."""
-    symmetric = hollow_inertia(section, strong=True) == hollow_inertia(section, strong=False)
-    hollow = hollow_area(section) is not None
-    return section if strong or (hollow and symmetric) else f"{section}_weak"
+    shape = steel_section(section)
+    return section if strong or shape.I_y == shape.I_z else f"{section}_weak"
 
 
 def plane_section(section: str, strong: bool) -> tuple[float, float]:
     """Return area, m2, and second moment of area, m4, in the plane of a frame."""
-    area, inertia = hollow_area(section), hollow_inertia(section, strong)
-    if area is not None and inertia is not None:
-        return area, inertia
-    shape = profile(section)
-    weak = (2.0 * shape.tf * shape.b**3 + (shape.h - 2.0 * shape.tf) * shape.tw**3) / 12.0
-    return shape.area, shape.inertia if strong else weak
+    shape = steel_section(section)
+    return shape.A, shape.I_y if strong else shape.I_z
 
 
 def rectangles(section: str, strong: bool) -> str:
@@ -32,8 +26,8 @@ def rectangles(section: str, strong: bool) -> str:
     An I section about its weak axis is its flanges and its web, without fillets. A hollow section is a square tube of
     the same area and second moment of area: sides a outside and b inside with a2 - b2 = A and a2 + b2 = 12 I / A.
     """
-    if hollow_area(section) is None:
-        shape = profile(section)
+    shape = steel_section(section)
+    if shape.kind == "I":
         if strong:
             return ""
         return ", ".join((_one(2.0 * shape.tf, shape.b, 0.0), _one(shape.h - 2.0 * shape.tf, shape.tw, 0.0)))

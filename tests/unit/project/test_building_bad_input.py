@@ -55,7 +55,7 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
             "@HEB205, mat",
             "columns[0].section: there is no section `HEB205`; of HEB the catalogue has near",
         ),
-        ("CHS101.6x5", "@CHS101.6x60", "hollow sections are written `SHS200x10`"),
+        ("CHS101.6x5", "@CHS101.6x60", "walls of 60 mm do not fit into 101.6 mm; sizes are `SHS200x10`"),
         ("S275, strong", "@S355, strong", "columns[0].material: there is no material `S355` (materials here: `S275`)"),
         ("strong: x", "strong: @z", "columns[0].strong: `z` is unknown (allowed: `x`, `y`)"),
         (", strong: x}", ", strong: x, at: @D1}", "columns[0].at: `D1`: column lines go from A1 to C3"),

@@ -14,7 +14,7 @@ from building_examples import IRREGULAR, SMALL, building
 from unit.project.test_study_file import ODD, _places
 
 from edesign.building.building_file import load_building
-from edesign.building.hollow import BuildingSections
+from edesign.building.building_sections import BuildingSections
 from edesign.building.project_file import load_project
 from edesign.errors import InputError
 from edesign.project.building import Building, parse_building

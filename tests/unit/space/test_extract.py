@@ -8,12 +8,12 @@ import pytest
 from building_examples import IRREGULAR, SMALL, building
 
 from edesign.building.building_file import load_building
-from edesign.building.hollow import hollow_area, hollow_inertia
 from edesign.building.loads import beam_loads, gravity_load, node_loads
 from edesign.building.masses import node_masses
 from edesign.building.named_section import cross_section
 from edesign.building.profiles import profile_names
 from edesign.building.section import CrossSection
+from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.project import Project, parse_project
 from edesign.project.building import Building
@@ -123,22 +123,8 @@ def test_rectangles_of_hollow_sections_have_their_area_and_inertia(section: str)
     project = extracted(building(text), "YA")
     shape = cross_section(project, section)
     assert isinstance(shape, CrossSection)
-    assert shape.area == pytest.approx(hollow_area(section), rel=DIGITS)
-    assert shape.inertia == pytest.approx(hollow_inertia(section), rel=DIGITS)
-
-
-@pytest.mark.parametrize(
-    ("section", "area", "strong", "weak"),
-    [  # cm2, cm4: tables of EN 10210-2 (three to four digits)
-        ("SHS200x10", 74.9, 4471, 4471),
-        ("RHS300x200x10", 94.9, 11819, 6278),
-        ("CHS168.3x8", 40.3, 1297, 1297),
-    ],
-)
-def test_hollow_sections_of_tables(section: str, area: float, strong: float, weak: float) -> None:
-    assert hollow_area(section) == pytest.approx(area * 1e-4, rel=1e-3)
-    assert hollow_inertia(section) == pytest.approx(strong * 1e-8, rel=1e-3)
-    assert hollow_inertia(section, strong=False) == pytest.approx(weak * 1e-8, rel=1e-3)
+    assert shape.area == pytest.approx(steel_section(section).A, rel=DIGITS)
+    assert shape.inertia == pytest.approx(steel_section(section).I_y, rel=DIGITS)
 
 
 @pytest.mark.parametrize(
