@@ -468,7 +468,7 @@ int ed_recursion_peaks(int n, const double *samples, int n_recursions, const dou
  * Of each member and check: the largest utilisation (1 is the limit), the first combination and station that give it, or 0, -1, -1
  * where none applies: n_members x ED_N_CHECKS each. every: 1 evaluates all combinations, 0 leaves out those that cannot govern; the
  * results are the same. ED_E_ARGUMENT: a number or constant is out of range, ED_E_NOT_FINITE, ED_E_MEMORY; nothing is written then. */
-#define ED_MAX_LOADS 4096 /* cases and directions */
+#define ED_MAX_LOADS 256 /* cases and directions together */
 enum { ED_I = 0, ED_RHS = 1, ED_CHS = 2, ED_CLASS_3 = 4, ED_NO_TWIST = 8 };
 enum {
   ED_N_RD = 0,       /* A f_y / gamma_M0 */

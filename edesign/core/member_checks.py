@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import astuple, dataclass
+from dataclasses import dataclass, fields
 from enum import IntEnum
+from operator import attrgetter
 from typing import Any, Literal
 
 import numpy as np
@@ -116,6 +117,28 @@ class MemberConstants:
         return int(_SHAPES[self.shape] | self.class_3 * lib.ED_CLASS_3 | (not self.twists) * lib.ED_NO_TWIST)
 
 
+_numbers = attrgetter(*(field.name for field in fields(MemberConstants)[: lib.ED_N_CONSTANTS]))
+
+
+@dataclass(frozen=True)
+class MemberTable:
+    """The constants of all members as the core takes them; made once, used for many passes.
+
+    Attributes:
+        constants: (n_members, n_constants) in the order of `MemberConstants`.
+        kind: (n_members,) shape, class and twisting.
+    """
+
+    constants: np.ndarray
+    kind: np.ndarray
+
+    @classmethod
+    def of(cls, members: Sequence[MemberConstants]) -> MemberTable:
+        """Return the table of some members."""
+        constants = np.array([_numbers(member) for member in members], dtype=float).reshape(-1, lib.ED_N_CONSTANTS)
+        return cls(constants, np.array([member.kind for member in members], dtype=np.intc))
+
+
 @dataclass(frozen=True)
 class Utilisations:
     """The largest utilisation of each member and check, and what gives it.
@@ -139,13 +162,14 @@ def member_checks(
     spectral_factors: np.ndarray,
     combination_set: np.ndarray,
     gravity: np.ndarray,
-    members: Sequence[MemberConstants],
+    members: MemberTable,
     masks: np.ndarray,
     every: bool = False,
 ) -> Utilisations:
     """Return the utilisations of all members under all combinations.
 
-    In each combination N takes both signs of the spectral part, moments and shears the sign that adds. T is not checked.
+    In each combination N takes both signs of the spectral part, moments and shears the sign that adds. T is not
+    checked.
 
     Args:
         statics: (c, m, s, 6) forces of static cases: N (tension positive), V_y, V_z, T, M_y, M_z at s stations, N, N m.
@@ -154,7 +178,7 @@ def member_checks(
         spectral_factors: (k, d); the sign does not count.
         combination_set: (k,) which column of `masks` holds for a combination.
         gravity: (c,) whether a case counts in V_Ed,G of EN 1998-1, 6.6.2(2).
-        members: m of them.
+        members: their constants.
         masks: (m, n_sets) checks of a member under the combinations of a set, by `mask`.
         every: evaluate all combinations; otherwise those are left out that cannot govern, with the same results.
 
@@ -171,10 +195,9 @@ def member_checks(
         FORCES
     ):
         raise ValueError(f"shapes do not fit together: {shapes}")
-    if len(members) != m or of_members.ndim != 2 or of_members.shape[0] != m:
-        raise ValueError(f"{len(members)} constants and masks {of_members.shape} of {m} members")
-    constants = np.array([astuple(member)[: lib.ED_N_CONSTANTS] for member in members], dtype=float)
-    kind = np.array([member.kind for member in members], dtype=np.intc)
+    if len(members.kind) != m or of_members.ndim != 2 or of_members.shape[0] != m:
+        raise ValueError(f"{len(members.kind)} constants and masks {of_members.shape} of {m} members")
+    constants, kind = _doubles(members.constants), np.ascontiguousarray(members.kind, dtype=np.intc)
     utilisation = np.zeros((m, len(Check)))
     combination, station = np.full((2, m, len(Check)), -1, dtype=np.intc)
     status = lib.ed_member_checks(

@@ -1,6 +1,6 @@
 """EN 1993-1-1, members in bending and compression: worked examples that were published by others.
 
-MSB04, MSB08, SSB04: Steel Buildings in Europe (2010), Multi-storey parts 4 and 8, Single-storey part 4. DS EC 06 and 07:
+MSB04, MSB08, SSB04: Steel Buildings in Europe (2010), Multi-storey parts 4 and 8, Single-storey part 4. DS EC 06, 07:
 BuildSoft, Diamonds, validation of EN 1993-1-1, after worked example 5 of Boissonnade, Greiner, Jaspart & Lindner, Rules
 for member stability in EN 1993-1-1 (ECCS 119). V.EC3: Bentley, STAAD.Pro, verification examples, European steel design.
 """
@@ -96,7 +96,7 @@ def test_rafter() -> None:
 
 
 def test_column_of_a_portal_frame() -> None:
-    """SSB04, Appendix D, 7.5: lambda_z 1.15, N 168 of 2092 kN, M 444 of 640 kNm, psi 0: k_zy 0.977, utilisation 0.758."""
+    """SSB04, Appendix D, 7.5: lambda_z 1.15, N 168 of 2092 kN, M 444 of 640 kNm, psi 0: k_zy 0.977, in all 0.758."""
     C_mLT = linear_moment_factor(0.0)
     n_z = 168.0 / 2092.0
     k = annex_b_factors(0.6, 1.0, C_mLT, 0.5, 1.15, 0.05, n_z)

@@ -1,6 +1,6 @@
 """Properties of steel sections against the tables of the standards and against finite elements.
 
-Tables: ArcelorMittal, Sections and merchant bars (I sections, also EN 10365); EN 10210-2:2006, Annex B (hollow sections);
+Tables: ArcelorMittal, Sections and merchant bars (I sections, also EN 10365); EN 10210-2:2006, Annex B (hollow ones);
 IPE 330: Steel Buildings in Europe, Multi-storey steel buildings, Part 4 (MSB04), example A.1; RHS 200x100x16: SDC
 Verifier, benchmark of example 6.9 of the Designers' Guide to EN 1993-1-1.
 """

@@ -1,21 +1,23 @@
 /* Utilisation of steel members by EN 1993-1-1 and EN 1998-1: combinations x members x stations x checks in one pass.
  *
  * Most combinations cannot govern a member. From the largest force of each case along the member follows an upper bound of every
- * utilisation of a combination; combinations are evaluated exactly, in the order that the bounds suggest, until no bound of those
- * that are left reaches what was found. Bounds count with every force at its largest place and with the worst exponent, so the
- * shortcut changes no result. Combinations with the same factors (directions have no sign) are evaluated once. */
+ * utilisation of a combination. Those that governed the member before are evaluated first, then those whose bounds reach beyond what was
+ * found. Bounds count with every force at its largest place and with the worst exponent, so the shortcut changes no result. Combinations
+ * with the same factors (directions have no sign) are evaluated once. */
 #include "base/clones.h"
 #include "edcore.h"
+#include "space/member_strength.h"
+#include "space/section_bound.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { N, V_Y, V_Z, T, M_Y, M_Z, FORCES };
 enum { KIND_SHAPE = 3 };
 
-/* Above rounding of the sums from which bounds and results come: some tens of operations of 1.1e-16 each. */
-static const double ROUNDING = 1e-13;
+/* Above rounding of the sums from which bounds and results come: up to ED_MAX_LOADS terms and some tens of operations more, each of
+ * them exact to 1.1e-16. */
+static const double ROUNDING = 1e-12;
 
 typedef struct {
   int cases, directions, members, stations, combinations, sets;
@@ -25,159 +27,10 @@ typedef struct {
 } loads;
 
 typedef struct {
-  const double *c;             /* constants, ED_N_RD ... */
-  double per[ED_N_CONSTANTS];  /* 1 / c of resistances */
-  int shape, elastic, twists;
-} member;
-
-typedef struct {
   double utilisation[ED_N_CHECKS];
-  int combination[ED_N_CHECKS], station[ED_N_CHECKS];
+  int combination[ED_N_CHECKS]; /* among the distinct ones */
+  int station[ED_N_CHECKS];
 } worst;
-
-static inline double larger(double a, double b)
-{
-  return a > b ? a : b;
-}
-
-static inline double smaller(double a, double b)
-{
-  return a < b ? a : b;
-}
-
-/* load / resistance, where a resistance that is used up carries nothing; both are computed, so that loops have no branches */
-static inline double ratio(double load, double resistance)
-{
-  const double quotient = load / resistance, without = load > 0.0 ? HUGE_VAL : 0.0;
-  return resistance > 0.0 ? quotient : without;
-}
-
-/* 6.2.8(3) */
-static inline double shear_reduction(double v)
-{
-  const double over = 2.0 * v - 1.0;
-  return v > 0.5 ? smaller(over * over, 1.0) : 0.0;
-}
-
-/* ---- a section under N, V and M, 6.2.8 to 6.2.10 ---------------------------------------------------------------- */
-
-typedef struct {
-  double m_y, m_z;             /* M / M_V,Rd */
-  double n_scale, n_web_scale; /* N / N_V,Rd = N n_scale; N / half of the web's = N n_web_scale */
-} sheared;
-
-static inline sheared with_shear(const member *b, double v_y, double v_z, double M_y, double M_z)
-{
-  const double *c = b->c, y = shear_reduction(v_y), z = shear_reduction(v_z);
-  const double N_V = c[ED_N_RD] - sqrt(3.0) * (y * c[ED_V_Y_RD] + z * c[ED_V_Z_RD]);
-  return (sheared){ratio(M_y, c[ED_M_Y_RD] - z * c[ED_M_Y_SHEAR]), ratio(M_z, (1.0 - y) * c[ED_M_Z_RD]), ratio(1.0, N_V),
-                   ratio(1.0, 0.5 * (1.0 - z) * c[ED_N_WEB])};
-}
-
-/* The same without shear above half of the resistance. */
-static inline sheared without_shear(const member *b, double M_y, double M_z)
-{
-  return (sheared){M_y * b->per[ED_M_Y_RD], M_z * b->per[ED_M_Z_RD], b->per[ED_N_RD], 2.0 * b->per[ED_N_WEB]};
-}
-
-/* M_N,Rd / M_Rd, 6.2.9.1(4) and (5); N_ratio: N / half of the web's N, n < 1 */
-static inline void with_axial_force(const member *b, double n, double N_ratio, double *y, double *z)
-{
-  const double *c = b->c, left = 1.0 - n;
-  if (b->shape == ED_CHS) {
-    *y = *z = 1.0 - pow(n, 1.7);
-    return;
-  }
-  *y = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Y]), 1.0);
-  if (b->shape == ED_RHS) {
-    *z = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Z]), 1.0);
-    return;
-  }
-  if (n <= 0.25 && N_ratio <= 1.0)
-    *y = 1.0;
-  const double beyond = (n - c[ED_WEB_SHARE_Z]) / (1.0 - c[ED_WEB_SHARE_Z]);
-  *z = n <= c[ED_WEB_SHARE_Z] ? 1.0 : 1.0 - beyond * beyond;
-}
-
-/* 6.2.9.1(2) and (6), 6.2.1(7), 6.2.9.2; any value below `found` may be returned for one below it */
-static inline double section(const member *b, const sheared *s, double N_Ed, double found)
-{
-  const double n = N_Ed > 0.0 ? N_Ed * s->n_scale : 0.0;
-  const double linear = n + s->m_y + s->m_z;
-  if (b->elastic || !(n < 1.0) || linear < found) /* the last: the result would be less still */
-    return linear;
-  double y, z;
-  with_axial_force(b, n, N_Ed * s->n_web_scale, &y, &z);
-  if ((s->m_y > 0.0 && !(y > 0.0)) || (s->m_z > 0.0 && !(z > 0.0)))
-    return linear;
-  const double r_y = s->m_y > 0.0 ? s->m_y / y : 0.0, r_z = s->m_z > 0.0 ? s->m_z / z : 0.0;
-  const double single = larger(r_y, r_z);
-  if (single >= linear)
-    return linear;
-  double both;
-  if (b->shape == ED_RHS) {
-    const double below = 1.0 - 1.13 * n * n, power = below > 0.0 ? smaller(1.66 / below, 6.0) : 6.0;
-    both = pow(r_y, power) + pow(r_z, power);
-  } else {
-    const double beta = b->shape == ED_CHS ? 2.0 : larger(5.0 * n, 1.0);
-    both = r_y * r_y + (beta == 1.0 ? r_z : beta == 2.0 ? r_z * r_z : pow(r_z, beta));
-  }
-  return smaller(larger(single, both), linear);
-}
-
-/* Not less than `section` for any smaller forces; `shape` is constant where it is inlined, and nothing branches. Exponents of ratios
- * up to 1 are at least 2 and 1 (I), 2 (CHS), 1.66 (RHS, taken as 1.5); n^1.7 is not more than n^1.5. */
-static inline __attribute__((always_inline)) double section_bound(const member *b, int shape, const sheared *s, double N_Ed)
-{
-  const double *c = b->c, scaled = N_Ed * s->n_scale, n = N_Ed > 0.0 ? scaled : 0.0, left = 1.0 - n;
-  const double linear = n + s->m_y + s->m_z;
-  double y, z;
-  if (shape == ED_CHS) {
-    y = z = 1.0 - n * sqrt(n);
-  } else if (shape == ED_RHS) {
-    y = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Y]), 1.0);
-    z = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Z]), 1.0);
-  } else {
-    const double line = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Y]), 1.0);
-    y = larger(4.0 * n, N_Ed * s->n_web_scale) <= 1.0 ? 1.0 : line;
-    const double beyond = larger(n - c[ED_WEB_SHARE_Z], 0.0) / (1.0 - c[ED_WEB_SHARE_Z]);
-    z = 1.0 - beyond * beyond;
-  }
-  const double r_y = ratio(s->m_y, y), r_z = ratio(s->m_z, z), single = larger(r_y, r_z);
-  const double both = shape == ED_I     ? r_y * r_y + r_z
-                      : shape == ED_CHS ? r_y * r_y + r_z * r_z
-                                        : r_y * sqrt(r_y) + r_z * sqrt(r_z);
-  const double plastic = smaller(larger(single, both), linear);
-  return larger(n, single) < 1.0 ? plastic : linear;
-}
-
-/* ---- a member in bending and compression, 6.3.3, Annex B -------------------------------------------------------- */
-
-typedef struct {
-  double yy, yz, zy, zz;
-} factors;
-
-static inline factors annex_b(const member *b, double n_y, double n_z)
-{
-  const double *c = b->c, l_y = c[ED_LAMBDA_Y], l_z = c[ED_LAMBDA_Z], wide = c[ED_C_MLT] - 0.25;
-  factors k;
-  if (b->elastic) {
-    k.yy = c[ED_C_MY] * (1.0 + 0.6 * smaller(l_y, 1.0) * n_y);
-    k.zz = c[ED_C_MZ] * (1.0 + 0.6 * smaller(l_z, 1.0) * n_z);
-    k.yz = k.zz;
-    k.zy = b->twists ? 1.0 - 0.05 * smaller(l_z, 1.0) / wide * n_z : 0.8 * k.yy;
-    return k;
-  }
-  k.yy = c[ED_C_MY] * (1.0 + smaller(l_y - 0.2, 0.8) * n_y);
-  k.zz = c[ED_C_MZ] * (1.0 + (b->shape == ED_I ? smaller(2.0 * l_z - 0.6, 1.4) : smaller(l_z - 0.2, 0.8)) * n_z);
-  k.yz = 0.6 * k.zz;
-  k.zy = 0.6 * k.yy;
-  if (b->twists) {
-    const double table = 1.0 - 0.1 * smaller(l_z, 1.0) / wide * n_z;
-    k.zy = l_z < 0.4 ? smaller(0.6 + l_z, table) : table;
-  }
-  return k;
-}
 
 typedef struct {
   int n;          /* distinct combinations */
@@ -186,22 +39,28 @@ typedef struct {
   double *force;  /* (FORCES + 1) x n: bounds of N ... M_z, and of V_z by gravity in place FORCES */
   double *bound;  /* ED_N_CHECKS x n */
   double *top;    /* (cases + directions) x FORCES */
-  double *steady, *swing, *gravity; /* stations x FORCES twice, stations */
+  double *steady, *swing, *size;  /* stations x FORCES, of one combination */
+  double *compression, *gravity; /* stations */
   int *mask;      /* n: of the member */
   int *open;      /* n: whether a combination may govern a check */
 } workspace;
 
 /* ---- exact evaluation of one combination ------------------------------------------------------------------------ */
 
+static inline int improves(const worst *w, int check, double value, int combination)
+{
+  return value > w->utilisation[check] || (value == w->utilisation[check] && combination < w->combination[check]);
+}
+
 static inline void keep(worst *w, int check, double value, int combination, int station)
 {
-  if (value > w->utilisation[check] || (value == w->utilisation[check] && value >= 0.0 && combination < w->combination[check]))
+  if (improves(w, check, value, combination))
     w->utilisation[check] = value, w->combination[check] = combination, w->station[check] = station;
 }
 
 #define HAS(check) (mask >> (check) & 1)
 
-/* Forces of one combination at all stations: the steady part with its sign, what swings without, V_z by gravity. */
+/* Forces of one combination at all stations: the steady part with its sign, what swings and V_z by gravity without. */
 static inline __attribute__((always_inline)) void combine(const loads *l, int at, int k, const workspace *space)
 {
   const double *f = l->f + (size_t)k * l->cases, *g = l->g + (size_t)k * l->directions;
@@ -226,39 +85,43 @@ static inline __attribute__((always_inline)) void combine(const loads *l, int at
     for (int j = 0; j < row; j++)
       swing[j] += factor * of[j];
   }
+  for (int s = 0; s < l->stations; s++)
+    gravity[s] = fabs(gravity[s]);
 }
 
-typedef struct {
-  double value;
-  int station;
-} peak;
-
-static inline void climb(peak *p, double value, int station)
+/* The first station with the largest of every `step`-th number from `of` on. */
+static int where(const double *of, int step, int stations)
 {
-  if (value > p->value)
-    p->value = value, p->station = station;
+  int at = 0;
+  for (int s = 1; s < stations; s++)
+    if (of[s * step] > of[at * step])
+      at = s;
+  return at;
 }
 
-ED_CLONES static void evaluate(const loads *l, const member *b, int at, int k, int mask, const workspace *space, worst *w)
+/* k: among the distinct combinations. */
+ED_CLONES static void evaluate(const loads *l, const member *b, int at, int k, const workspace *space, worst *w)
 {
-  enum { COMPRESSION = FORCES, GRAVITY, PEAKS };
+  const int mask = space->mask[k];
   const double *c = b->c, *per = b->per;
-  peak top[PEAKS] = {{0.0, 0}};
-  combine(l, at, k, space);
-  for (int s = 0; s < l->stations; s++) {
-    const double *steady = space->steady + s * FORCES, *swing = space->swing + s * FORCES;
+  const int stations = l->stations, row = stations * FORCES;
+  double *restrict size = space->size, *restrict compression = space->compression;
+  const double *restrict steady = space->steady, *restrict swing = space->swing, *restrict gravity = space->gravity;
+  double top[FORCES] = {0.0}, compressed = 0.0, by_gravity = 0.0;
+  combine(l, at, space->of[k], space);
+  for (int i = 0; i < row; i++)
+    size[i] = fabs(steady[i]) + swing[i];
+  for (int s = 0; s < stations; s++) {
     for (int j = 0; j < FORCES; j++)
-      climb(&top[j], fabs(steady[j]) + swing[j], s);
-    climb(&top[COMPRESSION], swing[N] - steady[N], s);
-    climb(&top[GRAVITY], fabs(space->gravity[s]), s);
+      top[j] = larger(top[j], size[s * FORCES + j]);
+    compression[s] = larger(swing[s * FORCES + N] - steady[s * FORCES + N], 0.0);
+    compressed = larger(compressed, compression[s]);
+    by_gravity = larger(by_gravity, gravity[s]);
   }
-  const double v_y = top[V_Y].value * per[ED_V_Y_RD], v_z = top[V_Z].value * per[ED_V_Z_RD];
+  const double v_y = top[V_Y] * per[ED_V_Y_RD], v_z = top[V_Z] * per[ED_V_Z_RD];
   const int shears = v_y > 0.5 || v_z > 0.5;
-  for (int s = 0; s < l->stations && (HAS(ED_CHECK_N_M) || (shears && mask & (1 << ED_CHECK_M_Y | 1 << ED_CHECK_M_Z))); s++) {
-    const double *steady = space->steady + s * FORCES, *swing = space->swing + s * FORCES;
-    double F[FORCES];
-    for (int j = 0; j < FORCES; j++)
-      F[j] = fabs(steady[j]) + swing[j];
+  for (int s = 0; s < stations && (HAS(ED_CHECK_N_M) || (shears && mask & (1 << ED_CHECK_M_Y | 1 << ED_CHECK_M_Z))); s++) {
+    const double *F = size + s * FORCES;
     const sheared m = shears ? with_shear(b, F[V_Y] * per[ED_V_Y_RD], F[V_Z] * per[ED_V_Z_RD], F[M_Y], F[M_Z])
                              : without_shear(b, F[M_Y], F[M_Z]);
     if (shears && HAS(ED_CHECK_M_Y))
@@ -267,49 +130,55 @@ ED_CLONES static void evaluate(const loads *l, const member *b, int at, int k, i
       keep(w, ED_CHECK_M_Z, m.m_z, k, s);
     if (HAS(ED_CHECK_N_M)) {
       keep(w, ED_CHECK_N_M, section(b, &m, F[N], w->utilisation[ED_CHECK_N_M]), k, s);
-      if (swing[N] > 0.0 && m.m_z > 0.0) { /* the other sign: a larger N may raise the exponent of m_z */
-        const double other = fabs(fabs(steady[N]) - swing[N]);
+      if (swing[s * FORCES + N] > 0.0 && powers_grow(b, F[N] * m.n_scale)) {
+        const double other = fabs(fabs(steady[s * FORCES + N]) - swing[s * FORCES + N]);
         keep(w, ED_CHECK_N_M, section(b, &m, other, w->utilisation[ED_CHECK_N_M]), k, s);
       }
     }
   }
-  const double n_y = top[COMPRESSION].value * per[ED_N_B_Y], n_z = top[COMPRESSION].value * per[ED_N_B_Z];
-  const double m_y = top[M_Y].value * per[ED_M_B], m_z = top[M_Z].value * per[ED_M_Z_RK];
+  const double n_y = compressed * per[ED_N_B_Y], n_z = compressed * per[ED_N_B_Z];
+  const double m_y = top[M_Y] * per[ED_M_B], m_z = top[M_Z] * per[ED_M_Z_RK];
   const factors a = annex_b(b, n_y, n_z);
-  const peak result[ED_N_CHECKS] = {
-    [ED_CHECK_N] = {top[N].value * per[ED_N_RD], top[N].station},
-    [ED_CHECK_V_Y] = {v_y, top[V_Y].station},
-    [ED_CHECK_V_Z] = {v_z, top[V_Z].station},
-    [ED_CHECK_M_Y] = {shears ? -1.0 : top[M_Y].value * per[ED_M_Y_RD], top[M_Y].station},
-    [ED_CHECK_M_Z] = {shears ? -1.0 : top[M_Z].value * per[ED_M_Z_RD], top[M_Z].station},
-    [ED_CHECK_N_M] = {-1.0, 0},
-    [ED_CHECK_N_B] = {larger(n_y, n_z), top[COMPRESSION].station},
-    [ED_CHECK_M_B] = {m_y, top[M_Y].station},
-    [ED_CHECK_6_61] = {n_y + a.yy * m_y + a.yz * m_z, top[M_Y].station},
-    [ED_CHECK_6_62] = {n_z + a.zy * m_y + a.zz * m_z, top[M_Y].station},
-    [ED_CHECK_BEAM_M] = {top[M_Y].value * per[ED_M_Y_RD], top[M_Y].station},
-    [ED_CHECK_BEAM_N] = {top[N].value * per[ED_N_RD] / 0.15, top[N].station},
-    [ED_CHECK_BEAM_V] = {(top[GRAVITY].value + c[ED_V_M]) * per[ED_V_Z_RD] / 0.5, top[GRAVITY].station},
-    [ED_CHECK_COLUMN_V] = {larger(v_y, v_z) / 0.5, v_y > v_z ? top[V_Y].station : top[V_Z].station},
+  const double value[ED_N_CHECKS] = {
+    [ED_CHECK_N] = top[N] * per[ED_N_RD],
+    [ED_CHECK_V_Y] = v_y,
+    [ED_CHECK_V_Z] = v_z,
+    [ED_CHECK_M_Y] = shears ? -2.0 : top[M_Y] * per[ED_M_Y_RD], /* -2: kept above */
+    [ED_CHECK_M_Z] = shears ? -2.0 : top[M_Z] * per[ED_M_Z_RD],
+    [ED_CHECK_N_M] = -2.0,
+    [ED_CHECK_N_B] = larger(n_y, n_z),
+    [ED_CHECK_M_B] = m_y,
+    [ED_CHECK_6_61] = n_y + a.yy * m_y + a.yz * m_z,
+    [ED_CHECK_6_62] = n_z + a.zy * m_y + a.zz * m_z,
+    [ED_CHECK_BEAM_M] = top[M_Y] * per[ED_M_Y_RD],
+    [ED_CHECK_BEAM_N] = top[N] * per[ED_N_RD] / 0.15,
+    [ED_CHECK_BEAM_V] = (by_gravity + c[ED_V_M]) * per[ED_V_Z_RD] / 0.5,
+    [ED_CHECK_COLUMN_V] = larger(v_y, v_z) / 0.5,
   };
+  static const signed char force[ED_N_CHECKS] = {N, V_Y, V_Z, M_Y, M_Z, -1, -1, M_Y, M_Y, M_Y, M_Y, N, -1, -1};
   for (int i = 0; i < ED_N_CHECKS; i++)
-    if (HAS(i))
-      keep(w, i, result[i].value, k, result[i].station);
+    if (HAS(i) && improves(w, i, value[i], k)) {
+      const int s = i == ED_CHECK_N_B        ? where(compression, 1, stations)
+                    : i == ED_CHECK_BEAM_V   ? where(gravity, 1, stations)
+                    : i == ED_CHECK_COLUMN_V ? where(size + (v_y > v_z ? V_Y : V_Z), FORCES, stations)
+                                             : where(size + force[i], FORCES, stations);
+      keep(w, i, value[i], k, s);
+    }
 }
 
 /* ---- bounds of all combinations of one member ------------------------------------------------------------------- */
 
 /* Largest magnitude along the member of each force of each case and direction: (cases + directions) x FORCES. */
-static void largest(const loads *l, int at, double *top)
+ED_CLONES static void largest(const loads *l, int at, double *restrict top)
 {
   const size_t row = (size_t)l->stations * FORCES, all = row * l->members, own = row * at;
   for (int i = 0; i < l->cases + l->directions; i++, top += FORCES) {
     const double *of = (i < l->cases ? l->statics + i * all : l->spectral + (i - l->cases) * all) + own;
-    for (int j = 0; j < FORCES; j++)
-      top[j] = 0.0;
+    double most[FORCES] = {0.0};
     for (int s = 0; s < l->stations; s++, of += FORCES)
       for (int j = 0; j < FORCES; j++)
-        top[j] = larger(top[j], fabs(of[j]));
+        most[j] = larger(most[j], fabs(of[j]));
+    memcpy(top, most, sizeof most);
   }
 }
 
@@ -337,35 +206,41 @@ static inline __attribute__((always_inline)) void fill_bounds(const member *b, i
   const double *restrict N_Ed = w->force + N * row, *restrict V_G = w->force + FORCES * row;
   const double *restrict V_y = w->force + V_Y * row, *restrict V_z = w->force + V_Z * row;
   const double *restrict M_y = w->force + M_Y * row, *restrict M_z = w->force + M_Z * row;
-  const member own = *b;
-  const double *c = own.c, *per = own.per, plastic = own.elastic ? 0.0 : 1.0;
-  /* factors of Annex B are linear in the compression, and the largest at one of its ends: none, or a unit of n */
-  const factors none = annex_b(&own, 0.0, 0.0), unit = annex_b(&own, 1.0, 1.0);
-  const double yy = larger(unit.yy - none.yy, 0.0), zz = larger(unit.zz - none.zz, 0.0), yz = none.yz / none.zz;
-  const double zy = own.twists ? 0.0 : none.zy / none.yy, zy_none = own.twists ? none.zy : 0.0;
   double *restrict u = w->bound;
+  const double N_Rd = b->c[ED_N_RD], M_y_Rd = b->c[ED_M_Y_RD], M_z_Rd = b->c[ED_M_Z_RD], M_y_shear = b->c[ED_M_Y_SHEAR];
+  const double V_y_Rd = sqrt(3.0) * b->c[ED_V_Y_RD], V_z_Rd = sqrt(3.0) * b->c[ED_V_Z_RD], V_M = b->c[ED_V_M];
+  const double a_y = b->c[ED_WEB_SHARE_Y], a_z = b->c[ED_WEB_SHARE_Z], half_web = 0.5 * b->c[ED_N_WEB], linear_only = b->elastic ? LINEAR_ONLY : 0.0;
+  const double per_N = b->per[ED_N_RD], per_V_y = b->per[ED_V_Y_RD], per_V_z = b->per[ED_V_Z_RD], per_M_y = b->per[ED_M_Y_RD];
+  const double per_N_b_y = b->per[ED_N_B_Y], per_N_b_z = b->per[ED_N_B_Z], per_M_b = b->per[ED_M_B], per_M_z = b->per[ED_M_Z_RK];
+  /* factors of Annex B are linear in the compression, and the largest at one of its ends: none, or a unit of n */
+  const factors none = annex_b(b, 0.0, 0.0), unit = annex_b(b, 1.0, 1.0);
+  const double yy = larger(unit.yy - none.yy, 0.0), zz = larger(unit.zz - none.zz, 0.0), yz = none.yz / none.zz;
+  const double zy = b->twists ? 0.0 : none.zy / none.yy, zy_none = b->twists ? none.zy : 0.0;
+#pragma GCC ivdep
   for (int k = 0; k < n; k++) {
-    const double n_y = N_Ed[k] * per[ED_N_B_Y], n_z = N_Ed[k] * per[ED_N_B_Z];
-    const double m_y = M_y[k] * per[ED_M_B], m_z = M_z[k] * per[ED_M_Z_RK];
+    const double n_y = N_Ed[k] * per_N_b_y, n_z = N_Ed[k] * per_N_b_z, m_y = M_y[k] * per_M_b, m_z = M_z[k] * per_M_z;
     const double k_yy = none.yy + yy * n_y, k_zz = none.zz + zz * n_z;
-    u[ED_CHECK_N * row + k] = N_Ed[k] * per[ED_N_RD];
-    u[ED_CHECK_V_Y * row + k] = V_y[k] * per[ED_V_Y_RD];
-    u[ED_CHECK_V_Z * row + k] = V_z[k] * per[ED_V_Z_RD];
+    u[ED_CHECK_N * row + k] = N_Ed[k] * per_N;
+    u[ED_CHECK_V_Y * row + k] = V_y[k] * per_V_y;
+    u[ED_CHECK_V_Z * row + k] = V_z[k] * per_V_z;
     u[ED_CHECK_N_B * row + k] = larger(n_y, n_z);
     u[ED_CHECK_M_B * row + k] = m_y;
     u[ED_CHECK_6_61 * row + k] = n_y + k_yy * m_y + yz * k_zz * m_z;
     u[ED_CHECK_6_62 * row + k] = n_z + (zy_none + zy * k_yy) * m_y + k_zz * m_z;
-    u[ED_CHECK_BEAM_M * row + k] = M_y[k] * per[ED_M_Y_RD];
-    u[ED_CHECK_BEAM_N * row + k] = N_Ed[k] * per[ED_N_RD] / 0.15;
-    u[ED_CHECK_BEAM_V * row + k] = (V_G[k] + c[ED_V_M]) * per[ED_V_Z_RD] / 0.5;
-    u[ED_CHECK_COLUMN_V * row + k] = larger(V_y[k] * per[ED_V_Y_RD], V_z[k] * per[ED_V_Z_RD]) / 0.5;
+    u[ED_CHECK_BEAM_M * row + k] = M_y[k] * per_M_y;
+    u[ED_CHECK_BEAM_N * row + k] = N_Ed[k] * per_N / 0.15;
+    u[ED_CHECK_BEAM_V * row + k] = (V_G[k] + V_M) * per_V_z / 0.5;
+    u[ED_CHECK_COLUMN_V * row + k] = larger(V_y[k] * per_V_y, V_z[k] * per_V_z) / 0.5;
   }
+#pragma GCC ivdep
   for (int k = 0; k < n; k++) {
-    const sheared m = with_shear(&own, V_y[k] * per[ED_V_Y_RD], V_z[k] * per[ED_V_Z_RD], M_y[k], M_z[k]);
-    const double linear = N_Ed[k] * m.n_scale + m.m_y + m.m_z, curved = section_bound(&own, shape, &m, N_Ed[k]);
-    u[ED_CHECK_M_Y * row + k] = m.m_y;
-    u[ED_CHECK_M_Z * row + k] = m.m_z;
-    u[ED_CHECK_N_M * row + k] = plastic > 0.0 ? curved : linear;
+    const double over_y = positive(2.0 * V_y[k] * per_V_y - 1.0), over_z = positive(2.0 * V_z[k] * per_V_z - 1.0);
+    const double y = positive(1.0 - over_y * over_y), z = positive(1.0 - over_z * over_z); /* 1 - rho */
+    const double m_y = M_y[k] / positive(M_y_Rd - (1.0 - z) * M_y_shear), m_z = M_z[k] / (y * M_z_Rd);
+    const double by = N_Ed[k] / positive(N_Rd - ((1.0 - y) * V_y_Rd + (1.0 - z) * V_z_Rd)), by_web = N_Ed[k] / (z * half_web);
+    u[ED_CHECK_M_Y * row + k] = m_y;
+    u[ED_CHECK_M_Z * row + k] = m_z;
+    u[ED_CHECK_N_M * row + k] = section_bound(shape, a_y, a_z, by, by_web, m_y, m_z, linear_only);
   }
 }
 
@@ -417,17 +292,18 @@ static void check_member(const loads *l, const member *b, int at, const int *mas
     force_bounds(l, w);
     check_bounds(b, w);
     for (int i = 0; i < ED_N_CHECKS; i++) {
-      int seen = before.combination[i] < 0;
+      const int k = before.combination[i];
+      int seen = k < 0;
       for (int j = 0; j < i && !seen; j++)
-        seen = before.combination[j] == before.combination[i];
-      if (!seen)
-        evaluate(l, b, at, before.combination[i], masks[l->set[before.combination[i]]], w, found);
+        seen = before.combination[j] == k;
+      if (!seen && may_govern(w, k, found))
+        evaluate(l, b, at, k, w, found);
     }
     find_open(w, found);
   }
   for (int k = 0; k < n; k++)
     if (w->open[k] && (every || may_govern(w, k, found)))
-      evaluate(l, b, at, w->of[k], w->mask[k], w, found);
+      evaluate(l, b, at, k, w, found);
 }
 
 /* ---- the call --------------------------------------------------------------------------------------------------- */
@@ -513,7 +389,7 @@ int ed_member_checks(int n_cases, int n_directions, int n_members, int n_station
   for (int i = 0; i < n_combinations; i++)
     if (set[i] < 0 || set[i] >= n_sets)
       return ED_E_ARGUMENT;
-  const size_t k = n_combinations, all = (size_t)n_cases + n_directions, rows = (2 * FORCES + 1) * (size_t)n_stations;
+  const size_t k = n_combinations, all = (size_t)n_cases + n_directions, rows = (3 * FORCES + 2) * (size_t)n_stations;
   double *block = malloc(sizeof *block * (k * (all + FORCES + 1 + ED_N_CHECKS) + all * FORCES + rows));
   int *of = malloc(sizeof *of * (3 * k + 1));
   if (!block || !of) {
@@ -528,7 +404,9 @@ int ed_member_checks(int n_cases, int n_directions, int n_members, int n_station
   w.top = w.bound + (size_t)ED_N_CHECKS * w.n;
   w.steady = w.top + all * FORCES;
   w.swing = w.steady + (size_t)n_stations * FORCES;
-  w.gravity = w.swing + (size_t)n_stations * FORCES;
+  w.size = w.swing + (size_t)n_stations * FORCES;
+  w.compression = w.size + (size_t)n_stations * FORCES;
+  w.gravity = w.compression + n_stations;
   for (size_t i = 0; i < all; i++)
     for (int j = 0; j < w.n; j++)
       w.factor[i * w.n + j] = fabs(i < (size_t)n_cases ? static_factors[(size_t)of[j] * n_cases + i]
@@ -545,7 +423,7 @@ int ed_member_checks(int n_cases, int n_directions, int n_members, int n_station
     for (int i = 0; i < ED_N_CHECKS; i++) {
       const size_t to = (size_t)m * ED_N_CHECKS + i;
       utilisation[to] = larger(found.utilisation[i], 0.0);
-      combination[to] = found.combination[i];
+      combination[to] = found.combination[i] < 0 ? -1 : of[found.combination[i]];
       station[to] = found.station[i];
     }
   }

@@ -1,0 +1,138 @@
+"""From a steel section, its steel and its restraints to the constants that the checks of members need."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from edesign.building.steel_section import SteelSection
+from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
+from edesign.codes.ec3.buckling import GAMMA_M1
+from edesign.codes.ec3.cross_section import GAMMA_M0
+from edesign.codes.ec3.materials import E, G
+from edesign.core.member_checks import MemberConstants
+from edesign.errors import InputError
+
+
+@dataclass(frozen=True)
+class Stability:
+    """How a member is held against buckling, and the shape of its moments.
+
+    Attributes:
+        L_cr_y, L_cr_z: buckling lengths, m.
+        L_LT: between restraints of the compressed flange and of twisting, m; 0: held all along, chi_LT = 1.
+        C1, C2, z_g: of the critical moment; z_g in m.
+        C_my, C_mz, C_mLT: equivalent uniform moment factors, Table B.3; 0.9 is that of sway members.
+        twists: susceptible to torsional deformation (Table B.2); hollow sections never are.
+        general: chi_LT by the general case 6.3.2.2; otherwise 6.3.2.3 with f, k_c = 1 / sqrt(C1).
+    """
+
+    L_cr_y: float
+    L_cr_z: float
+    L_LT: float
+    C1: float = 1.0
+    C2: float = 0.0
+    z_g: float = 0.0
+    C_my: float = 0.9
+    C_mz: float = 0.9
+    C_mLT: float = 0.9
+    twists: bool = True
+    general: bool = False
+
+
+def member_constants(
+    section: SteelSection,
+    yield_stress: float,
+    stability: Stability,
+    section_class: int,
+    V_M: float = 0.0,
+    modulus: float = E,
+    shear_modulus: float = G,
+    gamma_M0: float = GAMMA_M0,
+    gamma_M1: float = GAMMA_M1,
+) -> MemberConstants:
+    """Return the resistances and factors of a member.
+
+    Args:
+        section: by `steel_section`.
+        yield_stress: f_y, Pa.
+        stability: restraints.
+        section_class: 1, 2 or 3, by `section_class`.
+        V_M: V_Ed,M of EN 1998-1, 6.6.2(2), N.
+        modulus, shear_modulus: E, G, Pa.
+        gamma_M0, gamma_M1: partial factors.
+
+    Raises:
+        InputError: the class is 4, or a length is not greater than zero.
+
+    Source: EN 1993-1-1:2005, 6.2 and 6.3; torsional buckling (6.3.1.4) counts where it is below flexural buckling.
+    """
+    s, fy = section, yield_stress
+    if section_class not in (1, 2, 3):
+        raise InputError(f"{s.name} is of class {section_class}; sections of class 1 to 3 are checked")
+    plastic = section_class < 3
+    W_y, W_z = (s.W_pl_y, s.W_pl_z) if plastic else (s.W_el_y, s.W_el_z)
+    M_y_Rd = cross_section.moment_resistance(W_y, fy, gamma_M0)
+    clear = s.h - 2.0 * s.tf
+    webs = {"I": s.tw, "RHS": 2.0 * s.tw, "CHS": 0.0}[s.kind]
+    M_y_shear = cross_section.moment_of_shear_area(clear, webs, fy, gamma_M0) if plastic and webs else M_y_Rd
+    lambda_y, lambda_z, chi_y, chi_z = _buckling(s, fy, stability, modulus, shear_modulus)
+    chi_LT = _lateral_torsional(s, fy, stability, W_y, modulus, shear_modulus)
+    return MemberConstants(
+        N_Rd=cross_section.axial_resistance(s.A, fy, gamma_M0),
+        V_y_Rd=cross_section.shear_resistance(s.A_vy, fy, gamma_M0),
+        V_z_Rd=cross_section.shear_resistance(s.A_vz, fy, gamma_M0),
+        M_y_Rd=M_y_Rd,
+        M_z_Rd=cross_section.moment_resistance(W_z, fy, gamma_M0),
+        M_y_shear=M_y_shear,
+        N_web=cross_section.axial_resistance(clear * s.tw, fy, gamma_M0) if s.kind == "I" else 0.0,
+        a_y=cross_section.web_share(s.A, 2.0 * s.b * s.tf) if s.kind != "CHS" else 0.0,
+        a_z=cross_section.web_share(s.A, 2.0 * (s.b if s.kind == "I" else s.h) * s.tf) if s.kind != "CHS" else 0.0,
+        N_b_y_Rd=buckling.buckling_resistance(s.A, fy, chi_y, gamma_M1),
+        N_b_z_Rd=buckling.buckling_resistance(s.A, fy, chi_z, gamma_M1),
+        M_b_Rd=lateral_torsional.buckling_moment(chi_LT, W_y, fy, gamma_M1),
+        M_z_Rk=cross_section.moment_resistance(W_z, fy, gamma_M1),
+        lambda_y=lambda_y,
+        lambda_z=lambda_z,
+        C_my=stability.C_my,
+        C_mz=stability.C_mz,
+        C_mLT=stability.C_mLT,
+        V_M=V_M,
+        shape=s.kind,
+        class_3=not plastic,
+        twists=stability.twists and s.kind == "I" and stability.L_LT > 0.0,
+    )
+
+
+def _buckling(
+    s: SteelSection, fy: float, stability: Stability, modulus: float, shear_modulus: float
+) -> tuple[float, float, float, float]:
+    """Slendernesses and reduction factors about y and z; the latter by torsion where that is less."""
+    if s.kind == "I":
+        curves = [buckling.rolled_i_curve(s.h, s.b, s.tf, axis, fy) for axis in ("y", "z")]
+    else:
+        curves = [buckling.hollow_curve(fy, s.cold_formed)] * 2
+    axes = zip((s.I_y, s.I_z), (stability.L_cr_y, stability.L_cr_z), strict=True)
+    found = [buckling.slenderness(s.A, fy, buckling.critical_force(modulus, *axis)) for axis in axes]
+    chi_y, chi_z = (buckling.reduction_factor(x, curve) for x, curve in zip(found, curves, strict=True))
+    if s.kind == "I" and stability.L_LT > 0.0:
+        N_cr_T = buckling.torsional_critical_force(
+            modulus, shear_modulus, s.A, s.I_y + s.I_z, s.I_t, s.I_w, stability.L_LT
+        )
+        chi_z = min(chi_z, buckling.reduction_factor(buckling.slenderness(s.A, fy, N_cr_T), curves[1]))
+    return found[0], found[1], chi_y, chi_z
+
+
+def _lateral_torsional(
+    s: SteelSection, fy: float, stability: Stability, W_y: float, modulus: float, shear_modulus: float
+) -> float:
+    """chi_LT, 1 of hollow sections and of members that are held all along."""
+    if s.kind != "I" or stability.L_LT == 0.0:
+        return 1.0
+    shape = stability.C1, stability.C2, stability.z_g
+    M_cr = lateral_torsional.critical_moment(modulus, shear_modulus, s.I_z, s.I_t, s.I_w, stability.L_LT, *shape)
+    slenderness = lateral_torsional.slenderness(W_y, fy, M_cr)
+    if stability.general:
+        return lateral_torsional.reduction_factor_general(slenderness, lateral_torsional.general_curve(s.h, s.b))
+    chi = lateral_torsional.reduction_factor(slenderness, lateral_torsional.rolled_curve(s.h, s.b))
+    k_c = lateral_torsional.correction_of_factor(stability.C1)
+    return lateral_torsional.modified_reduction_factor(chi, slenderness, k_c)
