@@ -12,7 +12,7 @@ enum { CASES = 2, DIRECTIONS = 2, MEMBERS = 9, STATIONS = 4, COMBINATIONS = 17, 
 /* A member with simple numbers: N 100, V 50 and 40, M 20 and 10; buckling 80 and 50, 16. */
 static const double SIMPLE[ED_N_CONSTANTS] = {
   [ED_N_RD] = 100.0,  [ED_V_Y_RD] = 50.0,  [ED_V_Z_RD] = 40.0,  [ED_M_Y_RD] = 20.0,  [ED_M_Z_RD] = 10.0,
-  [ED_M_Y_SHEAR] = 8.0, [ED_N_WEB] = 40.0, [ED_A_Y] = 0.4,      [ED_A_Z] = 0.4,      [ED_N_B_Y] = 80.0,
+  [ED_M_Y_SHEAR] = 8.0, [ED_N_WEB] = 40.0, [ED_WEB_SHARE_Y] = 0.4,      [ED_WEB_SHARE_Z] = 0.4,      [ED_N_B_Y] = 80.0,
   [ED_N_B_Z] = 50.0,  [ED_M_B] = 16.0,     [ED_M_Z_RK] = 10.0,  [ED_LAMBDA_Y] = 0.7, [ED_LAMBDA_Z] = 1.2,
   [ED_C_MY] = 0.9,    [ED_C_MZ] = 0.8,     [ED_C_MLT] = 0.65,   [ED_V_M] = 12.0};
 

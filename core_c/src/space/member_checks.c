@@ -210,7 +210,9 @@ static inline __attribute__((always_inline)) void fill_bounds(const member *b, i
   const double N_Rd = b->c[ED_N_RD], M_y_Rd = b->c[ED_M_Y_RD], M_z_Rd = b->c[ED_M_Z_RD], M_y_shear = b->c[ED_M_Y_SHEAR];
   const double V_y_Rd = sqrt(3.0) * b->c[ED_V_Y_RD], V_z_Rd = sqrt(3.0) * b->c[ED_V_Z_RD], V_M = b->c[ED_V_M];
   const double a_y = b->c[ED_WEB_SHARE_Y], a_z = b->c[ED_WEB_SHARE_Z], half_web = 0.5 * b->c[ED_N_WEB], linear_only = b->elastic ? LINEAR_ONLY : 0.0;
-  const double per_N = b->per[ED_N_RD], per_V_y = b->per[ED_V_Y_RD], per_V_z = b->per[ED_V_Z_RD], per_M_y = b->per[ED_M_Y_RD];
+  /* N and V above by more than rounding: near the end of a resistance little of it is left, and rounding is much of that */
+  const double above = 1.0 + ROUNDING, per_V_y = b->per[ED_V_Y_RD] * above, per_V_z = b->per[ED_V_Z_RD] * above;
+  const double per_N = b->per[ED_N_RD], per_M_y = b->per[ED_M_Y_RD];
   const double per_N_b_y = b->per[ED_N_B_Y], per_N_b_z = b->per[ED_N_B_Z], per_M_b = b->per[ED_M_B], per_M_z = b->per[ED_M_Z_RK];
   /* factors of Annex B are linear in the compression, and the largest at one of its ends: none, or a unit of n */
   const factors none = annex_b(b, 0.0, 0.0), unit = annex_b(b, 1.0, 1.0);
@@ -237,7 +239,7 @@ static inline __attribute__((always_inline)) void fill_bounds(const member *b, i
     const double over_y = positive(2.0 * V_y[k] * per_V_y - 1.0), over_z = positive(2.0 * V_z[k] * per_V_z - 1.0);
     const double y = positive(1.0 - over_y * over_y), z = positive(1.0 - over_z * over_z); /* 1 - rho */
     const double m_y = M_y[k] / positive(M_y_Rd - (1.0 - z) * M_y_shear), m_z = M_z[k] / (y * M_z_Rd);
-    const double by = N_Ed[k] / positive(N_Rd - ((1.0 - y) * V_y_Rd + (1.0 - z) * V_z_Rd)), by_web = N_Ed[k] / (z * half_web);
+    const double by = above * N_Ed[k] / positive(N_Rd - ((1.0 - y) * V_y_Rd + (1.0 - z) * V_z_Rd)), by_web = N_Ed[k] / (z * half_web);
     u[ED_CHECK_M_Y * row + k] = m_y;
     u[ED_CHECK_M_Z * row + k] = m_z;
     u[ED_CHECK_N_M * row + k] = section_bound(shape, a_y, a_z, by, by_web, m_y, m_z, linear_only);

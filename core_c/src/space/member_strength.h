@@ -66,15 +66,15 @@ static inline void with_axial_force(const member *b, double n, double N_ratio, d
     *y = *z = 1.0 - pow(n, 1.7);
     return;
   }
-  *y = smaller(left / (1.0 - 0.5 * c[ED_A_Y]), 1.0);
+  *y = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Y]), 1.0);
   if (b->shape == ED_RHS) {
-    *z = smaller(left / (1.0 - 0.5 * c[ED_A_Z]), 1.0);
+    *z = smaller(left / (1.0 - 0.5 * c[ED_WEB_SHARE_Z]), 1.0);
     return;
   }
   if (n <= 0.25 && N_ratio <= 1.0)
     *y = 1.0;
-  const double beyond = (n - c[ED_A_Z]) / (1.0 - c[ED_A_Z]);
-  *z = n <= c[ED_A_Z] ? 1.0 : 1.0 - beyond * beyond;
+  const double beyond = (n - c[ED_WEB_SHARE_Z]) / (1.0 - c[ED_WEB_SHARE_Z]);
+  *z = n <= c[ED_WEB_SHARE_Z] ? 1.0 : 1.0 - beyond * beyond;
 }
 
 /* 6.2.9.1(2) and (6), 6.2.1(7), 6.2.9.2; any value below `found` may be returned for one below it */
