@@ -12,8 +12,8 @@ from typing import Literal
 
 from edesign.building.frame import FrameModel
 from edesign.building.named_section import cross_section
-from edesign.building.profiles import profile
 from edesign.building.section import CrossSection
+from edesign.building.steel_section import steel_section
 from edesign.codes.ec3.buckling import (
     Curve,
     buckling_resistance,
@@ -71,7 +71,7 @@ class Bar:
 def strut(project: Project, section: str, material: str, length: float) -> Strut | None:
     """Return a member as a strut; None if its section has no second moment of area.
 
-    Rolled profiles have the properties of the catalogue, fillets included. An own elastic section has one axis, and
+    Rolled profiles count with their fillets. An own elastic section has one axis, and
     curve c: its shape is not known. A stack of rectangles is taken as solid.
 
     Args:
@@ -117,12 +117,12 @@ def _section(project: Project, name: str, steel: Material) -> tuple[float, list[
     shape = cross_section(project, name)
     if not isinstance(shape, CrossSection):
         return shape.area, [] if shape.inertia is None else [(shape.inertia, solid_curve())]
-    weak = sum(strip.depth * strip.width**3 / 12.0 for strip in shape.strips)  # fillets add nothing that counts
+    weak = sum(strip.depth * strip.width**3 / 12.0 for strip in shape.strips)
     if isinstance(own, PlateSection):
         return shape.area, [(shape.inertia, welded_i_curve(own.flange, "y")), (weak, welded_i_curve(own.flange, "z"))]
     if own is not None:
         return shape.area, [(shape.inertia, solid_curve()), (weak, solid_curve())]
-    rolled = profile(name)
+    rolled = steel_section(name)
     fy = 0.0 if isinstance(steel, ElasticMaterial) else steel.fy
     curves = [rolled_i_curve(rolled.h, rolled.b, rolled.tf, axis, fy) for axis in ("y", "z")]
-    return rolled.area, [(rolled.inertia, curves[0]), (weak, curves[1])]
+    return rolled.A, [(rolled.I_y, curves[0]), (rolled.I_z, curves[1])]

@@ -179,7 +179,7 @@ def moment_resistance_with_axial_force_round(M_Rd: float, n: float) -> float:
 
     Source: EN 1993-1-1:2005/AC:2009, 6.2.9.1(5).
     """
-    return M_Rd * max(1.0 - n**1.7, 0.0)
+    return M_Rd * max(1.0 - math.pow(n, 1.7), 0.0)
 
 
 def biaxial_exponents(shape: Shape, n: float) -> tuple[float, float]:
@@ -231,4 +231,4 @@ def plastic_interaction(shape: Shape, n: float, m_y: float, m_z: float, reduced_
     about_y = m_y / reduced_y if m_y > 0.0 else 0.0
     about_z = m_z / reduced_z if m_z > 0.0 else 0.0
     alpha, beta = biaxial_exponents(shape, n)
-    return min(max(about_y, about_z, about_y**alpha + about_z**beta), linear)
+    return min(max(about_y, about_z, math.pow(about_y, alpha) + math.pow(about_z, beta)), linear)
