@@ -18,7 +18,7 @@ class Stability:
     """How a member is held against buckling, and the shape of its moments.
 
     Attributes:
-        L_cr_y, L_cr_z: buckling lengths, m.
+        L_cr_y, L_cr_z: buckling lengths, m; 0: held all along, chi = 1.
         L_LT: between restraints of the compressed flange and of twisting, m; 0: held all along, chi_LT = 1.
         C1, C2, z_g: of the critical moment; z_g in m.
         C_my, C_mz, C_mLT: equivalent uniform moment factors, Table B.3; 0.9 is that of sway members.
@@ -112,7 +112,10 @@ def _buckling(
     else:
         curves = [buckling.hollow_curve(fy, s.cold_formed)] * 2
     axes = zip((s.I_y, s.I_z), (stability.L_cr_y, stability.L_cr_z), strict=True)
-    found = [buckling.slenderness(s.A, fy, buckling.critical_force(modulus, *axis)) for axis in axes]
+    found = [
+        buckling.slenderness(s.A, fy, buckling.critical_force(modulus, inertia, length)) if length != 0.0 else 0.0
+        for inertia, length in axes
+    ]
     chi_y, chi_z = (buckling.reduction_factor(x, curve) for x, curve in zip(found, curves, strict=True))
     if s.kind == "I" and stability.L_LT > 0.0:
         N_cr_T = buckling.torsional_critical_force(

@@ -5,7 +5,7 @@ EN 1998-1:2004, 6.6.3(1)P, 6.7.4(1) and 4.4.2.3(4).
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,9 +20,7 @@ from edesign.codes.ec3.cross_section import (
     web_share,
 )
 from edesign.codes.ec8.strong_column import LEAST_RATIO, is_exempt, strength_ratio
-from edesign.codes.en1990.combinations import Combination
 from edesign.project.building.building import Steel
-from edesign.space.effects import Effects, largest
 from edesign.space.frame import Member, SpaceFrame
 from edesign.space.response import AXES, Axis
 
@@ -74,6 +72,14 @@ class Joint:
         return self.exempt or self.ratio >= LEAST_RATIO
 
 
+def by_section(
+    frame: SpaceFrame, materials: Mapping[str, Steel], value: Callable[[SteelSection, Steel], float]
+) -> np.ndarray:
+    """Return a value of section and steel for each member, (n_members,); each pair of them is asked once."""
+    pairs, of_members = frame.sections
+    return np.array([value(steel_section(name), materials[steel]) for name, steel in pairs])[of_members]
+
+
 def dissipative_members(frame: SpaceFrame, axis: Axis, system: str) -> np.ndarray:
     """Return the numbers of the members in which a system dissipates energy: beams with hinges, or diagonals.
 
@@ -98,8 +104,8 @@ def dissipative_members(frame: SpaceFrame, axis: Axis, system: str) -> np.ndarra
 def overstrength(
     frame: SpaceFrame,
     materials: Mapping[str, Steel],
-    effects: Effects,
-    combinations: Sequence[Combination],
+    acting: np.ndarray,
+    members: np.ndarray,
     axis: Axis,
     system: str,
     gamma_M0: float,
@@ -108,26 +114,22 @@ def overstrength(
 
     Args:
         frame, materials: of the building.
-        effects: of the actions.
-        combinations: of the seismic design situation.
+        acting: (n_members, n_stations, 6) largest effects in the seismic design situation, by `largest`.
+        members: numbers of the dissipative members of this direction.
         axis, system: direction and its structural type.
         gamma_M0: partial factor.
 
     Source: EN 1998-1:2004, 6.6.3(1)P for moment frames, 6.7.4(1) for concentric bracings.
     """
-    members = dissipative_members(frame, axis, system)
     if not members.size:
         return Overstrength(axis, members, np.zeros(0), 1.0, "")
-    acting = largest(effects, combinations)[members]
-    found = []
-    for member, of in zip((frame.members[number] for number in members), acting, strict=True):
-        section, steel = steel_section(member.section), materials[member.material]
-        if system == "moment_frame":
-            hinges = [of[end, M_Y] for end, stiffness in ((0, member.ends[0]), (-1, member.ends[2])) if stiffness > 0.0]
-            found.append(moment_resistance(section.W_pl_y, steel.fy, gamma_M0) / max(*hinges, 1e-300))
-        else:
-            found.append(axial_resistance(section.A, steel.fy, gamma_M0) / max(of[:, N].max(), 1e-300))
-    ratios = np.array(found)
+    if system == "moment_frame":
+        resistance = by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_y, steel.fy, gamma_M0))
+        effect = np.where(_rigid_ends(frame, members), acting[members][:, [0, -1], M_Y], 0.0).max(axis=1)
+    else:
+        resistance = by_section(frame, materials, lambda of, steel: axial_resistance(of.A, steel.fy, gamma_M0))
+        effect = acting[members, :, N].max(axis=1)
+    ratios = resistance[members] / np.maximum(effect, np.finfo(float).tiny)
     least = int(ratios.argmin())
     return Overstrength(axis, members, ratios, float(ratios[least]), frame.members[members[least]].name)
 
@@ -135,8 +137,8 @@ def overstrength(
 def joints(
     frame: SpaceFrame,
     materials: Mapping[str, Steel],
-    effects: Effects,
-    combinations: Sequence[Combination],
+    acting: np.ndarray,
+    beams: np.ndarray,
     axis: Axis,
     gamma_M0: float,
 ) -> list[Joint]:
@@ -144,28 +146,39 @@ def joints(
 
     The resistance of a column is the least within the axial forces of the seismic design situation (4.4.2.3(4)).
 
-    Args: as `overstrength`.
+    Args:
+        frame, materials: of the building.
+        acting: as for `overstrength`.
+        beams: numbers of the beams with hinges in this direction.
+        axis: direction.
+        gamma_M0: partial factor.
     """
-    force = largest(effects, combinations)[:, :, N].max(axis=1)
-    of_columns: dict[int, list[float]] = {}
-    of_beams: dict[int, list[float]] = {}
-    for number, member in enumerate(frame.members):
-        section, steel = steel_section(member.section), materials[member.material]
-        if member.kind == "column":
-            M_Rc = _column_moment(member, section, steel, axis, float(force[number]), gamma_M0)
-            of_columns.setdefault(member.start, []).append(M_Rc)
-            of_columns.setdefault(member.end, []).append(M_Rc)
-        elif member.kind == "beam" and any(name.startswith(axis.upper()) for name in member.frame):
-            for node, stiffness in ((member.start, member.ends[0]), (member.end, member.ends[2])):
-                if stiffness > 0.0:
-                    of_beams.setdefault(node, []).append(moment_resistance(section.W_pl_y, steel.fy, gamma_M0))
+    start, end = frame.ends
+    force = acting[:, :, N].max(axis=1)
+    M_Rc, M_Rb, columns_at, beams_at = np.zeros((4, len(frame.node_names)))
+    of_columns = np.array(
+        [_column_moment(frame.members[k], materials, axis, float(force[k]), gamma_M0) for k in frame.columns]
+    )
+    M_pl = by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_y, steel.fy, gamma_M0))[beams]
+    rigid = _rigid_ends(frame, beams)
+    for side, nodes in enumerate((start, end)):
+        np.add.at(M_Rc, nodes[frame.columns], of_columns)
+        np.add.at(columns_at, nodes[frame.columns], 1.0)
+        np.add.at(M_Rb, nodes[beams], np.where(rigid[:, side], M_pl, 0.0))
+        np.add.at(beams_at, nodes[beams], rigid[:, side])
     found = []
-    for node in sorted(set(of_columns) & set(of_beams)):
-        floor = int(np.searchsorted(frame.levels, frame.coordinates[node, 2] - 1e-9 * frame.levels[-1]))
-        ratio = float(strength_ratio(np.array(of_columns[node]), np.array(of_beams[node])))
-        exempt = is_exempt(floor, frame.n_floors)
-        found.append(Joint(frame.node_names[node], axis, sum(of_columns[node]), sum(of_beams[node]), ratio, exempt))
+    ratio = strength_ratio(M_Rc[:, None], M_Rb[:, None])
+    for node in np.flatnonzero((columns_at > 0.0) & (beams_at > 0.0)):
+        exempt = is_exempt(int(frame.level_of_nodes[node]), frame.n_floors)
+        sums = float(M_Rc[node]), float(M_Rb[node])
+        found.append(Joint(frame.node_names[node], axis, *sums, float(ratio[node]), exempt))
     return found
+
+
+def _rigid_ends(frame: SpaceFrame, beams: np.ndarray) -> np.ndarray:
+    """Return whether beams pass moments about y on at their ends, (n_beams, 2)."""
+    ends = [(frame.members[number].ends[0], frame.members[number].ends[2]) for number in beams]
+    return np.array(ends).reshape(-1, 2) > 0.0
 
 
 def bends_about_y(member: Member, axis: Axis) -> bool:
@@ -173,10 +186,9 @@ def bends_about_y(member: Member, axis: Axis) -> bool:
     return abs(member.web[AXES.index(axis)]) > _DIAGONAL
 
 
-def _column_moment(
-    member: Member, section: SteelSection, steel: Steel, axis: Axis, force: float, gamma_M0: float
-) -> float:
+def _column_moment(member: Member, materials: Mapping[str, Steel], axis: Axis, force: float, gamma_M0: float) -> float:
     """Return M_N,Rd about the axis that horizontal forces bend the column about, N m."""
+    section, steel = steel_section(member.section), materials[member.material]
     n = min(force / axial_resistance(section.A, steel.fy, gamma_M0), 1.0)
     strong = bends_about_y(member, axis)
     M_Rd = moment_resistance(section.W_pl_y if strong else section.W_pl_z, steel.fy, gamma_M0)

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from functools import cache
 
-from edesign.building.section_class import section_class
+import numpy as np
+
+from edesign.building.section_class import SectionClass, section_class
 from edesign.building.steel_section import steel_section
 from edesign.codes.ec3.buckling import critical_force
 from edesign.codes.ec3.buckling import slenderness as flexural_slenderness
@@ -18,7 +21,7 @@ from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design, System
-from edesign.space.capacity import Joint, Overstrength
+from edesign.space.capacity import Joint, Overstrength, by_section
 from edesign.space.frame import SpaceFrame
 from edesign.space.response import AXES, Axis
 from edesign.space.storeys import Storeys
@@ -77,7 +80,7 @@ def behaviour_criteria(
     q: Mapping[Axis, float],
     limit: Mapping[Axis, float],
     axis: Axis,
-    dissipative: Sequence[int],
+    dissipative: np.ndarray,
 ) -> list[Criterion]:
     """Return whether q, and the class of the dissipative sections in one direction, are allowed.
 
@@ -87,20 +90,36 @@ def behaviour_criteria(
         axis: direction.
         dissipative: numbers of the dissipative members.
     """
-    design = design_of(building)
     found = [at_most("6.3.2(1)", f"behaviour factor q, direction {axis}", limit[axis], q[axis])]
-    reference = limit[axis] if design.regular_in_elevation else limit[axis] / 0.8
-    allowed = largest_section_class(design.ductility_class, min(q[axis], reference))
+    design = design_of(building)
+    bent = system_of(design, axis).type == MOMENT_FRAME
+    pairs, of_members = frame.sections
     worst, where = 0, ""
-    for name, material in sorted({(frame.members[n].section, frame.members[n].material) for n in dissipative}):
-        bent = system_of(design, axis).type == MOMENT_FRAME
-        of = section_class(steel_section(name), building.materials[material].fy, 0.0 if bent else -1.0, about_y=bent)
+    for name, material in sorted(pairs[k] for k in np.unique(of_members[dissipative])):
+        of = dissipative_class(name, building.materials[material].fy, bent)
         if of.number > worst:
             worst, where = of.number, name
     if worst:
         text = f"class of dissipative sections, direction {axis}"
-        found.append(at_most("6.5.3(2)", text, allowed, worst, where))
+        found.append(at_most("6.5.3(2)", text, allowed_class(design, q[axis], limit[axis]), worst, where))
     return found
+
+
+def allowed_class(design: Design, q: float, limit: float) -> int:
+    """Return the highest class that dissipative sections may have (EN 1998-1, 6.5.3(2), Table 6.3).
+
+    Args:
+        design: block of the file.
+        q, limit: behaviour factor of a direction and its upper limit.
+    """
+    reference = limit if design.regular_in_elevation else limit / 0.8
+    return largest_section_class(design.ductility_class, min(q, reference))
+
+
+@cache
+def dissipative_class(section: str, fy: float, bent: bool) -> SectionClass:
+    """Return the class of a dissipative section: bent without axial force (beams), or compressed (diagonals)."""
+    return section_class(steel_section(section), fy, 0.0 if bent else -1.0, about_y=bent)
 
 
 def storey_criteria(storeys: Storeys) -> Iterator[Criterion]:
@@ -134,30 +153,36 @@ def joint_criteria(joints: Sequence[Joint], axis: Axis) -> list[Criterion]:
     return [at_least("4.4.2.3(4)", text, LEAST_RATIO, worst.ratio, worst.node)]
 
 
-def bracing_criteria(
-    building: Building, frame: SpaceFrame, overstrength: Overstrength, modulus: Mapping[str, float]
-) -> list[Criterion]:
+def brace_slenderness(building: Building, frame: SpaceFrame, members: np.ndarray) -> np.ndarray:
+    """Return the non-dimensional slenderness of diagonals, (n,), the larger one of both axes.
+
+    Args:
+        building, frame: with the members.
+        members: (n,) numbers of the diagonals.
+    """
+    factor = design_of(building).members.buckling_length.braces
+    of_one_metre = by_section(
+        frame,
+        building.materials,
+        lambda of, steel: flexural_slenderness(of.A, steel.fy, critical_force(steel.E, min(of.I_y, of.I_z), 1.0)),
+    )
+    return of_one_metre[members] * frame.length[members] * max(factor.y, factor.z)
+
+
+def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overstrength) -> list[Criterion]:
     """Return the rules for diagonals of one direction: slenderness, homogeneous overstrength, symmetry.
 
     Args:
         building, frame: with the members.
         overstrength: of this direction.
-        modulus: E by material, Pa.
     """
     axis, number = overstrength.axis, AXES.index(overstrength.axis)
     if not overstrength.members.size:
         return []
     members = [frame.members[n] for n in overstrength.members]
-    factor = design_of(building).members.buckling_length.braces
-    found, steepest, slender = [], -1.0, None
-    for n, member in zip(overstrength.members, members, strict=True):
-        section, fy = steel_section(member.section), building.materials[member.material].fy
-        length = frame.length[n] * max(factor.y, factor.z)
-        critical = critical_force(modulus[member.material], min(section.I_y, section.I_z), length)
-        value = flexural_slenderness(section.A, fy, critical)
-        if value > steepest:
-            steepest, slender = value, member.name
-    found.append(slenderness(steepest, "diagonal", frame.n_floors, slender or ""))
+    slender = brace_slenderness(building, frame, overstrength.members)
+    worst_of = int(slender.argmax())
+    found = [slenderness(float(slender[worst_of]), "diagonal", frame.n_floors, members[worst_of].name)]
     if frame.n_floors > FEW_STOREYS:
         excess = float(overstrength.ratios.max()) / overstrength.Omega - 1.0
         detail = f"Omega from {overstrength.Omega:.3g} to {overstrength.ratios.max():.3g}"

@@ -53,15 +53,19 @@ def effects(
 
     Source: EN 1998-1:2004, 4.4.2.2(3), 6.7.2(2)P.
     """
-    alone = np.array([1.0 if member.compression else 1.0 / TENSION_ONLY_SHARE for member in frame.members])
-    number = np.array([member.storey - 1 for member in frame.members])
-    grown = [seismic[axis].internal * (alone * storeys[axis].amplification[number])[:, None, None] for axis in AXES]
+    alone = np.where(frame.in_compression, 1.0, 1.0 / TENSION_ONLY_SHARE)
+    grown = [
+        seismic[axis].internal * (alone * storeys[axis].amplification[frame.storey])[:, None, None] for axis in AXES
+    ]
     return Effects(static.names, static.internal, np.stack(grown))
 
 
 def largest(effects: Effects, combinations: Sequence[Combination]) -> np.ndarray:
     """Return the largest magnitude of each internal force over combinations, (n_members, n_stations, 6)."""
     found = np.zeros(effects.static.shape[1:])
-    for combination in combinations:
+    alike = {  # which differ in signs of the seismic action only
+        (tuple(sorted(row.static.items())), tuple(np.abs(row.seismic)), row.directions): row for row in combinations
+    }
+    for combination in alike.values():
         np.maximum(found, np.abs(effects.of_static(combination)) + effects.of_seismic(combination), out=found)
     return found

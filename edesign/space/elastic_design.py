@@ -12,6 +12,7 @@ from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.national import ActionFactors, NationalParameters, Psi, national_parameters
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
+from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum
@@ -30,11 +31,13 @@ from edesign.space.criteria import (
     storey_criteria,
     system_of,
 )
-from edesign.space.effects import Effects, effects
-from edesign.space.frame import LoadCase, SpaceFrame
+from edesign.space.effects import Effects, effects, largest
+from edesign.space.frame import LoadCase, Member, SpaceFrame
 from edesign.space.geometry import space_frame
-from edesign.space.member_checks import MemberResults, member_results
-from edesign.space.model import space_model
+from edesign.space.load_cases import SELF_WEIGHT, self_weight
+from edesign.space.masses import node_masses
+from edesign.space.member_checks import MemberChecker, MemberResults
+from edesign.space.model import member_properties, space_model
 from edesign.space.response import (
     AXES,
     Axis,
@@ -103,78 +106,167 @@ def elastic_design(building: Building) -> ElasticDesign:
         InputError: a block is missing, a behaviour factor or a mode is out of its range.
         CoreError: the structure is a mechanism.
     """
-    design = design_of(building)
-    hazard = _hazard(building)
-    national = national_parameters(hazard.country)
-    frame = _with_joined_cases(space_frame(building))
-    if not frame.node_mass.any():
-        raise InputError(
-            f"{building.path}: masses: the seismic action needs masses; docs/building_file.md explains them"
+    return ElasticAnalysis(building).design()
+
+
+class ElasticAnalysis:
+    """The elastic design of a building with the sections of its file, or with others in the same places.
+
+    What sections do not change is prepared once: places of members, loads but the self weight, spectra, combinations,
+    and the symbolic analysis of the stiffness.
+
+    Args:
+        building: from `load_building`, with the blocks `hazard`, `masses` and `design`.
+
+    Attributes:
+        frame: with the sections of the file; load cases as `space_frame` gives them.
+        q: behaviour factors.
+        q_limit: their upper limits, Table 6.2.
+        dissipative: numbers of the dissipative members of both directions.
+        members: checks of the members.
+        fundamental, seismic: combinations of actions.
+
+    Raises:
+        InputError: a block is missing, a behaviour factor is out of its range.
+        CoreError: the structure is a mechanism.
+    """
+
+    def __init__(self, building: Building) -> None:
+        self.building = building
+        self._design = design_of(building)
+        hazard = _hazard(building)
+        self._national = national_parameters(hazard.country)
+        self.frame = space_frame(building)
+        if not self.frame.node_mass.any():
+            raise InputError(
+                f"{building.path}: masses: the seismic action needs masses; docs/building_file.md explains them"
+            )
+        self._model = space_model(self.frame, building.materials)
+        self._properties = member_properties(self.frame, building.materials)
+        system = {axis: system_of(self._design, axis) for axis in AXES}
+        low = self._national.low_ductility_q
+        self.q_limit = {axis: largest_q(building, system[axis], axis, low) for axis in AXES}
+        self.q = {axis: self.q_limit[axis] if (q := system[axis].q) == "table" else float(q) for axis in AXES}
+        self.dissipative = {axis: dissipative_members(self.frame, axis, system[axis].type) for axis in AXES}
+        self.members = MemberChecker(building, self.frame, self.dissipative, self._design.overstrength)
+        self._elastic = elastic_spectrum(hazard, self._design.level or next(iter(hazard.levels), None))
+        cases = {name: case.category for name, case in _with_joined_cases(self.frame).cases.items()}
+        psi = _psi(building, self._national)
+        directions = "srss" if self._design.directions == "srss" else "30 %"
+        self.fundamental = fundamental(cases, psi, _action_factors(self._design, self._national))
+        self.seismic = seismic(cases, psi, directions)
+        self._characteristic = characteristic(cases, psi)
+        self._variants: dict[tuple[int, str], Member] = {}
+
+    def frame_with(self, sections: Mapping[str, str]) -> SpaceFrame:
+        """Return the frame with other sections, and the self weight and masses that follow from them.
+
+        Args:
+            sections: section of each group; groups without one keep theirs.
+
+        Raises:
+            InputError: a section is not known.
+        """
+        frame = self.frame
+        members = tuple(
+            member
+            if (wanted := sections.get(member.group, member.section)) == member.section
+            else self._variant(number, wanted)
+            for number, member in enumerate(frame.members)
         )
-    model = space_model(frame, building.materials)
-    limit = {axis: largest_q(building, system_of(design, axis), axis, national.low_ductility_q) for axis in AXES}
-    q = {axis: limit[axis] if (of := system_of(design, axis).q) == "table" else float(of) for axis in AXES}
-    modes = model.modes(frame.node_mass, None if design.modes == "auto" else design.modes)
-    static = static_response(model, frame)
-    elastic = elastic_spectrum(hazard, design.level or next(iter(hazard.levels), None))
-    response = {
-        axis: seismic_response(
-            model,
-            frame,
-            modes,
-            axis,
-            elastic,
-            DesignSpectrum.of(elastic, q[axis], national.beta),
-            design.combination,
-            design.damping,
-            design.accidental_torsion,
+        found = frame.with_sections(members, frame.cases, frame.node_mass)
+        if SELF_WEIGHT not in frame.cases:
+            return found
+        cases = frame.cases | {SELF_WEIGHT: self_weight(self.building, found)}
+        found = found.with_sections(members, cases, frame.node_mass)
+        return found.with_sections(members, cases, node_masses(self.building, found))
+
+    def _variant(self, number: int, section: str) -> Member:
+        if (number, section) not in self._variants:
+            self._variants[number, section] = replace(self.frame.members[number], section=section)
+        return self._variants[number, section]
+
+    def design(self, sections: Mapping[str, str] | None = None) -> ElasticDesign:
+        """Analyse the building and check it.
+
+        Args:
+            sections: section of each group; those of the file for groups without one. With any, `building` of the
+                result is still that of the file.
+
+        Raises:
+            InputError: a section is not known or of class 4, or modes that SRSS needs apart are close.
+        """
+        building, design = self.building, self._design
+        frame = self.frame_with(sections) if sections else self.frame
+        model = self._with_sections(frame)
+        frame = _with_joined_cases(frame)
+        modes = model.modes(frame.node_mass, None if design.modes == "auto" else design.modes)
+        static = static_response(model, frame)
+        response = {
+            axis: seismic_response(
+                model,
+                frame,
+                modes,
+                axis,
+                self._elastic,
+                DesignSpectrum.of(self._elastic, self.q[axis], self._national.beta),
+                design.combination,
+                design.damping,
+                design.accidental_torsion,
+            )
+            for axis in AXES
+        }
+        height = np.array(building.heights)
+        gravity = gravity_above(frame, self.seismic[0].static)
+        of_storeys = {axis: storeys(response[axis], height, gravity, design) for axis in AXES}
+        acting = effects(frame, static, response, of_storeys)
+        in_earthquakes = largest(acting, self.seismic)
+        steel, gamma_M0 = building.materials, design.partial_factors.M0
+        kind = {axis: system_of(design, axis).type for axis in AXES}
+        Omega = {
+            axis: overstrength(frame, steel, in_earthquakes, self.dissipative[axis], axis, kind[axis], gamma_M0)
+            for axis in AXES
+        }
+        checked = self.members.results(frame, acting, self.fundamental, self.seismic, Omega)
+        of_joints = {
+            axis: joints(frame, steel, in_earthquakes, self.dissipative[axis], axis, gamma_M0)
+            for axis in AXES
+            if kind[axis] == MOMENT_FRAME
+        }
+        criteria = modal_criteria(modes)
+        for axis in AXES:
+            criteria += behaviour_criteria(building, frame, self.q, self.q_limit, axis, self.dissipative[axis])
+            criteria += storey_criteria(of_storeys[axis])
+            if self._design.ductility_class == "low":
+                continue  # no capacity design (EN 1998-1, 6.1.2(4))
+            if axis in of_joints:
+                criteria += joint_criteria(of_joints[axis], axis)
+            else:
+                criteria += bracing_criteria(building, frame, Omega[axis])
+        return ElasticDesign(
+            building=building,
+            frame=frame,
+            modes=modes,
+            static=static,
+            response=response,
+            storeys=of_storeys,
+            effects=acting,
+            combinations=(*checked.rows, *self._characteristic),
+            q=self.q,
+            overstrength=Omega,
+            members=checked,
+            joints=tuple(joint for of_axis in of_joints.values() for joint in of_axis),
+            criteria=tuple(criteria),
+            notes=tuple(_notes(response, of_storeys)),
         )
-        for axis in AXES
-    }
-    cases = {name: case.category for name, case in frame.cases.items()}
-    psi = _psi(building, national)
-    rows = seismic(cases, psi, "srss" if design.directions == "srss" else "30 %")
-    gravity = gravity_above(frame, rows[0].static)
-    height = np.array(building.heights)
-    of_storeys = {axis: storeys(response[axis], height, gravity, design) for axis in AXES}
-    acting = effects(frame, static, response, of_storeys)
-    persistent = fundamental(cases, psi, _action_factors(design, national))
-    gamma_M0 = design.partial_factors.M0
-    Omega = {
-        axis: overstrength(frame, building.materials, acting, rows, axis, system_of(design, axis).type, gamma_M0)
-        for axis in AXES
-    }
-    checked = member_results(building, frame, acting, persistent, rows, Omega, design.overstrength)
-    frames = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
-    of_joints = {axis: joints(frame, building.materials, acting, rows, axis, gamma_M0) for axis in frames}
-    criteria = modal_criteria(modes)
-    modulus = {name: steel.E for name, steel in building.materials.items()}
-    for axis in AXES:
-        dissipative = dissipative_members(frame, axis, system_of(design, axis).type)
-        criteria += behaviour_criteria(building, frame, q, limit, axis, [int(n) for n in dissipative])
-        criteria += storey_criteria(of_storeys[axis])
-        if design.ductility_class == "low":
-            continue  # no capacity design (EN 1998-1, 6.1.2(4))
-        if axis in frames:
-            criteria += joint_criteria(of_joints[axis], axis)
-        else:
-            criteria += bracing_criteria(building, frame, Omega[axis], modulus)
-    return ElasticDesign(
-        building=building,
-        frame=frame,
-        modes=modes,
-        static=static,
-        response=response,
-        storeys=of_storeys,
-        effects=acting,
-        combinations=(*checked.rows, *characteristic(cases, psi)),
-        q=q,
-        overstrength=Omega,
-        members=checked,
-        joints=tuple(joint for axis in frames for joint in of_joints[axis]),
-        criteria=tuple(criteria),
-        notes=tuple(_notes(response, of_storeys)),
-    )
+
+    def _with_sections(self, frame: SpaceFrame) -> SpaceModel:
+        """Return the model with the sections of a frame."""
+        properties = member_properties(frame, self.building.materials)
+        if (changed := np.flatnonzero((properties != self._properties).any(axis=1))).size:
+            self._model.change_sections(changed, properties[changed])
+            self._properties = properties
+        return self._model
 
 
 def _hazard(building: Building) -> Hazard:
@@ -190,7 +282,7 @@ def _with_joined_cases(frame: SpaceFrame) -> SpaceFrame:
     cases = {"G": _sum("G", permanent)} | {case.name: case for case in variable}
     if len(variable) == 1:
         cases = {"G": cases["G"], "Q": replace(variable[0], name="Q")}
-    return replace(frame, cases=cases)
+    return frame.with_sections(frame.members, cases, frame.node_mass)
 
 
 def _sum(name: str, cases: Sequence[LoadCase]) -> LoadCase:

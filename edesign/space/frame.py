@@ -7,7 +7,8 @@ strong axis of an I section, as in EN 1993-1-1, 1.7.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Literal
 
@@ -16,6 +17,10 @@ import numpy as np
 Kind = Literal["column", "beam", "brace"]
 RIGID = float("inf")
 NO_DIAPHRAGM = -1
+
+
+PLACES = ("ends", "length", "columns", "storey", "in_compression", "level_of_nodes")
+"""What a `SpaceFrame` derives from its nodes and the places of its members."""
 
 
 @dataclass(frozen=True)
@@ -105,7 +110,54 @@ class SpaceFrame:
         return len(self.levels) - 1
 
     @cached_property
+    def ends(self) -> tuple[np.ndarray, np.ndarray]:
+        """(n_members,) numbers of the start and end nodes."""
+        start, end = np.array([[member.start, member.end] for member in self.members]).T
+        return start, end
+
+    @cached_property
     def length(self) -> np.ndarray:
         """(n_members,) m."""
-        start, end = np.array([[member.start, member.end] for member in self.members]).T
+        start, end = self.ends
         return np.asarray(np.linalg.norm(self.coordinates[end] - self.coordinates[start], axis=1))
+
+    @cached_property
+    def sections(self) -> tuple[tuple[tuple[str, str], ...], np.ndarray]:
+        """The pairs of section and material that occur, and which of them each member has, (n_members,)."""
+        numbers: dict[tuple[str, str], int] = {}
+        of_members = [numbers.setdefault((member.section, member.material), len(numbers)) for member in self.members]
+        return tuple(numbers), np.array(of_members, dtype=int)
+
+    @cached_property
+    def columns(self) -> np.ndarray:
+        """Numbers of the columns."""
+        return np.array([number for number, member in enumerate(self.members) if member.kind == "column"], dtype=int)
+
+    @cached_property
+    def storey(self) -> np.ndarray:
+        """(n_members,) storey of each member, from 0."""
+        return np.array([member.storey - 1 for member in self.members])
+
+    @cached_property
+    def in_compression(self) -> np.ndarray:
+        """(n_members,) whether each member counts in compression."""
+        return np.array([member.compression for member in self.members], dtype=bool)
+
+    @cached_property
+    def level_of_nodes(self) -> np.ndarray:
+        """(n_nodes,) floor at the level of each node, 0 at the base; nodes between two floors count up."""
+        return np.searchsorted(self.levels, self.coordinates[:, 2] - 1e-9 * self.levels[-1])
+
+    def with_sections(
+        self, members: tuple[Member, ...], cases: Mapping[str, LoadCase], node_mass: np.ndarray
+    ) -> SpaceFrame:
+        """Return the frame with other sections in the same places, and what depends on them.
+
+        Args:
+            members: as they are, but for their sections.
+            cases, node_mass: loads and masses.
+        """
+        found = replace(self, members=members, cases=dict(cases), node_mass=node_mass)
+        for name in (*PLACES, "sections") if members is self.members else PLACES:
+            vars(found)[name] = getattr(self, name)
+        return found

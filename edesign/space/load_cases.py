@@ -57,7 +57,7 @@ def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
             _add(building, case, load, load.Q)
     cases = {name: _case(name, found, frame) for name, found in sums.items()}
     if building.loads.self_weight:
-        cases[SELF_WEIGHT] = _self_weight(building, frame)
+        cases[SELF_WEIGHT] = self_weight(building, frame)
     return {name: cases[name] for name in sorted(cases, key=lambda name: (name not in (PERMANENT, SELF_WEIGHT), name))}
 
 
@@ -75,14 +75,14 @@ def on_nodes(frame: SpaceFrame, case: LoadCase, but: np.ndarray | None = None) -
         but: (n_members,) members whose loads do not count; None: all count.
     """
     found = case.nodal[:, :3].copy()
-    ends = np.array([[member.start, member.end] for member in frame.members])
+    start, end = frame.ends
     counts = np.ones(len(frame.members)) if but is None else np.where(but, 0.0, 1.0)
     half = 0.5 * case.uniform * (frame.length * counts)[:, None]
-    np.add.at(found, ends[:, 0], half)
-    np.add.at(found, ends[:, 1], half)
+    np.add.at(found, start, half)
+    np.add.at(found, end, half)
     place, points = case.point_position[:, None], case.point_force * counts[case.point_member, None]
-    np.add.at(found, ends[case.point_member, 0], (1.0 - place) * points)
-    np.add.at(found, ends[case.point_member, 1], place * points)
+    np.add.at(found, start[case.point_member], (1.0 - place) * points)
+    np.add.at(found, end[case.point_member], place * points)
     return found
 
 
@@ -160,11 +160,13 @@ def on_members(frame: SpaceFrame, case: LoadCase) -> np.ndarray:
     return found
 
 
-def _self_weight(building: Building, frame: SpaceFrame) -> LoadCase:
+def self_weight(building: Building, frame: SpaceFrame) -> LoadCase:
+    """Return the weight of the members."""
+    pairs, of_members = frame.sections
+    weight = [steel_section(name).A * building.materials[steel].density * STANDARD_GRAVITY for name, steel in pairs]
     uniform = np.zeros((len(frame.members), 3))
-    for i, member in enumerate(frame.members):
-        density = building.materials[member.material].density
-        uniform[i, 2] = -steel_section(member.section).A * density * STANDARD_GRAVITY
+    uniform[:, 2] = -np.array(weight)[of_members]
     none = np.zeros(0)
     nodal = np.zeros((len(frame.node_names), 6))
     return LoadCase(SELF_WEIGHT, "permanent", nodal, uniform, none.astype(int), none, none.reshape(0, 3))
+

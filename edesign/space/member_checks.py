@@ -10,20 +10,14 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 
 import numpy as np
 
 from edesign.building.section_class import section_class
 from edesign.building.steel_section import SteelSection, steel_section
-from edesign.codes.ec3 import cross_section, lateral_torsional
-from edesign.codes.ec3.buckling import (
-    buckling_resistance,
-    critical_force,
-    hollow_curve,
-    reduction_factor,
-    rolled_i_curve,
-    slenderness,
-)
+from edesign.building.steel_member import Stability, member_constants
+from edesign.codes.ec3 import cross_section
 from edesign.codes.ec3.moment_factors import SWAY
 from edesign.codes.ec8.moment_frames import hinge_shear
 from edesign.codes.en1990.combinations import Combination
@@ -34,19 +28,22 @@ from edesign.core.member_checks import (
     SECTION_CHECKS,
     Check,
     MemberConstants,
+    MemberTable,
+    Utilisations,
     mask,
     member_checks,
 )
 from edesign.errors import InputError
-from edesign.project.building.building import Building
+from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
-from edesign.space.capacity import Overstrength, bends_about_y, dissipative_members
+from edesign.space.capacity import Overstrength, bends_about_y
 from edesign.space.criteria import MOMENT_FRAME, design_of, system_of
 from edesign.space.effects import Effects, largest
 from edesign.space.frame import Member, SpaceFrame
 from edesign.space.response import AXES, STATIONS, Axis
 
 PERSISTENT, SEISMIC, CAPACITY = range(3)
+LARGEST_PLASTIC_CLASS = 2
 LARGEST_CLASS = 3
 _SEISMIC_TERM = re.compile(r"(?:([0-9.]+) )?E_([xy])")
 
@@ -72,55 +69,142 @@ class MemberResults:
     rows: tuple[Combination, ...]
 
 
-def member_results(
-    building: Building,
-    frame: SpaceFrame,
-    effects: Effects,
-    fundamental: Sequence[Combination],
-    seismic: Sequence[Combination],
-    overstrength: Mapping[Axis, Overstrength],
-    gamma_ov: float,
-) -> MemberResults:
-    """Check all members.
+class MemberChecker:
+    """Checks the members of a building, whatever sections they have.
 
     Args:
-        building, frame: with the members.
-        effects: of the actions.
-        fundamental, seismic: combinations for persistent and for seismic design situations.
-        overstrength: Omega of both directions.
+        building: with the materials and the block `design`.
+        frame: its members; their sections may change from check to check, their places may not.
+        dissipative: numbers of the dissipative members of both directions.
         gamma_ov: material overstrength factor.
-
-    Raises:
-        InputError: a section is of class 4.
     """
-    design = design_of(building)
-    amplified = amplified_combinations(design, seismic, overstrength, gamma_ov)
-    rows = (*fundamental, *seismic, *amplified)
-    force = -np.abs(largest(effects, rows)[:, :, 0].max(axis=1))
-    members = [
-        _constants(building, design, member, float(frame.length[number]), float(force[number]))
-        for number, member in enumerate(frame.members)
-    ]
-    spectral, factors = _spectral(effects, rows)
-    found = member_checks(
-        statics=effects.static,
-        spectral=spectral,
-        static_factors=np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows]),
-        spectral_factors=factors,
-        combination_set=np.repeat([PERSISTENT, SEISMIC, CAPACITY], [len(fundamental), len(seismic), len(amplified)]),
-        gravity=np.ones(len(effects.cases), dtype=int),
-        members=members,
-        masks=_masks(frame, design, bool(amplified)),
-    )
-    applies = found.combination >= 0
-    return MemberResults(
-        checks=tuple(check.name for check in Check),
-        clauses=tuple(CLAUSES[check] for check in Check),
-        utilisation=np.where(applies, found.utilisation, np.nan),
-        combination=np.where(applies, found.combination + 1, 0),
-        station=np.where(applies, STATIONS[np.maximum(found.station, 0)], np.nan),
-        rows=rows,
-    )
+
+    def __init__(
+        self, building: Building, frame: SpaceFrame, dissipative: Mapping[Axis, np.ndarray], gamma_ov: float
+    ) -> None:
+        self._building = building
+        self._design = design_of(building)
+        self._gamma_ov = gamma_ov
+        self._masks = _masks(frame, self._design, dissipative)
+        roles = [_role(self._design, *of) for of in zip(frame.members, frame.length.tolist(), strict=True)]
+        self._roles = list(dict.fromkeys(roles))
+        places = {role: place for place, role in enumerate(self._roles)}
+        self._role_of_members = np.array([places[role] for role in roles], dtype=int)
+        self._known: dict[tuple[str, str, bool, int], MemberConstants] = {}
+
+    def results(
+        self,
+        frame: SpaceFrame,
+        effects: Effects,
+        fundamental: Sequence[Combination],
+        seismic: Sequence[Combination],
+        overstrength: Mapping[Axis, Overstrength],
+    ) -> MemberResults:
+        """Check all members.
+
+        Args:
+            frame: with the sections of the members.
+            effects: of the actions.
+            fundamental, seismic: combinations for persistent and for seismic design situations.
+            overstrength: Omega of both directions.
+
+        Raises:
+            InputError: a section is of class 4.
+        """
+        amplified = amplified_combinations(self._design, seismic, overstrength, self._gamma_ov)
+        rows = (*fundamental, *seismic, *amplified)
+        found = self._checked(frame, effects, rows, len(fundamental), len(seismic), np.arange(len(frame.members)))
+        applies = found.combination >= 0
+        return MemberResults(
+            checks=tuple(check.name for check in Check),
+            clauses=tuple(CLAUSES[check] for check in Check),
+            utilisation=np.where(applies, found.utilisation, np.nan),
+            combination=np.where(applies, found.combination + 1, 0),
+            station=np.where(applies, STATIONS[np.maximum(found.station, 0)], np.nan),
+            rows=rows,
+        )
+
+    def under_frozen_forces(
+        self,
+        frame: SpaceFrame,
+        effects: Effects,
+        rows: Sequence[Combination],
+        counts: tuple[int, int],
+        members: np.ndarray,
+    ) -> np.ndarray:
+        """Return the largest utilisation of some members under forces that were found with other sections, (n,).
+
+        Args:
+            frame: with the sections.
+            effects: of the actions, with the other sections.
+            rows: all combinations, as in `MemberResults`.
+            counts: how many of them are fundamental, and how many seismic.
+            members: (n,) numbers.
+
+        Raises:
+            InputError: a section is of class 4.
+        """
+        return self._checked(frame, effects, rows, *counts, members).utilisation.max(axis=1)
+
+    def _checked(
+        self,
+        frame: SpaceFrame,
+        effects: Effects,
+        rows: Sequence[Combination],
+        fundamental: int,
+        seismic: int,
+        numbers: np.ndarray,
+    ) -> Utilisations:
+        statics, seismics = effects.static[:, numbers], effects.seismic[:, numbers]
+        some = Effects(effects.cases, statics, seismics)
+        spectral, factors = _spectral(some, rows)
+        amplified = len(rows) - fundamental - seismic
+        return member_checks(
+            statics=statics,
+            spectral=spectral,
+            static_factors=np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows]),
+            spectral_factors=factors,
+            combination_set=np.repeat([PERSISTENT, SEISMIC, CAPACITY], [fundamental, seismic, amplified]),
+            gravity=np.ones(len(effects.cases), dtype=int),
+            members=MemberTable.of(self._constants(frame, some, rows, numbers)),
+            masks=self._masks[numbers],
+        )
+
+    def _constants(
+        self, frame: SpaceFrame, effects: Effects, rows: Sequence[Combination], numbers: np.ndarray
+    ) -> list[MemberConstants]:
+        """Return the constants of members under their largest compression in all combinations."""
+        pairs, of_members = frame.sections
+        kinds = of_members[numbers] * len(self._roles) + self._role_of_members[numbers]
+        distinct, kind_of_members = np.unique(kinds, return_inverse=True)
+        of_kinds: list[MemberConstants | None] = []
+        for kind in distinct:
+            (name, material), role = pairs[kind // len(self._roles)], int(kind) % len(self._roles)
+            least, highest = _classes(name, self._building.materials[material].fy, self._roles[role].kind)
+            decided = highest <= LARGEST_PLASTIC_CLASS or least == highest
+            of_kinds.append(self._of(name, material, highest, role) if decided else None)
+        found = [of_kinds[kind] for kind in kind_of_members]
+        if None in of_kinds:  # their classes depend on the axial force
+            force = -largest(effects, rows)[:, :, 0].max(axis=1)
+            for place in np.flatnonzero([constants is None for constants in found]):
+                member, role = frame.members[numbers[place]], int(self._role_of_members[numbers[place]])
+                fy, bent = self._building.materials[member.material].fy, member.kind != "brace"
+                of_class = section_class(steel_section(member.section), fy, float(force[place]), about_y=bent)
+                found[place] = self._of(member.section, member.material, of_class.number, role, member.name)
+        return [constants for constants in found if constants is not None]
+
+    def _of(self, name: str, material: str, of_class: int, role: int, member: str = "") -> MemberConstants:
+        if of_class > LARGEST_CLASS:
+            where = f"{member or self._roles[role].kind}: {name} of {material}"
+            raise InputError(
+                f"{self._building.path}: {where} is of class {of_class} under its forces, and effective sections "
+                f"(EN 1993-1-5) are not in the checks; choose a section of class {LARGEST_CLASS} or less"
+            )
+        key = (name, material, of_class <= LARGEST_PLASTIC_CLASS, role)
+        if key not in self._known:
+            steel = self._building.materials[material]
+            self._known[key] = _constants(self._design, steel_section(name), steel, key[2], self._roles[role])
+        return self._known[key]
 
 
 def _spectral(effects: Effects, rows: Sequence[Combination]) -> tuple[np.ndarray, np.ndarray]:
@@ -161,16 +245,17 @@ def amplified_combinations(
     return tuple(found)
 
 
-def _masks(frame: SpaceFrame, design: Design, capacity: bool) -> np.ndarray:
+def _masks(frame: SpaceFrame, design: Design, of_axes: Mapping[Axis, np.ndarray]) -> np.ndarray:
     """Return the checks of each member in each set of combinations, as bits, (n_members, 3)."""
+    capacity = design.ductility_class != "low"
     usual = {kind: mask(*SECTION_CHECKS, *MEMBER_CHECKS) for kind in ("beam", "column")}
     usual["brace"] = mask(Check.N, Check.N_B)
     masks = np.zeros((len(frame.members), 3), dtype=np.intc)
-    dissipative = {axis: set(dissipative_members(frame, axis, system_of(design, axis).type).tolist()) for axis in AXES}
+    dissipative = {int(number) for axis in AXES for number in of_axes[axis]}
     frames = any(system_of(design, axis).type == MOMENT_FRAME for axis in AXES)
     for number, member in enumerate(frame.members):
         of_kind = usual[member.kind] if member.compression else mask(Check.N)
-        dissipates = any(number in dissipative[axis] for axis in AXES)
+        dissipates = number in dissipative
         masks[number, PERSISTENT] = of_kind
         masks[number, SEISMIC if dissipates or not capacity else CAPACITY] = of_kind
         if capacity and dissipates and member.kind == "beam":
@@ -180,84 +265,67 @@ def _masks(frame: SpaceFrame, design: Design, capacity: bool) -> np.ndarray:
     return masks
 
 
-def _constants(building: Building, design: Design, member: Member, length: float, N_Ed: float) -> MemberConstants:
-    """Return the constants of a member under a largest compression N_Ed, N."""
-    section, steel = steel_section(member.section), building.materials[member.material]
-    fy, factors = steel.fy, design.partial_factors
-    bent = member.kind != "brace"
-    of_class = section_class(section, fy, N_Ed if member.kind != "beam" else 0.0, about_y=bent, about_z=False).number
-    if of_class > LARGEST_CLASS:
-        raise InputError(
-            f"{building.path}: {member.name}: {member.section} is of class {of_class} under its forces, and effective "
-            f"sections (EN 1993-1-5) are not in the checks; choose a section of class {LARGEST_CLASS} or less"
-        )
-    plastic = of_class <= 2
-    W_y = section.W_pl_y if plastic else section.W_el_y
-    W_z = section.W_pl_z if plastic else section.W_el_z
-    M_y, M_z = (cross_section.moment_resistance(W, fy, factors.M0) for W in (W_y, W_z))
-    hollow = section.kind != "I"
-    web = section.h - 2.0 * section.tf
-    webs = 2.0 * section.tw if section.kind == "RHS" else section.tw
-    shares = [
-        cross_section.web_share(section.A, 2.0 * side * section.tf)
-        for side in (section.b, section.h if hollow else section.b)
-    ]
-    twists = section.kind == "I" and not (member.kind == "beam" and design.members.lateral_restraint.beams == "slab")
-    return MemberConstants(
-        N_Rd=cross_section.axial_resistance(section.A, fy, factors.M0),
-        V_y_Rd=cross_section.shear_resistance(section.A_vy, fy, factors.M0),
-        V_z_Rd=cross_section.shear_resistance(section.A_vz, fy, factors.M0),
-        M_y_Rd=M_y,
-        M_z_Rd=M_z,
-        M_y_shear=min(cross_section.moment_of_shear_area(web, webs, fy, factors.M0), M_y) if plastic else M_y,
-        N_web=0.0 if hollow else web * section.tw * fy / factors.M0,
-        a_y=shares[0],
-        a_z=shares[1],
-        M_z_Rk=W_z * fy / factors.M1,
-        V_M=float(hinge_shear(M_y, M_y, length)) if member.kind == "beam" and max(member.ends) > 0.0 else 0.0,
-        shape=section.kind,
-        class_3=not plastic,
-        twists=twists,
-        **_stability(design, member, section, fy, steel.E, steel.nu, W_y, length),
-    )
+@dataclass(frozen=True)
+class _Role:
+    """What the constants of a member depend on beside its section and steel.
+
+    Attributes:
+        kind: column, beam or brace.
+        length: m.
+        hinged: a beam that passes moments on at an end.
+        sways_y, sways_z: a column that bends about this axis in a moment frame.
+    """
+
+    kind: str
+    length: float
+    hinged: bool
+    sways_y: bool
+    sways_z: bool
 
 
-def _stability(
-    design: Design, member: Member, section: SteelSection, fy: float, E: float, nu: float, W_y: float, length: float
-) -> dict[str, float]:
-    """Return what 6.3 needs. Moment factors are those of a uniform moment but for sway (Table B.3), and C1 is 1."""
-    checks = design.members
-    of_length = getattr(checks.buckling_length, f"{member.kind}s")
-    restrained = (member.kind == "beam" and checks.lateral_restraint.beams == "slab") or (
-        member.kind == "column" and checks.lateral_restraint.columns == "all_along"
-    )
-    chi, slender = {}, {}
-    for name, inertia, factor in (("y", section.I_y, of_length.y), ("z", section.I_z, of_length.z)):
-        if name == "z" and member.kind == "beam" and restrained:
-            chi[name], slender[name] = 1.0, 0.0
-            continue
-        slender[name] = slenderness(section.A, fy, critical_force(E, inertia, factor * length))
-        if section.kind == "I":
-            curve = rolled_i_curve(section.h, section.b, section.tf, name, fy)  # type: ignore[arg-type]
-        else:
-            curve = hollow_curve(fy, section.cold_formed)
-        chi[name] = reduction_factor(slender[name], curve)
-    chi_LT = 1.0
-    if section.kind == "I" and not restrained and member.kind != "brace":
-        G = E / (2.0 * (1.0 + nu))
-        M_cr = lateral_torsional.critical_moment(E, G, section.I_z, section.I_t, section.I_w, length)
-        lambda_LT = lateral_torsional.slenderness(W_y, fy, M_cr)
-        chi_LT = lateral_torsional.reduction_factor(lambda_LT, lateral_torsional.rolled_curve(section.h, section.b))
-    gamma_M1 = design.partial_factors.M1
+def _role(design: Design, member: Member, length: float) -> _Role:
     sway = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
     about = {bends_about_y(member, axis) for axis in sway} if member.kind == "column" else set()
-    return {
-        "N_b_y_Rd": buckling_resistance(section.A, fy, chi["y"], gamma_M1),
-        "N_b_z_Rd": buckling_resistance(section.A, fy, chi["z"], gamma_M1),
-        "M_b_Rd": lateral_torsional.buckling_moment(chi_LT, W_y, fy, gamma_M1),
-        "lambda_y": slender["y"],
-        "lambda_z": slender["z"],
-        "C_my": SWAY if True in about else 1.0,
-        "C_mz": SWAY if False in about else 1.0,
-        "C_mLT": 1.0,
-    }
+    hinged = member.kind == "beam" and max(member.ends) > 0.0
+    return _Role(member.kind, length, hinged, True in about, False in about)
+
+
+@cache
+def _classes(name: str, fy: float, kind: str) -> tuple[int, int]:
+    """Return the least and the highest class of a section under compression, with which it rises; beams have none."""
+    section = steel_section(name)
+    forces = (0.0, 0.0) if kind == "beam" else (0.0, -section.A * fy)
+    least, highest = (section_class(section, fy, N, about_y=kind != "brace", about_z=False).number for N in forces)
+    return least, highest
+
+
+def _constants(design: Design, section: SteelSection, steel: Steel, plastic: bool, role: _Role) -> MemberConstants:
+    """Return the constants of a member; `plastic`: of class 1 or 2.
+
+    Moment factors are those of a uniform moment but for sway (Table B.3), and C1 is 1.
+    """
+    checks, factors = design.members, design.partial_factors
+    of_length = getattr(checks.buckling_length, f"{role.kind}s")
+    restrained = (role.kind == "beam" and checks.lateral_restraint.beams == "slab") or (
+        role.kind == "column" and checks.lateral_restraint.columns == "all_along"
+    )
+    M_pl = cross_section.moment_resistance(section.W_pl_y, steel.fy, factors.M0)
+    return member_constants(
+        section,
+        steel.fy,
+        Stability(
+            L_cr_y=of_length.y * role.length,
+            L_cr_z=0.0 if role.kind == "beam" and restrained else of_length.z * role.length,
+            L_LT=0.0 if restrained or role.kind == "brace" else role.length,
+            C_my=SWAY if role.sways_y else 1.0,
+            C_mz=SWAY if role.sways_z else 1.0,
+            C_mLT=1.0,
+            twists=not (role.kind == "beam" and restrained),
+        ),
+        LARGEST_PLASTIC_CLASS if plastic else LARGEST_CLASS,
+        V_M=float(hinge_shear(M_pl, M_pl, role.length)) if role.hinged else 0.0,
+        modulus=steel.E,
+        shear_modulus=steel.E / (2.0 * (1.0 + steel.nu)),
+        gamma_M0=factors.M0,
+        gamma_M1=factors.M1,
+    )

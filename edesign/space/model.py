@@ -7,13 +7,12 @@ from collections.abc import Mapping
 import numpy as np
 
 from edesign.building.steel_section import steel_section
-from edesign.core.space import SpaceMembers, SpaceModel
+from edesign.core.space import PROPERTIES, SpaceMembers, SpaceModel
 from edesign.project.building.building import Steel
 from edesign.space.frame import NO_DIAPHRAGM, SpaceFrame
 
 TENSION_ONLY_SHARE = 0.5
 """Share of its area that a brace has in the model if it does not count in compression."""
-SECTION_PROPERTIES = ("A", "A_y", "A_z", "I_t", "I_y", "I_z")
 
 
 def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel:
@@ -30,12 +29,8 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel
         CoreError: the structure is a mechanism, or is not connected to its supports.
     """
     members = frame.members
-    steels = [materials[member.material] for member in members]
-    sections = [steel_section(member.section) for member in members]
-    properties = {name: np.array([getattr(section, name) for section in sections]) for name in SECTION_PROPERTIES}
-    properties["A"] *= [1.0 if member.compression else TENSION_ONLY_SHARE for member in members]
-    E = np.array([steel.E for steel in steels])
-    start, end = np.array([[member.start, member.end] for member in members]).T
+    start, end = frame.ends
+    properties = dict(zip(PROPERTIES, member_properties(frame, materials).T, strict=True))
     return SpaceModel(
         coordinates=frame.coordinates,
         node_floor=_diaphragm_numbers(frame),
@@ -46,8 +41,6 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel
             start=start,
             end=end,
             web=np.array([member.web for member in members]),
-            E=E,
-            G=E / (2.0 * (1.0 + np.array([steel.nu for steel in steels]))),
             ends=np.array([member.ends for member in members]),
             axial_only=np.array([member.axial_only for member in members]),
             **properties,
@@ -55,6 +48,19 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel
         node_names=frame.node_names,
         member_names=tuple(member.name for member in members),
     )
+
+
+def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel]) -> np.ndarray:
+    """Return the properties of the members in the model, (n_members, 8) in the order of `PROPERTIES`, in SI."""
+    pairs, of_members = frame.sections
+    table = []
+    for name, of in pairs:
+        section, steel = steel_section(name), materials[of]
+        G = steel.E / (2.0 * (1.0 + steel.nu))
+        table.append([steel.E, G, *(getattr(section, key) for key in PROPERTIES[2:])])
+    found = np.array(table)[of_members]
+    found[:, PROPERTIES.index("A")] *= np.where(frame.in_compression, 1.0, TENSION_ONLY_SHARE)
+    return found
 
 
 def diaphragm_floors(frame: SpaceFrame) -> tuple[int, ...]:

@@ -26,7 +26,6 @@ Axis = Literal["x", "y"]
 AXES: tuple[Axis, Axis] = ("x", "y")
 STATIONS = np.array([0.0, 1.0 / 6.0, 1.0 / 3.0, 0.5, 2.0 / 3.0, 5.0 / 6.0, 1.0])
 """Places along a member as fractions of its length: loads of secondary beams at third points fall on them."""
-COLUMN = "column"
 
 
 @dataclass(frozen=True)
@@ -154,7 +153,7 @@ def gravity_above(frame: SpaceFrame, factors: Mapping[str, float]) -> np.ndarray
         factors: of the load cases, such as 1 for G and psi_2 for Q; cases that are absent do not count.
     """
     down = np.zeros(len(frame.node_names))
-    start, end = _ends(frame)
+    start, end = frame.ends
     for name, factor in factors.items():
         case = frame.cases[name]
         down -= factor * case.nodal[:, 2]
@@ -162,7 +161,7 @@ def gravity_above(frame: SpaceFrame, factors: Mapping[str, float]) -> np.ndarray
         np.add.at(of_member, case.point_member, factor * -case.point_force[:, 2])
         np.add.at(down, start, 0.5 * of_member)
         np.add.at(down, end, 0.5 * of_member)
-    at_floor = np.bincount(_level(frame), weights=down, minlength=frame.n_floors + 1)[1:]
+    at_floor = np.bincount(frame.level_of_nodes, weights=down, minlength=frame.n_floors + 1)[1:]
     return np.asarray(np.cumsum(at_floor[::-1])[::-1])
 
 
@@ -187,28 +186,26 @@ def _correlation(modes: SpaceModes, combination: str, damping: float) -> np.ndar
 def _modal_storey_shear(frame: SpaceFrame, modes: SpaceModes, direction: int) -> np.ndarray:
     """Return the storey shears of each mode for an amplitude of 1, (n_modes, n_storeys)."""
     force = modes.omega[:, None] ** 2 * modes.displacements[:, :, direction] * frame.node_mass
-    level = _level(frame)
-    at_floor = np.stack([force[:, level == floor].sum(axis=1) for floor in range(1, frame.n_floors + 1)], axis=1)
+    at_floor = force @ (frame.level_of_nodes[:, None] == np.arange(1, frame.n_floors + 1))
     return np.asarray(np.cumsum(at_floor[:, ::-1], axis=1)[:, ::-1])
 
 
 def _modal_drift(frame: SpaceFrame, modes: SpaceModes, direction: int) -> tuple[np.ndarray, np.ndarray]:
     """Return the drift of each column in each mode, (n_modes, n_columns), and its storey, from 0, (n_columns,)."""
-    columns = _columns(frame)
-    start, end = (nodes[columns] for nodes in _ends(frame))
+    start, end = (nodes[frame.columns] for nodes in frame.ends)
     moved = modes.displacements[:, :, direction]
-    return moved[:, end] - moved[:, start], np.array([frame.members[number].storey - 1 for number in columns])
+    return moved[:, end] - moved[:, start], frame.storey[frame.columns]
 
 
 def _accidental_torsion(
     model: SpaceModel, frame: SpaceFrame, modes: SpaceModes, axis: Axis, base_shear: float, ratio: float
 ) -> _Twist:
     """Return the effects of M_ai = e_ai F_i, F_i by the heights of the floors (Eq. 4.11), without sign."""
-    level = _level(frame)
+    level = frame.level_of_nodes
     rigid = [int(np.flatnonzero(frame.node_floor == floor)[0]) for floor in diaphragm_floors(frame)]
     if ratio == 0.0 or not rigid:
         nothing = np.zeros((len(frame.members), STATIONS.size, 6))
-        return _Twist(nothing, np.zeros(len(_columns(frame))))
+        return _Twist(nothing, np.zeros(frame.columns.size))
     floors = level[rigid]
     mass = np.bincount(level, weights=frame.node_mass, minlength=frame.n_floors + 1)[floors]
     across = frame.coordinates[:, 1 - AXES.index(axis)]
@@ -216,8 +213,7 @@ def _accidental_torsion(
     nodal = np.zeros((len(frame.node_names), 6))
     nodal[rigid, 5] = accidental_moments(lateral_forces(base_shear, mass, frame.levels[floors]), length, ratio)
     found = _static(model, (_nodal_case(frame, "torsion", nodal),))
-    columns = _columns(frame)
-    start, end = (nodes[columns] for nodes in _ends(frame))
+    start, end = (nodes[frame.columns] for nodes in frame.ends)
     moved = found.displacements[0][:, AXES.index(axis)]
     return _Twist(np.abs(found.internal[0]), np.abs(moved[end] - moved[start]))
 
@@ -238,19 +234,3 @@ def _static(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticResponse:
 def _nodal_case(frame: SpaceFrame, name: str, nodal: np.ndarray) -> LoadCase:
     none = np.zeros(0, dtype=int)
     return LoadCase(name, "seismic", nodal, np.zeros((len(frame.members), 3)), none, np.zeros(0), np.zeros((0, 3)))
-
-
-def _ends(frame: SpaceFrame) -> tuple[np.ndarray, np.ndarray]:
-    return (
-        np.array([member.start for member in frame.members]),
-        np.array([member.end for member in frame.members]),
-    )
-
-
-def _columns(frame: SpaceFrame) -> np.ndarray:
-    return np.array([number for number, member in enumerate(frame.members) if member.kind == COLUMN])
-
-
-def _level(frame: SpaceFrame) -> np.ndarray:
-    """Return the floor at the level of each node, 0 at the base; nodes between two floors count to the upper one."""
-    return np.searchsorted(frame.levels, frame.coordinates[:, 2] - 1e-9 * frame.levels[-1])
