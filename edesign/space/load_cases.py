@@ -169,4 +169,3 @@ def self_weight(building: Building, frame: SpaceFrame) -> LoadCase:
     none = np.zeros(0)
     nodal = np.zeros((len(frame.node_names), 6))
     return LoadCase(SELF_WEIGHT, "permanent", nodal, uniform, none.astype(int), none, none.reshape(0, 3))
-

@@ -15,8 +15,8 @@ from functools import cache
 import numpy as np
 
 from edesign.building.section_class import section_class
-from edesign.building.steel_section import SteelSection, steel_section
 from edesign.building.steel_member import Stability, member_constants
+from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec3 import cross_section
 from edesign.codes.ec3.moment_factors import SWAY
 from edesign.codes.ec8.moment_frames import hinge_shear

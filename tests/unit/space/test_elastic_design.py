@@ -196,7 +196,7 @@ def test_a_pair_of_tension_diagonals_is_as_stiff_as_one(tmp_path: Path) -> None:
 
 
 def test_sections_of_class_4_are_refused_by_name(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"C_A1_1: CHS508x5 is of class 4 under its forces"):
+    with pytest.raises(InputError, match=r"column: CHS508x5 of S275 is of class 4 under its forces"):
         design_of(tmp_path, HEB300="CHS508x5")
 
 
