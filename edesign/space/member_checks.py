@@ -48,6 +48,10 @@ LARGEST_CLASS = 3
 _SEISMIC_TERM = re.compile(r"(?:([0-9.]+) )?E_([xy])")
 
 
+class SlenderSection(InputError):
+    """A section is of class 4 under its forces."""
+
+
 @dataclass(frozen=True)
 class MemberResults:
     """The largest utilisation of each member in each check.
@@ -59,6 +63,7 @@ class MemberResults:
         combination: (n_members, n_checks) number of the governing combination, from 1; 0 where it does not apply.
         station: (n_members, n_checks) governing place as a fraction of the length; nan where it does not apply.
         rows: the combinations that the numbers mean: those of actions, then the amplified ones.
+        counts: how many of them are persistent, seismic, and amplified.
     """
 
     checks: tuple[str, ...]
@@ -67,6 +72,7 @@ class MemberResults:
     combination: np.ndarray
     station: np.ndarray
     rows: tuple[Combination, ...]
+    counts: tuple[int, int, int]
 
 
 class MemberChecker:
@@ -109,11 +115,12 @@ class MemberChecker:
             overstrength: Omega of both directions.
 
         Raises:
-            InputError: a section is of class 4.
+            SlenderSection: a section is of class 4.
         """
         amplified = amplified_combinations(self._design, seismic, overstrength, self._gamma_ov)
         rows = (*fundamental, *seismic, *amplified)
-        found = self._checked(frame, effects, rows, len(fundamental), len(seismic), np.arange(len(frame.members)))
+        counts = len(fundamental), len(seismic), len(amplified)
+        found = self._checked(frame, effects, rows, counts)
         applies = found.combination >= 0
         return MemberResults(
             checks=tuple(check.name for check in Check),
@@ -122,60 +129,44 @@ class MemberChecker:
             combination=np.where(applies, found.combination + 1, 0),
             station=np.where(applies, STATIONS[np.maximum(found.station, 0)], np.nan),
             rows=rows,
+            counts=counts,
         )
 
-    def under_frozen_forces(
-        self,
-        frame: SpaceFrame,
-        effects: Effects,
-        rows: Sequence[Combination],
-        counts: tuple[int, int],
-        members: np.ndarray,
-    ) -> np.ndarray:
-        """Return the largest utilisation of some members under forces that were found with other sections, (n,).
+    def under_frozen_forces(self, frame: SpaceFrame, effects: Effects, results: MemberResults) -> np.ndarray:
+        """Return the largest utilisation of each member under forces that were found with other sections, (n_members,).
 
         Args:
             frame: with the sections.
-            effects: of the actions, with the other sections.
-            rows: all combinations, as in `MemberResults`.
-            counts: how many of them are fundamental, and how many seismic.
-            members: (n,) numbers.
+            effects, results: of the other sections.
 
         Raises:
-            InputError: a section is of class 4.
+            SlenderSection: a section is of class 4.
         """
-        return self._checked(frame, effects, rows, *counts, members).utilisation.max(axis=1)
+        return self._checked(frame, effects, results.rows, results.counts).utilisation.max(axis=1)
 
     def _checked(
         self,
         frame: SpaceFrame,
         effects: Effects,
         rows: Sequence[Combination],
-        fundamental: int,
-        seismic: int,
-        numbers: np.ndarray,
+        counts: tuple[int, int, int],
     ) -> Utilisations:
-        statics, seismics = effects.static[:, numbers], effects.seismic[:, numbers]
-        some = Effects(effects.cases, statics, seismics)
-        spectral, factors = _spectral(some, rows)
-        amplified = len(rows) - fundamental - seismic
+        spectral, factors = _spectral(effects, rows)
         return member_checks(
-            statics=statics,
+            statics=effects.static,
             spectral=spectral,
             static_factors=np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows]),
             spectral_factors=factors,
-            combination_set=np.repeat([PERSISTENT, SEISMIC, CAPACITY], [fundamental, seismic, amplified]),
+            combination_set=np.repeat([PERSISTENT, SEISMIC, CAPACITY], counts),
             gravity=np.ones(len(effects.cases), dtype=int),
-            members=MemberTable.of(self._constants(frame, some, rows, numbers)),
-            masks=self._masks[numbers],
+            members=MemberTable.of(self._constants(frame, effects, rows)),
+            masks=self._masks,
         )
 
-    def _constants(
-        self, frame: SpaceFrame, effects: Effects, rows: Sequence[Combination], numbers: np.ndarray
-    ) -> list[MemberConstants]:
+    def _constants(self, frame: SpaceFrame, effects: Effects, rows: Sequence[Combination]) -> list[MemberConstants]:
         """Return the constants of members under their largest compression in all combinations."""
         pairs, of_members = frame.sections
-        kinds = of_members[numbers] * len(self._roles) + self._role_of_members[numbers]
+        kinds = of_members * len(self._roles) + self._role_of_members
         distinct, kind_of_members = np.unique(kinds, return_inverse=True)
         of_kinds: list[MemberConstants | None] = []
         for kind in distinct:
@@ -187,7 +178,7 @@ class MemberChecker:
         if None in of_kinds:  # their classes depend on the axial force
             force = -largest(effects, rows)[:, :, 0].max(axis=1)
             for place in np.flatnonzero([constants is None for constants in found]):
-                member, role = frame.members[numbers[place]], int(self._role_of_members[numbers[place]])
+                member, role = frame.members[place], int(self._role_of_members[place])
                 fy, bent = self._building.materials[member.material].fy, member.kind != "brace"
                 of_class = section_class(steel_section(member.section), fy, float(force[place]), about_y=bent)
                 found[place] = self._of(member.section, member.material, of_class.number, role, member.name)
@@ -196,7 +187,7 @@ class MemberChecker:
     def _of(self, name: str, material: str, of_class: int, role: int, member: str = "") -> MemberConstants:
         if of_class > LARGEST_CLASS:
             where = f"{member or self._roles[role].kind}: {name} of {material}"
-            raise InputError(
+            raise SlenderSection(
                 f"{self._building.path}: {where} is of class {of_class} under its forces, and effective sections "
                 f"(EN 1993-1-5) are not in the checks; choose a section of class {LARGEST_CLASS} or less"
             )

@@ -8,11 +8,14 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field
 
 from edesign.project.base import Model, refuse
-from edesign.project.units import Factor, PositiveFactor, PositiveRatio, UnitRatio, parse_ratio
+from edesign.project.units import Factor, PositiveFactor, PositiveLength, PositiveRatio, UnitRatio, parse_ratio
 
 SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v"]
 """Structural types of EN 1998-1, 6.3.1 and Table 6.2."""
-SectionFamily = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=24)]
+SectionFamily = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+*? -]*$", max_length=24)]
+SectionChoice = Annotated[tuple[SectionFamily, ...], Field(min_length=1)]
+LeftOut = Literal["4.4.2.2(3)", "4.4.2.3(4)", "4.4.3.2(1)", "6.7.1(3)", "6.7.3(1)", "6.7.3(2)", "6.7.3(3)", "6.7.3(8)"]
+"""Clauses of EN 1998-1 for the whole building that sections decide: theta, strong columns, drift, diagonals."""
 
 
 def _q(value: Any) -> Any:
@@ -117,21 +120,36 @@ class MemberChecks(Model):
     yield_by_thickness: bool = False
 
 
-class SectionLists(Model):
-    """Families (`HEB`) or sections (`HEB300`) that the design may choose from."""
+KINDS = ("columns", "beams", "braces")
 
-    columns: tuple[SectionFamily, ...] = ("HEB",)
-    beams: tuple[SectionFamily, ...] = ("IPE",)
-    braces: tuple[SectionFamily, ...] = ("SHS",)
+
+class SectionLists(Model):
+    """Families (`HEB`), patterns (`HEB3*`) or sections (`HEB300`) that the design may choose from.
+
+    `groups`: lists of groups that have their own.
+    """
+
+    columns: SectionChoice = ("HEB",)
+    beams: SectionChoice = ("IPE",)
+    braces: SectionChoice = ("SHS",)
+    groups: dict[str, SectionChoice] = Field(default_factory=dict)
 
 
 class Select(Model):
-    """How `edesign design` chooses sections."""
+    """How `edesign design` chooses sections.
+
+    `largest_depth`: of the sections of columns, beams, braces, or of a group. `starts`: points from which it searches,
+    beside the sections of the file. `evaluations`: how many designs it may analyse. `leave_out`: clauses of EN 1998-1
+    that the design need not meet; the run tells them all the same.
+    """
 
     lists: SectionLists = SectionLists()
+    largest_depth: dict[str, PositiveLength] = Field(default_factory=dict)
     objective: Literal["mass"] = "mass"
     columns_not_larger_above: bool = True
     starts: Annotated[int, Field(ge=1, le=100)] = 3
+    evaluations: Annotated[int, Field(ge=1, le=10_000_000)] = 20_000
+    leave_out: tuple[LeftOut, ...] = ()
 
 
 class Design(Model):

@@ -1,0 +1,1 @@
+"""Sections of a building chosen so that all checks are met with the least mass of steel."""

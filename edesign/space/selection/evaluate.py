@@ -1,0 +1,183 @@
+"""Whether a building with some sections meets its checks, and by how much it misses them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, SLENDERNESS
+from edesign.codes.ec8.criterion import Criterion
+from edesign.codes.ec8.second_order import AMPLIFIED
+from edesign.codes.ec8.strong_column import LEAST_RATIO
+from edesign.space.criteria import MOMENT_FRAME, brace_slenderness, design_of, system_of
+from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
+from edesign.space.member_checks import SlenderSection
+from edesign.space.response import AXES
+from edesign.space.selection.groups import Group
+
+THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.2.3(4)", "6.7.3(8)", "6.7.1(3)"
+SLENDER = ("6.7.3(1)", "6.7.3(2)", "6.7.3(3)")
+CLASS = "6.5.3(2)"
+
+Choice = tuple[int, ...]
+"""Number of the section of each group in its list."""
+
+
+@dataclass(frozen=True)
+class Evaluation:
+    """What was found for one choice of sections.
+
+    Attributes:
+        choice: of the sections.
+        mass: of steel, kg.
+        met: whether all checks are met that sections can change and that are not left out.
+        excess: sum of max(u - 1, 0) over members, storeys, joints and diagonals; infinite of a class 4 section.
+        worst: the largest u.
+    """
+
+    choice: Choice
+    mass: float
+    met: bool
+    excess: float
+    worst: float
+
+
+class Evaluator:
+    """Evaluates choices of sections; each once.
+
+    Args:
+        analysis: of the building.
+        groups: with their lists.
+
+    Attributes:
+        count: designs that were analysed.
+    """
+
+    def __init__(self, analysis: ElasticAnalysis, groups: Sequence[Group]) -> None:
+        self.analysis = analysis
+        self.groups = tuple(groups)
+        self.count = 0
+        self._known: dict[Choice, Evaluation] = {}
+        self._last: tuple[Choice, ElasticDesign] | None = None
+        design = design_of(analysis.building)
+        self._left_out = frozenset(design.select.leave_out)
+        self.searched = searched_clauses(analysis) - self._left_out
+        names = [group.name for group in groups]
+        self._group_of_members = np.array([names.index(member.group) for member in analysis.frame.members])
+
+    def mass(self, choice: Choice) -> float:
+        """Return the mass of steel, kg."""
+        return math.fsum(group.mass[number] for group, number in zip(self.groups, choice, strict=True))
+
+    def sections(self, choice: Choice) -> dict[str, str]:
+        """Return the section of each group."""
+        return {group.name: group.sections[number] for group, number in zip(self.groups, choice, strict=True)}
+
+    def known(self, choice: Choice) -> Evaluation | None:
+        """Return what was found for a choice earlier."""
+        return self._known.get(choice)
+
+    def all_known(self) -> tuple[Evaluation, ...]:
+        """Return all that was found so far."""
+        return tuple(self._known.values())
+
+    def __call__(self, choice: Choice) -> Evaluation:
+        """Return what a full analysis finds for a choice."""
+        if choice not in self._known:
+            self._known[choice] = self._evaluated(choice)
+        return self._known[choice]
+
+    def design(self, choice: Choice) -> ElasticDesign:
+        """Return the whole design of a choice.
+
+        Raises:
+            SlenderSection: a section is of class 4.
+        """
+        if self._last is None or self._last[0] != choice:
+            self.count += 1
+            self._last = choice, self.analysis.design(self.sections(choice))
+        return self._last[1]
+
+    def under_frozen_forces(self, design: ElasticDesign, choice: Choice) -> np.ndarray:
+        """Return the largest utilisation of the members of each group under the forces of another design, (n_groups,).
+
+        Args:
+            design: that gives the forces.
+            choice: of the sections.
+        """
+        frame = self.analysis.frame_with(self.sections(choice))
+        try:
+            of_members = self.analysis.members.under_frozen_forces(frame, design.effects, design.members)
+        except SlenderSection:
+            return np.full(len(self.groups), np.inf)
+        found = np.zeros(len(self.groups))
+        np.maximum.at(found, self._group_of_members, of_members)
+        return found
+
+    def broken(self, design: ElasticDesign) -> list[Criterion]:
+        """Return the rules for the building that a design does not meet and that the selection looks at."""
+        return [rule for rule in design.criteria if rule.passed is False and rule.clause in self.searched]
+
+    def _evaluated(self, choice: Choice) -> Evaluation:
+        mass = self.mass(choice)
+        try:
+            design = self.design(choice)
+        except SlenderSection:
+            return Evaluation(choice, mass, False, math.inf, math.inf)
+        over = [np.minimum(values, FINITE) for values in utilisations(design, self.searched).values()]
+        every = np.concatenate(over)
+        met = not bool((design.members.utilisation > 1.0).any()) and not self.broken(design)
+        return Evaluation(choice, mass, met, float(np.maximum(every - 1.0, 0.0).sum()), float(every.max()))
+
+
+FINITE = 1e6
+"""What counts for an infinite utilisation, such as that of no resistance, so that sums stay numbers."""
+
+
+def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
+    """Return the clauses for the whole building that sections can change.
+
+    The symmetry of diagonals is one of them where those of a storey are of several groups; all others (q, modes) are
+    those of the file whatever its sections.
+    """
+    found = {CLASS, THETA, DRIFT, JOINTS, HOMOGENEOUS, *SLENDER}
+    of_storeys: dict[tuple[str, int], set[str]] = {}
+    for axis in AXES:
+        for number in analysis.dissipative[axis]:
+            member = analysis.frame.members[number]
+            if member.kind == "brace":
+                of_storeys.setdefault((axis, member.storey), set()).add(member.group)
+    if any(len(groups) > 1 for groups in of_storeys.values()):
+        found.add(SYMMETRIC)
+    return frozenset(found)
+
+
+def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str, np.ndarray]:
+    """Return how far each limit is used, by clause: members, storeys, joints and diagonals one by one; 1 is the limit.
+
+    Args:
+        design: of the building.
+        clauses: of EN 1998-1 that count beside the checks of members.
+    """
+    found = {"members": np.nanmax(design.members.utilisation, axis=1, initial=0.0)}
+    block = design_of(design.building)
+    for axis in AXES:
+        storeys = design.storeys[axis]
+        found[f"{THETA} {axis}"] = storeys.theta / AMPLIFIED
+        if storeys.limit is not None:
+            found[f"{DRIFT} {axis}"] = storeys.reduced / storeys.limit
+        asked = [joint.ratio for joint in design.joints if joint.axis == axis and not joint.exempt]
+        found[f"{JOINTS} {axis}"] = LEAST_RATIO / np.maximum(np.array(asked), LEAST_RATIO / FINITE)
+        Omega = design.overstrength[axis]
+        if system_of(block, axis).type == MOMENT_FRAME or not Omega.members.size:
+            continue
+        if design.frame.n_floors > FEW_STOREYS:
+            steep = brace_slenderness(design.building, design.frame, Omega.members)
+            found[f"{SLENDER[1]} {axis}"] = steep / SLENDERNESS["diagonal"][1]
+            found[f"{HOMOGENEOUS} {axis}"] = Omega.ratios / Omega.Omega / (1.0 + HOMOGENEITY)
+        unlike = [rule for rule in design.criteria if rule.clause == SYMMETRIC and rule.required and rule.value]
+        found[f"{SYMMETRIC} {axis}"] = np.array([rule.value / rule.required for rule in unlike])
+    return {name: of for name, of in found.items() if name == "members" or name.split()[0] in clauses}

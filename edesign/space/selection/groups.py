@@ -1,0 +1,109 @@
+"""The groups of a building with the sections that each may have."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from edesign.building.section_lists import efficient, sections_of
+from edesign.building.steel_section import steel_section
+from edesign.errors import InputError
+from edesign.project.problems import keys_text, listed
+from edesign.space.criteria import allowed_class, design_of, dissipative_class
+from edesign.space.elastic_design import ElasticAnalysis
+from edesign.space.load_cases import section_area
+from edesign.space.member_checks import LARGEST_CLASS
+from edesign.space.response import AXES
+
+
+@dataclass(frozen=True)
+class Group:
+    """Members of one section.
+
+    Attributes:
+        name: of the file.
+        kind: column, beam or brace.
+        material: name of its steel.
+        sections: names of those that it may have, the lightest first.
+        mass: (n_sections,) of all its members with each section, kg.
+        area: (n_sections,) m2.
+        stiffer: (n_sections,) numbers of the sections that are heavier and stiffer about y, the lightest first.
+        left_out: sections of its lists whose class is too high.
+    """
+
+    name: str
+    kind: str
+    material: str
+    sections: tuple[str, ...]
+    mass: tuple[float, ...]
+    area: tuple[float, ...]
+    stiffer: tuple[tuple[int, ...], ...]
+    left_out: tuple[str, ...]
+
+
+def groups_of(analysis: ElasticAnalysis) -> tuple[Group, ...]:
+    """Return the groups of a building in the order of its members.
+
+    Raises:
+        InputError: a list has a name that is no section or family, or nothing of it may be used.
+    """
+    return tuple(_group(analysis, name) for name in dict.fromkeys(of.group for of in analysis.frame.members))
+
+
+def _group(analysis: ElasticAnalysis, name: str) -> Group:
+    building, frame = analysis.building, analysis.frame
+    numbers = [number for number, of in enumerate(frame.members) if of.group == name]
+    member = frame.members[numbers[0]]
+    steel, kinds = building.materials[member.material], f"{member.kind}s"
+    select = design_of(building).select
+    keys = ("lists", "groups", name) if name in select.lists.groups else ("lists", kinds)
+    asked = select.lists.groups.get(name) or getattr(select.lists, kinds)
+    depth = min((select.largest_depth[key] for key in (kinds, name) if key in select.largest_depth), default=math.inf)
+    highest = _allowed_class(analysis, numbers)
+    chosen, left_out = set[str](), list[str]()
+    for place, text in enumerate(asked):
+        try:
+            whole = [of for of in sections_of(text) if of.h <= depth]
+        except InputError as error:
+            where = building.where("design", "select", *keys, place)
+            raise InputError(f"{where}: {keys_text(('design', 'select', *keys))}: {error}") from error
+        bent = member.kind != "brace"
+        fit = [of for of in whole if dissipative_class(of.name, steel.fy, bent).number <= highest]
+        left_out += [of.name for of in whole if of not in fit]
+        chosen |= {of.name for of in (efficient(fit) if len(whole) > 1 else fit)}
+    if not chosen:
+        why = f"; of a class above {highest} are {listed(left_out)}" if left_out else ""
+        why += f"; largest_depth is {1e3 * depth:g} mm" if depth < math.inf else ""
+        where = building.where("design", "select", *keys)
+        raise InputError(f"{where}: {keys_text(('design', 'select', *keys))}: group {name} has no section left{why}")
+    ordered = sorted(chosen, key=lambda section: (section_area(section), section))
+    area = tuple(section_area(section) for section in ordered)
+    metres = float(frame.length[numbers].sum())
+    mass = tuple(value * steel.density * metres for value in area)
+    inertia = [steel_section(section).I_y for section in ordered]
+    stiffer = tuple(
+        tuple(k for k in range(number + 1, len(ordered)) if inertia[k] > inertia[number])
+        for number in range(len(ordered))
+    )
+    return Group(
+        name=name,
+        kind=member.kind,
+        material=member.material,
+        sections=tuple(ordered),
+        mass=mass,
+        area=area,
+        stiffer=stiffer,
+        left_out=tuple(dict.fromkeys(left_out)),
+    )
+
+
+def _allowed_class(analysis: ElasticAnalysis, members: Sequence[int]) -> int:
+    """The highest class that the members of a group may have."""
+    design = design_of(analysis.building)
+    of_axes = [
+        allowed_class(design, analysis.q[axis], analysis.q_limit[axis])
+        for axis in AXES
+        if not set(analysis.dissipative[axis].tolist()).isdisjoint(members)
+    ]
+    return min([*of_axes, LARGEST_CLASS])

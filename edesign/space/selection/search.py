@@ -1,0 +1,326 @@
+"""The search for the lightest sections: size under frozen forces, climb until all checks are met, descend.
+
+No step is random; what it costs is counted in evaluations, not in seconds, so that a file gives the same sections
+wherever it is run.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations, permutations
+
+from edesign.space.elastic_design import ElasticDesign
+from edesign.space.frame import SpaceFrame
+from edesign.space.selection.evaluate import Choice, Evaluation, Evaluator
+from edesign.space.selection.groups import Group
+
+UP = (1, 2)
+"""Sizes that a group goes up in one step, among the heavier sections that are stiffer."""
+DOWN = (1, 2, 3)
+"""Sizes that a group goes down in one step."""
+COLUMNS_ABOVE = 2
+"""Sizes by which the columns of each start stand above those of the one before it."""
+Move = tuple[tuple[int, int], ...]
+"""Groups with the sizes that they go up or, negative, down."""
+Listener = Callable[[str], None]
+
+
+class OutOfEvaluations(Exception):
+    """The evaluations that the file allows are used up."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """What a search found.
+
+    Attributes:
+        best: the lightest choice that meets all checks; without one that with the least excess.
+        certified: whether every single and double exchange that is lighter was analysed and misses a check.
+        starts: how many of the starts came to a choice that meets all checks.
+    """
+
+    best: Evaluation
+    certified: bool
+    starts: int
+
+
+class Search:
+    """Searches the lightest sections of a building.
+
+    Args:
+        evaluate: of choices.
+        order: pairs of groups (upper, lower) of which the upper one must not be larger.
+        budget: largest number of evaluations.
+        tell: takes a line of progress.
+    """
+
+    def __init__(
+        self, evaluate: Evaluator, order: Sequence[tuple[int, int]], budget: int, tell: Listener = lambda line: None
+    ) -> None:
+        self._evaluate = evaluate
+        self._groups = evaluate.groups
+        self._order = tuple(order)
+        self._budget = budget
+        self._tell = tell
+
+    def run(self, starts: int, given: Choice | None = None) -> Found:
+        """Search from some starts.
+
+        Args:
+            starts: how many points, the first of the lightest sections.
+            given: a choice to start from too, such as that of the file.
+        """
+        best: Evaluation | None = None
+        certified, fruitful = False, 0
+        try:
+            for number, point in enumerate(self._points(starts, given), 1):
+                climbed = self._climbed(point)
+                if not climbed.met:
+                    self._tell(f"start {number}: no choice found that meets all checks{self._counted()}")
+                    continue
+                fruitful += 1
+                self._tell(f"start {number}: all checks met with {climbed.mass / 1e3:.2f} t{self._counted()}")
+                lightest = self._descended(climbed)
+                self._tell(f"start {number}: {lightest.mass / 1e3:.2f} t{self._counted()}")
+                if best is None or lightest.mass < best.mass:
+                    best, certified = lightest, True
+        except OutOfEvaluations:
+            self._tell(f"the {self._budget} evaluations of design.select are used up")
+        known = self._evaluate.all_known()
+        if lighter := [of for of in known if of.met and (best is None or of.mass < best.mass)]:
+            best, certified = min(lighter, key=lambda of: (of.mass, of.worst, of.choice)), False
+        return Found(best or min(known, key=lambda of: (of.excess, of.mass, of.choice)), certified, fruitful)
+
+    def _counted(self) -> str:
+        return f" ({self._evaluate.count} evaluations)"
+
+    def _points(self, starts: int, given: Choice | None) -> Iterator[Evaluation]:
+        """Points to climb from, each once: from the lightest sections those that members need; then columns above it."""
+        lightest = self._repaired([0] * len(self._groups))
+        if lightest is None:
+            return
+        sized = self._sized(lightest)
+        seen: set[Choice] = set()
+        for k in range(starts):
+            numbers = [
+                min(number + (COLUMNS_ABOVE * k if group.kind == "column" else 0), len(group.sections) - 1)
+                for group, number in zip(self._groups, sized.choice, strict=True)
+            ]
+            point = self._repaired(numbers)
+            if point is not None and point not in seen:
+                seen.add(point)
+                yield self._of(point)
+        if given is not None and given not in seen and self._ordered(given):
+            yield self._of(given)
+
+    def lighter(self, base: Choice) -> dict[Choice, Move]:
+        """Return the single and double exchanges of a choice that are lighter, the lightest first, with their moves."""
+        mass = self._evaluate.mass(base)
+        moved = ((self._moved(base, move), move) for move in self._exchanges())
+        found = {tuple(numbers): move for numbers, move in moved if numbers is not None and self._ordered(numbers)}
+        masses = {choice: self._evaluate.mass(choice) for choice in found}
+        return {of: found[of] for of in sorted(found, key=lambda of: (masses[of], of)) if _less(masses[of], mass)}
+
+    # --- points
+
+    def _repaired(self, numbers: list[int]) -> Choice | None:
+        """Make lower columns as large as those above them; None where their lists do not allow it."""
+        for _ in range(len(self._groups)):  # from storey to storey
+            done = True
+            for upper, lower in self._order:
+                needed = self._groups[upper].area[numbers[upper]]
+                if self._groups[lower].area[numbers[lower]] >= needed:
+                    continue
+                fits = [k for k, area in enumerate(self._groups[lower].area) if area >= needed]
+                if not fits:
+                    return None
+                numbers[lower], done = fits[0], False
+            if done:
+                return tuple(numbers)
+        return None
+
+    def _ordered(self, choice: Sequence[int]) -> bool:
+        return all(
+            self._groups[upper].area[choice[upper]] <= self._groups[lower].area[choice[lower]]
+            for upper, lower in self._order
+        )
+
+    def _moved(self, base: Choice, move: Move) -> list[int] | None:
+        """The numbers of a choice after a move; None where a list ends."""
+        numbers = list(base)
+        for group, steps in move:
+            stiffer = self._groups[group].stiffer[base[group]]
+            if steps > len(stiffer) or base[group] + steps < 0:
+                return None
+            numbers[group] = stiffer[steps - 1] if steps > 0 else base[group] + steps
+        return numbers
+
+    def _exchanges(self) -> Iterator[Move]:
+        """Exchanges that may be lighter: one group down, one down and another up, two down."""
+        numbers = range(len(self._groups))
+        yield from (((group, -down),) for group in numbers for down in DOWN)
+        yield from (((one, -1), (other, up)) for one, other in permutations(numbers, 2) for up in UP)
+        yield from (((one, -1), (other, -1)) for one, other in combinations(numbers, 2))
+
+    # --- stages
+
+    def _of(self, choice: Choice) -> Evaluation:
+        if self._evaluate.known(choice) is None and self._evaluate.count >= self._budget:
+            raise OutOfEvaluations
+        return self._evaluate(choice)
+
+    def _sized(self, point: Choice) -> Evaluation:
+        """Give every group the lightest section that passes under the forces found, as long as that lowers the excess."""
+        best: Evaluation | None = None
+        while True:
+            found = self._of(point)
+            if best is not None and (found.excess, found.mass) >= (best.excess, best.mass):
+                return best
+            best = found
+            if math.isinf(found.excess):
+                return best
+            sized = self._repaired(self._lightest(self._evaluate.design(point), point))
+            if sized is None:
+                return best
+            point = sized
+
+    def _lightest(self, design: ElasticDesign, point: Choice) -> list[int]:
+        """Return for each group the lightest section, next to that of a choice, that passes under frozen forces."""
+        numbers = self._grown(design, point)
+        shrinking = {group for group, number in enumerate(numbers) if number == point[group]}
+        while shrinking:
+            shrinking = {group for group in shrinking if numbers[group] > 0}
+            lower = [number - (group in shrinking) for group, number in enumerate(numbers)]
+            use = self._evaluate.under_frozen_forces(design, tuple(lower))
+            shrinking = {group for group in shrinking if use[group] <= 1.0}
+            for group in shrinking:
+                numbers[group] -= 1
+        return numbers
+
+    def _grown(self, design: ElasticDesign, point: Choice) -> list[int]:
+        """Return a choice with the groups whose members fail under the forces of a design raised until they pass."""
+        numbers, last = list(point), [len(group.sections) - 1 for group in self._groups]
+        use = self._evaluate.under_frozen_forces(design, point)
+        growing = {group for group in range(len(point)) if use[group] > 1.0 and numbers[group] < last[group]}
+        while growing:
+            for group in growing:
+                numbers[group] += 1
+            use = self._evaluate.under_frozen_forces(design, tuple(numbers))
+            growing = {group for group in growing if use[group] > 1.0 and numbers[group] < last[group]}
+        return numbers
+
+    def _climbed(self, base: Evaluation) -> Evaluation:
+        """Move to what lowers the excess most per kg until all checks are met, or nothing lowers it.
+
+        Where no move lowers it alone, each is tried with the larger sections that other groups then need: stiffer beams
+        are stronger, and ask more of columns.
+        """
+        gains: dict[Move, float] = {}
+        while not base.met:
+            better = self._best_move(base, gains, self._of_move) or self._best_move(base, {}, self._of_move_with_others)
+            if better is None:
+                return base
+            base = better
+        return base
+
+    def _best_move(
+        self, base: Evaluation, gains: dict[Move, float], found_by: Callable[[Evaluation, Move], Evaluation | None]
+    ) -> Evaluation | None:
+        """The step that lowers the excess most per kg; None if none does.
+
+        Args:
+            base: where it starts.
+            gains: of earlier steps, which stand until their turn comes, so that only the best are found again; updated.
+            found_by: what comes of a move.
+        """
+        numbers = range(len(self._groups))
+        moves: list[Move] = [((group, steps),) for group in numbers for steps in (*UP, -1)]
+        for kinds in (("column",), ("beam",), ("brace",), ("column", "beam")):  # all of a kind at once
+            moves.append(tuple((group, 1) for group in numbers if self._groups[group].kind in kinds))
+        order = sorted(moves, key=lambda move: -gains.get(move, math.inf))  # sorted keeps what is equal in order
+        best: tuple[float, Evaluation] | None = None
+        for move in order:
+            if best is not None and best[0] >= gains.get(move, math.inf):
+                break
+            found = found_by(base, move)
+            gains[move] = _gain(base, found)
+            if found is not None and gains[move] > (best[0] if best is not None else 0.0):
+                best = gains[move], found
+        return None if best is None else best[1]
+
+    def _of_move(self, base: Evaluation, move: Move) -> Evaluation | None:
+        numbers = self._moved(base.choice, move)
+        choice = None if numbers is None else self._repaired(numbers)
+        return None if choice is None or choice == base.choice else self._of(choice)
+
+    def _of_move_with_others(self, base: Evaluation, move: Move) -> Evaluation | None:
+        found = self._of_move(base, move)
+        if found is None or math.isinf(found.excess):
+            return found
+        design = self._evaluate.design(found.choice)
+        choice = self._repaired(self._grown(design, found.choice))
+        return found if choice is None else self._of(choice)
+
+    def _descended(self, base: Evaluation) -> Evaluation:
+        """Exchange sections as long as the building gets lighter and all checks stay met.
+
+        First come exchanges that pass the checks of members under frozen forces and have not failed before, then all
+        others: so the last round has analysed every exchange that is lighter.
+        """
+        failed: set[Move] = set()
+        while True:
+            every = self.lighter(base.choice)
+            passing = self._passing(base.choice)
+            first = {of: move for of, move in every.items() if move not in failed and passing.issuperset(move)}
+            step = self._step(first, failed) or self._step(every, failed)
+            if step is None:
+                return base
+            base = step
+
+    def _passing(self, base: Choice) -> set[tuple[int, int]]:
+        """Groups with the sizes up or down at which their members pass under the forces of a choice."""
+        design = self._evaluate.design(base)
+        found = {(group, up) for group in range(len(base)) for up in UP}
+        for down in DOWN:
+            lower = tuple(max(number - down, 0) for number in base)
+            use = self._evaluate.under_frozen_forces(design, lower)
+            found |= {(group, -down) for group in range(len(base)) if use[group] <= 1.0}
+        return found
+
+    def _step(self, choices: Mapping[Choice, Move], failed: set[Move]) -> Evaluation | None:
+        """Return the first choice that meets all checks, of equal masses the one with the least utilisation."""
+        best: Evaluation | None = None
+        for choice, move in choices.items():
+            if best is not None and _less(best.mass, self._evaluate.mass(choice)):
+                break
+            found = self._of(choice)
+            if not found.met:
+                failed.add(move)
+            elif best is None or found.worst < best.worst:
+                best = found
+        return best
+
+
+def _less(one: float, other: float) -> bool:
+    """Whether a mass is less by more than rounding of its sum."""
+    return one < other * (1.0 - 1e-12)
+
+
+def _gain(base: Evaluation, found: Evaluation | None) -> float:
+    """Excess that a step takes away for each kg; without limit if it needs none."""
+    if found is None or math.isinf(found.excess) or found.excess >= base.excess:
+        return 0.0
+    less = base.excess - found.excess
+    more = found.mass - base.mass
+    return less / more if more > 0.0 else math.inf
+
+
+def column_order(frame: SpaceFrame, groups: Sequence[Group]) -> list[tuple[int, int]]:
+    """Return pairs of groups of columns, upper and lower, that stand on each other somewhere."""
+    numbers = {group.name: number for number, group in enumerate(groups)}
+    columns = [member for member in frame.members if member.kind == "column"]
+    below = {member.end: member.group for member in columns}
+    pairs = {(member.group, below[member.start]) for member in columns if member.start in below}
+    return sorted((numbers[upper], numbers[lower]) for upper, lower in pairs if upper != lower)
