@@ -17,6 +17,7 @@ from edesign.cli.calibrate import calibrate
 from edesign.cli.characterise import characterise
 from edesign.cli.check import check
 from edesign.cli.compare import compare
+from edesign.cli.design import design
 from edesign.cli.extract import extract
 from edesign.cli.fit import fit
 from edesign.cli.laws import laws
@@ -53,7 +54,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-_PROJECTS = (new, check, run, show, compare, report, extract)
+_PROJECTS = (new, check, run, design, show, compare, report, extract)
 _PARTS = (spectrum, match, sections, laws, test, characterise, fit, calibrate)
 for command in (*_PROJECTS, *_PARTS):
     app.command()(command)

@@ -34,7 +34,7 @@ from edesign.space.criteria import (
 from edesign.space.effects import Effects, effects, largest
 from edesign.space.frame import LoadCase, Member, SpaceFrame
 from edesign.space.geometry import space_frame
-from edesign.space.load_cases import SELF_WEIGHT, self_weight
+from edesign.space.load_cases import SELF_WEIGHT, section_area, self_weight
 from edesign.space.masses import node_masses
 from edesign.space.member_checks import MemberChecker, MemberResults
 from edesign.space.model import member_properties, space_model
@@ -157,6 +157,12 @@ class ElasticAnalysis:
         self.seismic = seismic(cases, psi, directions)
         self._characteristic = characteristic(cases, psi)
         self._variants: dict[tuple[int, str], Member] = {}
+
+    def steel_mass(self) -> float:
+        """Return the mass of the members of the file, kg."""
+        pairs, of_members = self.frame.sections
+        metre = [section_area(name) * self.building.materials[steel].density for name, steel in pairs]
+        return float(np.array(metre)[of_members] @ self.frame.length)
 
     def frame_with(self, sections: Mapping[str, str]) -> SpaceFrame:
         """Return the frame with other sections, and the self weight and masses that follow from them.

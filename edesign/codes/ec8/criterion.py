@@ -30,6 +30,13 @@ class Criterion:
     passed: bool | None
     detail: str = ""
 
+    def __post_init__(self) -> None:
+        """Make numbers and truth values of numpy plain ones: `passed is False` must hold for both."""
+        if self.value is not None:
+            object.__setattr__(self, "value", float(self.value))
+        if self.passed is not None:
+            object.__setattr__(self, "passed", bool(self.passed))
+
 
 def at_most(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
     """Return the criterion that a ratio is at most a limit; the limit itself passes, whatever its last bits."""

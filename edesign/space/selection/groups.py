@@ -28,6 +28,7 @@ class Group:
         sections: names of those that it may have, the lightest first.
         mass: (n_sections,) of all its members with each section, kg.
         area: (n_sections,) m2.
+        records: numbers of the sections that are stiffer about y than every lighter one.
         stiffer: (n_sections,) numbers of the sections that are heavier and stiffer about y, the lightest first.
         left_out: sections of its lists whose class is too high.
     """
@@ -38,6 +39,7 @@ class Group:
     sections: tuple[str, ...]
     mass: tuple[float, ...]
     area: tuple[float, ...]
+    records: tuple[int, ...]
     stiffer: tuple[tuple[int, ...], ...]
     left_out: tuple[str, ...]
 
@@ -93,6 +95,7 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
         sections=tuple(ordered),
         mass=mass,
         area=area,
+        records=tuple(k for k, value in enumerate(inertia) if value > max(inertia[:k], default=0.0)),
         stiffer=stiffer,
         left_out=tuple(dict.fromkeys(left_out)),
     )

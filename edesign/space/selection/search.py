@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import combinations, permutations
+from itertools import combinations, permutations, zip_longest
 
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.frame import SpaceFrame
@@ -18,12 +18,14 @@ from edesign.space.selection.groups import Group
 
 UP = (1, 2)
 """Sizes that a group goes up in one step, among the heavier sections that are stiffer."""
-DOWN = (1, 2, 3)
-"""Sizes that a group goes down in one step."""
+DOWN = 3
+"""Sizes that a group goes down at most in one step, among all lighter sections and among the stiffest of them."""
 COLUMNS_ABOVE = 2
 """Sizes by which the columns of each start stand above those of the one before it."""
 Move = tuple[tuple[int, int], ...]
 """Groups with the sizes that they go up or, negative, down."""
+Exchange = tuple[tuple[int, int], ...]
+"""Groups with the numbers of their new sections."""
 Listener = Callable[[str], None]
 
 
@@ -97,7 +99,7 @@ class Search:
         return f" ({self._evaluate.count} evaluations)"
 
     def _points(self, starts: int, given: Choice | None) -> Iterator[Evaluation]:
-        """Points to climb from, each once: from the lightest sections those that members need; then columns above it."""
+        """What to climb from, each once: what members need, from the lightest sections; then columns above that."""
         lightest = self._repaired([0] * len(self._groups))
         if lightest is None:
             return
@@ -115,13 +117,17 @@ class Search:
         if given is not None and given not in seen and self._ordered(given):
             yield self._of(given)
 
-    def lighter(self, base: Choice) -> dict[Choice, Move]:
-        """Return the single and double exchanges of a choice that are lighter, the lightest first, with their moves."""
-        mass = self._evaluate.mass(base)
-        moved = ((self._moved(base, move), move) for move in self._exchanges())
-        found = {tuple(numbers): move for numbers, move in moved if numbers is not None and self._ordered(numbers)}
-        masses = {choice: self._evaluate.mass(choice) for choice in found}
-        return {of: found[of] for of in sorted(found, key=lambda of: (masses[of], of)) if _less(masses[of], mass)}
+    def lighter(self, base: Choice) -> dict[Choice, Exchange]:
+        """Return the single and double exchanges of a choice that are lighter, the lightest first."""
+        mass, found, masses = self._evaluate.mass(base), dict[Choice, Exchange](), dict[Choice, float]()
+        for exchange in self._exchanges(base):
+            numbers = list(base)
+            for group, number in exchange:
+                numbers[group] = number
+            choice = tuple(numbers)
+            if self._ordered(choice) and _less(weight := self._evaluate.mass(choice), mass):
+                found[choice], masses[choice] = exchange, weight
+        return {of: found[of] for of in sorted(found, key=lambda of: (masses[of], of))}
 
     # --- points
 
@@ -157,12 +163,23 @@ class Search:
             numbers[group] = stiffer[steps - 1] if steps > 0 else base[group] + steps
         return numbers
 
-    def _exchanges(self) -> Iterator[Move]:
+    def _exchanges(self, base: Choice) -> Iterator[Exchange]:
         """Exchanges that may be lighter: one group down, one down and another up, two down."""
-        numbers = range(len(self._groups))
-        yield from (((group, -down),) for group in numbers for down in DOWN)
-        yield from (((one, -1), (other, up)) for one, other in permutations(numbers, 2) for up in UP)
-        yield from (((one, -1), (other, -1)) for one, other in combinations(numbers, 2))
+        groups = range(len(base))
+        below = [self._below(group, base[group], 1) for group in groups]
+        above = [self._groups[group].stiffer[base[group]][: len(UP)] for group in groups]
+        yield from (((group, k),) for group in groups for k in self._below(group, base[group], DOWN))
+        yield from (
+            ((one, a), (other, b)) for one, other in permutations(groups, 2) for a in below[one] for b in above[other]
+        )
+        yield from (
+            ((one, a), (other, b)) for one, other in combinations(groups, 2) for a in below[one] for b in below[other]
+        )
+
+    def _below(self, group: int, number: int, sizes: int) -> tuple[int, ...]:
+        """The next lighter sections, and the next lighter of those that are stiffer than all lighter ones."""
+        records = [k for k in self._groups[group].records if k < number]
+        return tuple(dict.fromkeys([*range(max(number - sizes, 0), number), *records[-sizes:]]))
 
     # --- stages
 
@@ -172,7 +189,7 @@ class Search:
         return self._evaluate(choice)
 
     def _sized(self, point: Choice) -> Evaluation:
-        """Give every group the lightest section that passes under the forces found, as long as that lowers the excess."""
+        """Give every group the lightest section that passes under the forces found, while that lowers the excess."""
         best: Evaluation | None = None
         while True:
             found = self._of(point)
@@ -269,35 +286,36 @@ class Search:
         First come exchanges that pass the checks of members under frozen forces and have not failed before, then all
         others: so the last round has analysed every exchange that is lighter.
         """
-        failed: set[Move] = set()
+        failed: set[Exchange] = set()
         while True:
             every = self.lighter(base.choice)
-            passing = self._passing(base.choice)
-            first = {of: move for of, move in every.items() if move not in failed and passing.issuperset(move)}
+            passing = self._passing(base.choice, {pair for exchange in every.values() for pair in exchange})
+            first = {of: what for of, what in every.items() if what not in failed and passing.issuperset(what)}
             step = self._step(first, failed) or self._step(every, failed)
             if step is None:
                 return base
             base = step
 
-    def _passing(self, base: Choice) -> set[tuple[int, int]]:
-        """Groups with the sizes up or down at which their members pass under the forces of a choice."""
+    def _passing(self, base: Choice, pairs: set[tuple[int, int]]) -> set[tuple[int, int]]:
+        """Return the groups with numbers of sections whose members pass under the forces of a choice."""
         design = self._evaluate.design(base)
-        found = {(group, up) for group in range(len(base)) for up in UP}
-        for down in DOWN:
-            lower = tuple(max(number - down, 0) for number in base)
-            use = self._evaluate.under_frozen_forces(design, lower)
-            found |= {(group, -down) for group in range(len(base)) if use[group] <= 1.0}
+        wanted = {group: sorted(number for of, number in pairs if of == group) for group in range(len(base))}
+        found = set()
+        for row in zip_longest(*wanted.values()):
+            numbers = [given if wish is None else wish for wish, given in zip(row, base, strict=True)]
+            use = self._evaluate.under_frozen_forces(design, tuple(numbers))
+            found |= {(group, number) for group, number in enumerate(numbers) if use[group] <= 1.0}
         return found
 
-    def _step(self, choices: Mapping[Choice, Move], failed: set[Move]) -> Evaluation | None:
+    def _step(self, choices: Mapping[Choice, Exchange], failed: set[Exchange]) -> Evaluation | None:
         """Return the first choice that meets all checks, of equal masses the one with the least utilisation."""
         best: Evaluation | None = None
-        for choice, move in choices.items():
+        for choice, exchange in choices.items():
             if best is not None and _less(best.mass, self._evaluate.mass(choice)):
                 break
             found = self._of(choice)
             if not found.met:
-                failed.add(move)
+                failed.add(exchange)
             elif best is None or found.worst < best.worst:
                 best = found
         return best

@@ -1,0 +1,48 @@
+"""`edesign design`: sections of a building chosen by the program."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+NAME = "designed.yaml"
+
+
+def design(
+    building: Annotated[Path, typer.Argument(help="The building file.", show_default=False)],
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", metavar="FILE", help=f"The building file to write; by default {NAME} beside it."
+        ),
+    ] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file that is of something else.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
+) -> None:
+    """Choose the lightest sections that meet all checks, and write the building file with them.
+
+    The lists of sections are those of `design: select` in the file.
+    """
+    from edesign.archive.files import check_own_yaml, write_yaml
+    from edesign.building.building_file import load_building
+    from edesign.report.selection_tables import selection_tables
+    from edesign.report.text import print_tables
+    from edesign.report.visible import visible_line
+    from edesign.space.selection.select import select_sections
+
+    def tell(line: str) -> None:
+        if not quiet:
+            print(visible_line(line), file=sys.stderr, flush=True)
+
+    path = building.with_name(NAME) if output is None else output
+    read = load_building(building)
+    check_own_yaml(path, building, overwrite)
+    found = select_sections(read, tell)
+    said = f"# Sections chosen: {found.mass / 1e3:.1f} t of steel, {found.evaluations} designs analysed.\n"
+    write_yaml(said + found.building.text, path, building)
+    if not quiet:
+        print_tables(selection_tables(found))
+        print(f"{path} written. Next: edesign run {path}")

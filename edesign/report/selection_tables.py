@@ -1,0 +1,59 @@
+"""The tables of sections that `edesign design` has chosen."""
+
+from __future__ import annotations
+
+from edesign.report.table import Table, number
+from edesign.space.selection.select import Selection
+
+
+def selection_tables(selection: Selection) -> list[Table]:
+    """Return the tables of a selection: groups, what holds each up, the design as a whole."""
+    return [_groups(selection), _held(selection), _whole(selection)]
+
+
+def _groups(selection: Selection) -> Table:
+    table = Table(
+        "Sections: before, chosen, and the most used check of each group",
+        ("group", "members", "before", "chosen", "mass [t]", "use", "check", "member", "combination"),
+        left=4,
+    )
+    for row in selection.groups:
+        of = row.governing
+        table.rows.append(
+            [
+                row.group.name,
+                f"{row.group.kind}s",
+                row.before,
+                row.after,
+                number(row.mass, 4, 1e3),
+                number(of.utilisation, 3),
+                f"{of.check} ({of.clause})",
+                of.member,
+                of.combination,
+            ]
+        )
+    return table
+
+
+def _held(selection: Selection) -> Table:
+    table = Table("What holds each group up: what its next lighter section would break", ("group", "broken"), left=2)
+    table.rows += [[row.group.name, row.held_by] for row in selection.groups]
+    return table
+
+
+def _whole(selection: Selection) -> Table:
+    before, after = (number(of, 4, 1e3) for of in (selection.mass_before, selection.mass))
+    certificate = (
+        "certificate: no single and no double exchange of sections is lighter and meets all checks"
+        if selection.certified
+        else "no certificate: the evaluations of design.select were used up; lighter sections may meet all checks"
+    )
+    table = Table("Design", notes=[f"steel: {after} t, with the sections of the file {before} t"])
+    table.notes.append(f"{selection.evaluations} designs were analysed; {selection.starts} starts met all checks")
+    table.notes.append(certificate)
+    for rule in selection.not_met:
+        value, limit = number(rule.value, 3), number(rule.required, 3)
+        table.notes.append(
+            f"NOT MET, and not searched: {rule.text}: {value}, limit {limit} (EN 1998-1, {rule.clause}) {rule.detail}"
+        )
+    return table

@@ -1,0 +1,239 @@
+"""`edesign design`: the sections of a building chosen, and what is worth knowing of the choice."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.codes.ec8.criterion import Criterion
+from edesign.errors import InputError
+from edesign.one_thread import one_thread
+from edesign.project.building.building import Building
+from edesign.space.criteria import design_of
+from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
+from edesign.space.member_checks import SlenderSection
+from edesign.space.selection.evaluate import Choice, Evaluator
+from edesign.space.selection.groups import Group, groups_of
+from edesign.space.selection.search import Found, Listener, Search, column_order
+
+
+@dataclass(frozen=True)
+class Governing:
+    """The check of members of a group that is used most.
+
+    Attributes:
+        utilisation: effect over resistance.
+        check, clause: its name and clause.
+        member: name.
+        combination: of actions.
+    """
+
+    utilisation: float
+    check: str
+    clause: str
+    member: str
+    combination: str
+
+    def __str__(self) -> str:
+        return f"{self.check} {self.utilisation:.3g} ({self.clause}) of {self.member} in {self.combination}"
+
+
+@dataclass(frozen=True)
+class GroupChoice:
+    """What was chosen for a group.
+
+    Attributes:
+        group: with its list.
+        before, after: sections.
+        mass: of its members with the section chosen, kg.
+        governing: its most used check.
+        held_by: what the next lighter section would break, in words.
+    """
+
+    group: Group
+    before: str
+    after: str
+    mass: float
+    governing: Governing
+    held_by: str
+
+
+@dataclass(frozen=True)
+class Selection:
+    """A building with chosen sections.
+
+    Attributes:
+        building: with the sections chosen; its text is that of the file but for the sections.
+        design: its elastic design.
+        groups: in the order of the file's members.
+        mass_before, mass: of steel, kg.
+        evaluations: designs that were analysed.
+        certified: whether no single and no double exchange of sections is lighter and meets the checks.
+        starts: how many starts of the search met all checks.
+        not_met: rules that the design does not meet: those left out by the file, and those that no section changes.
+    """
+
+    building: Building
+    design: ElasticDesign
+    groups: tuple[GroupChoice, ...]
+    mass_before: float
+    mass: float
+    evaluations: int
+    certified: bool
+    starts: int
+    not_met: tuple[Criterion, ...]
+
+
+def select_sections(building: Building, tell: Listener = lambda line: None) -> Selection:
+    """Choose sections from the lists of `design.select` that meet all checks with the least mass of steel.
+
+    Args:
+        building: from `load_building`, with the blocks that `elastic_design` needs.
+        tell: takes lines of progress.
+
+    Raises:
+        InputError: a list is wrong, or none of its sections meet all checks; the message says which check stands in
+            the way.
+        CoreError: the structure is a mechanism.
+    """
+    with one_thread():
+        analysis = ElasticAnalysis(building)
+        groups = groups_of(analysis)
+        for group in groups:
+            if group.left_out:
+                tell(f"group {group.name}: left out for their class: {', '.join(group.left_out)}")
+        select = design_of(building).select
+        evaluate = Evaluator(analysis, groups)
+        order = column_order(analysis.frame, groups) if select.columns_not_larger_above else []
+        before = _sections(analysis, groups)
+        search = Search(evaluate, order, select.evaluations, tell)
+        found = search.run(select.starts, _choice(groups, before))
+        if not found.best.met:
+            raise InputError(_in_the_way(building, evaluate, found))
+        return _selection(evaluate, order, found, before)
+
+
+def _sections(analysis: ElasticAnalysis, groups: Sequence[Group]) -> dict[str, str]:
+    """The sections of the file by group."""
+    given = {member.group: member.section for member in analysis.frame.members}
+    return {group.name: given[group.name] for group in groups}
+
+
+def _choice(groups: Sequence[Group], sections: dict[str, str]) -> Choice | None:
+    """Sections as numbers in the lists; None if one is in no list."""
+    if any(sections[group.name] not in group.sections for group in groups):
+        return None
+    return tuple(group.sections.index(sections[group.name]) for group in groups)
+
+
+def _selection(
+    evaluate: Evaluator, order: Sequence[tuple[int, int]], found: Found, before: dict[str, str]
+) -> Selection:
+    building, choice = evaluate.analysis.building, found.best.choice
+    held = [_held_by(evaluate, order, choice, number) for number in range(len(choice))]
+    sections = evaluate.sections(choice)
+    designed = with_sections(building, sections)
+    design = elastic_design(designed)
+    rows = []
+    for group, number, held_by in zip(evaluate.groups, choice, held, strict=True):
+        governing = governing_check(design, group.name)
+        rows.append(
+            GroupChoice(group, before[group.name], sections[group.name], group.mass[number], governing, held_by)
+        )
+    return Selection(
+        building=designed,
+        design=design,
+        groups=tuple(rows),
+        mass_before=evaluate.analysis.steel_mass(),
+        mass=found.best.mass,
+        evaluations=evaluate.count,
+        certified=found.certified,
+        starts=found.starts,
+        not_met=tuple(rule for rule in design.criteria if rule.passed is False),
+    )
+
+
+def with_sections(building: Building, sections: dict[str, str]) -> Building:
+    """Return what the file would be with other sections of its groups.
+
+    Args:
+        building: from `load_building`.
+        sections: section of each group.
+    """
+    changes = {
+        (kind, number, "section"): sections[run.group]
+        for kind in ("columns", "beams", "braces")
+        for number, run in enumerate(getattr(building, kind))
+        if sections.get(run.group, run.section) != run.section
+    }
+    return building.with_values(changes) if changes else building
+
+
+def governing_check(design: ElasticDesign, group: str) -> Governing:
+    """Return the most used check of the members of a group."""
+    numbers = [number for number, member in enumerate(design.frame.members) if member.group == group]
+    of = np.nan_to_num(design.members.utilisation[numbers], nan=-1.0)
+    place, check = np.unravel_index(int(of.argmax()), of.shape)
+    member = numbers[int(place)]
+    row = int(design.members.combination[member, check]) - 1
+    return Governing(
+        utilisation=float(of[place, check]),
+        check=design.members.checks[check],
+        clause=design.members.clauses[check],
+        member=design.frame.members[member].name,
+        combination=design.members.rows[row].name if row >= 0 else "",
+    )
+
+
+def _held_by(evaluate: Evaluator, order: Sequence[tuple[int, int]], choice: Choice, number: int) -> str:
+    """What the next lighter section of a group would break."""
+    if choice[number] == 0:
+        return "the lightest of its list"
+    lower = tuple(k - (place == number) for place, k in enumerate(choice))
+    group = evaluate.groups[number]
+    for upper, below in order:
+        if below == number and evaluate.groups[upper].area[choice[upper]] > group.area[lower[number]]:
+            return f"{evaluate.groups[upper].name} above it, which must not be larger"
+    try:
+        broken = _broken(evaluate, evaluate.design(lower))
+    except SlenderSection:
+        return f"{group.sections[lower[number]]} would be of class 4"
+    return broken[0] if broken else "nothing alone: its list goes on below, but a lighter design was not found"
+
+
+def _broken(evaluate: Evaluator, design: ElasticDesign) -> list[str]:
+    """The checks that a design does not meet, in words: rules for the building, then the worst groups."""
+    rules = [
+        f"{rule.text}{f' ({rule.detail})' if rule.detail else ''}: {rule.value:.3g}, limit {rule.required:.3g} "
+        f"(EN 1998-1, {rule.clause})"
+        for rule in evaluate.broken(design)
+    ]
+    checks = [(group, governing_check(design, group.name)) for group in evaluate.groups]
+    failing = sorted((pair for pair in checks if pair[1].utilisation > 1.0), key=lambda pair: -pair[1].utilisation)
+    return [*(f"{group.name}: {check}" for group, check in failing), *rules]
+
+
+def _in_the_way(building: Building, evaluate: Evaluator, found: Found) -> str:
+    where = f"{building.where('design', 'select')}: design.select"
+    best = found.best
+    used = f"{evaluate.count} evaluations"
+    try:
+        design = evaluate.design(best.choice)
+    except SlenderSection as error:
+        return f"{where}: no sections of the lists were found that meet all checks ({used}): {error}"
+    sections = evaluate.sections(best.choice)
+    heaviest = [
+        f"{group.name} has {group.sections[-1]}, the heaviest of its list"
+        for group, number in zip(evaluate.groups, best.choice, strict=True)
+        if number == len(group.sections) - 1
+    ]
+    lines = [
+        f"{where}: no sections of the lists were found that meet all checks ({used}); the nearest, "
+        f"{best.mass / 1e3:.1f} t of steel, are {', '.join(f'{name} {of}' for name, of in sections.items())}",
+        *(f"in the way: {text}" for text in _broken(evaluate, design)),
+        *heaviest,
+        "give longer lists, more groups, or leave a rule for the building out by `leave_out`",
+    ]
+    return "\n  ".join(lines)
