@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from edesign.building.hollow import BuildingSections
+from edesign.building.building_sections import BuildingSections
 from edesign.building.profiles import profile_names
 from edesign.building.steel_section import SteelSection, steel_section
 from edesign.errors import InputError

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from edesign.building.steel_section import steel_section
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.national import ActionFactors, NationalParameters, Psi, national_parameters
@@ -34,7 +35,7 @@ from edesign.space.criteria import (
 from edesign.space.effects import Effects, effects, largest
 from edesign.space.frame import LoadCase, Member, SpaceFrame
 from edesign.space.geometry import space_frame
-from edesign.space.load_cases import SELF_WEIGHT, section_area, self_weight
+from edesign.space.load_cases import SELF_WEIGHT, self_weight
 from edesign.space.masses import node_masses
 from edesign.space.member_checks import MemberChecker, MemberResults
 from edesign.space.model import member_properties, space_model
@@ -161,7 +162,7 @@ class ElasticAnalysis:
     def steel_mass(self) -> float:
         """Return the mass of the members of the file, kg."""
         pairs, of_members = self.frame.sections
-        metre = [section_area(name) * self.building.materials[steel].density for name, steel in pairs]
+        metre = [steel_section(name).A * self.building.materials[steel].density for name, steel in pairs]
         return float(np.array(metre)[of_members] @ self.frame.length)
 
     def frame_with(self, sections: Mapping[str, str]) -> SpaceFrame:

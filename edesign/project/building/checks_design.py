@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.design import KINDS, Select
+from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.checks_hazard import check_hazard
 from edesign.project.problems import Problems, listed, unknown_name
 
@@ -44,12 +45,16 @@ def check_design(building: Building, problems: Problems) -> None:
 
 def _select(building: Building, select: Select, problems: Problems) -> None:
     """Names of groups in `select` are those of the building."""
-    groups = list(dict.fromkeys(run.group for run in (*building.columns, *building.beams, *building.braces)))
+    runs: tuple[ColumnRun | BeamRun | BraceRun, ...] = (*building.columns, *building.beams, *building.braces)
+    groups = list(dict.fromkeys(run.group for run in runs))
     for group in select.lists.groups:
         if group not in groups:
-            at = ("design", "select", "lists", "groups", group)
-            problems.at_key(at, unknown_name("group", group, filter(None, groups)))
+            problems.at_key(
+                ("design", "select", "lists", "groups", group), unknown_name("group", group, filter(None, groups))
+            )
     for name in select.largest_depth:
         if name not in (*groups, *KINDS):
-            at = ("design", "select", "largest_depth", name)
-            problems.at_key(at, unknown_name("group", name, (*KINDS, *filter(None, groups))))
+            problems.at_key(
+                ("design", "select", "largest_depth", name),
+                unknown_name("group", name, (*KINDS, *filter(None, groups))),
+            )

@@ -179,5 +179,5 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
             found[f"{SLENDER[1]} {axis}"] = steep / SLENDERNESS["diagonal"][1]
             found[f"{HOMOGENEOUS} {axis}"] = Omega.ratios / Omega.Omega / (1.0 + HOMOGENEITY)
         unlike = [rule for rule in design.criteria if rule.clause == SYMMETRIC and rule.required and rule.value]
-        found[f"{SYMMETRIC} {axis}"] = np.array([rule.value / rule.required for rule in unlike])
+        found[f"{SYMMETRIC} {axis}"] = np.array([(rule.value or 0.0) / (rule.required or 1.0) for rule in unlike])
     return {name: of for name, of in found.items() if name == "members" or name.split()[0] in clauses}

@@ -12,7 +12,6 @@ from edesign.errors import InputError
 from edesign.project.problems import keys_text, listed
 from edesign.space.criteria import allowed_class, design_of, dissipative_class
 from edesign.space.elastic_design import ElasticAnalysis
-from edesign.space.load_cases import section_area
 from edesign.space.member_checks import LARGEST_CLASS
 from edesign.space.response import AXES
 
@@ -79,8 +78,8 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
         why += f"; largest_depth is {1e3 * depth:g} mm" if depth < math.inf else ""
         where = building.where("design", "select", *keys)
         raise InputError(f"{where}: {keys_text(('design', 'select', *keys))}: group {name} has no section left{why}")
-    ordered = sorted(chosen, key=lambda section: (section_area(section), section))
-    area = tuple(section_area(section) for section in ordered)
+    ordered = sorted(chosen, key=lambda section: (steel_section(section).A, section))
+    area = tuple(steel_section(section).A for section in ordered)
     metres = float(frame.length[numbers].sum())
     mass = tuple(value * steel.density * metres for value in area)
     inertia = [steel_section(section).I_y for section in ordered]

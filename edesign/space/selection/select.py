@@ -11,6 +11,7 @@ from edesign.codes.ec8.criterion import Criterion
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
 from edesign.project.building.building import Building
+from edesign.project.values import KeyPath
 from edesign.space.criteria import design_of
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.member_checks import SlenderSection
@@ -162,7 +163,7 @@ def with_sections(building: Building, sections: dict[str, str]) -> Building:
         building: from `load_building`.
         sections: section of each group.
     """
-    changes = {
+    changes: dict[KeyPath, str] = {
         (kind, number, "section"): sections[run.group]
         for kind in ("columns", "beams", "braces")
         for number, run in enumerate(getattr(building, kind))
