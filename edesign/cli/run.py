@@ -44,12 +44,13 @@ def run(
     """
     from edesign.project.yaml_file import file_kind
 
-    if file_kind(project) == "building":
+    kind = file_kind(project)
+    if kind == "building":
         if only or folder or scheduler:
             raise InputError("--only, --folder and --scheduler are for projects and studies, not for a building")
         _run_building(project, archive, overwrite, check, quiet)
     else:
-        _run_analyses(project, archive, only, folder, fresh, overwrite, workers, backend, scheduler, quiet)
+        _run_analyses(project, kind == "study", archive, only, folder, fresh, overwrite, workers, backend, scheduler, quiet)
 
 
 def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool, quiet: bool) -> None:
@@ -70,6 +71,7 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool
 
 def _run_analyses(
     project: Path,
+    is_study: bool,
     archive: Path | None,
     only: list[str] | None,
     folder: list[Path] | None,
@@ -83,7 +85,6 @@ def _run_analyses(
     from edesign.building.project_file import load_project, load_study
     from edesign.cli.progress import listener
     from edesign.ground_motion.project_records import with_folders
-    from edesign.project.study_loader import is_study
     from edesign.report.tables import overview
     from edesign.report.text import print_tables
     from edesign.study.run import run_project, run_study
@@ -91,7 +92,7 @@ def _run_analyses(
     backend = "dask" if scheduler is not None else backend
     with listener(quiet) as listen:
         how = (archive, listen, workers, only or (), fresh, backend, scheduler, overwrite)
-        if is_study(project):
+        if is_study:
             study = load_study(project)
             summary = run_study(study.of(with_folders(study.base, folder)) if folder else study, *how)
         else:

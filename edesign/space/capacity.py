@@ -125,7 +125,7 @@ def overstrength(
         return Overstrength(axis, members, np.zeros(0), 1.0, "")
     if system == "moment_frame":
         resistance = by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_y, steel.fy, gamma_M0))
-        effect = np.where(_rigid_ends(frame, members), acting[members][:, [0, -1], M_Y], 0.0).max(axis=1)
+        effect = np.where(frame.passes_moment[members], acting[members][:, [0, -1], M_Y], 0.0).max(axis=1)
     else:
         resistance = by_section(frame, materials, lambda of, steel: axial_resistance(of.A, steel.fy, gamma_M0))
         effect = acting[members, :, N].max(axis=1)
@@ -156,11 +156,9 @@ def joints(
     start, end = frame.ends
     force = acting[:, :, N].max(axis=1)
     M_Rc, M_Rb, columns_at, beams_at = np.zeros((4, len(frame.node_names)))
-    of_columns = np.array(
-        [_column_moment(frame.members[k], materials, axis, float(force[k]), gamma_M0) for k in frame.columns]
-    )
+    of_columns = _column_moments(frame, materials, axis, force, gamma_M0)
     M_pl = by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_y, steel.fy, gamma_M0))[beams]
-    rigid = _rigid_ends(frame, beams)
+    rigid = frame.passes_moment[beams]
     for side, nodes in enumerate((start, end)):
         np.add.at(M_Rc, nodes[frame.columns], of_columns)
         np.add.at(columns_at, nodes[frame.columns], 1.0)
@@ -175,26 +173,31 @@ def joints(
     return found
 
 
-def _rigid_ends(frame: SpaceFrame, beams: np.ndarray) -> np.ndarray:
-    """Return whether beams pass moments about y on at their ends, (n_beams, 2)."""
-    ends = [(frame.members[number].ends[0], frame.members[number].ends[2]) for number in beams]
-    return np.array(ends).reshape(-1, 2) > 0.0
-
-
 def bends_about_y(member: Member, axis: Axis) -> bool:
     """Whether a column bends about its strong axis under horizontal forces along an axis."""
     return abs(member.web[AXES.index(axis)]) > _DIAGONAL
 
 
-def _column_moment(member: Member, materials: Mapping[str, Steel], axis: Axis, force: float, gamma_M0: float) -> float:
-    """Return M_N,Rd about the axis that horizontal forces bend the column about, N m."""
-    section, steel = steel_section(member.section), materials[member.material]
-    n = min(force / axial_resistance(section.A, steel.fy, gamma_M0), 1.0)
-    strong = bends_about_y(member, axis)
-    M_Rd = moment_resistance(section.W_pl_y if strong else section.W_pl_z, steel.fy, gamma_M0)
-    if section.kind == "CHS":
-        return moment_resistance_with_axial_force_round(M_Rd, n)
-    if section.kind == "I" and not strong:
-        return moment_resistance_with_axial_force_z(M_Rd, n, web_share(section.A, 2.0 * section.b * section.tf))
-    flanges = 2.0 * (section.b if strong else section.h) * section.tf
-    return moment_resistance_with_axial_force_y(M_Rd, n, web_share(section.A, flanges))
+def _column_moments(
+    frame: SpaceFrame, materials: Mapping[str, Steel], axis: Axis, force: np.ndarray, gamma_M0: float
+) -> np.ndarray:
+    """Return M_N,Rd of the columns about the axis that horizontal forces bend them about, (n_columns,) N m."""
+    pairs, of_members = frame.sections
+    strong = np.array([bends_about_y(frame.members[number], axis) for number in frame.columns], dtype=bool)
+    kinds, found = 2 * of_members[frame.columns] + strong, np.zeros(frame.columns.size)
+    for kind in np.unique(kinds):
+        (name, material), about_y = pairs[kind // 2], bool(kind % 2)
+        section, steel = steel_section(name), materials[material]
+        which = kinds == kind
+        n = np.minimum(force[frame.columns[which]] / axial_resistance(section.A, steel.fy, gamma_M0), 1.0).tolist()
+        M_Rd = moment_resistance(section.W_pl_y if about_y else section.W_pl_z, steel.fy, gamma_M0)
+        if section.kind == "CHS":
+            reduced = [moment_resistance_with_axial_force_round(M_Rd, of) for of in n]
+        elif section.kind == "I" and not about_y:
+            a = web_share(section.A, 2.0 * section.b * section.tf)
+            reduced = [moment_resistance_with_axial_force_z(M_Rd, of, a) for of in n]
+        else:
+            a = web_share(section.A, 2.0 * (section.b if about_y else section.h) * section.tf)
+            reduced = [moment_resistance_with_axial_force_y(M_Rd, of, a) for of in n]
+        found[which] = reduced
+    return found

@@ -188,15 +188,15 @@ def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overst
         detail = f"Omega from {overstrength.Omega:.3g} to {overstrength.ratios.max():.3g}"
         text = f"overstrength of the diagonals over the least one, direction {axis}"
         found.append(at_most("6.7.3(8)", text, HOMOGENEITY, excess, detail))
-    worst: Criterion | None = None
-    for storey in sorted({member.storey for member in members}):
-        sides = [0.0, 0.0]
-        for n, member in zip(overstrength.members, members, strict=True):
-            if member.storey == storey:
-                rise = frame.coordinates[member.end] - frame.coordinates[member.start]
-                cosine = abs(rise[number]) / frame.length[n]
-                sides[int(rise[number] > 0.0)] += steel_section(member.section).A * cosine
-        one = asymmetry(sides[1], sides[0], storey)
-        if worst is None or (one.value or 0.0) > (worst.value or 0.0):
-            worst = one
-    return [*found, worst] if worst is not None else found
+    numbers = overstrength.members
+    start, end = (nodes[numbers] for nodes in frame.ends)
+    rise = frame.coordinates[end, number] - frame.coordinates[start, number]
+    area = by_section(frame, building.materials, lambda of, steel: of.A)[numbers]
+    level = area * np.abs(rise) / frame.length[numbers]
+    in_storeys = [np.bincount(frame.storey[numbers], np.where(way, level, 0.0)) for way in (rise > 0.0, rise <= 0.0)]
+    each = [
+        asymmetry(float(one), float(other), storey)
+        for storey, (one, other) in enumerate(zip(*in_storeys, strict=True), 1)
+        if one + other > 0.0
+    ]
+    return [*found, max(each, key=lambda rule: rule.value or 0.0)]

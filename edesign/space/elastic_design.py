@@ -37,7 +37,7 @@ from edesign.space.frame import LoadCase, Member, SpaceFrame
 from edesign.space.geometry import space_frame
 from edesign.space.load_cases import SELF_WEIGHT, self_weight
 from edesign.space.masses import node_masses
-from edesign.space.member_checks import MemberChecker, MemberResults
+from edesign.space.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
 from edesign.space.model import member_properties, space_model
 from edesign.space.response import (
     AXES,
@@ -107,7 +107,14 @@ def elastic_design(building: Building) -> ElasticDesign:
         InputError: a block is missing, a behaviour factor or a mode is out of its range.
         CoreError: the structure is a mechanism.
     """
-    return ElasticAnalysis(building).design()
+    found = ElasticAnalysis(building).design()
+    if found.members.slender:
+        member = found.frame.members[found.members.slender[0]]
+        raise InputError(
+            f"{building.path}: {member.name}: {member.section} is of class 4 under its forces, and effective sections "
+            f"(EN 1993-1-5) are not in the checks; choose a section of class {LARGEST_CLASS} or less"
+        )
+    return found
 
 
 class ElasticAnalysis:
@@ -157,7 +164,10 @@ class ElasticAnalysis:
         self.fundamental = fundamental(cases, psi, _action_factors(self._design, self._national))
         self.seismic = seismic(cases, psi, directions)
         self._characteristic = characteristic(cases, psi)
-        self._variants: dict[tuple[int, str], Member] = {}
+        self._groups: dict[str, list[int]] = {}
+        for number, member in enumerate(self.frame.members):
+            self._groups.setdefault(member.group, []).append(number)
+        self._variants: dict[tuple[str, str], list[Member]] = {}
 
     def steel_mass(self) -> float:
         """Return the mass of the members of the file, kg."""
@@ -174,24 +184,20 @@ class ElasticAnalysis:
         Raises:
             InputError: a section is not known.
         """
-        frame = self.frame
-        members = tuple(
-            member
-            if (wanted := sections.get(member.group, member.section)) == member.section
-            else self._variant(number, wanted)
-            for number, member in enumerate(frame.members)
-        )
-        found = frame.with_sections(members, frame.cases, frame.node_mass)
+        frame, members = self.frame, list(self.frame.members)
+        for name, numbers in self._groups.items():
+            wanted = sections.get(name)
+            if wanted is not None and wanted != frame.members[numbers[0]].section:
+                if (name, wanted) not in self._variants:
+                    self._variants[name, wanted] = [replace(frame.members[k], section=wanted) for k in numbers]
+                for number, member in zip(numbers, self._variants[name, wanted], strict=True):
+                    members[number] = member
+        found = frame.with_sections(tuple(members), frame.cases, frame.node_mass)
         if SELF_WEIGHT not in frame.cases:
             return found
         cases = frame.cases | {SELF_WEIGHT: self_weight(self.building, found)}
-        found = found.with_sections(members, cases, frame.node_mass)
-        return found.with_sections(members, cases, node_masses(self.building, found))
-
-    def _variant(self, number: int, section: str) -> Member:
-        if (number, section) not in self._variants:
-            self._variants[number, section] = replace(self.frame.members[number], section=section)
-        return self._variants[number, section]
+        found = found.with_sections(found.members, cases, frame.node_mass)
+        return found.with_sections(found.members, cases, node_masses(self.building, found))
 
     def design(self, sections: Mapping[str, str] | None = None) -> ElasticDesign:
         """Analyse the building and check it.
@@ -200,8 +206,11 @@ class ElasticAnalysis:
             sections: section of each group; those of the file for groups without one. With any, `building` of the
                 result is still that of the file.
 
+        Returns:
+            The design; members of class 4, which the checks do not cover, are in `members.slender`.
+
         Raises:
-            InputError: a section is not known or of class 4, or modes that SRSS needs apart are close.
+            InputError: a section is not known, or modes that SRSS needs apart are close.
         """
         building, design = self.building, self._design
         frame = self.frame_with(sections) if sections else self.frame

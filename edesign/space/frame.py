@@ -19,7 +19,7 @@ RIGID = float("inf")
 NO_DIAPHRAGM = -1
 
 
-PLACES = ("ends", "length", "columns", "storey", "in_compression", "level_of_nodes")
+PLACES = ("ends", "length", "columns", "storey", "in_compression", "passes_moment", "level_of_nodes")
 """What a `SpaceFrame` derives from its nodes and the places of its members."""
 
 
@@ -142,6 +142,11 @@ class SpaceFrame:
     def in_compression(self) -> np.ndarray:
         """(n_members,) whether each member counts in compression."""
         return np.array([member.compression for member in self.members], dtype=bool)
+
+    @cached_property
+    def passes_moment(self) -> np.ndarray:
+        """(n_members, 2) whether start and end pass moments about y on."""
+        return np.array([(member.ends[0], member.ends[2]) for member in self.members]).reshape(-1, 2) > 0.0
 
     @cached_property
     def level_of_nodes(self) -> np.ndarray:

@@ -33,7 +33,6 @@ from edesign.core.member_checks import (
     mask,
     member_checks,
 )
-from edesign.errors import InputError
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
 from edesign.space.capacity import Overstrength, bends_about_y
@@ -48,10 +47,6 @@ LARGEST_CLASS = 3
 _SEISMIC_TERM = re.compile(r"(?:([0-9.]+) )?E_([xy])")
 
 
-class SlenderSection(InputError):
-    """A section is of class 4 under its forces."""
-
-
 @dataclass(frozen=True)
 class MemberResults:
     """The largest utilisation of each member in each check.
@@ -64,6 +59,8 @@ class MemberResults:
         station: (n_members, n_checks) governing place as a fraction of the length; nan where it does not apply.
         rows: the combinations that the numbers mean: those of actions, then the amplified ones.
         counts: how many of them are persistent, seismic, and amplified.
+        slender: numbers of the members of class 4, whose utilisations are infinite: effective sections (EN 1993-1-5)
+            are not in the checks.
     """
 
     checks: tuple[str, ...]
@@ -73,6 +70,7 @@ class MemberResults:
     station: np.ndarray
     rows: tuple[Combination, ...]
     counts: tuple[int, int, int]
+    slender: tuple[int, ...]
 
 
 class MemberChecker:
@@ -113,14 +111,11 @@ class MemberChecker:
             effects: of the actions.
             fundamental, seismic: combinations for persistent and for seismic design situations.
             overstrength: Omega of both directions.
-
-        Raises:
-            SlenderSection: a section is of class 4.
         """
         amplified = amplified_combinations(self._design, seismic, overstrength, self._gamma_ov)
         rows = (*fundamental, *seismic, *amplified)
         counts = len(fundamental), len(seismic), len(amplified)
-        found = self._checked(frame, effects, rows, counts)
+        found, slender = self._checked(frame, effects, rows, counts)
         applies = found.combination >= 0
         return MemberResults(
             checks=tuple(check.name for check in Check),
@@ -130,6 +125,7 @@ class MemberChecker:
             station=np.where(applies, STATIONS[np.maximum(found.station, 0)], np.nan),
             rows=rows,
             counts=counts,
+            slender=slender,
         )
 
     def under_frozen_forces(self, frame: SpaceFrame, effects: Effects, results: MemberResults) -> np.ndarray:
@@ -138,11 +134,8 @@ class MemberChecker:
         Args:
             frame: with the sections.
             effects, results: of the other sections.
-
-        Raises:
-            SlenderSection: a section is of class 4.
         """
-        return self._checked(frame, effects, results.rows, results.counts).utilisation.max(axis=1)
+        return self._checked(frame, effects, results.rows, results.counts)[0].utilisation.max(axis=1)
 
     def _checked(
         self,
@@ -150,47 +143,55 @@ class MemberChecker:
         effects: Effects,
         rows: Sequence[Combination],
         counts: tuple[int, int, int],
-    ) -> Utilisations:
+    ) -> tuple[Utilisations, tuple[int, ...]]:
         spectral, factors = _spectral(effects, rows)
-        return member_checks(
+        constants, of_members, slender = self._constants(frame, effects, rows)
+        table = MemberTable.of(constants)
+        found = member_checks(
             statics=effects.static,
             spectral=spectral,
             static_factors=np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows]),
             spectral_factors=factors,
             combination_set=np.repeat([PERSISTENT, SEISMIC, CAPACITY], counts),
             gravity=np.ones(len(effects.cases), dtype=int),
-            members=MemberTable.of(self._constants(frame, effects, rows)),
+            members=MemberTable(table.constants[of_members], table.kind[of_members]),
             masks=self._masks,
         )
+        found.utilisation[slender] = np.where(found.combination[slender] >= 0, np.inf, found.utilisation[slender])
+        return found, tuple(slender)
 
-    def _constants(self, frame: SpaceFrame, effects: Effects, rows: Sequence[Combination]) -> list[MemberConstants]:
-        """Return the constants of members under their largest compression in all combinations."""
+    def _constants(
+        self, frame: SpaceFrame, effects: Effects, rows: Sequence[Combination]
+    ) -> tuple[list[MemberConstants], np.ndarray, list[int]]:
+        """Return constants under the largest compressions, which of them each member has, and members of class 4."""
         pairs, of_members = frame.sections
         kinds = of_members * len(self._roles) + self._role_of_members
         distinct, kind_of_members = np.unique(kinds, return_inverse=True)
-        of_kinds: list[MemberConstants | None] = []
-        for kind in distinct:
+        found: list[MemberConstants] = []
+        undecided: list[int] = []
+        too_slender: list[int] = []
+        for number, kind in enumerate(distinct):
             (name, material), role = pairs[kind // len(self._roles)], int(kind) % len(self._roles)
             least, highest = _classes(name, self._building.materials[material].fy, self._roles[role].kind)
-            decided = highest <= LARGEST_PLASTIC_CLASS or least == highest
-            of_kinds.append(self._of(name, material, highest, role) if decided else None)
-        found = [of_kinds[kind] for kind in kind_of_members]
-        if None in of_kinds:  # their classes depend on the axial force
+            if least > LARGEST_CLASS:
+                too_slender.append(number)
+            elif highest > LARGEST_PLASTIC_CLASS and least != highest:  # the force decides
+                undecided.append(number)
+            found.append(self._of(name, material, least, role))
+        slender = np.flatnonzero(np.isin(kind_of_members, too_slender)).tolist()
+        if undecided:
             force = -largest(effects, rows)[:, :, 0].max(axis=1)
-            for place in np.flatnonzero([constants is None for constants in found]):
+            for place in np.flatnonzero(np.isin(kind_of_members, undecided)):
                 member, role = frame.members[place], int(self._role_of_members[place])
                 fy, bent = self._building.materials[member.material].fy, member.kind != "brace"
-                of_class = section_class(steel_section(member.section), fy, float(force[place]), about_y=bent)
-                found[place] = self._of(member.section, member.material, of_class.number, role, member.name)
-        return [constants for constants in found if constants is not None]
+                of_class = section_class(steel_section(member.section), fy, float(force[place]), about_y=bent).number
+                if of_class > LARGEST_CLASS:
+                    slender.append(int(place))
+                kind_of_members[place] = len(found)
+                found.append(self._of(member.section, member.material, of_class, role))
+        return found, kind_of_members, slender
 
-    def _of(self, name: str, material: str, of_class: int, role: int, member: str = "") -> MemberConstants:
-        if of_class > LARGEST_CLASS:
-            where = f"{member or self._roles[role].kind}: {name} of {material}"
-            raise SlenderSection(
-                f"{self._building.path}: {where} is of class {of_class} under its forces, and effective sections "
-                f"(EN 1993-1-5) are not in the checks; choose a section of class {LARGEST_CLASS} or less"
-            )
+    def _of(self, name: str, material: str, of_class: int, role: int) -> MemberConstants:
         key = (name, material, of_class <= LARGEST_PLASTIC_CLASS, role)
         if key not in self._known:
             steel = self._building.materials[material]

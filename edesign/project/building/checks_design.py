@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.design import KINDS, Select
-from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.checks_hazard import check_hazard
-from edesign.project.problems import Problems, listed, unknown_name
+from edesign.project.problems import Keys, Problems, listed, unknown_name
 
 
 def check_design(building: Building, problems: Problems) -> None:
@@ -45,16 +44,13 @@ def check_design(building: Building, problems: Problems) -> None:
 
 def _select(building: Building, select: Select, problems: Problems) -> None:
     """Names of groups in `select` are those of the building."""
-    runs: tuple[ColumnRun | BeamRun | BraceRun, ...] = (*building.columns, *building.beams, *building.braces)
-    groups = list(dict.fromkeys(run.group for run in runs))
+    named: dict[str, None] = {}
+    for runs in (building.columns, building.beams, building.braces):
+        named |= dict.fromkeys(run.group or "" for run in runs)
+    keys: Keys = ("design", "select")
     for group in select.lists.groups:
-        if group not in groups:
-            problems.at_key(
-                ("design", "select", "lists", "groups", group), unknown_name("group", group, filter(None, groups))
-            )
+        if group not in named:
+            problems.at_key((*keys, "lists", "groups", group), unknown_name("group", group, named))
     for name in select.largest_depth:
-        if name not in (*groups, *KINDS):
-            problems.at_key(
-                ("design", "select", "largest_depth", name),
-                unknown_name("group", name, (*KINDS, *filter(None, groups))),
-            )
+        if name not in (*KINDS, *named):
+            problems.at_key((*keys, "largest_depth", name), unknown_name("group", name, (*KINDS, *named)))

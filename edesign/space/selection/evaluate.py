@@ -14,7 +14,6 @@ from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.space.criteria import MOMENT_FRAME, brace_slenderness, design_of, system_of
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
-from edesign.space.member_checks import SlenderSection
 from edesign.space.response import AXES
 from edesign.space.selection.groups import Group
 
@@ -22,6 +21,8 @@ THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.
 SLENDER = ("6.7.3(1)", "6.7.3(2)", "6.7.3(3)")
 CLASS = "6.5.3(2)"
 
+FINITE = 1e6
+"""What counts for an infinite utilisation, as of class 4 sections, so that sums stay numbers."""
 Choice = tuple[int, ...]
 """Number of the section of each group in its list."""
 
@@ -34,7 +35,7 @@ class Evaluation:
         choice: of the sections.
         mass: of steel, kg.
         met: whether all checks are met that sections can change and that are not left out.
-        excess: sum of max(u - 1, 0) over members, storeys, joints and diagonals; infinite of a class 4 section.
+        excess: sum of max(u - 1, 0) over members, storeys, joints and diagonals.
         worst: the largest u.
     """
 
@@ -43,6 +44,10 @@ class Evaluation:
     met: bool
     excess: float
     worst: float
+
+
+class OutOfEvaluations(Exception):
+    """The evaluations that the file allows are used up."""
 
 
 class Evaluator:
@@ -54,17 +59,19 @@ class Evaluator:
 
     Attributes:
         count: designs that were analysed.
+        budget: how many may be; None: any number.
+        searched: clauses of EN 1998-1 for the whole building that count.
     """
 
     def __init__(self, analysis: ElasticAnalysis, groups: Sequence[Group]) -> None:
         self.analysis = analysis
         self.groups = tuple(groups)
         self.count = 0
+        self.budget: int | None = None
         self._known: dict[Choice, Evaluation] = {}
         self._last: tuple[Choice, ElasticDesign] | None = None
         design = design_of(analysis.building)
-        self._left_out = frozenset(design.select.leave_out)
-        self.searched = searched_clauses(analysis) - self._left_out
+        self.searched = searched_clauses(analysis) - frozenset(design.select.leave_out)
         names = [group.name for group in groups]
         self._group_of_members = np.array([names.index(member.group) for member in analysis.frame.members])
 
@@ -75,10 +82,6 @@ class Evaluator:
     def sections(self, choice: Choice) -> dict[str, str]:
         """Return the section of each group."""
         return {group.name: group.sections[number] for group, number in zip(self.groups, choice, strict=True)}
-
-    def known(self, choice: Choice) -> Evaluation | None:
-        """Return what was found for a choice earlier."""
-        return self._known.get(choice)
 
     def all_known(self) -> tuple[Evaluation, ...]:
         """Return all that was found so far."""
@@ -94,9 +97,11 @@ class Evaluator:
         """Return the whole design of a choice.
 
         Raises:
-            SlenderSection: a section is of class 4.
+            OutOfEvaluations: the budget is used up.
         """
         if self._last is None or self._last[0] != choice:
+            if self.budget is not None and self.count >= self.budget:
+                raise OutOfEvaluations
             self.count += 1
             self._last = choice, self.analysis.design(self.sections(choice))
         return self._last[1]
@@ -109,10 +114,7 @@ class Evaluator:
             choice: of the sections.
         """
         frame = self.analysis.frame_with(self.sections(choice))
-        try:
-            of_members = self.analysis.members.under_frozen_forces(frame, design.effects, design.members)
-        except SlenderSection:
-            return np.full(len(self.groups), np.inf)
+        of_members = self.analysis.members.under_frozen_forces(frame, design.effects, design.members)
         found = np.zeros(len(self.groups))
         np.maximum.at(found, self._group_of_members, of_members)
         return found
@@ -122,19 +124,12 @@ class Evaluator:
         return [rule for rule in design.criteria if rule.passed is False and rule.clause in self.searched]
 
     def _evaluated(self, choice: Choice) -> Evaluation:
-        mass = self.mass(choice)
-        try:
-            design = self.design(choice)
-        except SlenderSection:
-            return Evaluation(choice, mass, False, math.inf, math.inf)
+        design = self.design(choice)
         over = [np.minimum(values, FINITE) for values in utilisations(design, self.searched).values()]
         every = np.concatenate(over)
         met = not bool((design.members.utilisation > 1.0).any()) and not self.broken(design)
-        return Evaluation(choice, mass, met, float(np.maximum(every - 1.0, 0.0).sum()), float(every.max()))
-
-
-FINITE = 1e6
-"""What counts for an infinite utilisation, such as that of no resistance, so that sums stay numbers."""
+        excess = float(np.maximum(every - 1.0, 0.0).sum())
+        return Evaluation(choice, self.mass(choice), met, excess, float(every.max()))
 
 
 def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
@@ -178,6 +173,11 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
             steep = brace_slenderness(design.building, design.frame, Omega.members)
             found[f"{SLENDER[1]} {axis}"] = steep / SLENDERNESS["diagonal"][1]
             found[f"{HOMOGENEOUS} {axis}"] = Omega.ratios / Omega.Omega / (1.0 + HOMOGENEITY)
-        unlike = [rule for rule in design.criteria if rule.clause == SYMMETRIC and rule.required and rule.value]
-        found[f"{SYMMETRIC} {axis}"] = np.array([(rule.value or 0.0) / (rule.required or 1.0) for rule in unlike])
+        found[f"{SYMMETRIC} {axis}"] = np.array(
+            [
+                (rule.value or 0.0) / rule.required
+                for rule in design.criteria
+                if rule.clause == SYMMETRIC and rule.required
+            ]
+        )
     return {name: of for name, of in found.items() if name == "members" or name.split()[0] in clauses}

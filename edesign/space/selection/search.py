@@ -11,26 +11,23 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations, permutations, zip_longest
 
+from edesign.errors import InputError
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.frame import SpaceFrame
-from edesign.space.selection.evaluate import Choice, Evaluation, Evaluator
+from edesign.space.selection.evaluate import Choice, Evaluation, Evaluator, OutOfEvaluations
 from edesign.space.selection.groups import Group
 
 UP = (1, 2)
 """Sizes that a group goes up in one step, among the heavier sections that are stiffer."""
 DOWN = 3
 """Sizes that a group goes down at most in one step, among all lighter sections and among the stiffest of them."""
-COLUMNS_ABOVE = 2
-"""Sizes by which the columns of each start stand above those of the one before it."""
+HIGHER = {"column": 2, "beam": 1, "brace": 0}
+"""Sizes by which members of each start stand above those of the one before it: columns above beams."""
 Move = tuple[tuple[int, int], ...]
 """Groups with the sizes that they go up or, negative, down."""
 Exchange = tuple[tuple[int, int], ...]
 """Groups with the numbers of their new sections."""
 Listener = Callable[[str], None]
-
-
-class OutOfEvaluations(Exception):
-    """The evaluations that the file allows are used up."""
 
 
 @dataclass(frozen=True)
@@ -76,6 +73,7 @@ class Search:
         """
         best: Evaluation | None = None
         certified, fruitful = False, 0
+        self._evaluate.budget = self._budget
         try:
             for number, point in enumerate(self._points(starts, given), 1):
                 climbed = self._climbed(point)
@@ -86,41 +84,64 @@ class Search:
                 self._tell(f"start {number}: all checks met with {climbed.mass / 1e3:.2f} t{self._counted()}")
                 lightest = self._descended(climbed)
                 self._tell(f"start {number}: {lightest.mass / 1e3:.2f} t{self._counted()}")
-                if best is None or lightest.mass < best.mass:
+                if best is None or _less(lightest.mass, best.mass):
                     best, certified = lightest, True
+            while (lighter := self._met(best)) is not None:  # that a start met on its way
+                best = self._descended(lighter)
         except OutOfEvaluations:
             self._tell(f"the {self._budget} evaluations of design.select are used up")
-        known = self._evaluate.all_known()
-        if lighter := [of for of in known if of.met and (best is None or of.mass < best.mass)]:
-            best, certified = min(lighter, key=lambda of: (of.mass, of.worst, of.choice)), False
-        return Found(best or min(known, key=lambda of: (of.excess, of.mass, of.choice)), certified, fruitful)
+            if (lighter := self._met(best)) is not None:
+                best, certified = lighter, False
+        finally:
+            self._evaluate.budget = None
+        return Found(
+            best or min(self._evaluate.all_known(), key=lambda of: (of.excess, of.mass, of.choice)), certified, fruitful
+        )
+
+    def _met(self, best: Evaluation | None) -> Evaluation | None:
+        """The lightest choice found so far that meets all checks; None if it is not lighter than the best one."""
+        met = [of for of in self._evaluate.all_known() if of.met and (best is None or _less(of.mass, best.mass))]
+        return min(met, key=lambda of: (of.mass, of.worst, of.choice), default=None)
 
     def _counted(self) -> str:
         return f" ({self._evaluate.count} evaluations)"
 
     def _points(self, starts: int, given: Choice | None) -> Iterator[Evaluation]:
         """What to climb from, each once: what members need, from the lightest sections; then columns above that."""
-        lightest = self._repaired([0] * len(self._groups))
-        if lightest is None:
-            return
-        sized = self._sized(lightest)
+        sized = self._sized(self.lightest())
         seen: set[Choice] = set()
         for k in range(starts):
             numbers = [
-                min(number + (COLUMNS_ABOVE * k if group.kind == "column" else 0), len(group.sections) - 1)
+                min(number + HIGHER[group.kind] * k, len(group.sections) - 1)
                 for group, number in zip(self._groups, sized.choice, strict=True)
             ]
             point = self._repaired(numbers)
             if point is not None and point not in seen:
                 seen.add(point)
-                yield self._of(point)
+                yield self._evaluate(point)
         if given is not None and given not in seen and self._ordered(given):
-            yield self._of(given)
+            yield self._evaluate(given)
 
-    def lighter(self, base: Choice) -> dict[Choice, Exchange]:
-        """Return the single and double exchanges of a choice that are lighter, the lightest first."""
+    def lightest(self) -> Choice:
+        """Return the lightest sections of the lists.
+
+        Raises:
+            InputError: the lists have only larger columns above than below.
+        """
+        found = self._repaired([0] * len(self._groups))
+        if found is None:
+            raise InputError("the sections of a group of columns are all larger than those of the group below it")
+        return found
+
+    def lighter(self, base: Choice, wide: bool = False) -> dict[Choice, Exchange]:
+        """Return the exchanges of a choice that are lighter, the lightest first: single and double ones; or wide ones.
+
+        Args:
+            base: the choice.
+            wide: those of more groups or more sizes, which the certificate does not speak of.
+        """
         mass, found, masses = self._evaluate.mass(base), dict[Choice, Exchange](), dict[Choice, float]()
-        for exchange in self._exchanges(base):
+        for exchange in self._wide_exchanges(base) if wide else self._exchanges(base):
             numbers = list(base)
             for group, number in exchange:
                 numbers[group] = number
@@ -176,6 +197,22 @@ class Search:
             ((one, a), (other, b)) for one, other in combinations(groups, 2) for a in below[one] for b in below[other]
         )
 
+    def _wide_exchanges(self, base: Choice) -> Iterator[Exchange]:
+        """Exchanges of more: a group down by several sizes and another up; all beams up and all columns down, or so."""
+        groups = range(len(base))
+        below = [self._below(group, base[group], DOWN) for group in groups]
+        above = [self._groups[group].stiffer[base[group]][: len(UP)] for group in groups]
+        for one, other in permutations(groups, 2):
+            yield from (((one, a), (other, b)) for a in below[one] for b in above[other])
+        for down, up in (("column", "beam"), ("beam", "column")):
+            falling = [group for group in groups if self._groups[group].kind == down and below[group]]
+            rising = [group for group in groups if self._groups[group].kind == up and above[group]]
+            for size in range(DOWN):
+                yield (
+                    *((group, below[group][max(len(below[group]) - 1 - size, 0)]) for group in falling),
+                    *((group, above[group][0]) for group in rising),
+                )
+
     def _below(self, group: int, number: int, sizes: int) -> tuple[int, ...]:
         """The next lighter sections, and the next lighter of those that are stiffer than all lighter ones."""
         records = [k for k in self._groups[group].records if k < number]
@@ -183,21 +220,14 @@ class Search:
 
     # --- stages
 
-    def _of(self, choice: Choice) -> Evaluation:
-        if self._evaluate.known(choice) is None and self._evaluate.count >= self._budget:
-            raise OutOfEvaluations
-        return self._evaluate(choice)
-
     def _sized(self, point: Choice) -> Evaluation:
         """Give every group the lightest section that passes under the forces found, while that lowers the excess."""
         best: Evaluation | None = None
         while True:
-            found = self._of(point)
+            found = self._evaluate(point)
             if best is not None and (found.excess, found.mass) >= (best.excess, best.mass):
                 return best
             best = found
-            if math.isinf(found.excess):
-                return best
             sized = self._repaired(self._lightest(self._evaluate.design(point), point))
             if sized is None:
                 return best
@@ -270,15 +300,15 @@ class Search:
     def _of_move(self, base: Evaluation, move: Move) -> Evaluation | None:
         numbers = self._moved(base.choice, move)
         choice = None if numbers is None else self._repaired(numbers)
-        return None if choice is None or choice == base.choice else self._of(choice)
+        return None if choice is None or choice == base.choice else self._evaluate(choice)
 
     def _of_move_with_others(self, base: Evaluation, move: Move) -> Evaluation | None:
         found = self._of_move(base, move)
-        if found is None or math.isinf(found.excess):
-            return found
+        if found is None:
+            return None
         design = self._evaluate.design(found.choice)
         choice = self._repaired(self._grown(design, found.choice))
-        return found if choice is None else self._of(choice)
+        return found if choice is None else self._evaluate(choice)
 
     def _descended(self, base: Evaluation) -> Evaluation:
         """Exchange sections as long as the building gets lighter and all checks stay met.
@@ -289,12 +319,18 @@ class Search:
         failed: set[Exchange] = set()
         while True:
             every = self.lighter(base.choice)
-            passing = self._passing(base.choice, {pair for exchange in every.values() for pair in exchange})
-            first = {of: what for of, what in every.items() if what not in failed and passing.issuperset(what)}
+            first = self._promising(base.choice, every | self.lighter(base.choice, wide=True), failed)
             step = self._step(first, failed) or self._step(every, failed)
             if step is None:
                 return base
             base = step
+
+    def _promising(self, base: Choice, every: dict[Choice, Exchange], failed: set[Exchange]) -> dict[Choice, Exchange]:
+        """Return the exchanges, the lightest first, that have not failed and pass under the forces of a choice."""
+        new = {of: exchange for of, exchange in every.items() if exchange not in failed}
+        passing = self._passing(base, {pair for exchange in new.values() for pair in exchange})
+        ordered = sorted(new, key=lambda of: (self._evaluate.mass(of), of))
+        return {of: new[of] for of in ordered if passing.issuperset(new[of])}
 
     def _passing(self, base: Choice, pairs: set[tuple[int, int]]) -> set[tuple[int, int]]:
         """Return the groups with numbers of sections whose members pass under the forces of a choice."""
@@ -313,7 +349,7 @@ class Search:
         for choice, exchange in choices.items():
             if best is not None and _less(best.mass, self._evaluate.mass(choice)):
                 break
-            found = self._of(choice)
+            found = self._evaluate(choice)
             if not found.met:
                 failed.add(exchange)
             elif best is None or found.worst < best.worst:
@@ -328,7 +364,7 @@ def _less(one: float, other: float) -> bool:
 
 def _gain(base: Evaluation, found: Evaluation | None) -> float:
     """Excess that a step takes away for each kg; without limit if it needs none."""
-    if found is None or math.isinf(found.excess) or found.excess >= base.excess:
+    if found is None or found.excess >= base.excess:
         return 0.0
     less = base.excess - found.excess
     more = found.mass - base.mass

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -14,7 +15,6 @@ from edesign.project.building.building import Building
 from edesign.project.values import KeyPath
 from edesign.space.criteria import design_of
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
-from edesign.space.member_checks import SlenderSection
 from edesign.space.selection.evaluate import Choice, Evaluator
 from edesign.space.selection.groups import Group, groups_of
 from edesign.space.selection.search import Found, Listener, Search, column_order
@@ -38,6 +38,8 @@ class Governing:
     combination: str
 
     def __str__(self) -> str:
+        if math.isinf(self.utilisation):
+            return f"{self.member} is of class 4 under its forces, or shear leaves it no resistance"
         return f"{self.check} {self.utilisation:.3g} ({self.clause}) of {self.member} in {self.combination}"
 
 
@@ -110,6 +112,10 @@ def select_sections(building: Building, tell: Listener = lambda line: None) -> S
         order = column_order(analysis.frame, groups) if select.columns_not_larger_above else []
         before = _sections(analysis, groups)
         search = Search(evaluate, order, select.evaluations, tell)
+        try:
+            search.lightest()
+        except InputError as error:
+            raise InputError(f"{building.where('design', 'select')}: design.select: {error}") from error
         found = search.run(select.starts, _choice(groups, before))
         if not found.best.met:
             raise InputError(_in_the_way(building, evaluate, found))
@@ -197,10 +203,7 @@ def _held_by(evaluate: Evaluator, order: Sequence[tuple[int, int]], choice: Choi
     for upper, below in order:
         if below == number and evaluate.groups[upper].area[choice[upper]] > group.area[lower[number]]:
             return f"{evaluate.groups[upper].name} above it, which must not be larger"
-    try:
-        broken = _broken(evaluate, evaluate.design(lower))
-    except SlenderSection:
-        return f"{group.sections[lower[number]]} would be of class 4"
+    broken = _broken(evaluate, evaluate.design(lower))
     return broken[0] if broken else "nothing alone: its list goes on below, but a lighter design was not found"
 
 
@@ -220,10 +223,7 @@ def _in_the_way(building: Building, evaluate: Evaluator, found: Found) -> str:
     where = f"{building.where('design', 'select')}: design.select"
     best = found.best
     used = f"{evaluate.count} evaluations"
-    try:
-        design = evaluate.design(best.choice)
-    except SlenderSection as error:
-        return f"{where}: no sections of the lists were found that meet all checks ({used}): {error}"
+    design = evaluate.design(best.choice)
     sections = evaluate.sections(best.choice)
     heaviest = [
         f"{group.name} has {group.sections[-1]}, the heaviest of its list"
@@ -235,6 +235,8 @@ def _in_the_way(building: Building, evaluate: Evaluator, found: Found) -> str:
         f"{best.mass / 1e3:.1f} t of steel, are {', '.join(f'{name} {of}' for name, of in sections.items())}",
         *(f"in the way: {text}" for text in _broken(evaluate, design)),
         *heaviest,
-        "give longer lists, more groups, or leave a rule for the building out by `leave_out`",
+        "its evaluations are used up; allow more by `evaluations`"
+        if evaluate.count >= design_of(building).select.evaluations
+        else "give longer lists, more groups, or leave a rule for the building out by `leave_out`",
     ]
     return "\n  ".join(lines)

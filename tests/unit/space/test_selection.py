@@ -1,0 +1,282 @@
+"""Sections chosen for small buildings: beside enumeration, and what is told where none does."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from building_examples import building as changed
+from edesign.building.building_sections import BuildingSections
+from selection_examples import FRAMES, INTERIOR, enumerated, random_frames
+
+from edesign.building.steel_section import steel_section
+from edesign.cli.main import main
+from edesign.errors import InputError
+from edesign.one_thread import one_thread
+from edesign.project.building import parse_building
+from edesign.project.problems import FileProblems
+from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
+from edesign.space.selection.evaluate import Evaluator, utilisations
+from edesign.space.selection.groups import groups_of
+from edesign.space.selection.search import Search, column_order
+from edesign.space.selection.select import select_sections, with_sections
+
+TEXT = FRAMES.format(
+    bays=2,
+    width=6.0,
+    storeys=4,
+    lower=2,
+    above=3,
+    upper_beams="B2",
+    G=5.0,
+    a_gR=0.24,
+    ductility="high",
+    q=6.5,
+    q_y=4,
+    drift="ductile",
+    columns="HEB",
+    beams="IPE",
+)
+"""Two frames of two bays and four storeys, four groups to choose, whole families."""
+
+
+def compared(one: ElasticDesign, other: ElasticDesign) -> None:
+    """1e-9: both solve the same equations, one after a new factorisation in an old order of pivots."""
+    np.testing.assert_allclose(one.modes.period, other.modes.period, rtol=1e-9)
+    np.testing.assert_allclose(one.frame.node_mass, other.frame.node_mass, rtol=1e-9)
+    np.testing.assert_allclose(one.members.utilisation, other.members.utilisation, rtol=1e-9, atol=1e-12)
+    for mine, its in zip(one.criteria, other.criteria, strict=True):
+        assert (mine.clause, mine.passed) == (its.clause, its.passed)
+        assert mine.value == pytest.approx(its.value, rel=1e-9, abs=1e-12)
+    for joint, same in zip(one.joints, other.joints, strict=True):
+        assert (joint.node, joint.ratio) == (same.node, pytest.approx(same.ratio, rel=1e-9))
+
+
+def test_an_analysis_with_other_sections_is_that_of_a_file_with_them() -> None:
+    file = parse_building(TEXT, "building.yaml", BuildingSections())
+    analysis = ElasticAnalysis(file)
+    for sections in (
+        {"C1": "HEB400", "B1": "IPE450"},
+        {"C1": "HEM300", "C2": "HEA300", "B1": "IPE300", "B2": "IPE270", "D": "SHS200x10"},
+        {"BY": "IPE270"},
+    ):
+        found = analysis.design(sections)
+        compared(found, elastic_design(with_sections(file, sections)))
+    compared(analysis.design(), elastic_design(file))
+
+
+def test_an_evaluation_meets_its_checks_as_the_design_does() -> None:
+    """Every limit at most 1 is the same as every check and rule met, and the excess is none only then."""
+    with one_thread():
+        for seed in range(40, 46):
+            analysis = ElasticAnalysis(random_frames(seed, 6, 4))
+            evaluate = Evaluator(analysis, groups_of(analysis))
+            for choice in ((0, 0, 0, 0, 0, 0), (5, 5, 5, 0, 5, 0), (5, 0, 2, 0, 1, 0)):
+                found, design = evaluate(choice), evaluate.design(choice)
+                over = np.concatenate(list(utilisations(design, evaluate.searched).values()))
+                limits = [rule for rule in design.criteria if rule.clause in evaluate.searched]
+                met = not (design.members.utilisation > 1.0).any() and all(rule.passed is not False for rule in limits)
+                assert found.met == met == bool((over <= 1.0 + 1e-9).all())
+                assert (found.excess == 0.0) == bool((over <= 1.0).all())
+
+
+def test_members_of_class_4_are_refused_and_count_as_failed_in_a_search() -> None:
+    """IPE400 of 460 MPa under N = 0.7 A f_y: c/t = 38.5 is above 42 eps / (0.67 + 0.33 psi), 37.6 for psi = 0.38."""
+    heavy = changed(
+        TEXT.replace("HEB300", "IPE400"), ("G: 5.00 kN/m^2", "G: 60 kN/m^2"), ("{fy: 275 MPa}", "{fy: 460 MPa}")
+    )
+    with pytest.raises(InputError, match=r"C_\w+_1: IPE400 is of class 4 under its forces"):
+        elastic_design(heavy)
+    analysis = ElasticAnalysis(heavy)
+    design = analysis.design()
+    assert {design.frame.members[number].group for number in design.members.slender} == {"C1"}
+    assert np.isinf(np.nanmax(design.members.utilisation[list(design.members.slender)], axis=1)).all()
+    assert not analysis.design({"C1": "HEB600"}).members.slender
+
+
+def test_choices_are_those_of_enumeration() -> None:
+    """Of 20 small problems all optima; the loop was proven by enumeration on 80 larger ones (the study below)."""
+    with one_thread():
+        for seed in range(20):
+            file = random_frames(seed, 4, 3)
+            best = enumerated(file)
+            if best is None:
+                with pytest.raises(InputError, match="no sections of the lists were found that meet all checks"):
+                    select_sections(file)
+            else:
+                found = select_sections(file)
+                assert found.certified and found.mass == pytest.approx(best.mass, rel=1e-9), seed
+
+
+@pytest.mark.study
+def test_choices_of_eighty_frames_are_those_of_enumeration() -> None:
+    """Four groups of nine sections: at least 78 of 80 optima, none more than 1.7 % heavier.
+
+    These are the figures of an independent prototype of the loop. Seen: 80 of 80.
+    """
+    gaps = []
+    with one_thread():
+        for seed in range(80):
+            file = random_frames(seed, 9, 4)
+            best = enumerated(file)
+            assert best is not None
+            gaps.append(select_sections(file).mass / best.mass - 1.0)
+    assert sum(gap < 1e-9 for gap in gaps) >= 78
+    assert max(gaps) <= 0.017
+
+
+def test_no_exchange_of_a_certified_choice_is_lighter_and_meets_the_checks() -> None:
+    with one_thread():
+        file = parse_building(TEXT, "building.yaml", BuildingSections())
+        analysis = ElasticAnalysis(file)
+        evaluate = Evaluator(analysis, groups_of(analysis))
+        search = Search(evaluate, column_order(analysis.frame, evaluate.groups), 10_000)
+        found = search.run(2)
+        assert found.certified and found.best.met
+        count = evaluate.count
+        assert all(not evaluate(choice).met for choice in search.lighter(found.best.choice))
+        assert evaluate.count == count  # the search has analysed them all
+
+
+def test_a_search_is_repeatable() -> None:
+    file = parse_building(TEXT, "building.yaml", BuildingSections())
+    lines: list[list[str]] = [[], []]
+    one, other = (select_sections(file, told.append) for told in lines)
+    assert lines[0] == lines[1] and one.evaluations == other.evaluations
+    assert one.building.text == other.building.text
+
+
+def test_the_design_of_a_selection_is_that_of_its_file() -> None:
+    found = select_sections(parse_building(TEXT, "building.yaml", BuildingSections()))
+    compared(found.design, elastic_design(parse_building(found.building.text, "b.yaml", BuildingSections())))
+    steel = sum(row.mass for row in found.groups)
+    assert found.mass == pytest.approx(steel, rel=1e-12)
+    assert all(row.governing.utilisation <= 1.0 for row in found.groups)
+    assert {row.group.name: row.held_by for row in found.groups}["BY"] == "the lightest of its list"
+    assert {rule.clause for rule in found.not_met} <= {"6.7.3(2)", "6.7.3(8)"}
+
+
+def test_the_interior_frame_of_the_thesis_by_strength_is_no_heavier_than_an_independent_loop_finds_it() -> None:
+    """41.3 t a frame by an independent numpy loop: strength and capacity alone, without second-order effects."""
+    file = parse_building(INTERIOR, "building.yaml", BuildingSections())
+    file = file.with_values(
+        {
+            "design.drift": "none",
+            "design.second_order": "none",
+            "design.select.leave_out": ["6.7.3(2)", "6.7.3(8)", "4.4.2.2(3)"],
+            "design.select.starts": 1,
+        }
+    )
+    found = select_sections(file)
+    assert sum(row.mass for row in found.groups if len(row.group.sections) > 1) / 2.0 <= 41.3e3
+
+
+@pytest.mark.study
+def test_the_interior_frame_of_the_thesis_by_all_of_ec8() -> None:
+    """54.4 t a frame by the independent loop, whose sections miss sum M_Rc / sum M_Rb here: 1.28 for 1.3.
+
+    The lightest of 8790 choices around them that meet all checks, by enumeration, weighs 54.450 t.
+    """
+    found = select_sections(parse_building(INTERIOR, "building.yaml", BuildingSections()))
+    frame = sum(row.mass for row in found.groups if len(row.group.sections) > 1) / 2.0
+    assert frame == pytest.approx(54.450e3, abs=1.0)
+
+
+# --- what is told
+
+
+def test_what_stands_in_the_way_is_told() -> None:
+    file = changed(TEXT, ("beams: [IPE]", "beams: [IPE200, IPE220]"))
+    with pytest.raises(InputError) as error:
+        select_sections(file)
+    said = str(error.value)
+    assert said.startswith(
+        "building.yaml:30:5: design.select: no sections of the lists were found that meet all checks"
+    )
+    assert "in the way: B1: M_Y" in said and "B1 has IPE220, the heaviest of its list" in said
+
+
+def test_sections_of_too_high_a_class_are_left_out_by_name() -> None:
+    lines: list[str] = []
+    select_sections(changed(TEXT, ("D: [SHS150x8]", "D: [SHS200x5, SHS150x8]")), lines.append)
+    assert lines[0] == "group D: left out for their class: SHS200x5"
+
+
+def test_wrong_lists_are_told_at_their_place() -> None:
+    with pytest.raises(
+        InputError, match=r"building.yaml:31:17: design.select.lists.columns: there is no section .*HEBB"
+    ):
+        select_sections(changed(TEXT, ("columns: [HEB]", "columns: [HEBB]")))
+    with pytest.raises(InputError, match="design.select.lists.groups.D: `CHS` has no list of sizes"):
+        select_sections(changed(TEXT, ("D: [SHS150x8]", "D: [CHS]")))
+    with pytest.raises(FileProblems, match="there is no group `DD`; did you mean `D`?"):
+        changed(TEXT, ("D: [SHS150x8]", "DD: [SHS150x8]"))
+    with pytest.raises(FileProblems, match="largest_depth.beam: there is no group `beam`; did you mean `beams`?"):
+        changed(TEXT, ("leave_out:", "largest_depth: {beam: 400 mm}\n    leave_out:"))
+    with pytest.raises(InputError, match="group D has no section left; of a class above 1 are `SHS200x5`"):
+        select_sections(changed(TEXT, ("D: [SHS150x8]", "D: [SHS200x5]")))
+    with pytest.raises(InputError, match="all larger than those of the group below"):
+        select_sections(changed(TEXT, ("groups: {BY", "groups: {C1: [HEB200], C2: [HEB300], BY")))
+
+
+def test_beams_are_no_deeper_than_the_file_allows() -> None:
+    found = select_sections(changed(TEXT, ("leave_out:", "largest_depth: {beams: 290 mm}\n    leave_out:")))
+    whole = select_sections(parse_building(TEXT, "building.yaml", BuildingSections()))
+    assert max(steel_section(row.after).h for row in whole.groups if row.group.kind == "beam") > 0.29
+    assert max(steel_section(row.after).h for row in found.groups if row.group.kind == "beam") <= 0.29
+    assert found.mass > whole.mass
+
+
+def test_a_budget_of_evaluations_ends_the_search_with_what_it_has() -> None:
+    whole = select_sections(parse_building(TEXT, "building.yaml", BuildingSections()))
+    found = select_sections(changed(TEXT, ("leave_out:", f"evaluations: {whole.evaluations // 2}\n    leave_out:")))
+    assert not found.certified and found.mass >= whole.mass
+    with pytest.raises(InputError, match="its evaluations are used up; allow more by `evaluations`"):
+        select_sections(changed(TEXT, ("leave_out:", "evaluations: 2\n    leave_out:")))
+
+
+# --- the command
+
+
+@pytest.fixture
+def file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    path = tmp_path / "building.yaml"
+    path.write_text(TEXT)
+    return path
+
+
+def test_design_writes_a_file_that_runs_and_passes(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["design", "building.yaml", "--output", "new.yaml"]) == 0
+    said = capsys.readouterr()
+    assert "start 1: all checks met with" in said.err
+    assert "What holds each group up" in said.out
+    assert "certificate: no single and no double exchange of sections is lighter and meets all checks" in said.out
+    assert said.out.splitlines()[-1] == "new.yaml written. Next: edesign run new.yaml"
+    lines = Path("new.yaml").read_text().splitlines()
+    assert lines[0].startswith("# Written by edesign ") and ' from "building.yaml"; ' in lines[0]
+    assert lines[1].startswith("# Sections chosen: ") and lines[1].endswith(" designs analysed.")
+    for old, new in zip(TEXT.splitlines(), lines[2:], strict=True):
+        assert old == new or ("section: " in old and old.split("section: ")[0] == new.split("section: ")[0])
+    assert main(["check", "new.yaml"]) == 0
+
+
+def test_design_writes_nothing_where_it_fails(file: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file.write_text(TEXT.replace("beams: [IPE]", "beams: [IPE200]"))
+    assert main(["design", "building.yaml", "--quiet"]) == 2
+    said = capsys.readouterr()
+    assert said.out == "" and "in the way: B1" in said.err and "Traceback" not in said.err
+    assert not Path("designed.yaml").exists()
+    Path("designed.yaml").write_text("mine\n")
+    assert main(["design", "building.yaml", "--quiet"]) == 2
+    assert "edesign did not write this file" in capsys.readouterr().err
+
+
+def test_an_interrupted_design_leaves_nothing(file: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    def stop(self: Evaluator, choice: tuple[int, ...]) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Evaluator, "__call__", stop)
+    assert main(["design", "building.yaml"]) == 130
+    assert [path.name for path in file.parent.iterdir()] == ["building.yaml"]
