@@ -5,8 +5,8 @@ from __future__ import annotations
 from itertools import product
 
 import numpy as np
-from edesign.building.building_sections import BuildingSections
 
+from edesign.building.building_sections import BuildingSections
 from edesign.project.building import Building, parse_building
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.evaluate import Evaluation, Evaluator
@@ -47,7 +47,7 @@ design:
       columns: [{columns}]
       beams: [{beams}]
       groups: {{BY: [HEA160], D: [SHS150x8]}}
-    leave_out: [6.7.3(2), 6.7.3(8)]
+    leave_out: [6.7.3(1), 6.7.3(2), 6.7.3(8)]
 """
 """Frames along x with two groups of columns and one or two of beams; what stands along y is given."""
 
@@ -143,6 +143,6 @@ design:
   drift: {limit: ductile, nu: 0.5}
   select:
     lists: {groups: {CE: [HEM300], BE: [IPE200], BY: [HEA160], D: [SHS200x12.5]}}
-    leave_out: [6.7.3(2), 6.7.3(8)]
+    leave_out: [6.7.3(1), 6.7.3(2), 6.7.3(8)]
 """
 """Finding 8 of the design document: 90 t a floor and frame; the pinned bays at both ends carry the braces along y."""

@@ -50,7 +50,9 @@ def run(
             raise InputError("--only, --folder and --scheduler are for projects and studies, not for a building")
         _run_building(project, archive, overwrite, check, quiet)
     else:
-        _run_analyses(project, kind == "study", archive, only, folder, fresh, overwrite, workers, backend, scheduler, quiet)
+        _run_analyses(
+            project, kind == "study", archive, only, folder, fresh, overwrite, workers, backend, scheduler, quiet
+        )
 
 
 def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool, quiet: bool) -> None:

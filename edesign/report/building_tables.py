@@ -29,8 +29,8 @@ def building_tables(archive: Archive) -> list[Table]:
     tables += [_criteria(archive.group(f"{PLACE}/criteria"))]
     members, rows = archive.group(f"{PLACE}/members"), archive.group(f"{PLACE}/combinations")
     tables += [_groups(members), _combinations(rows)]
-    verdict = "all checks and rules are met" if summary.attributes["passed"] else _failures(members, archive)
-    tables.append(Table("Verdict", notes=[verdict, *map(str, _list(summary.attributes.get("notes")))]))
+    verdict = ["all checks and rules are met"] if summary.attributes["passed"] else _failures(members, archive)
+    tables.append(Table("Verdict", notes=[*verdict, *map(str, _list(summary.attributes.get("notes")))]))
     return tables
 
 
@@ -38,7 +38,7 @@ def building_summary(archive: Archive) -> dict[str, object]:
     """Return the results of a building for JSON, SI units: modes, base shears, storeys, rules, groups, verdict."""
     summary = archive.group(PLACE)
     modes, members = archive.group(f"{PLACE}/modes"), archive.group(f"{PLACE}/members")
-    found: dict[str, object] = dict(summary.attributes)
+    found: dict[str, object] = dict(summary.attributes) | {"passed": bool(summary.attributes["passed"])}
     found["modes"] = [
         {
             "period_s": float(modes.variables["period"].values[k]),
@@ -71,6 +71,7 @@ def building_summary(archive: Archive) -> dict[str, object]:
             "group": worst.group,
             "section": worst.section,
             "utilisation": _finite(worst.utilisation),
+            "passed": not worst.utilisation > 1.0,
             "check": worst.check,
             "clause": worst.clause,
             "member": worst.member,
@@ -211,16 +212,12 @@ def _combinations(group: Group) -> Table:
     return table
 
 
-def _failures(members: Group, archive: Archive) -> str:
+def _failures(members: Group, archive: Archive) -> list[str]:
     over = [worst for worst in _worst_of_groups(members) if worst.utilisation > 1.0]
     rules = archive.group(f"{PLACE}/criteria").variables
     broken = [str(rules["text"].values[k]) for k in np.flatnonzero(rules["passed"].values == 0)]
-    parts = []
-    if over:
-        parts.append(f"groups that fail: {', '.join(f'{worst.group} ({worst.utilisation:.2f})' for worst in over)}")
-    if broken:
-        parts.append(f"rules that are not met: {'; '.join(broken)}")
-    return "; ".join(parts)
+    found = [f"not met: {worst.group} {worst.section}: {worst.check} {worst.utilisation:.3f}" for worst in over]
+    return found + [f"not met: {rule}" for rule in broken]
 
 
 def _finite(value: float) -> float | None:

@@ -27,6 +27,7 @@ from edesign.space.response import AXES, Axis
 from edesign.space.storeys import Storeys
 
 MOMENT_FRAME = "moment_frame"
+_PATTERNS = {"cross": "x", "chevron": "v", "v": "v"}  # words of EN 1998-1, 6.7.3, for those of the file
 
 
 def design_of(building: Building) -> Design:
@@ -57,7 +58,7 @@ def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: f
     Source: EN 1998-1:2004, 6.3.2, Table 6.2.
     """
     design = design_of(building)
-    default = alpha_ratio(system.type, building.n_storeys, building.n_bays(axis))
+    default = alpha_ratio(system.type, building.n_storeys, building.n_bays(axis), design.regular_in_plan)
     return behaviour_factor(
         system.type,
         design.ductility_class,
@@ -181,8 +182,11 @@ def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overst
         return []
     members = [frame.members[n] for n in overstrength.members]
     slender = brace_slenderness(building, frame, overstrength.members)
-    worst_of = int(slender.argmax())
-    found = [slenderness(float(slender[worst_of]), "diagonal", frame.n_floors, members[worst_of].name)]
+    of_braces = [
+        slenderness(float(value), _PATTERNS.get(member.bracing, "diagonal"), frame.n_floors, member.name)
+        for value, member in zip(slender, members, strict=True)
+    ]
+    found = [max(of_braces, key=lambda rule: (rule.passed is False, rule.value or 0.0))]
     if frame.n_floors > FEW_STOREYS:
         excess = float(overstrength.ratios.max()) / overstrength.Omega - 1.0
         detail = f"Omega from {overstrength.Omega:.3g} to {overstrength.ratios.max():.3g}"

@@ -3,22 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
 from edesign.building.steel_section import steel_section
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.criterion import Criterion
+from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.ec8.national import ActionFactors, NationalParameters, Psi, national_parameters
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
+from edesign.core.errors import CoreError
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
+from edesign.project.building.members import CHEVRONS
 from edesign.project.hazard import Hazard
 from edesign.space.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
 from edesign.space.criteria import (
@@ -36,9 +39,9 @@ from edesign.space.effects import Effects, effects, largest
 from edesign.space.frame import LoadCase, Member, SpaceFrame
 from edesign.space.geometry import space_frame
 from edesign.space.load_cases import SELF_WEIGHT, self_weight
-from edesign.space.masses import node_masses
+from edesign.space.masses import node_masses, psi_2
 from edesign.space.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
-from edesign.space.model import member_properties, space_model
+from edesign.space.model import diaphragm_floors, member_properties, space_model
 from edesign.space.response import (
     AXES,
     Axis,
@@ -105,14 +108,15 @@ def elastic_design(building: Building) -> ElasticDesign:
 
     Raises:
         InputError: a block is missing, a behaviour factor or a mode is out of its range.
-        CoreError: the structure is a mechanism.
+        InputError: the structure is a mechanism.
     """
     found = ElasticAnalysis(building).design()
     if found.members.slender:
         member = found.frame.members[found.members.slender[0]]
         raise InputError(
-            f"{building.path}: {member.name}: {member.section} is of class 4 under its forces, and effective sections "
-            f"(EN 1993-1-5) are not in the checks; choose a section of class {LARGEST_CLASS} or less"
+            f"{building.path}: {member.name}: {member.section} of {member.material} is of class 4 under its forces, "
+            "and effective sections (EN 1993-1-5) are not in the checks; choose a section of class "
+            f"{LARGEST_CLASS} or less"
         )
     return found
 
@@ -135,8 +139,8 @@ class ElasticAnalysis:
         fundamental, seismic: combinations of actions.
 
     Raises:
-        InputError: a block is missing, a behaviour factor is out of its range.
-        CoreError: the structure is a mechanism.
+        InputError: a block is missing, a behaviour factor is out of its range, a key asks for what is not done, a
+            direction has nothing that dissipates energy, or the structure is a mechanism.
     """
 
     def __init__(self, building: Building) -> None:
@@ -149,14 +153,18 @@ class ElasticAnalysis:
             raise InputError(
                 f"{building.path}: masses: the seismic action needs masses; docs/building_file.md explains them"
             )
-        self._model = space_model(self.frame, building.materials)
-        self._properties = member_properties(self.frame, building.materials)
+        try:
+            self._models = [space_model(self.frame, building.materials, gravity) for gravity in (False, True)]
+        except CoreError as error:
+            raise InputError(f"{building.path}: {error}") from error
+        self._properties = [member_properties(self.frame, building.materials, gravity) for gravity in (False, True)]
         system = {axis: system_of(self._design, axis) for axis in AXES}
         low = self._national.low_ductility_q
         self.q_limit = {axis: largest_q(building, system[axis], axis, low) for axis in AXES}
         self.q = {axis: self.q_limit[axis] if (q := system[axis].q) == "table" else float(q) for axis in AXES}
         self.dissipative = {axis: dissipative_members(self.frame, axis, system[axis].type) for axis in AXES}
-        self.members = MemberChecker(building, self.frame, self.dissipative, self._design.overstrength)
+        self._refuse()
+        self.members = MemberChecker(building, self.frame, self.dissipative, self.q)
         self._elastic = elastic_spectrum(hazard, self._design.level or next(iter(hazard.levels), None))
         cases = {name: case.category for name, case in _with_joined_cases(self.frame).cases.items()}
         psi = _psi(building, self._national)
@@ -168,6 +176,22 @@ class ElasticAnalysis:
         for number, member in enumerate(self.frame.members):
             self._groups.setdefault(member.group, []).append(number)
         self._variants: dict[tuple[str, str], list[Member]] = {}
+
+    def _refuse(self) -> None:
+        """Refuse what would be passed over, and a system of which the building has nothing."""
+        file, members = self.building.path, self._design.members
+        undone = {
+            "design.members.yield_by_thickness: true": members.yield_by_thickness,
+            "design.members.interaction: annex_a": members.interaction != "annex_b",
+            "loads.live_load_reduction: true": self.building.loads.live_load_reduction,
+        }
+        if asked := [key for key, wanted in undone.items() if wanted]:
+            raise InputError(f"{file}: {asked[0]}: this is not in the analysis yet; leave it out")
+        for axis in AXES:
+            kind = system_of(self._design, axis).type
+            if not self.dissipative[axis].size:
+                what = "beam along it has a stiff end" if kind == MOMENT_FRAME else "bay along it is braced"
+                raise InputError(f"{file}: design.systems.{axis}.type: `{kind}`, but no {what}")
 
     def steel_mass(self) -> float:
         """Return the mass of the members of the file, kg."""
@@ -214,10 +238,12 @@ class ElasticAnalysis:
         """
         building, design = self.building, self._design
         frame = self.frame_with(sections) if sections else self.frame
-        model = self._with_sections(frame)
+        model, gravity_model = self._with_sections(frame)
         frame = _with_joined_cases(frame)
-        modes = model.modes(frame.node_mass, None if design.modes == "auto" else design.modes)
-        static = static_response(model, frame)
+        modes = model.modes(frame.node_mass)
+        if design.modes != "auto":
+            modes = _first(modes, design.modes, building)
+        static = static_response(gravity_model, frame)
         response = {
             axis: seismic_response(
                 model,
@@ -273,16 +299,49 @@ class ElasticAnalysis:
             members=checked,
             joints=tuple(joint for of_axis in of_joints.values() for joint in of_axis),
             criteria=tuple(criteria),
-            notes=tuple(_notes(response, of_storeys)),
+            notes=tuple([*_notes(response, of_storeys), *self._limits(frame)]),
         )
 
-    def _with_sections(self, frame: SpaceFrame) -> SpaceModel:
-        """Return the model with the sections of a frame."""
-        properties = member_properties(frame, self.building.materials)
-        if (changed := np.flatnonzero((properties != self._properties).any(axis=1))).size:
-            self._model.change_sections(changed, properties[changed])
-            self._properties = properties
-        return self._model
+    def _limits(self, frame: SpaceFrame) -> list[str]:
+        """Return what the analysis leaves out of this building, a sentence each."""
+        found = []
+        if self._design.accidental_torsion and not diaphragm_floors(frame):
+            found.append("accidental torsion is left out: no floor is rigid, and its moments act on rigid floors")
+        if not frame.in_compression.all():
+            found.append(
+                "columns and beams beside braces that count in tension only have the forces of two equal diagonals; in "
+                "the storey of a brace half of its vertical component is missing in the column at its head"
+            )
+        if any(member.bracing in CHEVRONS for member in frame.members):
+            found.append(
+                "beams that chevrons meet are not checked for the force of a tension brace beside a buckled one (EN "
+                "1998-1, 6.7.4(2)b)"
+            )
+        return found
+
+    def _with_sections(self, frame: SpaceFrame) -> list[SpaceModel]:
+        """Return the models for earthquakes and for gravity with the sections of a frame."""
+        for number, model in enumerate(self._models):
+            properties = member_properties(frame, self.building.materials, gravity=number == 1)
+            if (changed := np.flatnonzero((properties != self._properties[number]).any(axis=1))).size:
+                model.change_sections(changed, properties[changed])
+                self._properties[number] = properties
+        return self._models
+
+
+def _first(modes: SpaceModes, count: int, building: Building) -> SpaceModes:
+    """Return the first modes; with some mass in both directions, or there is nothing to design for."""
+    there = modes.period.size
+    if count > there:
+        raise InputError(f"{building.where('design', 'modes')}: design.modes: {count} modes, the building has {there}")
+    mass = modes.effective_mass_ratio[:count, :2].sum(axis=0)
+    if mass.min() < LARGE_MODE:
+        sums = ", ".join(f"{share:.1%} along {axis}" for axis, share in zip(AXES, mass, strict=True))
+        raise InputError(
+            f"{building.where('design', 'modes')}: design.modes: the first {count} modes have {sums} of the mass; take "
+            "more, or `auto`"
+        )
+    return replace(modes, **{field.name: getattr(modes, field.name)[:count] for field in fields(modes)})
 
 
 def _hazard(building: Building) -> Hazard:
@@ -323,12 +382,9 @@ def _psi(building: Building, national: NationalParameters) -> dict[str, Psi]:
     psi = dict(national.psi)
     masses = building.masses
     if masses is not None and masses.from_loads is not None:
-        for category in psi:
+        for category in {load.category for load in building.loads.items if load.category is not None}:
             known = psi[category]
-            try:
-                psi[category] = Psi(known.psi_0, known.psi_1, masses.from_loads.psi_2(category))
-            except KeyError:  # no load of this category
-                continue
+            psi[category] = Psi(known.psi_0, known.psi_1, psi_2(building, category))
     return psi
 
 

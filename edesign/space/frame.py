@@ -36,6 +36,7 @@ class Member:
         web: direction of local z, (3,), of length 1, at right angles to the member.
         ends: rotational stiffness (about y at start, z at start, y at end, z at end), N m/rad; `RIGID`, or 0 for a pin.
         axial_only: pinned about all axes at both ends, without bending.
+        bracing: of a brace the kind that the file gives: `alternating`, `rising`, `falling`, `cross`, `chevron`, `v`.
         compression: whether it counts in compression; diagonals of EN 1998-1, 6.7.2(2)P do not.
         storey: 1 at the bottom; of a beam that of the storey below its floor.
         frame: plane frames that it stands in: `X2` along x on line 2, `YA` along y on line A; a column is in two.
@@ -52,6 +53,7 @@ class Member:
     web: tuple[float, float, float]
     ends: tuple[float, float, float, float] = (RIGID, RIGID, RIGID, RIGID)
     axial_only: bool = False
+    bracing: str = ""
     compression: bool = True
     storey: int = 0
     frame: tuple[str, ...] = ()

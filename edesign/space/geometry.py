@@ -169,6 +169,7 @@ def _brace(place: BracePlace, run: BraceRun, way: str, start: int, end: int, coo
         web=(float(web[0]), float(web[1]), float(web[2])),
         ends=(0.0, 0.0, 0.0, 0.0),
         axial_only=True,
+        bracing=run.kind,
         compression=run.in_compression,
         storey=place.storey,
         frame=(frame_name(place.along, place.frame),),

@@ -4,12 +4,26 @@ from __future__ import annotations
 
 import numpy as np
 
+from edesign.codes.ec8.national import national_parameters
 from edesign.errors import InputError
 from edesign.project.building.building import Building
 from edesign.project.building.names import node_name
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.space.frame import SpaceFrame
 from edesign.space.load_cases import on_nodes
+
+
+def psi_2(building: Building, category: str) -> float:
+    """Return psi_2 of a category of loads: that of `masses.from_loads`, otherwise that of the country.
+
+    Source: EN 1990, Table A1.1.
+    """
+    masses = building.masses
+    given = masses.from_loads.psi_2(category) if masses is not None and masses.from_loads is not None else None
+    if given is not None:
+        return given
+    country = building.hazard.country if building.hazard is not None else None
+    return national_parameters(country).psi[category].psi_2
 
 
 def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:
@@ -41,7 +55,7 @@ def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:
         return found
     for case in frame.cases.values():
         permanent = case.category == "permanent"
-        factor = masses.from_loads.G if permanent else masses.phi * masses.from_loads.psi_2(case.category)
+        factor = masses.from_loads.G if permanent else masses.phi * psi_2(building, case.category)
         found -= factor * on_nodes(frame, case)[:, 2] / STANDARD_GRAVITY
     found[frame.coordinates[:, 2] == 0.0] = 0.0
     if (found < 0.0).any():

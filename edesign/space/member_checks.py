@@ -80,15 +80,15 @@ class MemberChecker:
         building: with the materials and the block `design`.
         frame: its members; their sections may change from check to check, their places may not.
         dissipative: numbers of the dissipative members of both directions.
-        gamma_ov: material overstrength factor.
+        q: behaviour factors.
     """
 
     def __init__(
-        self, building: Building, frame: SpaceFrame, dissipative: Mapping[Axis, np.ndarray], gamma_ov: float
+        self, building: Building, frame: SpaceFrame, dissipative: Mapping[Axis, np.ndarray], q: Mapping[Axis, float]
     ) -> None:
         self._building = building
         self._design = design_of(building)
-        self._gamma_ov = gamma_ov
+        self._q = q
         self._masks = _masks(frame, self._design, dissipative)
         roles = [_role(self._design, *of) for of in zip(frame.members, frame.length.tolist(), strict=True)]
         self._roles = list(dict.fromkeys(roles))
@@ -112,7 +112,7 @@ class MemberChecker:
             fundamental, seismic: combinations for persistent and for seismic design situations.
             overstrength: Omega of both directions.
         """
-        amplified = amplified_combinations(self._design, seismic, overstrength, self._gamma_ov)
+        amplified = amplified_combinations(self._design, seismic, overstrength, self._q)
         rows = (*fundamental, *seismic, *amplified)
         counts = len(fundamental), len(seismic), len(amplified)
         found, slender = self._checked(frame, effects, rows, counts)
@@ -218,17 +218,21 @@ def _spectral(effects: Effects, rows: Sequence[Combination]) -> tuple[np.ndarray
 
 
 def amplified_combinations(
-    design: Design, seismic: Sequence[Combination], overstrength: Mapping[Axis, Overstrength], gamma_ov: float
+    design: Design,
+    seismic: Sequence[Combination],
+    overstrength: Mapping[Axis, Overstrength],
+    q: Mapping[Axis, float],
 ) -> tuple[Combination, ...]:
     """Return the seismic combinations with 1.1 gamma_ov Omega on the seismic effects; none in ductility class low.
 
-    An Omega below 1, of a dissipative member that fails its own check, counts as 1.
+    An Omega below 1, of a dissipative member that fails its own check, counts as 1. More than the effects of the
+    elastic spectrum, q times those of the design spectrum, cannot come: the factor is at most q.
 
     Source: EN 1998-1:2004, 6.6.3(1)P, Eq. 6.6; 6.7.4(1), Eq. 6.12.
     """
     if design.ductility_class == "low":
         return ()
-    factor = {axis: 1.1 * gamma_ov * max(overstrength[axis].Omega, 1.0) for axis in AXES}
+    factor = {axis: min(1.1 * design.overstrength * max(overstrength[axis].Omega, 1.0), q[axis]) for axis in AXES}
     found = []
     for row in seismic:
         x, y, z = row.seismic
@@ -246,9 +250,11 @@ def _masks(frame: SpaceFrame, design: Design, of_axes: Mapping[Axis, np.ndarray]
     dissipative = {int(number) for axis in AXES for number in of_axes[axis]}
     frames = any(system_of(design, axis).type == MOMENT_FRAME for axis in AXES)
     for number, member in enumerate(frame.members):
-        of_kind = usual[member.kind] if member.compression else mask(Check.N)
+        of_kind = usual[member.kind]
         dissipates = number in dissipative
         masks[number, PERSISTENT] = of_kind
+        if not member.compression:
+            of_kind = mask(Check.N)  # in tension; the diagonal of the pair in compression is not there
         masks[number, SEISMIC if dissipates or not capacity else CAPACITY] = of_kind
         if capacity and dissipates and member.kind == "beam":
             masks[number, SEISMIC] |= mask(*BEAM_CHECKS)
@@ -264,13 +270,13 @@ class _Role:
     Attributes:
         kind: column, beam or brace.
         length: m.
-        hinged: a beam that passes moments on at an end.
+        hinges: at how many ends a beam passes moments on.
         sways_y, sways_z: a column that bends about this axis in a moment frame.
     """
 
     kind: str
     length: float
-    hinged: bool
+    hinges: int
     sways_y: bool
     sways_z: bool
 
@@ -278,8 +284,8 @@ class _Role:
 def _role(design: Design, member: Member, length: float) -> _Role:
     sway = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
     about = {bends_about_y(member, axis) for axis in sway} if member.kind == "column" else set()
-    hinged = member.kind == "beam" and max(member.ends) > 0.0
-    return _Role(member.kind, length, hinged, True in about, False in about)
+    hinges = sum(stiffness > 0.0 for stiffness in (member.ends[0], member.ends[2])) if member.kind == "beam" else 0
+    return _Role(member.kind, length, hinges, True in about, False in about)
 
 
 @cache
@@ -315,7 +321,7 @@ def _constants(design: Design, section: SteelSection, steel: Steel, plastic: boo
             twists=not (role.kind == "beam" and restrained),
         ),
         LARGEST_PLASTIC_CLASS if plastic else LARGEST_CLASS,
-        V_M=float(hinge_shear(M_pl, M_pl, role.length)) if role.hinged else 0.0,
+        V_M=0.5 * role.hinges * float(hinge_shear(M_pl, M_pl, role.length)),
         modulus=steel.E,
         shear_modulus=steel.E / (2.0 * (1.0 + steel.nu)),
         gamma_M0=factors.M0,

@@ -13,9 +13,15 @@ from edesign.space.frame import NO_DIAPHRAGM, SpaceFrame
 
 TENSION_ONLY_SHARE = 0.5
 """Share of its area that a brace has in the model if it does not count in compression."""
+GRAVITY_SHARE = 1e-3
+"""Share of its area that a brace has under gravity: it then carries a thousandth of what it would by its own stiffness.
+
+Source: EN 1998-1:2004, 6.7.2(1)P: under gravity only beams and columns resist. Floors still need something that holds
+them where all beams of a direction are pinned.
+"""
 
 
-def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel:
+def space_model(frame: SpaceFrame, materials: Mapping[str, Steel], gravity: bool = False) -> SpaceModel:
     """Return the model of a frame; the master of each rigid floor is at the centre of its mass.
 
     Braces that do not count in compression come in pairs, of which one is in tension. In a linear model each has half
@@ -24,13 +30,14 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel
     Args:
         frame: of a building.
         materials: of the file, by name.
+        gravity: braces hold the floors in place and carry nothing else, `GRAVITY_SHARE` of their area.
 
     Raises:
         CoreError: the structure is a mechanism, or is not connected to its supports.
     """
     members = frame.members
     start, end = frame.ends
-    properties = dict(zip(PROPERTIES, member_properties(frame, materials).T, strict=True))
+    properties = dict(zip(PROPERTIES, member_properties(frame, materials, gravity).T, strict=True))
     return SpaceModel(
         coordinates=frame.coordinates,
         node_floor=_diaphragm_numbers(frame),
@@ -50,8 +57,11 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel]) -> SpaceModel
     )
 
 
-def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel]) -> np.ndarray:
-    """Return the properties of the members in the model, (n_members, 8) in the order of `PROPERTIES`, in SI."""
+def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity: bool = False) -> np.ndarray:
+    """Return the properties of the members in the model, (n_members, 8) in the order of `PROPERTIES`, in SI.
+
+    Arguments are those of `space_model`.
+    """
     pairs, of_members = frame.sections
     table = []
     for name, of in pairs:
@@ -60,6 +70,9 @@ def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel]) -> np.n
         table.append([steel.E, G, *(getattr(section, key) for key in PROPERTIES[2:])])
     found = np.array(table)[of_members]
     found[:, PROPERTIES.index("A")] *= np.where(frame.in_compression, 1.0, TENSION_ONLY_SHARE)
+    if gravity:
+        braces = [member.kind == "brace" for member in frame.members]
+        found[braces, PROPERTIES.index("A")] *= GRAVITY_SHARE
     return found
 
 

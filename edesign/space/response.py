@@ -124,7 +124,9 @@ def seismic_response(
     twist = _accidental_torsion(model, frame, modes, axis, float(storey_shear[0]), torsion)
 
     def drifts(of: np.ndarray) -> np.ndarray:
-        found = combine(drift.T, rho * np.outer(of, of)) + twist.drift
+        base_shear = combine(shear[:, :1].T, rho * np.outer(of, of))[0]
+        torsional = twist.drift * base_shear / storey_shear[0]  # its lateral forces are those of this spectrum
+        found = combine(drift.T, rho * np.outer(of, of)) + torsional
         worst = np.zeros(frame.n_floors)
         np.maximum.at(worst, storey, found)
         return worst

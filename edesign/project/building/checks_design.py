@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from edesign.project.building.building import Building
 from edesign.project.building.design import KINDS, Select
+from edesign.project.building.members import CHEVRONS
 from edesign.project.checks_hazard import check_hazard
 from edesign.project.problems import Keys, Problems, listed, unknown_name
 
@@ -38,6 +39,17 @@ def check_design(building: Building, problems: Problems) -> None:
         if braced != (system.type != "moment_frame"):
             seen = "there are braces" if braced else "no bay is braced"
             message = f"`{system.type}`: along {along} {seen}"
+            problems.at_value(("design", "systems", along, "type"), message)
+            continue
+        kinds = {run.kind for place, run in building.layout.brace_at.items() if place.along == along}
+        chevrons = sorted(kinds & set(CHEVRONS))
+        if system.type == "concentric_diagonal" and chevrons:
+            message = (
+                f"there are braces of kind `{chevrons[0]}` along {along}; with any of them the type is `concentric_v`"
+            )
+            problems.at_value(("design", "systems", along, "type"), message)
+        if system.type == "concentric_v" and not chevrons:
+            message = f"no brace along {along} is a `chevron` or `v`; the type of others is `concentric_diagonal`"
             problems.at_value(("design", "systems", along, "type"), message)
     _select(building, design.select, problems)
 

@@ -44,6 +44,10 @@ def check_loads(building: Building, problems: Problems) -> None:
 
 
 def _category(problems: Problems, keys: Keys, load: Areas | PerimeterLoad | BeamLoad | NodeLoad) -> None:
+    if load.Q < 0.0:
+        problems.at_value(
+            (*keys, "Q"), "a variable load acts downwards, and is at least 0: uplift is not in the analysis"
+        )
     if load.Q != 0.0 and load.category is None:
         message = "this key is missing; a variable load has the category of its use: `A` to `H`, or `snow`"
         problems.under(keys, "category", message)

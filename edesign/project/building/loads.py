@@ -78,15 +78,19 @@ class Loads(Model):
 
 
 class MassCombination(Model):
-    """Factors of G and Q in the masses; that of Q is psi_2, one for all or by categories."""
+    """Factors of G and Q in the masses; that of Q is psi_2, one for all or by categories, by default the country's."""
 
     G: Factor = 1.0
-    Q: Annotated[
-        Annotated[Factor, Tag("?plain")] | Annotated[dict[Category, Factor], Tag("?mapping")], Discriminator(by_shape)
-    ] = 0.3
+    Q: (
+        Annotated[
+            Annotated[Factor, Tag("?plain")] | Annotated[dict[Category, Factor], Tag("?mapping")],
+            Discriminator(by_shape),
+        ]
+        | None
+    ) = None
 
-    def psi_2(self, category: str) -> float:
-        """Return the factor of a category of Q; a mapping names all that the loads have."""
+    def psi_2(self, category: str) -> float | None:
+        """Return the factor of a category of Q, None where the country's holds; a mapping names all that there are."""
         return self.Q[category] if isinstance(self.Q, dict) else self.Q  # type: ignore[index]
 
 

@@ -13,6 +13,7 @@ from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_fram
 from edesign.space.extract.rectangles import plane_name, plane_section, rectangles
 from edesign.space.extract.selections import runs, selection, value
 from edesign.space.load_cases import PERMANENT, SELF_WEIGHT
+from edesign.space.masses import psi_2
 
 LEANING = "leaning"
 """Section of the line of columns that stands for what leans on the frame."""
@@ -230,10 +231,10 @@ class _ProjectText:
         masses = self.building.masses
         if masses is None or masses.from_loads is None:
             return dict.fromkeys(live, 1.0), 0.3, "the building file does not say psi_2"
-        psi_2 = {name: masses.from_loads.psi_2(category) for name, category in live.items()}
-        if len(set(psi_2.values())) <= 1:
-            return dict.fromkeys(live, 1.0), next(iter(psi_2.values()), 0.0), "psi_2"
-        return psi_2, 1.0, "Q is multiplied with psi_2 of its categories"
+        of_cases = {name: psi_2(self.building, category) for name, category in live.items()}
+        if len(set(of_cases.values())) <= 1:
+            return dict.fromkeys(live, 1.0), next(iter(of_cases.values()), 0.0), "psi_2"
+        return of_cases, 1.0, "Q is multiplied with psi_2 of its categories"
 
     def masses(self) -> list[str]:
         found = self.frame.node_mass()

@@ -92,7 +92,17 @@ def test_every_key_is_documented() -> None:
     import edesign.project.reference
     import edesign.project.study  # noqa: F401 - so that what is asked does not depend on the other tests
 
-    pages = ("project_file", "study_file", "damper_design", "assessment", "incremental", "reference_files", "building_file")
+    pages = (
+        "project_file",
+        "study_file",
+        "damper_design",
+        "assessment",
+        "incremental",
+        "reference_files",
+        "building_file",
+        "section_selection",
+        ,
+    )
     text = "".join((THESIS.parents[2] / "docs" / f"{page}.md").read_text(encoding="utf-8") for page in pages)
     waiting, keys = [Model], set()
     while waiting:

@@ -149,7 +149,7 @@ def test_omega_and_joints_by_hand(tmp_path: Path) -> None:
 def test_columns_are_checked_with_amplified_effects(tmp_path: Path) -> None:
     """1.1 gamma_ov Omega in class medium; without it in class low, where the seismic combinations count."""
     medium = design_of(tmp_path)
-    factor = 1.1 * 1.25 * max(medium.overstrength["x"].Omega, 1.0)
+    factor = min(1.1 * 1.25 * max(medium.overstrength["x"].Omega, 1.0), 4.0)  # no more than the elastic spectrum
     amplified = [row for row in medium.combinations if row.name.startswith(f"G + 0.3 Q + {factor:.3g} E_x")]
     assert amplified and amplified[0].seismic[0] == pytest.approx(factor)
     low = design_of(tmp_path, **{"medium": "low", "q: 4": "q: 1.5"})
@@ -196,7 +196,7 @@ def test_a_pair_of_tension_diagonals_is_as_stiff_as_one(tmp_path: Path) -> None:
 
 
 def test_sections_of_class_4_are_refused_by_name(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"column: CHS508x5 of S275 is of class 4 under its forces"):
+    with pytest.raises(InputError, match=r"C_A1_1: CHS508x5.* is of class 4 under its forces"):
         design_of(tmp_path, HEB300="CHS508x5")
 
 
