@@ -101,7 +101,6 @@ def test_every_key_is_documented() -> None:
         "reference_files",
         "building_file",
         "section_selection",
-        ,
     )
     text = "".join((THESIS.parents[2] / "docs" / f"{page}.md").read_text(encoding="utf-8") for page in pages)
     waiting, keys = [Model], set()
