@@ -21,8 +21,8 @@ UP = (1, 2)
 """Sizes that a group goes up in one step, among the heavier sections that are stiffer."""
 DOWN = 3
 """Sizes that a group goes down at most in one step, among all lighter sections and among the stiffest of them."""
-HIGHER = {"column": 2, "beam": 1, "brace": 0}
-"""Sizes by which members of each start stand above those of the one before it: columns above beams."""
+COLUMNS_ABOVE = 2
+"""Sizes by which the columns of each start stand above those of the one before it."""
 Move = tuple[tuple[int, int], ...]
 """Groups with the sizes that they go up or, negative, down."""
 Exchange = tuple[tuple[int, int], ...]
@@ -112,7 +112,7 @@ class Search:
         seen: set[Choice] = set()
         for k in range(starts):
             numbers = [
-                min(number + HIGHER[group.kind] * k, len(group.sections) - 1)
+                min(number + COLUMNS_ABOVE * k * (group.kind == "column"), len(group.sections) - 1)
                 for group, number in zip(self._groups, sized.choice, strict=True)
             ]
             point = self._repaired(numbers)
