@@ -50,9 +50,7 @@ def run(
             raise InputError("--only, --folder and --scheduler are for projects and studies, not for a building")
         _run_building(project, archive, overwrite, check, quiet)
     else:
-        _run_analyses(
-            project, kind == "study", archive, only, folder, fresh, overwrite, workers, backend, scheduler, quiet
-        )
+        _run_analyses(project, kind, archive, only, folder, fresh, overwrite, workers, backend, scheduler, quiet)
 
 
 def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool, quiet: bool) -> None:
@@ -73,7 +71,7 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool
 
 def _run_analyses(
     project: Path,
-    is_study: bool,
+    kind: str,
     archive: Path | None,
     only: list[str] | None,
     folder: list[Path] | None,
@@ -94,7 +92,7 @@ def _run_analyses(
     backend = "dask" if scheduler is not None else backend
     with listener(quiet) as listen:
         how = (archive, listen, workers, only or (), fresh, backend, scheduler, overwrite)
-        if is_study:
+        if kind == "study":
             study = load_study(project)
             summary = run_study(study.of(with_folders(study.base, folder)) if folder else study, *how)
         else:

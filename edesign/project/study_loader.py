@@ -12,22 +12,13 @@ from edesign.project.problems import FileProblems, Problems
 from edesign.project.project import Project
 from edesign.project.sections import Catalogue
 from edesign.project.study import Study
-from edesign.project.yaml_file import check_model, file_kind, read_yaml_text
+from edesign.project.yaml_file import check_model, read_yaml_text
 
 _WHAT, _BEGINS = "study file", "edesign_study: 1"
 
 
 class StudyError(FileProblems):
     """A study file is wrong."""
-
-
-def is_study(path: Path | str) -> bool:
-    """Whether a file is a study rather than a project, by the first of its keys that tells.
-
-    Raises:
-        InputError: it cannot be read.
-    """
-    return file_kind(path) == "study"
 
 
 def load_study(path: Path | str, profiles: Catalogue | None = None) -> Study:

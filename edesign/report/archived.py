@@ -11,9 +11,9 @@ from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.project.study_loader import parse_study
+from edesign.study.building import BUILDING
 
 STUDY = "study"
-BUILDING = "building"
 
 
 def is_study_archive(archive: Archive) -> bool:

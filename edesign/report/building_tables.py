@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.table import Table, number
 from edesign.space.archived import PLACE
 from edesign.space.response import AXES
@@ -130,7 +131,7 @@ def _modes(group: Group) -> Table:
 
 def _base_shear(summary: Group) -> Table:
     of = summary.attributes
-    weight = float(str(of["mass_kg"])) * 9.80665
+    weight = float(str(of["mass_kg"])) * STANDARD_GRAVITY
     table = Table(
         "Seismic action", ("direction", "q", "base shear [kN]", "by weight", "without beta [kN]", "Omega", "of")
     )

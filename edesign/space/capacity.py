@@ -19,6 +19,7 @@ from edesign.codes.ec3.cross_section import (
     moment_resistance_with_axial_force_z,
     web_share,
 )
+from edesign.codes.ec8.capacity import overstrength as strength_over_demand
 from edesign.codes.ec8.strong_column import LEAST_RATIO, is_exempt, strength_ratio
 from edesign.project.building.building import Steel
 from edesign.space.frame import Member, SpaceFrame
@@ -129,7 +130,7 @@ def overstrength(
     else:
         resistance = by_section(frame, materials, lambda of, steel: axial_resistance(of.A, steel.fy, gamma_M0))
         effect = acting[members, :, N].max(axis=1)
-    ratios = resistance[members] / np.maximum(effect, np.finfo(float).tiny)
+    ratios = strength_over_demand(resistance[members], effect)
     least = int(ratios.argmin())
     return Overstrength(axis, members, ratios, float(ratios[least]), frame.members[members[least]].name)
 

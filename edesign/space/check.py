@@ -49,14 +49,9 @@ def check_building(building: Building) -> dict[str, str]:
     }
 
 
-def floor_of_nodes(frame: SpaceFrame) -> np.ndarray:
-    """Return the floor of each node by its level, (n_nodes,); the base is 0."""
-    return np.searchsorted(frame.levels, frame.coordinates[:, 2])
-
-
 def floor_loads(frame: SpaceFrame) -> dict[str, np.ndarray]:
     """Return what each load case brings to the floors, (n_floors + 1,) N downwards, the base first, by case."""
-    floors = floor_of_nodes(frame)
+    floors = frame.level_of_nodes
     return {
         name: np.bincount(floors, -on_nodes(frame, case)[:, 2], minlength=frame.n_floors + 1)
         for name, case in frame.cases.items()
@@ -93,7 +88,7 @@ def _sums(names: list[str], values: tuple[float, ...]) -> str:
 
 def _masses(frame: SpaceFrame) -> str:
     """Mass, its centre and radius of gyration at each floor, and the mass in all."""
-    floors = floor_of_nodes(frame)
+    floors = frame.level_of_nodes
     rows = []
     for floor in range(1, frame.n_floors + 1):
         mass, plan = frame.node_mass[floors == floor], frame.coordinates[floors == floor, :2]

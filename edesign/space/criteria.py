@@ -12,9 +12,10 @@ from edesign.building.steel_section import steel_section
 from edesign.codes.ec3.buckling import critical_force
 from edesign.codes.ec3.buckling import slenderness as flexural_slenderness
 from edesign.codes.ec8.behaviour_factor import alpha_ratio, behaviour_factor, largest_section_class
-from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, asymmetry, slenderness
+from edesign.codes.ec8.concentric_braces import FEW_STOREYS, asymmetry, homogeneity, slenderness
 from edesign.codes.ec8.criterion import Criterion, at_least, at_most
 from edesign.codes.ec8.modal_combination import check_modes
+from edesign.codes.ec8.regularity import IRREGULAR_Q
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.core.space_modes import SpaceModes
@@ -113,7 +114,7 @@ def allowed_class(design: Design, q: float, limit: float) -> int:
         design: block of the file.
         q, limit: behaviour factor of a direction and its upper limit.
     """
-    reference = limit if design.regular_in_elevation else limit / 0.8
+    reference = limit if design.regular_in_elevation else limit / IRREGULAR_Q
     return largest_section_class(design.ductility_class, min(q, reference))
 
 
@@ -188,10 +189,7 @@ def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overst
     ]
     found = [max(of_braces, key=lambda rule: (rule.passed is False, rule.value or 0.0))]
     if frame.n_floors > FEW_STOREYS:
-        excess = float(overstrength.ratios.max()) / overstrength.Omega - 1.0
-        detail = f"Omega from {overstrength.Omega:.3g} to {overstrength.ratios.max():.3g}"
-        text = f"overstrength of the diagonals over the least one, direction {axis}"
-        found.append(at_most("6.7.3(8)", text, HOMOGENEITY, excess, detail))
+        found.append(homogeneity(overstrength.ratios, f", direction {axis}"))
     numbers = overstrength.members
     start, end = (nodes[numbers] for nodes in frame.ends)
     rise = frame.coordinates[end, number] - frame.coordinates[start, number]

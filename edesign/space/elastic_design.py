@@ -392,13 +392,13 @@ def _notes(response: Mapping[Axis, SeismicResponse], of_storeys: Mapping[Axis, S
     found = []
     for axis in AXES:
         of = response[axis]
-        if of.base_shear > 1.001 * of.base_shear_without_beta:
+        if of.base_shear > of.base_shear_without_beta:
             found.append(
                 f"beta = {of.spectrum.beta:g} governs the base shear along {axis}: {of.base_shear / 1e3:.0f} kN, "
                 f"without it {of.base_shear_without_beta / 1e3:.0f} kN (EN 1998-1, 3.2.2.5(4)P)"
             )
         table = of_storeys[axis]
-        if table.theta_q.max() > max(NEGLIGIBLE, 1.001 * table.theta.max()):
+        if table.theta_q.max() > NEGLIGIBLE and round(table.theta_q.max(), 2) > round(table.theta.max(), 2):
             found.append(
                 f"theta along {axis} is up to {table.theta_q.max():.2f} with q d_e and {table.theta.max():.2f} with "
                 "the cap of the elastic spectrum (EN 1998-1, 4.3.4(3))"

@@ -19,6 +19,7 @@ from edesign.building.steel_member import Stability, member_constants
 from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec3 import cross_section
 from edesign.codes.ec3.moment_factors import SWAY
+from edesign.codes.ec8.capacity import OVERSTRENGTH
 from edesign.codes.ec8.moment_frames import hinge_shear
 from edesign.codes.en1990.combinations import Combination
 from edesign.core.member_checks import (
@@ -232,7 +233,9 @@ def amplified_combinations(
     """
     if design.ductility_class == "low":
         return ()
-    factor = {axis: min(1.1 * design.overstrength * max(overstrength[axis].Omega, 1.0), q[axis]) for axis in AXES}
+    factor = {
+        axis: min(OVERSTRENGTH * design.overstrength * max(overstrength[axis].Omega, 1.0), q[axis]) for axis in AXES
+    }
     found = []
     for row in seismic:
         x, y, z = row.seismic

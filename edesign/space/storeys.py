@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.codes.ec8.design_displacement import design_displacement
 from edesign.codes.ec8.drift import drift_limit, reduced_drift
-from edesign.codes.ec8.second_order import NEGLIGIBLE, drift_sensitivity
+from edesign.codes.ec8.second_order import LARGEST, NEGLIGIBLE, drift_sensitivity
 from edesign.project.building.design import Design
 from edesign.space.response import Axis, SeismicResponse
 
@@ -61,7 +61,7 @@ def storeys(response: SeismicResponse, height: np.ndarray, gravity: np.ndarray, 
     capped = design_displacement(response.drift, q, response.drift_elastic)
     drift = capped if design.displacement == "elastic_cap" else drift_q
     theta = drift_sensitivity(gravity, drift, response.storey_shear, height)
-    counted = np.where((theta > NEGLIGIBLE) & (design.second_order == "amplify"), np.minimum(theta, 0.3), 0.0)
+    counted = np.where((theta > NEGLIGIBLE) & (design.second_order == "amplify"), np.minimum(theta, LARGEST), 0.0)
     kind = design.drift.limit
     return Storeys(
         axis=response.axis,

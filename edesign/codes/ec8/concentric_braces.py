@@ -124,12 +124,23 @@ def brace_overstrength(N_pl_Rd: ArrayLike, N_Ed: ArrayLike) -> tuple[float, int,
     ratios = np.atleast_1d(overstrength(N_pl_Rd, N_Ed))
     if not ratios.size or not np.isfinite(ratios).all():
         raise InputError("Omega needs diagonals, each with a force in the seismic design situation")
-    least, most = int(np.argmin(ratios)), int(np.argmax(ratios))
-    Omega = float(ratios[least])
-    excess = float(ratios[most]) / Omega - 1.0
-    text = "overstrength of the diagonals over the least one"
-    detail = f"Omega from {Omega:.3g} to {ratios[most]:.3g}"
-    return Omega, least, at_most("6.7.3(8)", text, HOMOGENEITY, excess, detail)
+    least = int(np.argmin(ratios))
+    return float(ratios[least]), least, homogeneity(ratios)
+
+
+def homogeneity(ratios: ArrayLike, where: str = "") -> Criterion:
+    """Check that the overstrength of diagonals exceeds the least one by at most 25 %.
+
+    Args:
+        ratios: (n,) N_pl,Rd / N_Ed.
+        where: for the text, such as `, direction y`.
+
+    Source: EN 1998-1:2004, 6.7.3(8).
+    """
+    values = np.asarray(ratios, dtype=float)
+    Omega, most = float(values.min()), float(values.max())
+    text = f"overstrength of the diagonals over the least one{where}"
+    return at_most("6.7.3(8)", text, HOMOGENEITY, most / Omega - 1.0, f"Omega from {Omega:.3g} to {most:.3g}")
 
 
 def v_brace_forces(

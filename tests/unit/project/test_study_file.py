@@ -17,7 +17,8 @@ from edesign.building.project_file import load_project, load_study
 from edesign.cli.main import main
 from edesign.errors import InputError
 from edesign.project.study import Study
-from edesign.project.study_loader import StudyError, is_study, parse_study
+from edesign.project.study_loader import StudyError, parse_study
+from edesign.project.yaml_file import file_kind
 from edesign.study.check import check_study, check_study_inputs
 from edesign.study.study_plan import make_study_plan
 
@@ -43,7 +44,7 @@ def faults(path: Path) -> list[tuple[str, str]]:
 def test_a_study_that_is_right(tmp_path: Path) -> None:
     path = write(tmp_path)
     study = load_study(path)
-    assert is_study(path) and not is_study(tmp_path / "project.yaml")
+    assert file_kind(path) == "study" and file_kind(tmp_path / "project.yaml") == "project"
     assert len(make_study_plan(study)) == PLANNED
     assert study.archive_path == tmp_path / "out.h5" and study.folder == tmp_path
     assert study.variants["warm"].temperature == 35.0 and study.histories[0].free_vibration == 1.0

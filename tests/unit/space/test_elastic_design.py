@@ -229,3 +229,82 @@ def test_check_ends_with_3_where_a_rule_is_not_met(tmp_path: Path, capsys: pytes
     assert main(["run", str(path), "--quiet"]) == 0
     assert main(["run", str(path), "--quiet", "--check"]) == 3
     assert "not all checks are met" in capsys.readouterr().err
+
+
+BRACED = (
+    TABLE.replace("ends: rigid, group: BY", "ends: pinned, group: BY")
+    .replace("y: {type: moment_frame, q: 4}", "y: {type: concentric_diagonal, q: 4}")
+    .replace(
+        "materials:\n",
+        "braces:\n  - {along: y, frames: all, bays: all, kind: cross, section: SHS100x6, material: S275}\nmaterials:\n",
+    )
+)
+
+
+def test_braces_carry_no_gravity(tmp_path: Path) -> None:
+    """EN 1998-1, 6.7.2(1)P: each of four columns carries a quarter of G, 60 kN.
+
+    Braces have a thousandth of their area in the model for gravity, so their part is below 1e-4 of the load.
+    """
+    found = design_of(tmp_path, BRACED)
+    G = found.effects.static[found.effects.cases.index("G")]
+    for n, member in enumerate(found.frame.members):
+        if member.kind == "column":
+            assert G[n, 0, 0] == pytest.approx(-60e3, rel=2e-4)
+        elif member.kind == "brace":
+            assert np.abs(G[n, :, 0]).max() < 1e-4 * 240e3
+
+
+def test_the_elastic_cap_keeps_accidental_torsion(tmp_path: Path) -> None:
+    """On the plateau S_e = q S_d, so q d_e is the elastic drift, with the part of torsion too (4.3.4(3); 1e-9)."""
+    slight = BRACED.replace("SHS100x6", "SHS60x4")
+    found = design_of(tmp_path, slight, none="5 %")
+    along_y = found.modes.effective_mass_ratio[:, 1] > 1e-9
+    assert ((found.modes.period[along_y] > 0.15) & (found.modes.period[along_y] < 0.5)).all()  # T_B and T_C of ground B
+    of, table = found.response["y"], found.storeys["y"]
+    assert of.drift[0] > design_of(tmp_path, slight).response["y"].drift[0] * 1.01
+    assert of.drift_elastic[0] == pytest.approx(4.0 * of.drift[0], rel=1e-9)
+    assert table.drift[0] == pytest.approx(table.drift_q[0], rel=1e-9)
+
+
+def test_the_amplified_effect_is_at_most_the_elastic_one(tmp_path: Path) -> None:
+    found = design_of(tmp_path)
+    assert 1.1 * 1.25 * found.overstrength["x"].Omega > 4.0
+    assert max(abs(row.seismic[0]) for row in found.combinations) == pytest.approx(4.0)
+
+
+def test_the_least_slenderness_of_crosses(tmp_path: Path) -> None:
+    """EN 1998-1, 6.7.3(1): above 1.3 in frames of more than two storeys; 8.9 m of SHS250x10 have 1.05."""
+    stocky = BRACED.replace("storeys: [4 m]", "storeys: {count: 3, height: 4 m}").replace("SHS100x6", "SHS250x10")
+    rules = [rule for rule in design_of(tmp_path, stocky).criteria if rule.clause == "6.7.3(1)"]
+    assert [rule.passed for rule in rules] == [False] and rules[0].value == pytest.approx(1.05, abs=0.01)
+
+
+@pytest.mark.parametrize(
+    ("text", "says"),
+    [
+        (BRACED.replace("kind: cross", "kind: chevron"), "there are braces of kind `chevron` along y"),
+        (BRACED.replace("concentric_diagonal", "concentric_v"), "no brace along y is a `chevron` or `v`"),
+        (TABLE.replace("Q: 2 kN", "Q: -2 kN"), "a variable load acts downwards"),
+        (TABLE.replace("ends: rigid, group: BX", "ends: pinned, group: BX"), "nothing resists along x|has a stiff end"),
+        (TABLE + "  modes: 99\n", "99 modes, the building has 3"),
+        (TABLE + "  modes: 1\n", "the first 1 modes have"),
+        (TABLE + "  members: {interaction: annex_a}\n", "annex_a: this is not in the analysis yet"),
+        (
+            TABLE + "  members: {yield_by_thickness: true}\n",
+            "yield_by_thickness: true: this is not in the analysis yet",
+        ),
+    ],
+)
+def test_what_is_refused(tmp_path: Path, text: str, says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        design_of(tmp_path, text)
+
+
+def test_psi_2_is_that_of_the_category(tmp_path: Path) -> None:
+    """EN 1990, Table A1.1: 0.3 for offices, 0.8 for stores."""
+    plain = TABLE.replace("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 1.0}")
+    for category, psi_2 in (("B", 0.3), ("E", 0.8)):
+        found = design_of(tmp_path, plain.replace("category: B", f"category: {category}"))
+        assert found.frame.node_mass.sum() == pytest.approx(48.0 * (5.0 + 2.0 * psi_2) * 1e3 / 9.80665)
+        assert any(row.name.startswith(f"G + {psi_2} Q") for row in found.combinations)
