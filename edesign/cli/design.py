@@ -20,6 +20,7 @@ def design(
         ),
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file that is of something else.")] = False,
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Processes.")] = 2,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
     """Choose the lightest sections that meet all checks, and write the building file with them.
@@ -40,7 +41,7 @@ def design(
     path = building.with_name(NAME) if output is None else output
     read = load_building(building)
     check_own_yaml(path, building, overwrite)
-    found = select_sections(read, tell)
+    found = select_sections(read, tell, workers)
     said = f"# Sections chosen: {found.mass / 1e3:.1f} t of steel, {found.evaluations} designs analysed.\n"
     write_yaml(said + found.building.text, path, building)
     if not quiet:

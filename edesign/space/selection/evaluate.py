@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -15,6 +15,7 @@ from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.space.criteria import MOMENT_FRAME, brace_slenderness, design_of, system_of
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.response import AXES
+from edesign.space.selection.ahead import Ahead
 from edesign.space.selection.groups import Group
 
 THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.2.3(4)", "6.7.3(8)", "6.7.1(3)"
@@ -56,24 +57,42 @@ class Evaluator:
     Args:
         analysis: of the building.
         groups: with their lists.
+        workers: processes that analyse at the same time, this one among them.
 
     Attributes:
-        count: designs that were analysed.
-        budget: how many may be; None: any number.
+        budget: how many choices may be asked for; None: any number.
         searched: clauses of EN 1998-1 for the whole building that count.
     """
 
-    def __init__(self, analysis: ElasticAnalysis, groups: Sequence[Group]) -> None:
+    def __init__(self, analysis: ElasticAnalysis, groups: Sequence[Group], workers: int = 1) -> None:
         self.analysis = analysis
         self.groups = tuple(groups)
-        self.count = 0
         self.budget: int | None = None
+        self._asked: set[Choice] = set()
         self._known: dict[Choice, Evaluation] = {}
         self._last: tuple[Choice, ElasticDesign] | None = None
         design = design_of(analysis.building)
         self.searched = searched_clauses(analysis) - frozenset(design.select.leave_out)
         names = [group.name for group in groups]
         self._group_of_members = np.array([names.index(member.group) for member in analysis.frame.members])
+        self._ahead = Ahead(self._evaluated, workers)
+
+    @property
+    def count(self) -> int:
+        """How many choices were asked for, each counted once."""
+        return len(self._asked)
+
+    def close(self) -> None:
+        """End the other processes."""
+        self._ahead.close()
+
+    def expect(self, choices: Iterable[Choice]) -> None:
+        """Foretell what will be asked for next, so that other processes begin with it; it counts when it is asked for.
+
+        Args:
+            choices: in their order.
+        """
+        self._ahead.expect(choice for choice in choices if choice not in self._known)
 
     def mass(self, choice: Choice) -> float:
         """Return the mass of steel, kg."""
@@ -90,7 +109,8 @@ class Evaluator:
     def __call__(self, choice: Choice) -> Evaluation:
         """Return what a full analysis finds for a choice."""
         if choice not in self._known:
-            self._known[choice] = self._evaluated(choice)
+            self._count(choice)
+            self._known[choice] = self._ahead(choice)
         return self._known[choice]
 
     def design(self, choice: Choice) -> ElasticDesign:
@@ -99,12 +119,8 @@ class Evaluator:
         Raises:
             OutOfEvaluations: the budget is used up.
         """
-        if self._last is None or self._last[0] != choice:
-            if self.budget is not None and self.count >= self.budget:
-                raise OutOfEvaluations
-            self.count += 1
-            self._last = choice, self.analysis.design(self.sections(choice))
-        return self._last[1]
+        self._count(choice)
+        return self._design(choice)
 
     def under_frozen_forces(self, design: ElasticDesign, choice: Choice) -> np.ndarray:
         """Return the largest utilisation of the members of each group under the forces of another design, (n_groups,).
@@ -123,8 +139,18 @@ class Evaluator:
         """Return the rules for the building that a design does not meet and that the selection looks at."""
         return [rule for rule in design.criteria if rule.passed is False and rule.clause in self.searched]
 
+    def _count(self, choice: Choice) -> None:
+        if choice not in self._asked and self.budget is not None and self.count >= self.budget:
+            raise OutOfEvaluations
+        self._asked.add(choice)
+
+    def _design(self, choice: Choice) -> ElasticDesign:
+        if self._last is None or self._last[0] != choice:
+            self._last = choice, self.analysis.design(self.sections(choice))
+        return self._last[1]
+
     def _evaluated(self, choice: Choice) -> Evaluation:
-        design = self.design(choice)
+        design = self._design(choice)
         over = [np.minimum(values, FINITE) for values in utilisations(design, self.searched).values()]
         every = np.concatenate(over)
         met = not bool((design.members.utilisation > 1.0).any()) and not self.broken(design)

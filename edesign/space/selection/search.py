@@ -288,6 +288,7 @@ class Search:
             moves.append(tuple((group, 1) for group in numbers if self._groups[group].kind in kinds))
         order = sorted(moves, key=lambda move: -gains.get(move, math.inf))  # sorted keeps what is equal in order
         best: tuple[float, Evaluation] | None = None
+        self._evaluate.expect(choice for move in order if (choice := self._after(base, move)) is not None)
         for move in order:
             if best is not None and best[0] >= gains.get(move, math.inf):
                 break
@@ -297,10 +298,15 @@ class Search:
                 best = gains[move], found
         return None if best is None else best[1]
 
-    def _of_move(self, base: Evaluation, move: Move) -> Evaluation | None:
+    def _after(self, base: Evaluation, move: Move) -> Choice | None:
+        """The choice that a move leads to, with columns in order; None if there is none."""
         numbers = self._moved(base.choice, move)
         choice = None if numbers is None else self._repaired(numbers)
-        return None if choice is None or choice == base.choice else self._evaluate(choice)
+        return None if choice == base.choice else choice
+
+    def _of_move(self, base: Evaluation, move: Move) -> Evaluation | None:
+        choice = self._after(base, move)
+        return None if choice is None else self._evaluate(choice)
 
     def _of_move_with_others(self, base: Evaluation, move: Move) -> Evaluation | None:
         found = self._of_move(base, move)
@@ -346,6 +352,7 @@ class Search:
     def _step(self, choices: Mapping[Choice, Exchange], failed: set[Exchange]) -> Evaluation | None:
         """Return the first choice that meets all checks, of equal masses the one with the least utilisation."""
         best: Evaluation | None = None
+        self._evaluate.expect(choices)
         for choice, exchange in choices.items():
             if best is not None and _less(best.mass, self._evaluate.mass(choice)):
                 break

@@ -89,12 +89,13 @@ class Selection:
     not_met: tuple[Criterion, ...]
 
 
-def select_sections(building: Building, tell: Listener = lambda line: None) -> Selection:
+def select_sections(building: Building, tell: Listener = lambda line: None, workers: int = 1) -> Selection:
     """Choose sections from the lists of `design.select` that meet all checks with the least mass of steel.
 
     Args:
         building: from `load_building`, with the blocks that `elastic_design` needs.
         tell: takes lines of progress.
+        workers: processes that analyse at the same time, this one among them; the choice does not depend on them.
 
     Raises:
         InputError: a list is wrong, or none of its sections meet all checks; the message says which check stands in
@@ -108,7 +109,7 @@ def select_sections(building: Building, tell: Listener = lambda line: None) -> S
             if group.left_out:
                 tell(f"group {group.name}: left out for their class: {', '.join(group.left_out)}")
         select = design_of(building).select
-        evaluate = Evaluator(analysis, groups)
+        evaluate = Evaluator(analysis, groups, workers)
         order = column_order(analysis.frame, groups) if select.columns_not_larger_above else []
         before = _sections(analysis, groups)
         search = Search(evaluate, order, select.evaluations, tell)
@@ -116,7 +117,10 @@ def select_sections(building: Building, tell: Listener = lambda line: None) -> S
             search.lightest()
         except InputError as error:
             raise InputError(f"{building.where('design', 'select')}: design.select: {error}") from error
-        found = search.run(select.starts, _choice(groups, before))
+        try:
+            found = search.run(select.starts, _choice(groups, before))
+        finally:
+            evaluate.close()
         if not found.best.met:
             raise InputError(_in_the_way(building, evaluate, found))
         return _selection(evaluate, order, found, before)
