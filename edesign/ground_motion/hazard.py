@@ -37,7 +37,9 @@ def checked_hazard(project: Project | Building) -> Hazard:
         raise InputError(f"{project.path}: hazard: this block is missing; docs/project_file.md explains it")
     place = "country"
     try:
-        _national(hazard)
+        _code(hazard).national(hazard.country)
+        place = "national"
+        national_of(hazard).vertical(hazard.spectrum)
         place = "zone"
         _a_gR(hazard)
         place = "spectrum"
@@ -79,7 +81,7 @@ def vertical_spectrum(hazard: Hazard, level: str | None = None) -> VerticalSpect
     gamma_I = 1.0 if level is None else importance_factor(hazard, level)
     label = f"{_code(hazard).title} type {hazard.spectrum}, vertical, {_action(hazard, level)}"
     return VerticalSpectrum(
-        _a_gR(hazard), _national(hazard).vertical(_spectrum_type(hazard)), gamma_I, hazard.damping, label
+        _a_gR(hazard), national_of(hazard).vertical(_spectrum_type(hazard)), gamma_I, hazard.damping, label
     )
 
 
@@ -117,7 +119,7 @@ def code_spectra(
         q = hazard.behaviour_factor if q is None else q
         return elastic_spectrum(hazard, level), None if q is None else _design(hazard, level, q)
     elastic = vertical_spectrum(hazard, level)
-    return elastic, None if q is None else vertical_design_spectrum(elastic, q, _national(hazard).beta)
+    return elastic, None if q is None else vertical_design_spectrum(elastic, q, national_of(hazard).beta)
 
 
 def importance_factor(hazard: Hazard, level: str) -> float:
@@ -130,7 +132,7 @@ def importance_factor(hazard: Hazard, level: str) -> float:
     """
     if level not in hazard.levels:
         raise InputError(f"hazard.levels: {unknown_name('level', level, hazard.levels)}")
-    given, national = hazard.levels[level], _national(hazard)
+    given, national = hazard.levels[level], national_of(hazard)
     k = hazard.k if hazard.k is not None else national.hazard_exponent
     if given.probability is not None:
         return factor_of_probability(given.probability, national.reference_probability, k)
@@ -143,9 +145,19 @@ def importance_factor(hazard: Hazard, level: str) -> float:
     raise InputError(f"hazard.levels.{level}: give probability, return_period, importance_class or gamma_I")
 
 
+def national_of(hazard: Hazard) -> NationalParameters:
+    """Return the national parameters: those that the file states, then those of its country, then the recommended ones.
+
+    Raises:
+        InputError: the country has no data file.
+    """
+    of_country = _code(hazard).national(hazard.country)
+    return of_country.with_values(hazard.national.stated(), hazard.spectrum)
+
+
 def _design(hazard: Hazard, level: str | None, q: float) -> DesignSpectrum:
     label = f"{_code(hazard).title} design, q = {q:g}, ground {hazard.ground}, {_action(hazard, level)}"
-    return _code(hazard).design.of(elastic_spectrum(hazard, level), q, _national(hazard).beta, label)
+    return _code(hazard).design.of(elastic_spectrum(hazard, level), q, national_of(hazard).beta, label)
 
 
 def _code(hazard: Hazard) -> Code:
@@ -161,19 +173,19 @@ def _a_gR(hazard: Hazard) -> float:
         return hazard.a_gR
     if hazard.zone is None:
         raise InputError("hazard: give either `country` and `zone`, or `a_gR`")
-    return _national(hazard).a_gR(hazard.zone)
+    return national_of(hazard).a_gR(hazard.zone)
 
 
 def _spectrum_type(hazard: Hazard) -> int:
     """The type of spectrum, which the zone may fix."""
     if hazard.zone is not None:
-        _national(hazard).check_spectrum_type(hazard.zone, hazard.spectrum)
+        national_of(hazard).check_spectrum_type(hazard.zone, hazard.spectrum)
     return hazard.spectrum
 
 
 def _parameters(hazard: Hazard) -> HorizontalParameters:
     """The table's values, and those of the project in their place."""
-    table = _national(hazard).horizontal(_spectrum_type(hazard), hazard.ground)
+    table = national_of(hazard).horizontal(_spectrum_type(hazard), hazard.ground)
     return replace(table, **hazard.parameters.model_dump(exclude_none=True))
 
 

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field
 
 from edesign.project.base import Model, refuse
+from edesign.project.national import NationalValues
 from edesign.project.units import (
     TIME,
     PositiveAcceleration,
@@ -72,6 +73,7 @@ class Level(Model):
 class Hazard(Model):
     """The reference action (`zone` of a `country`, or `a_gR` in m/s2), the shape of its spectrum, and the levels.
 
+    `national` states parameters in place of those of the country.
     `damping` is that of the elastic spectrum, `behaviour_factor` belongs to the design spectrum, `k` is the exponent of
     the hazard curve that levels given by probability or return period need.
     """
@@ -84,6 +86,7 @@ class Hazard(Model):
     spectrum: Annotated[Literal[1, 2], BeforeValidator(_spectrum_type)]
     damping: PositiveRatio = 0.05
     parameters: SpectrumParameters = SpectrumParameters()
+    national: NationalValues = NationalValues()
     behaviour_factor: Annotated[float, BeforeValidator(_behaviour_factor)] | None = None
     k: PositiveFactor | None = None
     levels: dict[LevelName, Level] = {}

@@ -11,14 +11,14 @@ from edesign.building.steel_section import steel_section
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.modal_combination import LARGE_MODE
-from edesign.codes.ec8.national import ActionFactors, NationalParameters, Psi, national_parameters
+from edesign.codes.ec8.national import ActionFactors, NationalParameters, Psi
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
 from edesign.core.errors import CoreError
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
-from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.ground_motion.hazard import elastic_spectrum, national_of
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
 from edesign.project.building.members import CHEVRONS
@@ -147,7 +147,7 @@ class ElasticAnalysis:
         self.building = building
         self._design = design_of(building)
         hazard = _hazard(building)
-        self._national = national_parameters(hazard.country)
+        self._national = national_of(hazard)
         self.frame = space_frame(building)
         if not self.frame.node_mass.any():
             raise InputError(

@@ -6,6 +6,7 @@ import numpy as np
 
 from edesign.codes.ec8.national import national_parameters
 from edesign.errors import InputError
+from edesign.ground_motion.hazard import national_of
 from edesign.project.building.building import Building
 from edesign.project.building.names import node_name
 from edesign.project.units import STANDARD_GRAVITY
@@ -22,8 +23,8 @@ def psi_2(building: Building, category: str) -> float:
     given = masses.from_loads.psi_2(category) if masses is not None and masses.from_loads is not None else None
     if given is not None:
         return given
-    country = building.hazard.country if building.hazard is not None else None
-    return national_parameters(country).psi[category].psi_2
+    national = national_parameters() if building.hazard is None else national_of(building.hazard)
+    return national.psi[category].psi_2
 
 
 def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:

@@ -6,7 +6,7 @@ The files hold also those of EN 1990 and EN 1993-1-1 that the design of a steel 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from importlib import resources
 from typing import Any
@@ -31,7 +31,7 @@ class Parameter:
         unit: of the value; empty where it has none.
         clause: that allows the choice, of EN 1998-1 unless it names another standard.
         source: where the value stands.
-        origin: the country, or "recommended".
+        origin: the country, "recommended", or "file" of a value that the user states.
     """
 
     name: str
@@ -78,6 +78,23 @@ class NationalParameters:
 
     country: str | None
     parameters: Mapping[str, Parameter]
+
+    def with_values(self, stated: Mapping[str, Any], spectrum_type: int) -> NationalParameters:
+        """Return these parameters with values of the user; of a table the entries given replace those there.
+
+        Args:
+            stated: values by the names of the data files; that of `vertical` is a row of the table.
+            spectrum_type: 1 or 2, of that row.
+        """
+        changed = dict(self.parameters)
+        for name, value in stated.items():
+            known = changed[name]
+            if name == "vertical":
+                value = {spectrum_type: {**known.value[spectrum_type], **value}}
+            if isinstance(known.value, Mapping):
+                value = {**known.value, **value}
+            changed[name] = replace(known, value=value, source="stated by the user", origin="file")
+        return replace(self, parameters=changed)
 
     @property
     def reference_probability(self) -> float:
