@@ -71,7 +71,7 @@ class Systems(Model):
 
 
 class Drift(Model):
-    """The limit of interstorey drift by the kind of partitions, and nu, which reduces the action.
+    """The limit of interstorey drift by the kind of partitions, and nu, which reduces the action; else the country's.
 
     Source: EN 1998-1:2004, 4.4.3.2(1), Eqs. 4.31-4.33.
     """
@@ -81,7 +81,7 @@ class Drift(Model):
 
 
 class PartialFactors(Model):
-    """Partial factors of EN 1993-1-1, 6.1 and of EN 1990, Table A1.2(B)."""
+    """Partial factors of EN 1993-1-1, 6.1 and of EN 1990, Table A1.2(B); the country's where they are not given."""
 
     M0: PositiveFactor = 1.0
     M1: PositiveFactor = 1.0

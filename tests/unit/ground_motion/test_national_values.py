@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from building_examples import SMALL
+from building_examples import building as changed
 
 from edesign.codes.ec8.national import national_parameters
 from edesign.errors import InputError
@@ -11,6 +12,7 @@ from edesign.ground_motion.hazard import checked_hazard, importance_factor, nati
 from edesign.project.building import parse_building
 from edesign.project.hazard import Hazard, Level
 from edesign.project.problems import FileProblems
+from edesign.space.criteria import design_of
 
 GREECE = {"code": "ec8-2004", "country": "greece", "zone": "3", "ground": "B", "spectrum": 1}
 
@@ -65,3 +67,20 @@ def test_wrong_values_are_named_at_their_line(text: str, message: str) -> None:
     with pytest.raises((FileProblems, InputError), match=message) as error:
         checked_hazard(parse_building(written))
     assert "building.yaml:15:" in str(error.value)
+
+
+def test_what_the_design_leaves_to_the_country_has_its_value() -> None:
+    national = (
+        "a_gR: 0.24 g,",
+        "a_gR: 0.24 g, national: {resistance_factors: {M1: 1.1}, action_factors: {Q: 1.6},"
+        " material_overstrength: 1.1, displacement_reduction: {III: 0.45}},",
+    )
+    level = ("{probability: 10 %}", "{importance_class: III}")
+    found = design_of(changed(SMALL, national, level))
+    assert (found.partial_factors.M0, found.partial_factors.M1) == (1.0, 1.1)
+    assert (found.partial_factors.G, found.partial_factors.Q) == (1.35, 1.6)
+    assert (found.overstrength, found.drift.nu) == (1.1, 0.45)
+    own = ("  ductility_class: medium", "  ductility_class: medium\n  overstrength: 1.2\n  partial_factors: {M1: 1.05}")
+    mine = design_of(changed(SMALL, national, level, own))
+    assert (mine.overstrength, mine.partial_factors.M1, mine.partial_factors.Q) == (1.2, 1.05, 1.6)
+    assert design_of(changed(SMALL, level)).drift.nu == 0.4  # class III, recommended
