@@ -89,7 +89,7 @@ def random_frames(seed: int, sizes: int, groups: int) -> Building:
 
 
 def enumerated(building: Building) -> Evaluation | None:
-    """The lightest choice that meets all checks, by enumeration of all; None if there is none."""
+    """The cheapest choice that meets all checks, by enumeration of all; None if there is none."""
     analysis = ElasticAnalysis(building)
     evaluate = Evaluator(analysis, groups_of(analysis))
     order = column_order(analysis.frame, evaluate.groups)
@@ -98,7 +98,7 @@ def enumerated(building: Building) -> Evaluation | None:
         for choice in product(*(range(len(group.sections)) for group in evaluate.groups))
         if all(evaluate.groups[a].area[choice[a]] <= evaluate.groups[b].area[choice[b]] for a, b in order)
     ]
-    for choice in sorted(choices, key=evaluate.mass):  # the first that is met is the lightest
+    for choice in sorted(choices, key=evaluate.cost):  # the first that is met is the cheapest
         found = evaluate(choice)
         if found.met:
             return found

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 
 from edesign.building.building_sections import BuildingSections
 from edesign.building.profiles import profile_names
@@ -59,13 +59,24 @@ def sections_of(asked: str) -> tuple[SteelSection, ...]:
     return tuple(map(steel_section, names))
 
 
-def efficient(sections: Iterable[SteelSection]) -> list[SteelSection]:
-    """Return the sections that no lighter one equals in all inertias and moduli, I sections in shear area too.
+def family_of(section: str) -> str:
+    """Return the family of a section: `HEB` of HEB300, `SHS` of SHS200x10."""
+    return section.rstrip("0123456789.x ").upper()
+
+
+def efficient(
+    sections: Iterable[SteelSection], cost: Callable[[SteelSection], float] = lambda of: of.A
+) -> list[SteelSection]:
+    """Return the sections that no cheaper one equals in all inertias and moduli, I sections in shear area too.
 
     Of squares the small ones with thick walls are left out so.
+
+    Args:
+        sections: to choose from.
+        cost: of a length of a section; by default its area, as mass is.
     """
     found: list[SteelSection] = []
-    for section in sorted(sections, key=lambda of: (of.A, of.name)):
+    for section in sorted(sections, key=lambda of: (cost(of), of.name)):
         keys = _AS_GOOD_IN_SHEAR if section.kind == "I" else _AS_GOOD
         if not any(all(getattr(other, key) >= getattr(section, key) for key in keys) for other in found):
             found.append(section)

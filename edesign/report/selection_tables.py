@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from edesign.report.table import Table, number
+from edesign.space.criteria import design_of
 from edesign.space.selection.select import Selection
 
 
@@ -43,12 +44,16 @@ def _held(selection: Selection) -> Table:
 
 def _whole(selection: Selection) -> Table:
     before, after = (number(of, 4, 1e3) for of in (selection.mass_before, selection.mass))
+    priced = design_of(selection.building).select.objective == "cost"
+    less = "cheaper" if priced else "lighter"
     certificate = (
-        "certificate: no single and no double exchange of sections is lighter and meets all checks"
+        f"certificate: no single and no double exchange of sections is {less} and meets all checks"
         if selection.certified
-        else "no certificate: the evaluations of design.select were used up; lighter sections may meet all checks"
+        else f"no certificate: the evaluations of design.select were used up; {less} sections may meet all checks"
     )
     table = Table("Design", notes=[f"steel: {after} t, with the sections of the file {before} t"])
+    if priced:
+        table.notes.append(f"price, which was to be least: {number(selection.cost, 4)}")
     table.notes.append(f"{selection.evaluations} designs were analysed; {selection.starts} starts met all checks")
     table.notes.append(certificate)
     for rule in selection.not_met:

@@ -60,6 +60,10 @@ def _select(building: Building, select: Select, problems: Problems) -> None:
     for runs in (building.columns, building.beams, building.braces):
         named |= dict.fromkeys(run.group or "" for run in runs)
     keys: Keys = ("design", "select")
+    if select.objective == "cost" and not select.prices:
+        problems.at_value((*keys, "objective"), "`cost` needs the prices of a kilogram; give `prices` by family")
+    if select.objective == "mass" and select.prices:
+        problems.at_key((*keys, "prices"), "prices count where the objective is `cost`; it is `mass`")
     for group in select.lists.groups:
         if group not in named:
             problems.at_key((*keys, "lists", "groups", group), unknown_name("group", group, named))

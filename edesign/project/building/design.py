@@ -121,6 +121,8 @@ class MemberChecks(Model):
 
 
 KINDS = ("columns", "beams", "braces")
+DEFAULT_PRICE = "default"
+"""Stands for the families whose price is not given."""
 
 
 class SectionLists(Model):
@@ -139,13 +141,17 @@ class Select(Model):
     """How `edesign design` chooses sections.
 
     `largest_depth`: of the sections of columns, beams, braces, or of a group. `starts`: points from which it searches,
-    beside the sections of the file. `evaluations`: how many designs it may analyse. `leave_out`: clauses of EN 1998-1
-    that the design need not meet; the run tells them all the same.
+    beside the sections of the file. `evaluations`: how many designs it may ask for. `leave_out`: clauses of EN 1998-1
+    that the design need not meet; the run tells them all the same. `prices`: of a kilogram by family, in any currency,
+    for the objective `cost`.
     """
 
     lists: SectionLists = SectionLists()
     largest_depth: dict[str, PositiveLength] = Field(default_factory=dict)
-    objective: Literal["mass"] = "mass"
+    objective: Literal["mass", "cost"] = "mass"
+    prices: dict[Annotated[str, Field(pattern=r"^[A-Za-z]+$", max_length=12)], PositiveFactor] = Field(
+        default_factory=dict
+    )
     columns_not_larger_above: bool = True
     starts: Annotated[int, Field(ge=1, le=100)] = 3
     evaluations: Annotated[int, Field(ge=1, le=10_000_000)] = 20_000

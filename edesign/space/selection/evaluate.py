@@ -35,6 +35,7 @@ class Evaluation:
     Attributes:
         choice: of the sections.
         mass: of steel, kg.
+        cost: what is to be least: the mass, or the price.
         met: whether all checks are met that sections can change and that are not left out.
         excess: sum of max(u - 1, 0) over members, storeys, joints and diagonals.
         worst: the largest u.
@@ -42,6 +43,7 @@ class Evaluation:
 
     choice: Choice
     mass: float
+    cost: float
     met: bool
     excess: float
     worst: float
@@ -97,6 +99,10 @@ class Evaluator:
     def mass(self, choice: Choice) -> float:
         """Return the mass of steel, kg."""
         return math.fsum(group.mass[number] for group, number in zip(self.groups, choice, strict=True))
+
+    def cost(self, choice: Choice) -> float:
+        """Return what is to be least: the mass of steel in kg, or its price."""
+        return math.fsum(group.cost[number] for group, number in zip(self.groups, choice, strict=True))
 
     def sections(self, choice: Choice) -> dict[str, str]:
         """Return the section of each group."""
@@ -155,7 +161,7 @@ class Evaluator:
         every = np.concatenate(over)
         met = not bool((design.members.utilisation > 1.0).any()) and not self.broken(design)
         excess = float(np.maximum(every - 1.0, 0.0).sum())
-        return Evaluation(choice, self.mass(choice), met, excess, float(every.max()))
+        return Evaluation(choice, self.mass(choice), self.cost(choice), met, excess, float(every.max()))
 
 
 def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:

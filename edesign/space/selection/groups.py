@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from edesign.building.section_lists import efficient, sections_of
+from edesign.building.section_lists import efficient, family_of, sections_of
 from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
+from edesign.project.building.design import DEFAULT_PRICE
 from edesign.project.problems import keys_text, listed
 from edesign.space.criteria import allowed_class, design_of, dissipative_class
 from edesign.space.elastic_design import ElasticAnalysis
@@ -24,11 +25,12 @@ class Group:
         name: of the file.
         kind: column, beam or brace.
         material: name of its steel.
-        sections: names of those that it may have, the lightest first.
+        sections: names of those that it may have, the cheapest first.
         mass: (n_sections,) of all its members with each section, kg.
+        cost: (n_sections,) that mass times its price, or the mass itself where that is to be least.
         area: (n_sections,) m2.
-        records: numbers of the sections that are stiffer about y than every lighter one.
-        stiffer: (n_sections,) numbers of the sections that are heavier and stiffer about y, the lightest first.
+        records: numbers of the sections that are stiffer about y than every cheaper one.
+        stiffer: (n_sections,) numbers of the sections that cost more and are stiffer about y, the cheapest first.
         left_out: sections of its lists whose class is too high.
     """
 
@@ -37,6 +39,7 @@ class Group:
     material: str
     sections: tuple[str, ...]
     mass: tuple[float, ...]
+    cost: tuple[float, ...]
     area: tuple[float, ...]
     records: tuple[int, ...]
     stiffer: tuple[tuple[int, ...], ...]
@@ -62,6 +65,7 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
     asked = select.lists.groups.get(name) or getattr(select.lists, kinds)
     depth = min((select.largest_depth[key] for key in (kinds, name) if key in select.largest_depth), default=math.inf)
     highest = _allowed_class(analysis, numbers)
+    price = _prices(analysis)
     chosen, left_out = set[str](), list[str]()
     for place, text in enumerate(asked):
         try:
@@ -72,13 +76,13 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
         bent = member.kind != "brace"
         fit = [of for of in whole if dissipative_class(of.name, steel.fy, bent).number <= highest]
         left_out += [of.name for of in whole if of not in fit]
-        chosen |= {of.name for of in (efficient(fit) if len(whole) > 1 else fit)}
+        chosen |= {of.name for of in (efficient(fit, lambda of: of.A * price(of.name)) if len(whole) > 1 else fit)}
     if not chosen:
         why = f"; of a class above {highest} are {listed(left_out)}" if left_out else ""
         why += f"; largest_depth is {1e3 * depth:g} mm" if depth < math.inf else ""
         where = building.where("design", "select", *keys)
         raise InputError(f"{where}: {keys_text(('design', 'select', *keys))}: group {name} has no section left{why}")
-    ordered = sorted(chosen, key=lambda section: (steel_section(section).A, section))
+    ordered = sorted(chosen, key=lambda section: (steel_section(section).A * price(section), section))
     area = tuple(steel_section(section).A for section in ordered)
     metres = float(frame.length[numbers].sum())
     mass = tuple(value * steel.density * metres for value in area)
@@ -93,11 +97,33 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
         material=member.material,
         sections=tuple(ordered),
         mass=mass,
+        cost=tuple(of * price(section) for of, section in zip(mass, ordered, strict=True)),
         area=area,
         records=tuple(k for k, value in enumerate(inertia) if value > max(inertia[:k], default=0.0)),
         stiffer=stiffer,
         left_out=tuple(dict.fromkeys(left_out)),
     )
+
+
+def _prices(analysis: ElasticAnalysis) -> Callable[[str], float]:
+    """What a kilogram of a section costs; 1 where the mass is to be least."""
+    building = analysis.building
+    select = design_of(building).select
+    prices = {name.upper(): value for name, value in select.prices.items()}
+
+    def price(section: str) -> float:
+        if select.objective == "mass":
+            return 1.0
+        family = family_of(section)
+        if family in prices or DEFAULT_PRICE in select.prices:
+            return prices.get(family, select.prices.get(DEFAULT_PRICE, 0.0))
+        where = building.where("design", "select", "prices")
+        raise InputError(
+            f"{where}: design.select.prices: there is no price of {family}, to which {section} belongs; give it, or "
+            f"`{DEFAULT_PRICE}`"
+        )
+
+    return price
 
 
 def _allowed_class(analysis: ElasticAnalysis, members: Sequence[int]) -> int:

@@ -1,5 +1,6 @@
 """The search for the lightest sections: size under frozen forces, climb until all checks are met, descend.
 
+What is lighter here costs less: its mass is less, or where the file gives prices its price.
 No step is random; what it costs is counted in evaluations, not in seconds, so that a file gives the same sections
 wherever it is run.
 """
@@ -84,7 +85,7 @@ class Search:
                 self._tell(f"start {number}: all checks met with {climbed.mass / 1e3:.2f} t{self._counted()}")
                 lightest = self._descended(climbed)
                 self._tell(f"start {number}: {lightest.mass / 1e3:.2f} t{self._counted()}")
-                if best is None or _less(lightest.mass, best.mass):
+                if best is None or _less(lightest.cost, best.cost):
                     best, certified = lightest, True
             while (lighter := self._met(best)) is not None:  # that a start met on its way
                 best = self._descended(lighter)
@@ -95,13 +96,13 @@ class Search:
         finally:
             self._evaluate.budget = None
         return Found(
-            best or min(self._evaluate.all_known(), key=lambda of: (of.excess, of.mass, of.choice)), certified, fruitful
+            best or min(self._evaluate.all_known(), key=lambda of: (of.excess, of.cost, of.choice)), certified, fruitful
         )
 
     def _met(self, best: Evaluation | None) -> Evaluation | None:
         """The lightest choice found so far that meets all checks; None if it is not lighter than the best one."""
-        met = [of for of in self._evaluate.all_known() if of.met and (best is None or _less(of.mass, best.mass))]
-        return min(met, key=lambda of: (of.mass, of.worst, of.choice), default=None)
+        met = [of for of in self._evaluate.all_known() if of.met and (best is None or _less(of.cost, best.cost))]
+        return min(met, key=lambda of: (of.cost, of.worst, of.choice), default=None)
 
     def _counted(self) -> str:
         return f" ({self._evaluate.count} evaluations)"
@@ -140,15 +141,15 @@ class Search:
             base: the choice.
             wide: those of more groups or more sizes, which the certificate does not speak of.
         """
-        mass, found, masses = self._evaluate.mass(base), dict[Choice, Exchange](), dict[Choice, float]()
+        cost, found, costs = self._evaluate.cost(base), dict[Choice, Exchange](), dict[Choice, float]()
         for exchange in self._wide_exchanges(base) if wide else self._exchanges(base):
             numbers = list(base)
             for group, number in exchange:
                 numbers[group] = number
             choice = tuple(numbers)
-            if self._ordered(choice) and _less(weight := self._evaluate.mass(choice), mass):
-                found[choice], masses[choice] = exchange, weight
-        return {of: found[of] for of in sorted(found, key=lambda of: (masses[of], of))}
+            if self._ordered(choice) and _less(less := self._evaluate.cost(choice), cost):
+                found[choice], costs[choice] = exchange, less
+        return {of: found[of] for of in sorted(found, key=lambda of: (costs[of], of))}
 
     # --- points
 
@@ -225,7 +226,7 @@ class Search:
         best: Evaluation | None = None
         while True:
             found = self._evaluate(point)
-            if best is not None and (found.excess, found.mass) >= (best.excess, best.mass):
+            if best is not None and (found.excess, found.cost) >= (best.excess, best.cost):
                 return best
             best = found
             sized = self._repaired(self._lightest(self._evaluate.design(point), point))
@@ -259,7 +260,7 @@ class Search:
         return numbers
 
     def _climbed(self, base: Evaluation) -> Evaluation:
-        """Move to what lowers the excess most per kg until all checks are met, or nothing lowers it.
+        """Move to what lowers the excess most for its cost until all checks are met, or nothing lowers it.
 
         Where no move lowers it alone, each is tried with the larger sections that other groups then need: stiffer beams
         are stronger, and ask more of columns.
@@ -275,7 +276,7 @@ class Search:
     def _best_move(
         self, base: Evaluation, gains: dict[Move, float], found_by: Callable[[Evaluation, Move], Evaluation | None]
     ) -> Evaluation | None:
-        """The step that lowers the excess most per kg; None if none does.
+        """The step that lowers the excess most for its cost; None if none does.
 
         Args:
             base: where it starts.
@@ -335,7 +336,7 @@ class Search:
         """Return the exchanges, the lightest first, that have not failed and pass under the forces of a choice."""
         new = {of: exchange for of, exchange in every.items() if exchange not in failed}
         passing = self._passing(base, {pair for exchange in new.values() for pair in exchange})
-        ordered = sorted(new, key=lambda of: (self._evaluate.mass(of), of))
+        ordered = sorted(new, key=lambda of: (self._evaluate.cost(of), of))
         return {of: new[of] for of in ordered if passing.issuperset(new[of])}
 
     def _passing(self, base: Choice, pairs: set[tuple[int, int]]) -> set[tuple[int, int]]:
@@ -350,11 +351,11 @@ class Search:
         return found
 
     def _step(self, choices: Mapping[Choice, Exchange], failed: set[Exchange]) -> Evaluation | None:
-        """Return the first choice that meets all checks, of equal masses the one with the least utilisation."""
+        """Return the first choice that meets all checks, of equal costs the one with the least utilisation."""
         best: Evaluation | None = None
         self._evaluate.expect(choices)
         for choice, exchange in choices.items():
-            if best is not None and _less(best.mass, self._evaluate.mass(choice)):
+            if best is not None and _less(best.cost, self._evaluate.cost(choice)):
                 break
             found = self._evaluate(choice)
             if not found.met:
@@ -365,16 +366,16 @@ class Search:
 
 
 def _less(one: float, other: float) -> bool:
-    """Whether a mass is less by more than rounding of its sum."""
+    """Whether a cost is less by more than rounding of its sum."""
     return one < other * (1.0 - 1e-12)
 
 
 def _gain(base: Evaluation, found: Evaluation | None) -> float:
-    """Excess that a step takes away for each kg; without limit if it needs none."""
+    """Excess that a step takes away for each kg, or for each unit of the price; without limit if it needs none."""
     if found is None or found.excess >= base.excess:
         return 0.0
     less = base.excess - found.excess
-    more = found.mass - base.mass
+    more = found.cost - base.cost
     return less / more if more > 0.0 else math.inf
 
 

@@ -72,6 +72,7 @@ class Selection:
         design: its elastic design.
         groups: in the order of the file's members.
         mass_before, mass: of steel, kg.
+        cost: what was to be least: the mass, or its price.
         evaluations: designs that were analysed.
         certified: whether no single and no double exchange of sections is lighter and meets the checks.
         starts: how many starts of the search met all checks.
@@ -83,6 +84,7 @@ class Selection:
     groups: tuple[GroupChoice, ...]
     mass_before: float
     mass: float
+    cost: float
     evaluations: int
     certified: bool
     starts: int
@@ -90,7 +92,7 @@ class Selection:
 
 
 def select_sections(building: Building, tell: Listener = lambda line: None, workers: int = 1) -> Selection:
-    """Choose sections from the lists of `design.select` that meet all checks with the least mass of steel.
+    """Choose sections from the lists of `design.select` that meet all checks with the least mass of steel, or price.
 
     Args:
         building: from `load_building`, with the blocks that `elastic_design` needs.
@@ -159,6 +161,7 @@ def _selection(
         groups=tuple(rows),
         mass_before=evaluate.analysis.steel_mass(),
         mass=found.best.mass,
+        cost=found.best.cost,
         evaluations=evaluate.count,
         certified=found.certified,
         starts=found.starts,

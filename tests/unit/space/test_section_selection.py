@@ -109,6 +109,32 @@ def test_choices_are_those_of_enumeration() -> None:
                 assert found.certified and found.mass == pytest.approx(best.mass, rel=1e-9), seed
 
 
+@pytest.mark.parametrize(("seed", "cheap"), [(8, "IPE"), (27, "HEB")])
+def test_with_prices_the_choice_is_the_cheapest_of_enumeration(seed: int, cheap: str) -> None:
+    """One family at a tenth of the price of the others: the cheapest frame of these is not the lightest one."""
+    prices = f"    objective: cost\n    prices: {{default: 1, {cheap}: 0.1}}\n    lists:"
+    with one_thread():
+        file = random_frames(seed, 4, 3)
+        priced = changed(file.text, ("    lists:", prices))
+        found, best, lightest = select_sections(priced), enumerated(priced), select_sections(file)
+    assert best is not None and found.cost == pytest.approx(best.cost, rel=1e-9)
+    assert found.mass > 1.005 * lightest.mass
+
+
+@pytest.mark.parametrize(
+    ("keys", "message"),
+    [
+        ("objective: cost", r"design.select.objective: .cost. needs the prices of a kilogram"),
+        ("prices: {HEB: 2}", r"design.select.prices: prices count where the objective is .cost."),
+        ("objective: cost\n    prices: {HEB: 2}", r"there is no price of IPE, to which IPE\w+ belongs"),
+        ("objective: cost\n    prices: {HEB: 0, default: 1}", r"design.select.prices.HEB"),
+    ],
+)
+def test_prices_that_are_missing_or_idle_are_named(keys: str, message: str) -> None:
+    with pytest.raises((FileProblems, InputError), match=message):
+        select_sections(changed(TEXT, ("    lists:", f"    {keys}\n    lists:")))
+
+
 @pytest.mark.study
 def test_choices_of_eighty_frames_are_those_of_enumeration() -> None:
     """Four groups of nine sections: at least 78 of 80 optima, none more than 1.7 % heavier.
