@@ -223,7 +223,13 @@ class SpaceModel:
         del keep
         return result
 
-    def modes(self, node_mass: ArrayLike, count: int | None = None, origin: ArrayLike | None = None) -> SpaceModes:
+    def modes(
+        self,
+        node_mass: ArrayLike,
+        count: int | None = None,
+        origin: ArrayLike | None = None,
+        mass_shift: ArrayLike | None = None,
+    ) -> SpaceModes:
         """Return the lowest natural modes of lumped masses that act horizontally.
 
         Args:
@@ -231,13 +237,21 @@ class SpaceModel:
             count: how many modes; all without it.
             origin: (2,) place in plan of the vertical axis that participation and effective mass in rotation refer to;
                 the centre of all masses without it.
+            mass_shift: (n, 2) m, by how much the masses of nodes of diaphragms lie beside them in plan; no other node
+                may have one.
 
         Raises:
-            ValueError: a mass is negative or not finite, or there are fewer modes than asked for.
+            ValueError: a mass is negative or not finite, a shift is where no diaphragm is, or there are fewer modes
+                than asked for.
             CoreError: a result is not finite.
         """
-        mass = _doubles("node_mass", node_mass, (self.n_nodes,))
-        factor = mass_factor(mass, self.coordinates, self.node_floor, self.masters, self._equation)
+        mass, places = _doubles("node_mass", node_mass, (self.n_nodes,)), self.coordinates
+        if mass_shift is not None:
+            shift = _doubles("mass_shift", mass_shift, (self.n_nodes, 2))
+            if shift[self.node_floor < 0].any():
+                raise ValueError("only masses of diaphragms can lie beside their nodes")
+            places = places + np.pad(shift, ((0, 0), (0, 1)))
+        factor = mass_factor(mass, places, self.node_floor, self.masters, self._equation)
         solution = np.zeros((factor.equations.size, self.n_equations))
         solution[np.arange(factor.equations.size), factor.equations] = 1.0
         self._check(lib.ed_space_solve(self._handle, len(solution), _c(solution)))

@@ -48,6 +48,7 @@ from edesign.space.response import (
     SeismicResponse,
     StaticResponse,
     gravity_above,
+    response_of_shifted_masses,
     seismic_response,
     static_response,
 )
@@ -169,7 +170,8 @@ class ElasticAnalysis:
         cases = {name: case.category for name, case in _with_joined_cases(self.frame).cases.items()}
         psi = _psi(building, self._national)
         directions = "srss" if self._design.directions == "srss" else "30 %"
-        self.fundamental = fundamental(cases, psi, _action_factors(self._design, self._national))
+        asked, factors = self._design.fundamental, _action_factors(self._design, self._national)
+        self.fundamental = fundamental(cases, psi, factors, asked.expression, asked.favourable)
         self.seismic = seismic(cases, psi, directions)
         self._characteristic = characteristic(cases, psi)
         self._groups: dict[str, list[int]] = {}
@@ -244,8 +246,9 @@ class ElasticAnalysis:
         if design.modes != "auto":
             modes = _first(modes, design.modes, building)
         static = static_response(gravity_model, frame)
+        found_by = response_of_shifted_masses if design.torsion_by == "shifted_masses" else seismic_response
         response = {
-            axis: seismic_response(
+            axis: found_by(
                 model,
                 frame,
                 modes,

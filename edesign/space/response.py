@@ -7,7 +7,7 @@ from modal drifts of each column. Differences of combined values are never taken
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
@@ -15,7 +15,7 @@ import numpy as np
 from edesign.codes.ec8 import DesignSpectrum, ElasticSpectrum
 from edesign.codes.ec8.lateral_force import lateral_forces
 from edesign.codes.ec8.modal_combination import close_modes, cqc_coefficients
-from edesign.codes.ec8.torsion import accidental_moments
+from edesign.codes.ec8.torsion import accidental_eccentricity, accidental_moments
 from edesign.core.space import Points, SpaceModel, combine, combine_internal
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
@@ -92,6 +92,7 @@ def seismic_response(
     combination: str,
     damping: float,
     torsion: float,
+    mass_shift: np.ndarray | None = None,
 ) -> SeismicResponse:
     """Return the effects of the seismic action in one direction by modal response spectrum analysis.
 
@@ -105,6 +106,7 @@ def seismic_response(
         combination: `cqc` or `srss`.
         damping: ratio of critical damping of the modes.
         torsion: e_ai / L_i; 0 for none.
+        mass_shift: (n_nodes, 2) m, as the modes were found with.
 
     Raises:
         InputError: SRSS is asked for and modes are close.
@@ -115,10 +117,10 @@ def seismic_response(
     S_d = spectrum.acceleration(modes.period)
     amplitude = gamma * S_d / modes.omega**2
     amplitude_elastic = gamma * elastic.acceleration(modes.period) / modes.omega**2
-    free = DesignSpectrum(spectrum.a_gR, spectrum.S, spectrum.corners, spectrum.q, spectrum.gamma_I, 0.0)
+    free = _without_beta(spectrum)
     amplitude_free = gamma * free.acceleration(modes.period) / modes.omega**2
 
-    shear = _modal_storey_shear(frame, modes, direction)  # (k, storeys) for an amplitude of 1
+    shear = _modal_storey_shear(frame, modes, direction, mass_shift)  # (k, storeys) for an amplitude of 1
     drift, storey = _modal_drift(frame, modes, direction)  # (k, columns)
     storey_shear = combine(shear.T, rho * np.outer(amplitude, amplitude))
     twist = _accidental_torsion(model, frame, modes, axis, float(storey_shear[0]), torsion)
@@ -147,6 +149,59 @@ def seismic_response(
     )
 
 
+def response_of_shifted_masses(
+    model: SpaceModel,
+    frame: SpaceFrame,
+    modes: SpaceModes,
+    axis: Axis,
+    elastic: ElasticSpectrum,
+    spectrum: DesignSpectrum,
+    combination: str,
+    damping: float,
+    torsion: float,
+) -> SeismicResponse:
+    """Return the effects of the seismic action in one direction with the masses of all floors e_ai to either side.
+
+    Of every quantity the larger one of both sides counts, with all modes of either. S_d is that of the modes given,
+    which are those of the masses in place; other arguments, and errors, as `seismic_response`.
+
+    Source: EN 1998-1:2004, 4.3.2(1)P, Eq. 4.3.
+    """
+    across = 1 - AXES.index(axis)
+    shift = np.zeros((len(frame.node_names), 2))
+    for level in range(1, frame.n_floors + 1):
+        at_floor = frame.level_of_nodes == level
+        length = np.ptp(frame.coordinates[at_floor, across])
+        shift[at_floor & (frame.node_floor >= 0), across] = accidental_eccentricity(length, torsion)
+    one, other = (
+        seismic_response(
+            model,
+            frame,
+            model.modes(frame.node_mass, mass_shift=side * shift),
+            axis,
+            elastic,
+            spectrum,
+            combination,
+            damping,
+            torsion=0.0,
+            mass_shift=side * shift,
+        )
+        for side in (1.0, -1.0)
+    )
+    S_d = spectrum.acceleration(modes.period)
+    return replace(
+        one,
+        acceleration=S_d,
+        lower_bound=np.asarray(S_d > _without_beta(spectrum).acceleration(modes.period)),
+        base_shear=max(one.base_shear, other.base_shear),
+        base_shear_without_beta=max(one.base_shear_without_beta, other.base_shear_without_beta),
+        storey_shear=np.maximum(one.storey_shear, other.storey_shear),
+        drift=np.maximum(one.drift, other.drift),
+        drift_elastic=np.maximum(one.drift_elastic, other.drift_elastic),
+        internal=np.maximum(one.internal, other.internal),
+    )
+
+
 def gravity_above(frame: SpaceFrame, factors: Mapping[str, float]) -> np.ndarray:
     """Return P_tot of each storey: the vertical load at and above it, (n_storeys,) N.
 
@@ -167,6 +222,10 @@ def gravity_above(frame: SpaceFrame, factors: Mapping[str, float]) -> np.ndarray
     return np.asarray(np.cumsum(at_floor[::-1])[::-1])
 
 
+def _without_beta(spectrum: DesignSpectrum) -> DesignSpectrum:
+    return DesignSpectrum(spectrum.a_gR, spectrum.S, spectrum.corners, spectrum.q, spectrum.gamma_I, 0.0)
+
+
 @dataclass(frozen=True)
 class _Twist:
     internal: np.ndarray
@@ -185,9 +244,14 @@ def _correlation(modes: SpaceModes, combination: str, damping: float) -> np.ndar
     return np.eye(modes.period.size)
 
 
-def _modal_storey_shear(frame: SpaceFrame, modes: SpaceModes, direction: int) -> np.ndarray:
+def _modal_storey_shear(
+    frame: SpaceFrame, modes: SpaceModes, direction: int, mass_shift: np.ndarray | None
+) -> np.ndarray:
     """Return the storey shears of each mode for an amplitude of 1, (n_modes, n_storeys)."""
-    force = modes.omega[:, None] ** 2 * modes.displacements[:, :, direction] * frame.node_mass
+    moved = modes.displacements[:, :, direction]
+    if mass_shift is not None:  # the floor turns its masses about its nodes
+        moved = moved + modes.displacements[:, :, 5] * (-mass_shift[:, 1] if direction == 0 else mass_shift[:, 0])
+    force = modes.omega[:, None] ** 2 * moved * frame.node_mass
     at_floor = force @ (frame.level_of_nodes[:, None] == np.arange(1, frame.n_floors + 1))
     return np.asarray(np.cumsum(at_floor[:, ::-1], axis=1)[:, ::-1])
 

@@ -89,6 +89,22 @@ class PartialFactors(Model):
     Q: Factor = 1.5
 
 
+def _expression(value: Any) -> Any:
+    """6.10 without quotes is a number in YAML."""
+    return "6.10" if isinstance(value, float) and value == 6.1 else value
+
+
+class Fundamental(Model):
+    """Combinations for persistent situations (EN 1990, 6.4.3.2).
+
+    `expression`: 6.10, or the less favourable of 6.10a and 6.10b. `favourable`: also combinations in which permanent
+    loads are favourable (gamma_G,inf) and variable ones absent, as for uplift.
+    """
+
+    expression: Annotated[Literal["6.10", "6.10a/b"], BeforeValidator(_expression)] = "6.10"
+    favourable: bool = False
+
+
 class LengthFactors(Model):
     """Buckling length over length between nodes, about both axes of the section."""
 
@@ -164,7 +180,8 @@ class Design(Model):
     Where q is of the table, a building that is not `regular_in_elevation` has 0.8 of it (EN 1998-1, 4.2.3.1(7)), and
     one that is not `regular_in_plan` a smaller default of alpha_u / alpha_1 (6.3.2(4)).
     `level` of the hazard; without it the only one. `accidental_torsion`: eccentricity over the length of the plan, 0
-    for none. `directions`: share of the other direction's action, or `srss`.
+    for none. `torsion_by`: static moments (EN 1998-1, 4.3.3.3.3), or masses that lie beside their place in the modal
+    analysis (4.3.2(1)P). `directions`: share of the other direction's action, or `srss`.
     """
 
     code: Codes = Codes()
@@ -177,10 +194,12 @@ class Design(Model):
     damping: Annotated[float, BeforeValidator(lambda value: parse_ratio(value, 0.0, 1.0, False, False))] = 0.05
     modes: Annotated[Literal["auto"] | int, BeforeValidator(_modes)] = "auto"
     accidental_torsion: Annotated[UnitRatio, BeforeValidator(_torsion)] = 0.05
+    torsion_by: Literal["static_moments", "shifted_masses"] = "static_moments"
     directions: Annotated[Literal["srss"] | float, BeforeValidator(_directions)] = 0.3
     second_order: Literal["amplify", "none"] = "amplify"
     displacement: Literal["elastic_cap", "q_times_d_e"] = "elastic_cap"
     drift: Annotated[Drift, BeforeValidator(_drift)] = Drift()
+    fundamental: Fundamental = Fundamental()
     partial_factors: PartialFactors = PartialFactors()
     overstrength: PositiveFactor = 1.25
     members: MemberChecks = MemberChecks()

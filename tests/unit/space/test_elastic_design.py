@@ -15,6 +15,7 @@ from edesign.cli.main import main
 from edesign.errors import InputError
 from edesign.report.page.document import page_text
 from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.model import space_model
 
 TABLE = """
 edesign_building: 1
@@ -308,3 +309,51 @@ def test_psi_2_is_that_of_the_category(tmp_path: Path) -> None:
         found = design_of(tmp_path, plain.replace("category: B", f"category: {category}"))
         assert found.frame.node_mass.sum() == pytest.approx(48.0 * (5.0 + 2.0 * psi_2) * 1e3 / 9.80665)
         assert any(row.name.startswith(f"G + {psi_2} Q") for row in found.combinations)
+
+
+def test_persistent_combinations_are_those_that_the_file_asks_for(tmp_path: Path) -> None:
+    """6.10a: 1.35 G + 1.5 x 0.7 Q; 6.10b: 0.85 x 1.35 G + 1.5 Q (EN 1990, Table A1.2(B)); favourable: G alone too."""
+
+    def names(keys: str) -> list[str]:
+        found = design_of(tmp_path, TABLE.replace("design:\n", f"design:\n{keys}"))
+        return [of.name for of in found.combinations if of.set == "fundamental"]
+
+    assert names("") == names("  fundamental: {expression: 6.10}\n") == ["1.35 G + 1.5 Q"]
+    assert names("  fundamental: {expression: 6.10a/b}\n") == ["1.35 G + 1.05 Q", "1.1475 G + 1.5 Q"]
+    assert sorted(names("  fundamental: {favourable: true}\n")) == ["1.35 G", "1.35 G + 1.5 Q", "G", "G + 1.5 Q"]
+
+
+def test_shifted_masses_twist_a_symmetric_storey_as_the_closed_form_says(tmp_path: Path) -> None:
+    """A storey on four equal columns, its mass e beside their centre (Chopra, Dynamics of Structures, 9.5).
+
+    omega^2 / omega_x^2 = (1 + Om^2 + (e/rho)^2 -+ sqrt((1 + Om^2 + (e/rho)^2)^2 - 4 Om^2)) / 2 with Om^2 the stiffness
+    about the centre of the columns over K_x rho^2, rho of the mass about its own centre.
+    """
+    found = design_of(tmp_path, TABLE)
+    model = space_model(found.frame, found.building.materials)
+    by_floor = found.modes.floor_shapes[:, 0]
+    along_x, turning = (int(np.abs(by_floor[:, k]).argmax()) for k in (0, 2))
+    Om2 = (found.modes.omega[turning] / found.modes.omega[along_x]) ** 2
+    rho2 = 3.0**2 + 4.0**2  # masses in the corners of 6 m x 8 m
+    e = 0.4
+    shift = np.where(found.frame.node_floor[:, None] >= 0, [0.0, e], 0.0)
+    shifted = model.modes(found.frame.node_mass, mass_shift=shift)
+    total = 1.0 + Om2 + e**2 / rho2
+    expected = 0.5 * (total + np.array([-1.0, 1.0]) * np.sqrt(total**2 - 4.0 * Om2))
+    ratios = np.sort((shifted.omega / found.modes.omega[along_x]) ** 2)
+    for value in expected:
+        assert np.abs(ratios - value).min() < 1e-9 * value
+
+
+def test_shifted_masses_load_both_sides_of_a_symmetric_building_alike_and_more(tmp_path: Path) -> None:
+    none, shifted = (
+        design_of(tmp_path, TABLE.replace("accidental_torsion: none", f"accidental_torsion: {text}"))
+        for text in ("none", "5 %\n  torsion_by: shifted_masses")
+    )
+    for axis in ("x", "y"):
+        of = shifted.response[axis]
+        columns = of.internal[shifted.frame.columns]
+        np.testing.assert_allclose(columns, np.broadcast_to(columns[:1], columns.shape), rtol=1e-9, atol=1e-6)
+        assert of.base_shear <= none.response[axis].base_shear * (1.0 + 1e-12)  # some of the mass turns instead
+        assert of.drift[0] > none.response[axis].drift[0]
+    np.testing.assert_allclose(shifted.modes.period, none.modes.period, rtol=1e-12)
