@@ -121,7 +121,7 @@ beams:
   - {along: x, bays: 2-5, floors: 5-7, section: IPE400, material: S275, group: B2}
   - {along: x, bays: 2-5, floors: 8-10, section: IPE360, material: S275, group: B3}
   - {along: x, bays: [1, 6], section: IPE200, material: S275, ends: pinned, group: BE}
-  - {along: y, section: HEA160, material: S275, ends: pinned, group: BY}
+  - {along: y, section: HEB600, material: stiff, ends: pinned, group: BY}
 braces:
   - {along: y, frames: [A, G], bays: 1, kind: cross, section: SHS200x12.5, material: stiff, group: D}
 materials: {S275: {fy: 275 MPa}, stiff: {fy: 275 MPa, E: 2100 GPa}}
@@ -142,7 +142,7 @@ design:
   accidental_torsion: none
   drift: {limit: ductile, nu: 0.5}
   select:
-    lists: {groups: {CE: [HEM300], BE: [IPE200], BY: [HEA160], D: [SHS200x12.5]}}
+    lists: {groups: {CE: [HEM300], BE: [IPE200], BY: [HEB600], D: [SHS200x12.5]}}
     leave_out: [6.7.3(1), 6.7.3(2), 6.7.3(8)]
 """
 """Finding 8 of the design document: 90 t a floor and frame; the pinned bays at both ends carry the braces along y."""

@@ -21,8 +21,8 @@ from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum, national_of
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
-from edesign.project.building.members import CHEVRONS
 from edesign.project.hazard import Hazard
+from edesign.space.bracing import bracing
 from edesign.space.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
 from edesign.space.criteria import (
     MOMENT_FRAME,
@@ -53,6 +53,7 @@ from edesign.space.response import (
     static_response,
 )
 from edesign.space.storeys import Storeys, storeys
+from edesign.space.yielded_braces import with_yielded_braces, yielded_combinations
 
 PERMANENT = "permanent"  # category of load cases
 
@@ -136,8 +137,9 @@ class ElasticAnalysis:
         q: behaviour factors.
         q_limit: their upper limits, Table 6.2.
         dissipative: numbers of the dissipative members of both directions.
+        bracing: what braces bring to columns and beams.
         members: checks of the members.
-        fundamental, seismic: combinations of actions.
+        fundamental, seismic, yielded: combinations of actions; `yielded` of beams beside buckled braces.
 
     Raises:
         InputError: a block is missing, a behaviour factor is out of its range, a key asks for what is not done, a
@@ -165,7 +167,8 @@ class ElasticAnalysis:
         self.q = {axis: self.q_limit[axis] if (q := system[axis].q) == "table" else float(q) for axis in AXES}
         self.dissipative = {axis: dissipative_members(self.frame, axis, system[axis].type) for axis in AXES}
         self._refuse()
-        self.members = MemberChecker(building, self.frame, self.dissipative, self.q)
+        self.bracing = bracing(self.frame)
+        self.members = MemberChecker(building, self.frame, self.dissipative, self.q, self.bracing)
         self._elastic = elastic_spectrum(hazard, self._design.level or next(iter(hazard.levels), None))
         cases = {name: case.category for name, case in _with_joined_cases(self.frame).cases.items()}
         psi = _psi(building, self._national)
@@ -174,6 +177,7 @@ class ElasticAnalysis:
         self.fundamental = fundamental(cases, psi, factors, asked.expression, asked.favourable)
         self.seismic = seismic(cases, psi, directions)
         self._characteristic = characteristic(cases, psi)
+        self.yielded = yielded_combinations(self.seismic[0], self.bracing, self._design)
         self._groups: dict[str, list[int]] = {}
         for number, member in enumerate(self.frame.members):
             self._groups.setdefault(member.group, []).append(number)
@@ -258,6 +262,7 @@ class ElasticAnalysis:
                 design.combination,
                 design.damping,
                 design.accidental_torsion,
+                self.bracing,
             )
             for axis in AXES
         }
@@ -265,6 +270,9 @@ class ElasticAnalysis:
         gravity = gravity_above(frame, self.seismic[0].static)
         of_storeys = {axis: storeys(response[axis], height, gravity, design) for axis in AXES}
         acting = effects(frame, static, response, of_storeys)
+        if self.yielded:
+            gamma_pb = self._national.gamma_pb
+            acting = with_yielded_braces(acting, gravity_model, frame, self.bracing, building, gamma_pb)
         in_earthquakes = largest(acting, self.seismic)
         steel, gamma_M0 = building.materials, design.partial_factors.M0
         kind = {axis: system_of(design, axis).type for axis in AXES}
@@ -272,7 +280,7 @@ class ElasticAnalysis:
             axis: overstrength(frame, steel, in_earthquakes, self.dissipative[axis], axis, kind[axis], gamma_M0)
             for axis in AXES
         }
-        checked = self.members.results(frame, acting, self.fundamental, self.seismic, Omega)
+        checked = self.members.results(frame, acting, self.fundamental, self.seismic, Omega, self.yielded)
         of_joints = {
             axis: joints(frame, steel, in_earthquakes, self.dissipative[axis], axis, gamma_M0)
             for axis in AXES
@@ -310,16 +318,6 @@ class ElasticAnalysis:
         found = []
         if self._design.accidental_torsion and not diaphragm_floors(frame):
             found.append("accidental torsion is left out: no floor is rigid, and its moments act on rigid floors")
-        if not frame.in_compression.all():
-            found.append(
-                "columns and beams beside braces that count in tension only have the forces of two equal diagonals; in "
-                "the storey of a brace half of its vertical component is missing in the column at its head"
-            )
-        if any(member.bracing in CHEVRONS for member in frame.members):
-            found.append(
-                "beams that chevrons meet are not checked for the force of a tension brace beside a buckled one (EN "
-                "1998-1, 6.7.4(2)b)"
-            )
         return found
 
     def _with_sections(self, frame: SpaceFrame) -> list[SpaceModel]:

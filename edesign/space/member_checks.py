@@ -2,7 +2,8 @@
 
 Sets of combinations: persistent (6.10), seismic, and capacity, in which the seismic effects are those of members that
 yield: 1.1 gamma_ov Omega (EN 1998-1, 6.6.3(1)P and 6.7.4(1)). Members that dissipate energy are checked in the seismic
-set, all others in the capacity set; in ductility class low all in the seismic set.
+set, all others in the capacity set; in ductility class low all in the seismic set. Beams that chevrons or V braces meet
+have a set of their own, in which a brace has buckled (6.7.4(2)).
 """
 
 from __future__ import annotations
@@ -36,13 +37,14 @@ from edesign.core.member_checks import (
 )
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
+from edesign.space.bracing import Bracing
 from edesign.space.capacity import Overstrength, bends_about_y
 from edesign.space.criteria import MOMENT_FRAME, design_of, system_of
 from edesign.space.effects import Effects, largest
 from edesign.space.frame import Member, SpaceFrame
 from edesign.space.response import AXES, STATIONS, Axis
 
-PERSISTENT, SEISMIC, CAPACITY = range(3)
+PERSISTENT, SEISMIC, CAPACITY, YIELDED = range(4)
 LARGEST_PLASTIC_CLASS = 2
 LARGEST_CLASS = 3
 _SEISMIC_TERM = re.compile(r"(?:([0-9.]+) )?E_([xy])")
@@ -58,8 +60,8 @@ class MemberResults:
         utilisation: (n_members, n_checks); nan where the check does not apply.
         combination: (n_members, n_checks) number of the governing combination, from 1; 0 where it does not apply.
         station: (n_members, n_checks) governing place as a fraction of the length; nan where it does not apply.
-        rows: the combinations that the numbers mean: those of actions, then the amplified ones.
-        counts: how many of them are persistent, seismic, and amplified.
+        rows: the combinations that the numbers mean: those of actions, the amplified ones, those with yielded braces.
+        counts: how many of them are persistent, seismic, amplified, and with yielded braces.
         slender: numbers of the members of class 4, whose utilisations are infinite: effective sections (EN 1993-1-5)
             are not in the checks.
     """
@@ -70,7 +72,7 @@ class MemberResults:
     combination: np.ndarray
     station: np.ndarray
     rows: tuple[Combination, ...]
-    counts: tuple[int, int, int]
+    counts: tuple[int, int, int, int]
     slender: tuple[int, ...]
 
 
@@ -82,16 +84,22 @@ class MemberChecker:
         frame: its members; their sections may change from check to check, their places may not.
         dissipative: numbers of the dissipative members of both directions.
         q: behaviour factors.
+        bracing: beams that braces meet.
     """
 
     def __init__(
-        self, building: Building, frame: SpaceFrame, dissipative: Mapping[Axis, np.ndarray], q: Mapping[Axis, float]
+        self,
+        building: Building,
+        frame: SpaceFrame,
+        dissipative: Mapping[Axis, np.ndarray],
+        q: Mapping[Axis, float],
+        bracing: Bracing,
     ) -> None:
         self._building = building
         self._design = design_of(building)
         self._q = q
-        self._masks = _masks(frame, self._design, dissipative)
-        roles = [_role(self._design, *of) for of in zip(frame.members, frame.length.tolist(), strict=True)]
+        self._masks = _masks(frame, self._design, dissipative, bracing.halves)
+        roles = [_role(self._design, *of) for of in zip(frame.members, bracing.span.tolist(), strict=True)]
         self._roles = list(dict.fromkeys(roles))
         places = {role: place for place, role in enumerate(self._roles)}
         self._role_of_members = np.array([places[role] for role in roles], dtype=int)
@@ -104,6 +112,7 @@ class MemberChecker:
         fundamental: Sequence[Combination],
         seismic: Sequence[Combination],
         overstrength: Mapping[Axis, Overstrength],
+        yielded: Sequence[Combination],
     ) -> MemberResults:
         """Check all members.
 
@@ -112,10 +121,11 @@ class MemberChecker:
             effects: of the actions.
             fundamental, seismic: combinations for persistent and for seismic design situations.
             overstrength: Omega of both directions.
+            yielded: combinations for beams beside buckled braces.
         """
         amplified = amplified_combinations(self._design, seismic, overstrength, self._q)
-        rows = (*fundamental, *seismic, *amplified)
-        counts = len(fundamental), len(seismic), len(amplified)
+        rows = (*fundamental, *seismic, *amplified, *yielded)
+        counts = len(fundamental), len(seismic), len(amplified), len(yielded)
         found, slender = self._checked(frame, effects, rows, counts)
         applies = found.combination >= 0
         return MemberResults(
@@ -143,7 +153,7 @@ class MemberChecker:
         frame: SpaceFrame,
         effects: Effects,
         rows: Sequence[Combination],
-        counts: tuple[int, int, int],
+        counts: tuple[int, int, int, int],
     ) -> tuple[Utilisations, tuple[int, ...]]:
         spectral, factors = _spectral(effects, rows)
         constants, of_members, slender = self._constants(frame, effects, rows)
@@ -153,7 +163,7 @@ class MemberChecker:
             spectral=spectral,
             static_factors=np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows]),
             spectral_factors=factors,
-            combination_set=np.repeat([PERSISTENT, SEISMIC, CAPACITY], counts),
+            combination_set=np.repeat([PERSISTENT, SEISMIC, CAPACITY, YIELDED], counts),
             gravity=np.ones(len(effects.cases), dtype=int),
             members=MemberTable(table.constants[of_members], table.kind[of_members]),
             masks=self._masks,
@@ -244,12 +254,13 @@ def amplified_combinations(
     return tuple(found)
 
 
-def _masks(frame: SpaceFrame, design: Design, of_axes: Mapping[Axis, np.ndarray]) -> np.ndarray:
-    """Return the checks of each member in each set of combinations, as bits, (n_members, 3)."""
+def _masks(frame: SpaceFrame, design: Design, of_axes: Mapping[Axis, np.ndarray], halves: np.ndarray) -> np.ndarray:
+    """Return the checks of each member in each set of combinations, as bits, (n_members, 4)."""
     capacity = design.ductility_class != "low"
     usual = {kind: mask(*SECTION_CHECKS, *MEMBER_CHECKS) for kind in ("beam", "column")}
     usual["brace"] = mask(Check.N, Check.N_B)
-    masks = np.zeros((len(frame.members), 3), dtype=np.intc)
+    masks = np.zeros((len(frame.members), 4), dtype=np.intc)
+    masks[halves, YIELDED] = usual["beam"]
     dissipative = {int(number) for axis in AXES for number in of_axes[axis]}
     frames = any(system_of(design, axis).type == MOMENT_FRAME for axis in AXES)
     for number, member in enumerate(frame.members):
@@ -272,7 +283,7 @@ class _Role:
 
     Attributes:
         kind: column, beam or brace.
-        length: m.
+        length: between supports, m; braces that meet a beam do not support it (EN 1998-1, 6.7.4(2)).
         hinges: at how many ends a beam passes moments on.
         sways_y, sways_z: a column that bends about this axis in a moment frame.
     """

@@ -13,8 +13,8 @@ from edesign.space.frame import NO_DIAPHRAGM, SpaceFrame
 
 TENSION_ONLY_SHARE = 0.5
 """Share of its area that a brace has in the model if it does not count in compression."""
-GRAVITY_SHARE = 1e-3
-"""Share of its area that a brace has under gravity: it then carries a thousandth of what it would by its own stiffness.
+GRAVITY_SHARE = 1e-6
+"""Share of its area that a brace has under gravity: it then carries a millionth of what it would by its own stiffness.
 
 Source: EN 1998-1:2004, 6.7.2(1)P: under gravity only beams and columns resist. Floors still need something that holds
 them where all beams of a direction are pinned.

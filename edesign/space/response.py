@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 import numpy as np
 
@@ -22,10 +22,14 @@ from edesign.errors import InputError
 from edesign.space.frame import LoadCase, SpaceFrame
 from edesign.space.model import diaphragm_floors
 
+if TYPE_CHECKING:
+    from edesign.space.bracing import Bracing
+
 Axis = Literal["x", "y"]
 AXES: tuple[Axis, Axis] = ("x", "y")
 STATIONS = np.array([0.0, 1.0 / 6.0, 1.0 / 3.0, 0.5, 2.0 / 3.0, 5.0 / 6.0, 1.0])
 """Places along a member as fractions of its length: loads of secondary beams at third points fall on them."""
+AXIAL_AT_END = 6  # place of N in end forces; braces and columns of modes have the same along their length
 
 
 @dataclass(frozen=True)
@@ -78,8 +82,7 @@ class SeismicResponse:
 
 def static_response(model: SpaceModel, frame: SpaceFrame) -> StaticResponse:
     """Return the effects of all load cases of a frame."""
-    cases = tuple(frame.cases.values())
-    return _static(model, cases)
+    return static_cases(model, tuple(frame.cases.values()))
 
 
 def seismic_response(
@@ -92,6 +95,7 @@ def seismic_response(
     combination: str,
     damping: float,
     torsion: float,
+    bracing: Bracing,
     mass_shift: np.ndarray | None = None,
 ) -> SeismicResponse:
     """Return the effects of the seismic action in one direction by modal response spectrum analysis.
@@ -106,6 +110,7 @@ def seismic_response(
         combination: `cqc` or `srss`.
         damping: ratio of critical damping of the modes.
         torsion: e_ai / L_i; 0 for none.
+        bracing: what braces bring to columns and beams.
         mass_shift: (n_nodes, 2) m, as the modes were found with.
 
     Raises:
@@ -123,7 +128,7 @@ def seismic_response(
     shear = _modal_storey_shear(frame, modes, direction, mass_shift)  # (k, storeys) for an amplitude of 1
     drift, storey = _modal_drift(frame, modes, direction)  # (k, columns)
     storey_shear = combine(shear.T, rho * np.outer(amplitude, amplitude))
-    twist = _accidental_torsion(model, frame, modes, axis, float(storey_shear[0]), torsion)
+    twist = _accidental_torsion(model, frame, modes, axis, float(storey_shear[0]), torsion, bracing)
 
     def drifts(of: np.ndarray) -> np.ndarray:
         base_shear = combine(shear[:, :1].T, rho * np.outer(of, of))[0]
@@ -133,7 +138,9 @@ def seismic_response(
         np.maximum.at(worst, storey, found)
         return worst
 
-    internal = combine_internal(modes.end_forces, rho * np.outer(amplitude, amplitude), STATIONS)
+    scaled = rho * np.outer(amplitude, amplitude)
+    internal = combine_internal(modes.end_forces, scaled, STATIONS)
+    internal = bracing.axial_forces(internal, modes.end_forces[:, :, AXIAL_AT_END], scaled)
     return SeismicResponse(
         axis=axis,
         spectrum=spectrum,
@@ -159,6 +166,7 @@ def response_of_shifted_masses(
     combination: str,
     damping: float,
     torsion: float,
+    bracing: Bracing,
 ) -> SeismicResponse:
     """Return the effects of the seismic action in one direction with the masses of all floors e_ai to either side.
 
@@ -184,6 +192,7 @@ def response_of_shifted_masses(
             combination,
             damping,
             torsion=0.0,
+            bracing=bracing,
             mass_shift=side * shift,
         )
         for side in (1.0, -1.0)
@@ -264,7 +273,13 @@ def _modal_drift(frame: SpaceFrame, modes: SpaceModes, direction: int) -> tuple[
 
 
 def _accidental_torsion(
-    model: SpaceModel, frame: SpaceFrame, modes: SpaceModes, axis: Axis, base_shear: float, ratio: float
+    model: SpaceModel,
+    frame: SpaceFrame,
+    modes: SpaceModes,
+    axis: Axis,
+    base_shear: float,
+    ratio: float,
+    bracing: Bracing,
 ) -> _Twist:
     """Return the effects of M_ai = e_ai F_i, F_i by the heights of the floors (Eq. 4.11), without sign."""
     level = frame.level_of_nodes
@@ -278,13 +293,16 @@ def _accidental_torsion(
     length = np.array([np.ptp(across[level == floor]) for floor in floors])
     nodal = np.zeros((len(frame.node_names), 6))
     nodal[rigid, 5] = accidental_moments(lateral_forces(base_shear, mass, frame.levels[floors]), length, ratio)
-    found = _static(model, (_nodal_case(frame, "torsion", nodal),))
+    found = static_cases(model, (nodal_case(frame, "torsion", nodal),))
     start, end = (nodes[frame.columns] for nodes in frame.ends)
     moved = found.displacements[0][:, AXES.index(axis)]
-    return _Twist(np.abs(found.internal[0]), np.abs(moved[end] - moved[start]))
+    axial = found.internal[:, :, 0, 0]
+    internal = bracing.axial_forces(np.abs(found.internal[0]), axial, np.ones((1, 1)))
+    return _Twist(internal, np.abs(moved[end] - moved[start]))
 
 
-def _static(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticResponse:
+def static_cases(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticResponse:
+    """Return the effects of load cases."""
     points = Points(
         case=np.repeat(np.arange(len(cases)), [case.point_member.size for case in cases]),
         member=np.concatenate([case.point_member for case in cases]),
@@ -297,6 +315,7 @@ def _static(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticResponse:
     return StaticResponse(tuple(case.name for case in cases), found.displacements, internal, found.reactions)
 
 
-def _nodal_case(frame: SpaceFrame, name: str, nodal: np.ndarray) -> LoadCase:
+def nodal_case(frame: SpaceFrame, name: str, nodal: np.ndarray) -> LoadCase:
+    """Return a load case of forces and moments on nodes, (n_nodes, 6) N and N m."""
     none = np.zeros(0, dtype=int)
     return LoadCase(name, "seismic", nodal, np.zeros((len(frame.members), 3)), none, np.zeros(0), np.zeros((0, 3)))

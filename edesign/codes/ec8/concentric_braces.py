@@ -11,11 +11,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.capacity import overstrength
 from edesign.codes.ec8.criterion import Criterion, at_most
 from edesign.codes.names import unknown
 from edesign.codes.quantities import check_not_negative, check_positive
-from edesign.errors import InputError
 
 BraceKind = Literal["x", "diagonal", "v"]
 """Crossing diagonals; diagonals that do not cross; V or inverted V."""
@@ -51,22 +49,6 @@ def asymmetry(A_plus: float, A_minus: float, storey: int) -> Criterion:
     return at_most("6.7.1(3)", text, ASYMMETRY, value, f"storey {storey}")
 
 
-def diagonals_that_count(kind: str) -> Literal["tension", "both"]:
-    """Return which diagonals an elastic analysis for the seismic action counts.
-
-    Args:
-        kind: `x`, `diagonal` or `v`.
-
-    Raises:
-        InputError: there is no such kind.
-
-    Source: EN 1998-1:2004, 6.7.2(2)P: tension diagonals in frames with diagonal bracings, both in V bracings; (3) both
-        in any bracing if a nonlinear analysis, or a model with pre- and post-buckling behaviour, justifies it.
-    """
-    _check_kind(kind)
-    return "both" if kind == "v" else "tension"
-
-
 def slenderness(value: float, kind: str, storeys: int, member: str = "") -> Criterion:
     """Check the non-dimensional slenderness of a diagonal.
 
@@ -93,41 +75,6 @@ def slenderness(value: float, kind: str, storeys: int, member: str = "") -> Crit
     return at_most(clause, "slenderness of a diagonal", high, value, member)
 
 
-def tension_resistance(N_Ed: ArrayLike, N_pl_Rd: ArrayLike) -> np.ndarray:
-    """Return N_Ed / N_pl,Rd of diagonals in tension; at most 1.
-
-    Args:
-        N_Ed: in the seismic design situation, N, any sign.
-        N_pl_Rd: plastic resistance of the gross section, N.
-
-    Source: EN 1998-1:2004, 6.7.3(5).
-    """
-    check_positive(N_pl_Rd=N_pl_Rd)
-    return np.asarray(np.abs(np.asarray(N_Ed, dtype=float)) / np.asarray(N_pl_Rd, dtype=float))
-
-
-def brace_overstrength(N_pl_Rd: ArrayLike, N_Ed: ArrayLike) -> tuple[float, int, Criterion]:
-    """Return Omega, the least N_pl,Rd / N_Ed of all diagonals, which one has it, and the criterion of homogeneity.
-
-    Args:
-        N_pl_Rd: (n,) N.
-        N_Ed: (n,) forces in the seismic design situation, N, any sign.
-
-    Returns:
-        Omega; index of its diagonal; criterion that the others exceed it by at most 25 %.
-
-    Raises:
-        InputError: there are no diagonals, or one has no force.
-
-    Source: EN 1998-1:2004, 6.7.4(1) and 6.7.3(8).
-    """
-    ratios = np.atleast_1d(overstrength(N_pl_Rd, N_Ed))
-    if not ratios.size or not np.isfinite(ratios).all():
-        raise InputError("Omega needs diagonals, each with a force in the seismic design situation")
-    least = int(np.argmin(ratios))
-    return float(ratios[least]), least, homogeneity(ratios)
-
-
 def homogeneity(ratios: ArrayLike, where: str = "") -> Criterion:
     """Check that the overstrength of diagonals exceeds the least one by at most 25 %.
 
@@ -143,35 +90,22 @@ def homogeneity(ratios: ArrayLike, where: str = "") -> Criterion:
     return at_most("6.7.3(8)", text, HOMOGENEITY, most / Omega - 1.0, f"Omega from {Omega:.3g} to {most:.3g}")
 
 
-def v_brace_forces(
-    N_pl_tension: float, N_pl_compression: float, slope_tension: float, slope_compression: float, gamma_pb: float = 0.3
-) -> tuple[float, float]:
-    """Return the forces on the beam at the point of a V bracing after the diagonal in compression has buckled.
-
-    The beam must also carry all non-seismic actions without the support of the diagonals.
+def post_buckling_forces(N_pl_Rd: ArrayLike, in_tension: ArrayLike, gamma_pb: float = 0.3) -> np.ndarray:
+    """Return the forces of the diagonals of a V bracing after those in compression have buckled, N, tension positive.
 
     Args:
-        N_pl_tension, N_pl_compression: N_pl,Rd of the two diagonals, N.
-        slope_tension, slope_compression: their angles against the horizontal, rad, 0 to pi/2.
+        N_pl_Rd: plastic resistances, N.
+        in_tension: whether each of them is in tension.
         gamma_pb: share of N_pl,Rd left in compression (`NationalParameters.gamma_pb`).
-
-    Returns:
-        Unbalanced vertical force, N, downwards for an inverted V, and horizontal force along the beam, N.
 
     Raises:
         InputError: a number is out of its range.
 
     Source: EN 1998-1:2004, 6.7.4(2): N_pl,Rd in tension, gamma_pb N_pl,Rd in compression.
     """
-    check_positive(N_pl_tension=N_pl_tension, N_pl_compression=N_pl_compression)
+    check_positive(N_pl_Rd=N_pl_Rd)
     check_not_negative(gamma_pb=gamma_pb)
-    for slope in (slope_tension, slope_compression):
-        if not 0.0 < slope < math.pi / 2.0:
-            raise InputError(f"the slope of a diagonal lies between 0 and pi/2 rad, not {slope:g}")
-    left = gamma_pb * N_pl_compression
-    vertical = N_pl_tension * math.sin(slope_tension) - left * math.sin(slope_compression)
-    horizontal = N_pl_tension * math.cos(slope_tension) + left * math.cos(slope_compression)
-    return vertical, horizontal
+    return np.where(np.asarray(in_tension, dtype=bool), 1.0, -gamma_pb) * np.asarray(N_pl_Rd, dtype=float)
 
 
 def adjacent_column_force(N_b_Rd: float, slope: float) -> float:

@@ -21,11 +21,9 @@ from edesign.codes.ec8.capacity import amplified_effect, connection_resistance, 
 from edesign.codes.ec8.concentric_braces import (
     adjacent_column_force,
     asymmetry,
-    brace_overstrength,
-    diagonals_that_count,
+    homogeneity,
+    post_buckling_forces,
     slenderness,
-    tension_resistance,
-    v_brace_forces,
 )
 from edesign.codes.ec8.moment_frames import (
     beam_axial_force,
@@ -203,30 +201,18 @@ def test_slenderness(value: float, kind: str, storeys: int, clause: str, passed:
     assert (check.clause, check.passed, check.detail) == (clause, passed, "DY_A_1_5_r")
 
 
-def test_overstrength_of_diagonals_and_its_homogeneity() -> None:
-    Omega, which, check = brace_overstrength([2000.0, 1800.0, 1600.0], [-1600.0, 1500.0, 1060.0])
-    assert (Omega, which) == (1.2, 1)
-    assert check.value == pytest.approx(1600.0 / 1060.0 / 1.2 - 1.0) and not check.passed
-    assert brace_overstrength([100.0, 125.0], [100.0, 100.0])[2].passed  # 25 % is allowed
-    with pytest.raises(InputError, match="each with a force"):
-        brace_overstrength([100.0, 100.0], [100.0, 0.0])
-    with pytest.raises(InputError, match="Omega needs diagonals"):
-        brace_overstrength([], [])
-    assert tension_resistance(-80.0, 100.0) == 0.8
+def test_homogeneity_of_diagonals() -> None:
+    check = homogeneity([1.25, 1.2, 1.6], ", direction y")
+    assert check.value == pytest.approx(1.6 / 1.2 - 1.0) and not check.passed
+    assert homogeneity([1.0, 1.25]).passed  # 25 % is allowed
 
 
 def test_v_bracing() -> None:
-    """Equal diagonals at 45 degrees: vertical (1 - 0.3) N sin, horizontal (1 + 0.3) N cos."""
-    vertical, horizontal = v_brace_forces(1000e3, 1000e3, math.pi / 4, math.pi / 4)
-    assert vertical == pytest.approx(700e3 / math.sqrt(2.0))
-    assert horizontal == pytest.approx(1300e3 / math.sqrt(2.0))
-    assert diagonals_that_count("v") == "both"
-    assert diagonals_that_count("x") == diagonals_that_count("diagonal") == "tension"
+    """6.7.4(2): N_pl,Rd in tension, 0.3 N_pl,Rd in compression; the recommended gamma_pb."""
+    assert post_buckling_forces([1000.0, 1000.0, 500.0], [True, False, False]).tolist() == [1000.0, -300.0, -150.0]
     assert adjacent_column_force(400e3, math.pi / 6) == pytest.approx(200e3)
-    with pytest.raises(InputError, match=r"between 0 and pi/2 rad, not 45"):
-        v_brace_forces(1.0, 1.0, 45.0, 45.0)
-    with pytest.raises(InputError, match="kind of bracing `k`"):
-        diagonals_that_count("k")
+    with pytest.raises(InputError, match="gamma_pb must be at least zero"):
+        post_buckling_forces([1.0], [True], -0.3)
 
 
 def test_strong_columns() -> None:

@@ -1,0 +1,161 @@
+"""Forces of braces in the columns and beams of their frames, by statics."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.building.building_file import load_building
+from edesign.building.steel_section import steel_section
+from edesign.space.bracing import bracing
+from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.frame import SpaceFrame
+
+BUILDING = """
+edesign_building: 1
+title: One bay, two storeys, braced along y
+plan: {x: [6 m], y: [8 m]}
+storeys: [4 m, 3 m]
+supports: pinned
+columns:
+  - {section: HEB300, material: S275, strong: x, group: C}
+beams:
+  - {along: x, section: IPE400, material: S275, ends: rigid, group: BX}
+  - {along: y, section: IPE400, material: S275, ends: pinned, group: BY}
+braces:
+  - {along: y, frames: all, bays: all, kind: cross, section: SHS100x6, material: S275}
+materials: {S275: {fy: 275 MPa}}
+loads:
+  areas:
+    - {G: 5 kN/m^2, Q: 2 kN/m^2, category: B, spans: x}
+  self_weight: false
+masses: {from_loads: {G: 1.0, Q: 0.3}}
+hazard: {code: ec8-2004, a_gR: 2.5 m/s^2, ground: B, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}
+design:
+  ductility_class: medium
+  systems:
+    x: {type: moment_frame, q: 4}
+    y: {type: concentric_diagonal, q: 4}
+  accidental_torsion: none
+"""
+CHEVRONS = BUILDING.replace("kind: cross", "kind: chevron").replace("concentric_diagonal, q: 4", "concentric_v, q: 2")
+
+
+def design_of(folder: Path, text: str) -> ElasticDesign:
+    path = folder / "braced.yaml"
+    path.write_text(text, encoding="utf-8")
+    return elastic_design(load_building(path))
+
+
+def number_of(frame: SpaceFrame, name: str) -> int:
+    return next(n for n, member in enumerate(frame.members) if member.name == name)
+
+
+def one_mode(found: ElasticDesign) -> tuple[np.ndarray, np.ndarray]:
+    """Axial forces of the first mode along y in the linear model, and those that the worse sense has."""
+    mode = int(found.modes.effective_mass_ratio[:, 1].argmax())
+    axial = found.modes.end_forces[[mode], :, 6]
+    plain = np.zeros((axial.shape[1], 7, 6))
+    return axial[0], bracing(found.frame).axial_forces(plain, axial, np.ones((1, 1)))[:, :, 0]
+
+
+def test_a_truss_with_the_diagonals_in_tension_alone(tmp_path: Path) -> None:
+    """One bay, two storeys, by joints: the diagonals in tension carry T_1 and T_2, twice the force of the model.
+
+    Columns: T_2 sin in storey 2, T_2 sin_2 + T_1 sin_1 below. Beams: the roof collects from 0 to T_2 cos; the floor
+    goes from T_2 cos, which comes from above, to T_1 cos, which goes on below. Beams on hinges pass no shear, so that
+    statics is exact (1e-9).
+    """
+    found = design_of(tmp_path, BUILDING)
+    model, worse = one_mode(found)
+    frame = found.frame
+    T = [2.0 * abs(model[number_of(frame, f"DY_A_1_{storey}_r")]) for storey in (1, 2)]
+    cosine = [8.0 / np.hypot(8.0, height) for height in (4.0, 3.0)]
+    sine = [height / np.hypot(8.0, height) for height in (4.0, 3.0)]
+    for line in ("A1", "A2"):
+        above, below = (worse[number_of(frame, f"C_{line}_{storey}")] for storey in (2, 1))
+        np.testing.assert_allclose(above, T[1] * sine[1], rtol=1e-9)
+        np.testing.assert_allclose(below, T[1] * sine[1] + T[0] * sine[0], rtol=1e-9)
+    roof, floor = (worse[number_of(frame, f"BY_A_1_{level}")] for level in (2, 1))
+    towards = np.linspace(0.0, 1.0, 7)
+    both = np.maximum(towards, 1.0 - towards)  # of both senses, one of which mirrors the other
+    np.testing.assert_allclose(roof, T[1] * cosine[1] * both, rtol=1e-9)
+    each = T[1] * cosine[1] + (T[0] * cosine[0] - T[1] * cosine[1]) * towards
+    np.testing.assert_allclose(floor, np.maximum(each, each[::-1]), rtol=1e-9)
+
+
+def test_the_storey_shear_goes_through_the_beams(tmp_path: Path) -> None:
+    """The roof beam of each of two frames collects half of the storey shear, but for what columns take (5 %)."""
+    found = design_of(tmp_path, BUILDING)
+    beam = number_of(found.frame, "BY_A_1_2")
+    N = found.effects.seismic[1, beam, :, 0]
+    assert N.max() == pytest.approx(0.5 * found.response["y"].storey_shear[1], rel=0.05)
+    assert found.effects.seismic[0, beam, :, 0].max() < 0.01 * N.max()  # columns of frames along x get longer
+
+
+def test_diagonals_that_count_in_compression_leave_columns_as_they_are(tmp_path: Path) -> None:
+    """Each takes half of the shear; beams then collect from one half of it to the other: at most V/4 of a frame."""
+    found = design_of(tmp_path, BUILDING.replace("kind: cross,", "kind: cross, compression: true,"))
+    model, worse = one_mode(found)
+    H = 2.0 * abs(model[number_of(found.frame, "DY_A_1_2_r")]) * 8.0 / np.hypot(8.0, 3.0)
+    roof = worse[number_of(found.frame, "BY_A_1_2")]
+    np.testing.assert_allclose(roof, 0.5 * H * np.abs(np.linspace(-1.0, 1.0, 7)), atol=1e-9 * H)
+    assert not worse[found.frame.columns].any()  # what the model has is not touched
+
+
+def test_a_beam_beside_a_buckled_brace(tmp_path: Path) -> None:
+    """EN 1998-1, 6.7.4(2), by hand: a beam of 8 m on hinges with q L2 / 8 + 0.7 N_pl sin L / 4 in the middle.
+
+    The roof is pulled by the braces below alone: the floor gives back H = 1.3 N_pl cos evenly, and N goes from 0 at
+    the column to H / 2 beside the middle. Braces keep a millionth of their stiffness under gravity (1e-4).
+    """
+    found = design_of(tmp_path, CHEVRONS)
+    frame, acting = found.frame, found.effects
+    N_pl = steel_section("SHS100x6").A * 275e6
+    sine = [height / np.hypot(4.0, height) for height in (4.0, 3.0)]
+    first, second = (number_of(frame, f"BY_A_1_2_{half}") for half in (1, 2))
+    gravity = (5.0 + 0.3 * 2.0) * 1e3 * 3.0
+    rows = [row for row in found.combinations if "braces" in row.name]
+    assert [row.name for row in rows] == ["G + 0.3 Q + braces+", "G + 0.3 Q + braces-"]
+    H = 1.3 * N_pl * np.sqrt(1.0 - sine[1] ** 2)
+    for row, way in zip(rows, (1.0, -1.0), strict=True):
+        forces = acting.of_static(row)
+        M = gravity * 8.0**2 / 8.0 + 0.7 * N_pl * sine[1] * 8.0 / 4.0
+        assert abs(forces[first, -1, 4]) == pytest.approx(M, rel=1e-4)
+        assert abs(forces[first, 0, 2]) == pytest.approx(gravity * 4.0 + 0.35 * N_pl * sine[1], rel=1e-4)
+        np.testing.assert_allclose(forces[first, [0, -1], 0], [0.0, -way * H / 2.0], atol=1e-6 * H)
+        np.testing.assert_allclose(forces[second, [0, -1], 0], [way * H / 2.0, 0.0], atol=1e-6 * H)
+    M_pl = steel_section("IPE400").W_pl_y * 275e6
+    bending = list(found.members.checks).index("M_Y")
+    assert found.members.utilisation[first, bending] == pytest.approx(M / M_pl, rel=1e-4)
+    governing = found.members.rows[int(found.members.combination[first, bending]) - 1]
+    assert governing.name.startswith("G + 0.3 Q + braces")
+
+
+def test_the_floor_below_passes_the_forces_of_the_braces_above(tmp_path: Path) -> None:
+    """At the column the brace above pushes N_pl cos_2 (or 0.3 of it) into the beam; in the middle 1.3 N_pl cos_1 leave.
+
+    Balance of the halves: the floor gives the difference evenly.
+    """
+    found = design_of(tmp_path, CHEVRONS)
+    N_pl = steel_section("SHS100x6").A * 275e6
+    low, high = (N_pl * 4.0 / np.hypot(4.0, height) for height in (4.0, 3.0))
+    first, second = (number_of(found.frame, f"BY_A_1_1_{half}") for half in (1, 2))
+    forces = found.effects.of_static(next(row for row in found.combinations if row.name.endswith("braces+")))
+    step = 1.3 * (low - high) / 2.0
+    np.testing.assert_allclose(forces[first, [0, -1], 0], [-high, -high - step], rtol=1e-9)
+    np.testing.assert_allclose(forces[second, [0, -1], 0], [0.3 * high + step, 0.3 * high], rtol=1e-9)
+
+
+def test_class_low_has_no_buckled_braces(tmp_path: Path) -> None:
+    low = CHEVRONS.replace("class: medium", "class: low").replace("q: 4", "q: 1.5").replace("q: 2", "q: 1.5")
+    assert not [row for row in design_of(tmp_path, low).combinations if "braces" in row.name]
+
+
+def test_halves_of_beams_buckle_as_one(tmp_path: Path) -> None:
+    """A braced beam of 8 m has the buckling length of 8 m about y, not that of its halves (6.7.4(2))."""
+    found = design_of(tmp_path, CHEVRONS)
+    span = bracing(found.frame).span
+    assert span[number_of(found.frame, "BY_A_1_1_1")] == span[number_of(found.frame, "BY_A_1_1_2")] == 8.0
