@@ -2,8 +2,14 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from edesign.building.building_sections import BuildingSections
+from edesign.core.space import PROPERTIES, SpaceModel
 from edesign.project.building import Building, parse_building
+from edesign.space.frame import SpaceFrame
+from edesign.space.geometry import space_frame
+from edesign.space.model import member_properties, space_model
 
 SMALL = """\
 edesign_building: 1
@@ -84,3 +90,15 @@ def building(text: str, *changes: tuple[str, str]) -> Building:
         assert text.count(old) == 1, f"{old!r} must stand in the building once"
         text = text.replace(old, new)
     return parse_building(text, "building.yaml", BuildingSections())
+
+
+def bending_only(of: Building) -> tuple[SpaceFrame, SpaceModel, np.ndarray]:
+    """Frame, model and properties of a building whose columns and beams bend and neither shorten nor shear."""
+    frame = space_frame(of)
+    properties = member_properties(frame, of.materials)
+    bent = [member.kind != "brace" for member in frame.members]
+    properties[bent, PROPERTIES.index("A")] *= 1e4
+    properties[:, [PROPERTIES.index("A_y"), PROPERTIES.index("A_z")]] = 0.0
+    model = space_model(frame, of.materials)
+    model.change_sections(np.arange(len(frame.members)), properties)
+    return frame, model, properties

@@ -173,7 +173,7 @@ def _storeys(axis: str, group: Group) -> Table:
 
 def _criteria(group: Group) -> Table:
     of = group.variables
-    table = Table("Rules of EN 1998-1 for the building", ("clause", "rule", "value", "limit", "", "where"), left=2)
+    table = Table("Rules for the building", ("clause", "rule", "value", "limit", "", "where"), left=2)
     for k in range(group.coords["rule"].values.size):
         passed = {1: "met", 0: "NOT MET"}.get(int(of["passed"].values[k]), "-")
         numbers = [number(_finite(of[name].values[k]), 3) for name in ("value", "required")]

@@ -59,6 +59,6 @@ def _whole(selection: Selection) -> Table:
     for rule in selection.not_met:
         value, limit = number(rule.value, 3), number(rule.required, 3)
         table.notes.append(
-            f"NOT MET, and not searched: {rule.text}: {value}, limit {limit} (EN 1998-1, {rule.clause}) {rule.detail}"
+            f"NOT MET, and not searched: {rule.text}: {value}, limit {limit} ({rule.reference}) {rule.detail}"
         )
     return table

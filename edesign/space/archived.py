@@ -22,6 +22,7 @@ def groups(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
     yield f"{PLACE}/combinations", _combinations(design)
     for axis in AXES:
         yield f"{PLACE}/storeys_{axis}", _storeys(design, axis)
+    yield f"{PLACE}/sway", _sway(design)
     yield f"{PLACE}/criteria", _criteria(design)
     if design.joints:
         yield f"{PLACE}/joints", _joints(design)
@@ -47,6 +48,7 @@ def _summary(design: ElasticDesign) -> Group:
             f"base_shear_without_beta_{axis}_N": of.base_shear_without_beta,
             f"Omega_{axis}": design.overstrength[axis].Omega,
             f"Omega_member_{axis}": design.overstrength[axis].governing,
+            f"alpha_cr_{axis}": float(design.sway.alpha_cr[:, AXES.index(axis)].min()),
         }
     return group
 
@@ -114,11 +116,27 @@ def _storeys(design: ElasticDesign, axis: str) -> Group:
     return group
 
 
+def _sway(design: ElasticDesign) -> Group:
+    sway = design.sway
+    names = np.array([row.name for row in sway.combinations])
+    group = Group(coords={"persistent": Variable(("persistent",), names, "", "persistent combination")})
+    for number, axis in enumerate(AXES):
+        for name, unit, values, text in (
+            ("alpha_cr", "1", sway.alpha_cr, "least factor of the loads at which the building sways, infinite: none"),
+            ("initial_sway", "rad", sway.initial_sway, "phi of the sway imperfection"),
+            ("amplification", "1", sway.amplification, "factor on the sway effects"),
+        ):
+            group.add(f"{name}_{axis}", ("persistent",), values[:, number], unit, f"{text}, direction {axis}")
+    text = "least factor of the loads at which the building sways in any direction or twists"
+    group.add("alpha_cr", ("persistent",), sway.alpha_cr[:, 2], "1", text)
+    return group
+
+
 def _criteria(design: ElasticDesign) -> Group:
     rules = design.criteria
     group = _numbered("rule", len(rules), "number of the rule")
     for name, text in (
-        ("clause", "of EN 1998-1:2004"),
+        ("clause", "of EN 1998-1:2004, or of the standard that it names"),
         ("text", "what is asked"),
         ("detail", "where, or what follows"),
     ):

@@ -53,6 +53,7 @@ from edesign.space.response import (
     static_response,
 )
 from edesign.space.storeys import Storeys, storeys
+from edesign.space.sway import SwayAnalysis, SwayStability, sway_criteria, sway_notes
 from edesign.space.yielded_braces import with_yielded_braces, yielded_combinations
 
 PERMANENT = "permanent"  # category of load cases
@@ -69,7 +70,8 @@ class ElasticDesign:
         static: effects of the load cases.
         response: effects of the seismic action along x and y.
         storeys: the storeys under either.
-        effects: on members, with second-order effects.
+        sway: stability under persistent combinations.
+        effects: on members, with second-order effects and those of sway imperfections.
         combinations: of actions, with names.
         q: behaviour factors.
         overstrength: of either direction.
@@ -85,6 +87,7 @@ class ElasticDesign:
     static: StaticResponse
     response: Mapping[Axis, SeismicResponse]
     storeys: Mapping[Axis, Storeys]
+    sway: SwayStability
     effects: Effects
     combinations: tuple[Combination, ...]
     q: Mapping[Axis, float]
@@ -169,6 +172,7 @@ class ElasticAnalysis:
         self._refuse()
         self.bracing = bracing(self.frame)
         self.members = MemberChecker(building, self.frame, self.dissipative, self.q, self.bracing)
+        self._sway = SwayAnalysis(self.frame, self._design.imperfections == "sway")
         self._elastic = elastic_spectrum(hazard, self._design.level or next(iter(hazard.levels), None))
         cases = {name: case.category for name, case in _with_joined_cases(self.frame).cases.items()}
         psi = _psi(building, self._national)
@@ -246,7 +250,7 @@ class ElasticAnalysis:
         frame = self.frame_with(sections) if sections else self.frame
         model, gravity_model = self._with_sections(frame)
         frame = _with_joined_cases(frame)
-        modes = model.modes(frame.node_mass)
+        modes = every = model.modes(frame.node_mass)
         if design.modes != "auto":
             modes = _first(modes, design.modes, building)
         static = static_response(gravity_model, frame)
@@ -269,7 +273,8 @@ class ElasticAnalysis:
         height = np.array(building.heights)
         gravity = gravity_above(frame, self.seismic[0].static)
         of_storeys = {axis: storeys(response[axis], height, gravity, design) for axis in AXES}
-        acting = effects(frame, static, response, of_storeys)
+        sway = self._sway.stability(model, frame, every, self._properties[0], static, self.fundamental)
+        acting = sway.added(effects(frame, static, response, of_storeys))
         if self.yielded:
             gamma_pb = self._national.gamma_pb
             acting = with_yielded_braces(acting, gravity_model, frame, self.bracing, building, gamma_pb)
@@ -280,13 +285,13 @@ class ElasticAnalysis:
             axis: overstrength(frame, steel, in_earthquakes, self.dissipative[axis], axis, kind[axis], gamma_M0)
             for axis in AXES
         }
-        checked = self.members.results(frame, acting, self.fundamental, self.seismic, Omega, self.yielded)
+        checked = self.members.results(frame, acting, sway.rows, self.seismic, Omega, self.yielded)
         of_joints = {
             axis: joints(frame, steel, in_earthquakes, self.dissipative[axis], axis, gamma_M0)
             for axis in AXES
             if kind[axis] == MOMENT_FRAME
         }
-        criteria = modal_criteria(modes)
+        criteria = [*modal_criteria(modes), *sway_criteria(sway, design.imperfections == "sway")]
         for axis in AXES:
             criteria += behaviour_criteria(building, frame, self.q, self.q_limit, axis, self.dissipative[axis])
             criteria += storey_criteria(of_storeys[axis])
@@ -303,6 +308,7 @@ class ElasticAnalysis:
             static=static,
             response=response,
             storeys=of_storeys,
+            sway=sway,
             effects=acting,
             combinations=(*checked.rows, *self._characteristic),
             q=self.q,
@@ -310,7 +316,7 @@ class ElasticAnalysis:
             members=checked,
             joints=tuple(joint for of_axis in of_joints.values() for joint in of_axis),
             criteria=tuple(criteria),
-            notes=tuple([*_notes(response, of_storeys), *self._limits(frame)]),
+            notes=tuple([*_notes(response, of_storeys), *sway_notes(sway), *self._limits(frame)]),
         )
 
     def _limits(self, frame: SpaceFrame) -> list[str]:

@@ -266,9 +266,9 @@ def _masks(frame: SpaceFrame, design: Design, of_axes: Mapping[Axis, np.ndarray]
     for number, member in enumerate(frame.members):
         of_kind = usual[member.kind]
         dissipates = number in dissipative
-        masks[number, PERSISTENT] = of_kind
         if not member.compression:
             of_kind = mask(Check.N)  # in tension; the diagonal of the pair in compression is not there
+        masks[number, PERSISTENT] = of_kind
         masks[number, SEISMIC if dissipates or not capacity else CAPACITY] = of_kind
         if capacity and dissipates and member.kind == "beam":
             masks[number, SEISMIC] |= mask(*BEAM_CHECKS)

@@ -50,8 +50,12 @@ def test_mass_ratios_of_table_5_3(beams: str, request: pytest.FixtureRequest) ->
 
 
 def test_the_ten_combinations_of_the_thesis(printed: ElasticDesign) -> None:
-    """Section 5.2: 1.35 G + 1.5 Q, G + Q, and G + 0.3 Q with +-E_x +-0.3 E_y and +-E_y +-0.3 E_x."""
-    plain = [row for row in printed.combinations if max(map(abs, row.seismic)) <= 1.0]
+    """Section 5.2: 1.35 G + 1.5 Q, G + Q, and G + 0.3 Q with +-E_x +-0.3 E_y and +-E_y +-0.3 E_x.
+
+    Those with sway imperfections, which the thesis does not mention, come beside them.
+    """
+    acting = [row for row in printed.combinations if row.static.keys() <= {"G", "Q"}]
+    plain = [row for row in acting if max(map(abs, row.seismic)) <= 1.0]
     assert [row.name for row in plain] == [
         "1.35 G + 1.5 Q",
         *(f"G + 0.3 Q {a} E_x {b} 0.3 E_y" for a in "+-" for b in "+-"),

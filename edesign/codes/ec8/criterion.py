@@ -1,4 +1,4 @@
-"""One rule of EN 1998-1 and what was found."""
+"""One rule of a standard, most often EN 1998-1, and what was found."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ class Criterion:
     """One rule and what was found.
 
     Attributes:
-        clause: of EN 1998-1:2004.
+        clause: of EN 1998-1:2004, or of another standard that it names.
         text: what is asked.
         required: the limit; None where the rule sets none.
         value: what was found; None where the rule does not apply.
@@ -29,6 +29,11 @@ class Criterion:
     unit: str
     passed: bool | None
     detail: str = ""
+
+    @property
+    def reference(self) -> str:
+        """The clause with its standard."""
+        return self.clause if self.clause.startswith("EN ") else f"EN 1998-1, {self.clause}"
 
     def __post_init__(self) -> None:
         """Make numbers and truth values of numpy plain ones: `passed is False` must hold for both."""

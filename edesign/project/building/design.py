@@ -196,6 +196,7 @@ class Design(Model):
     accidental_torsion: Annotated[UnitRatio, BeforeValidator(_torsion)] = 0.05
     torsion_by: Literal["static_moments", "shifted_masses"] = "static_moments"
     directions: Annotated[Literal["srss"] | float, BeforeValidator(_directions)] = 0.3
+    imperfections: Literal["sway", "none"] = "sway"
     second_order: Literal["amplify", "none"] = "amplify"
     displacement: Literal["elastic_cap", "q_times_d_e"] = "elastic_cap"
     drift: Annotated[Drift, BeforeValidator(_drift)] = Drift()

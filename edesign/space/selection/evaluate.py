@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from edesign.codes.ec3.imperfections import AMPLIFICATION
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, SLENDERNESS
 from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.second_order import AMPLIFIED
@@ -17,6 +18,7 @@ from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.response import AXES
 from edesign.space.selection.ahead import Ahead
 from edesign.space.selection.groups import Group
+from edesign.space.sway import STABLE
 
 THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.2.3(4)", "6.7.3(8)", "6.7.1(3)"
 SLENDER = ("6.7.3(1)", "6.7.3(2)", "6.7.3(3)")
@@ -63,7 +65,7 @@ class Evaluator:
 
     Attributes:
         budget: how many choices may be asked for; None: any number.
-        searched: clauses of EN 1998-1 for the whole building that count.
+        searched: clauses for the whole building that count.
     """
 
     def __init__(self, analysis: ElasticAnalysis, groups: Sequence[Group], workers: int = 1) -> None:
@@ -170,7 +172,7 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
     The symmetry of diagonals is one of them where those of a storey are of several groups; all others (q, modes) are
     those of the file whatever its sections.
     """
-    found = {CLASS, THETA, DRIFT, JOINTS, HOMOGENEOUS, *SLENDER}
+    found = {CLASS, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
     of_storeys: dict[tuple[str, int], set[str]] = {}
     for axis in AXES:
         for number in analysis.dissipative[axis]:
@@ -187,11 +189,13 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
 
     Args:
         design: of the building.
-        clauses: of EN 1998-1 that count beside the checks of members.
+        clauses: for the whole building that count beside the checks of members.
     """
     found = {"members": np.nanmax(design.members.utilisation, axis=1, initial=0.0)}
     block = design_of(design.building)
-    for axis in AXES:
+    for number, axis in enumerate(AXES):
+        if block.imperfections == "sway":
+            found[f"{STABLE} {axis}"] = AMPLIFICATION / design.sway.alpha_cr[:, [number, 2]].ravel()
         storeys = design.storeys[axis]
         found[f"{THETA} {axis}"] = storeys.theta / AMPLIFIED
         if storeys.limit is not None:
@@ -212,4 +216,4 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
                 if rule.clause == SYMMETRIC and rule.required
             ]
         )
-    return {name: of for name, of in found.items() if name == "members" or name.split()[0] in clauses}
+    return {name: of for name, of in found.items() if name == "members" or name.rsplit(" ", 1)[0] in clauses}

@@ -218,7 +218,7 @@ def _broken(evaluate: Evaluator, design: ElasticDesign) -> list[str]:
     """The checks that a design does not meet, in words: rules for the building, then the worst groups."""
     rules = [
         f"{rule.text}{f' ({rule.detail})' if rule.detail else ''}: {rule.value:.3g}, limit {rule.required:.3g} "
-        f"(EN 1998-1, {rule.clause})"
+        f"({rule.reference})"
         for rule in evaluate.broken(design)
     ]
     checks = [(group, governing_check(design, group.name)) for group in evaluate.groups]

@@ -209,7 +209,7 @@ def test_what_the_commands_say(tmp_path: Path, capsys: pytest.CaptureFixture[str
         "Natural modes",
         "Seismic action",
         "Storeys, direction x",
-        "Rules of EN 1998-1",
+        "Rules for the building",
         "Combinations",
         "Verdict",
     ):
