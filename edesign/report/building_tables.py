@@ -10,6 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.project.units import STANDARD_GRAVITY
+from edesign.report.deflection_table import deflection_table, worst_beams
 from edesign.report.table import Table, number
 from edesign.space.archived import PLACE
 from edesign.space.response import AXES
@@ -29,7 +30,7 @@ def building_tables(archive: Archive) -> list[Table]:
     tables += [_storeys(axis, archive.group(f"{PLACE}/storeys_{axis}")) for axis in AXES]
     tables += [_criteria(archive.group(f"{PLACE}/criteria"))]
     members, rows = archive.group(f"{PLACE}/members"), archive.group(f"{PLACE}/combinations")
-    tables += [_groups(members), _combinations(rows)]
+    tables += [_groups(members), deflection_table(archive.group(f"{PLACE}/deflections")), _combinations(rows)]
     verdict = ["all checks and rules are met"] if summary.attributes["passed"] else _failures(members, archive)
     tables.append(Table("Verdict", notes=[*verdict, *map(str, _list(summary.attributes.get("notes")))]))
     return tables
@@ -79,6 +80,17 @@ def building_summary(archive: Archive) -> dict[str, object]:
             "combination": str(rows[worst.combination - 1]) if worst.combination else "",
         }
         for worst in _worst_of_groups(members)
+    ]
+    found["deflections"] = [
+        {
+            "group": worst.group,
+            "loads": worst.load,
+            "beam": worst.beam,
+            "span_m": worst.span,
+            "deflection_m": worst.deflection,
+            "limit": worst.limit,
+        }
+        for worst in worst_beams(archive.group(f"{PLACE}/deflections"))
     ]
     return found
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
+from edesign.space.criteria import design_of
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.response import AXES, STATIONS
 
@@ -27,6 +28,7 @@ def groups(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
     if design.joints:
         yield f"{PLACE}/joints", _joints(design)
     yield f"{PLACE}/members", _members(design)
+    yield f"{PLACE}/deflections", _deflections(design)
     yield f"{PLACE}/forces", _forces(design)
 
 
@@ -186,6 +188,23 @@ def _members(design: ElasticDesign) -> Group:
         "combination", ("member", "check"), checks.combination, "1", "number of the governing combination, 0: none"
     )
     group.add("station", ("member", "check"), checks.station, "1", "governing place as a fraction of the length")
+    return group
+
+
+def _deflections(design: ElasticDesign) -> Group:
+    of = design.deflections
+    beams = [design.frame.members[number] for number in of.members]
+    group = Group(coords={"beam": Variable(("beam",), np.array([beam.name for beam in beams]), "", "name of the beam")})
+    group.add("group", ("beam",), np.array([beam.group for beam in beams]), "", "group")
+    group.add("span", ("beam",), of.span, "m", "span")
+    group.add("total", ("beam",), of.total, "m", "largest deflection in characteristic combinations")
+    group.add("live", ("beam",), of.live, "m", "largest deflection of their variable loads alone")
+    number = len(design.members.rows) + 1 + of.combination
+    group.add("combination", ("beam",), number, "1", "number of the combination of `total`")
+    limits = design_of(design.building).serviceability.beams
+    for name, limit in (("total", limits.total), ("live", limits.live)):
+        if limit is not None:
+            group.attributes[f"limit_{name}"] = limit
     return group
 
 

@@ -35,6 +35,7 @@ from edesign.space.criteria import (
     storey_criteria,
     system_of,
 )
+from edesign.space.deflections import DeflectionAnalysis, Deflections, deflection_criteria
 from edesign.space.effects import Effects, effects, largest
 from edesign.space.frame import LoadCase, Member, SpaceFrame
 from edesign.space.geometry import space_frame
@@ -77,6 +78,7 @@ class ElasticDesign:
         overstrength: of either direction.
         joints: of moment frames.
         members: checks of all members.
+        deflections: of the beams, under characteristic combinations.
         criteria: rules for the whole building.
         notes: what an engineer should know, a sentence each.
     """
@@ -94,6 +96,7 @@ class ElasticDesign:
     overstrength: Mapping[Axis, Overstrength]
     joints: tuple[Joint, ...]
     members: MemberResults
+    deflections: Deflections
     criteria: tuple[Criterion, ...]
     notes: tuple[str, ...]
 
@@ -174,7 +177,8 @@ class ElasticAnalysis:
         self.members = MemberChecker(building, self.frame, self.dissipative, self.q, self.bracing)
         self._sway = SwayAnalysis(self.frame, self._design.imperfections == "sway")
         self._elastic = elastic_spectrum(hazard, self._design.level or next(iter(hazard.levels), None))
-        cases = {name: case.category for name, case in _with_joined_cases(self.frame).cases.items()}
+        joined = _with_joined_cases(self.frame).cases
+        cases = {name: case.category for name, case in joined.items()}
         psi = _psi(building, self._national)
         directions = "srss" if self._design.directions == "srss" else "30 %"
         asked, factors = self._design.fundamental, _action_factors(self._design, self._national)
@@ -182,6 +186,7 @@ class ElasticAnalysis:
         self.seismic = seismic(cases, psi, directions)
         self._characteristic = characteristic(cases, psi)
         self.yielded = yielded_combinations(self.seismic[0], self.bracing, self._design)
+        self._deflections = DeflectionAnalysis(self.frame, joined, "G", self._characteristic)
         self._groups: dict[str, list[int]] = {}
         for number, member in enumerate(self.frame.members):
             self._groups.setdefault(member.group, []).append(number)
@@ -291,6 +296,7 @@ class ElasticAnalysis:
             for axis in AXES
             if kind[axis] == MOMENT_FRAME
         }
+        deflections = self._deflections.deflections(frame, self._properties[1], static)
         criteria = [*modal_criteria(modes), *sway_criteria(sway, design.imperfections == "sway")]
         for axis in AXES:
             criteria += behaviour_criteria(building, frame, self.q, self.q_limit, axis, self.dissipative[axis])
@@ -301,6 +307,8 @@ class ElasticAnalysis:
                 criteria += joint_criteria(of_joints[axis], axis)
             else:
                 criteria += bracing_criteria(building, frame, Omega[axis])
+        names = [member.name for member in frame.members]
+        criteria += deflection_criteria(deflections, design.serviceability.beams, names)
         return ElasticDesign(
             building=building,
             frame=frame,
@@ -314,6 +322,7 @@ class ElasticAnalysis:
             q=self.q,
             overstrength=Omega,
             members=checked,
+            deflections=deflections,
             joints=tuple(joint for of_axis in of_joints.values() for joint in of_axis),
             criteria=tuple(criteria),
             notes=tuple([*_notes(response, of_storeys), *sway_notes(sway), *self._limits(frame)]),

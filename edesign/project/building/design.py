@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
@@ -36,6 +37,16 @@ def _modes(value: Any) -> Any:
     if type(value) is not int or not 1 <= value <= 10_000:
         raise refuse("a number of modes from 1 to 10000 is needed, or `auto`")
     return value
+
+
+def _share_of_span(value: Any) -> Any:
+    if value == "none":
+        return None
+    if isinstance(value, str) and (match := re.fullmatch(r"1 ?/ ?([0-9]{1,6}(?:\.[0-9]+)?)", value)):
+        value = 1.0 / float(match[1]) if float(match[1]) else math.inf
+    elif isinstance(value, str) and "/" in value:
+        raise refuse("a share of the span is needed: `1/250`, a ratio such as `0.4 %`, or `none`")
+    return parse_ratio(value, 0.0, 1.0, False, False)
 
 
 def _drift(value: Any) -> Any:
@@ -78,6 +89,22 @@ class Drift(Model):
 
     limit: Literal["brittle", "ductile", "none_attached", "none"] = "ductile"
     nu: PositiveRatio = 0.5
+
+
+ShareOfSpan = Annotated[float | None, BeforeValidator(_share_of_span)]
+
+
+class BeamDeflections(Model):
+    """Limits of the deflection of beams over their span, of all loads and of variable loads alone; None: no limit."""
+
+    total: ShareOfSpan = None
+    live: ShareOfSpan = None
+
+
+class Serviceability(Model):
+    """Limits under characteristic combinations; those of the National Annex and the client (EN 1993-1-1, 7.2.1)."""
+
+    beams: BeamDeflections = BeamDeflections()
 
 
 class PartialFactors(Model):
@@ -201,6 +228,7 @@ class Design(Model):
     displacement: Literal["elastic_cap", "q_times_d_e"] = "elastic_cap"
     drift: Annotated[Drift, BeforeValidator(_drift)] = Drift()
     fundamental: Fundamental = Fundamental()
+    serviceability: Serviceability = Serviceability()
     partial_factors: PartialFactors = PartialFactors()
     overstrength: PositiveFactor = 1.25
     members: MemberChecks = MemberChecks()

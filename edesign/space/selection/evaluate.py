@@ -14,6 +14,7 @@ from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.space.criteria import MOMENT_FRAME, brace_slenderness, design_of, system_of
+from edesign.space.deflections import LIMITED
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.response import AXES
 from edesign.space.selection.ahead import Ahead
@@ -173,6 +174,9 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
     those of the file whatever its sections.
     """
     found = {CLASS, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
+    limits = design_of(analysis.building).serviceability.beams
+    if limits.total is not None or limits.live is not None:
+        found.add(LIMITED)
     of_storeys: dict[tuple[str, int], set[str]] = {}
     for axis in AXES:
         for number in analysis.dissipative[axis]:
@@ -193,6 +197,9 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
     """
     found = {"members": np.nanmax(design.members.utilisation, axis=1, initial=0.0)}
     block = design_of(design.building)
+    for name, limit in (("total", block.serviceability.beams.total), ("live", block.serviceability.beams.live)):
+        if limit is not None:
+            found[f"{LIMITED} {name}"] = getattr(design.deflections, name) / design.deflections.span / limit
     for number, axis in enumerate(AXES):
         if block.imperfections == "sway":
             found[f"{STABLE} {axis}"] = AMPLIFICATION / design.sway.alpha_cr[:, [number, 2]].ravel()
