@@ -56,11 +56,17 @@ def run(
 def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool, quiet: bool) -> None:
     from edesign.archive.reader import open_archive
     from edesign.building.building_file import load_building
+    from edesign.cli.stages import Tell, in_stages
     from edesign.report.building_tables import building_tables
     from edesign.report.text import print_tables
+    from edesign.space.elastic_design import ElasticDesign
     from edesign.study.building import run_building
 
-    path, design = run_building(load_building(file), archive, overwrite)
+    def work(tell: Tell) -> tuple[Path, ElasticDesign]:
+        tell(f"reading {file}")
+        return run_building(load_building(file), archive, overwrite, tell)
+
+    path, design = in_stages(work, quiet)
     if not quiet:
         with open_archive(path) as opened:
             print_tables(building_tables(opened))

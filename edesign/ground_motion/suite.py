@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr
 
 from edesign.ground_motion.peer_name import PeerName
-from edesign.project.base import Model, refuse
+from edesign.project.base import FormatVersion, Model, refuse
 from edesign.project.problems import FileProblems, Problems, did_you_mean, listed
 from edesign.project.project import Identifier
 from edesign.project.records import AccelerationUnit, Columns, Layout
@@ -97,7 +97,7 @@ class SuiteEntry(Model):
 class Suite(Model):
     """A validated suite; all values are in SI. Made by `load_suite`."""
 
-    edesign_suite: Literal[1]
+    edesign_suite: FormatVersion
     title: Text
     source: Text | None = None
     records: Annotated[tuple[SuiteEntry, ...], Field(min_length=1)]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from typing import Any
+from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, ConfigDict
+from pydantic import BaseModel, BeforeValidator, ConfigDict
 from pydantic_core import PydanticCustomError
 
 TAG = "?"
@@ -16,6 +16,16 @@ class Model(BaseModel):
     """A mapping of the project file; after reading, all its dimensional values are floats in SI."""
 
     model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, populate_by_name=True)
+
+
+def _whole_number(value: Any) -> Any:
+    if isinstance(value, bool):  # Python takes true for 1
+        raise PydanticCustomError("literal_error", "", {"expected": "1"})
+    return value
+
+
+FormatVersion = Annotated[Literal[1], BeforeValidator(_whole_number)]
+"""Version of a file format."""
 
 
 def by_key(key: str) -> Callable[[Any], str]:

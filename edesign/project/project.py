@@ -5,11 +5,12 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Annotated, Any, ClassVar, Literal, Self
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, PrivateAttr
 
 from edesign.project.analyses import Analysis
+from edesign.project.base import FormatVersion
 from edesign.project.dampers import Dampers
 from edesign.project.damping import Damping
 from edesign.project.elements import Elements
@@ -34,7 +35,7 @@ class Project(FileModel):
 
     kind: ClassVar[str] = "project"
 
-    edesign: Literal[1]
+    edesign: FormatVersion
     title: Annotated[str, Field(min_length=1)]
     frame: Frame
     sections: dict[Identifier, Section] = {}

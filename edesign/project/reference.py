@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import AfterValidator, Discriminator, Field, PrivateAttr, Tag
 
-from edesign.project.base import Model, by_key, by_shape, refuse
+from edesign.project.base import FormatVersion, Model, by_key, by_shape, refuse
 from edesign.project.file_model import FileModel
 from edesign.project.measures import SHORT_NAMES
 from edesign.project.problems import did_you_mean, listed
@@ -157,7 +157,7 @@ ReferenceTable = Annotated[
 class Reference(FileModel):
     """A validated reference file; values are as printed, in the units of their rows. Made by `load_reference`."""
 
-    edesign_reference: Literal[1]
+    edesign_reference: FormatVersion
     title: Text
     source: Text | None = None
     tables: Annotated[tuple[ReferenceTable, ...], Field(min_length=1)]

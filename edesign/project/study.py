@@ -8,7 +8,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field, PrivateAttr
 
-from edesign.project.base import Model
+from edesign.project.base import FormatVersion, Model
 from edesign.project.criteria import Criteria, Objectives
 from edesign.project.damping import ModeNumber, State
 from edesign.project.designs import Design
@@ -83,7 +83,7 @@ class Study(FileModel):
 
     kind: ClassVar[str] = "study"
 
-    edesign_study: Literal[1]
+    edesign_study: FormatVersion
     title: Annotated[str, Field(min_length=1)]
     project: Annotated[str, Field(min_length=1)]
     designs: dict[Identifier, Design] = {}

@@ -2,138 +2,117 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.archive.dataset import Group
-from edesign.archive.reader import Archive
+from edesign.archive.reader import Archive, DamagedArchive
+from edesign.errors import ArchiveError
 from edesign.project.units import STANDARD_GRAVITY
-from edesign.report.deflection_table import deflection_table, worst_beams
+from edesign.report.building_results import BuildingResults, finite
+from edesign.report.deflection_table import deflection_table
 from edesign.report.table import Table, number
-from edesign.space.archived import PLACE
 from edesign.space.response import AXES
 
 MODES_SHOWN = 12
-WORST_SHOWN = 3
+_SEISMIC_SIGN = re.compile(r"[+-] (?=(?:[0-9.]+ )?(?:E_[xyz]|SRSS\())")
+
+Make = Callable[[BuildingResults], list[Table]]
 
 
 def building_tables(archive: Archive) -> list[Table]:
-    """Return the tables of a building: modes, base shear, storeys, rules, members by group, combinations.
+    """Return the tables of a building: modes, base shear, storeys, rules, members by group, combinations, verdict.
+
+    Of a damaged archive, or one of another version, they are those whose groups are there; the others are named.
 
     Raises:
-        ArchiveError: a group is missing or damaged.
+        ArchiveError: nothing of the building is there.
     """
-    summary = archive.group(PLACE)
-    tables = [_modes(archive.group(f"{PLACE}/modes")), _base_shear(summary)]
-    tables += [_storeys(axis, archive.group(f"{PLACE}/storeys_{axis}")) for axis in AXES]
-    tables += [_criteria(archive.group(f"{PLACE}/criteria"))]
-    members, rows = archive.group(f"{PLACE}/members"), archive.group(f"{PLACE}/combinations")
-    tables += [_groups(members), deflection_table(archive.group(f"{PLACE}/deflections")), _combinations(rows)]
-    verdict = ["all checks and rules are met"] if summary.attributes["passed"] else _failures(members, archive)
-    tables.append(Table("Verdict", notes=[*verdict, *map(str, _list(summary.attributes.get("notes")))]))
-    return tables
+    results = BuildingResults(archive)
+    results.group()
+    missing = Table("Missing")
+    tables = [table for make in TABLES for table in or_missing(make, results, missing)]
+    return [*tables, missing] if missing.notes else tables
 
 
-def building_summary(archive: Archive) -> dict[str, object]:
-    """Return the results of a building for JSON, SI units: modes, base shears, storeys, rules, groups, verdict."""
-    summary = archive.group(PLACE)
-    modes, members = archive.group(f"{PLACE}/modes"), archive.group(f"{PLACE}/members")
-    found: dict[str, object] = dict(summary.attributes) | {"passed": bool(summary.attributes["passed"])}
-    found["modes"] = [
-        {
-            "period_s": float(modes.variables["period"].values[k]),
-            **{name: float(modes.variables[f"effective_mass_ratio_{name}"].values[k]) for name in ("x", "y", "rz")},
-        }
-        for k in range(modes.coords["mode"].values.size)
-    ]
-    for axis in AXES:
-        group = archive.group(f"{PLACE}/storeys_{axis}")
-        names = list(group.variables)
-        found[f"storeys_{axis}"] = [
-            {"storey": k + 1, **{name: float(group.variables[name].values[k]) for name in names}}
-            for k in range(group.coords["storey"].values.size)
-        ]
-    rules = archive.group(f"{PLACE}/criteria")
-    found["rules"] = [
-        {
-            "clause": str(rules.variables["clause"].values[k]),
-            "text": str(rules.variables["text"].values[k]),
-            "required": _finite(rules.variables["required"].values[k]),
-            "value": _finite(rules.variables["value"].values[k]),
-            "passed": {1: True, 0: False}.get(int(rules.variables["passed"].values[k])),
-            "detail": str(rules.variables["detail"].values[k]),
-        }
-        for k in range(rules.coords["rule"].values.size)
-    ]
-    rows = archive.group(f"{PLACE}/combinations").variables["name"].values
-    found["groups"] = [
-        {
-            "group": worst.group,
-            "section": worst.section,
-            "utilisation": _finite(worst.utilisation),
-            "passed": not worst.utilisation > 1.0,
-            "check": worst.check,
-            "clause": worst.clause,
-            "member": worst.member,
-            "combination": str(rows[worst.combination - 1]) if worst.combination else "",
-        }
-        for worst in _worst_of_groups(members)
-    ]
-    found["deflections"] = [
-        {
-            "group": worst.group,
-            "loads": worst.load,
-            "beam": worst.beam,
-            "span_m": worst.span,
-            "deflection_m": worst.deflection,
-            "limit": worst.limit,
-        }
-        for worst in worst_beams(archive.group(f"{PLACE}/deflections"))
-    ]
-    return found
+def or_missing(make: Make, results: BuildingResults, missing: Table) -> list[Table]:
+    """Return tables, or none where a group that they need cannot be read, which is noted in `missing`."""
+    try:
+        return make(results)
+    except ArchiveError as error:
+        if isinstance(error, DamagedArchive) and error.changed:
+            raise  # a run writes it: the caller reads again
+        if str(error) not in missing.notes:
+            missing.notes.append(str(error))
+        return []
 
 
-class _Worst:
-    """The largest utilisation of a group of members."""
+@dataclass(frozen=True)
+class Worst:
+    """The largest utilisation of a group of members.
 
-    def __init__(self, members: Group, group: str) -> None:
-        of = members.variables
-        chosen = np.flatnonzero(of["group"].values == group)
-        utilisation = of["utilisation"].values[chosen]
-        filled = np.where(np.isnan(utilisation), -1.0, utilisation)
-        which, check = np.unravel_index(int(filled.argmax()), filled.shape)
-        number_of = chosen[which]
-        self.group, self.count = group, chosen.size
-        self.section = str(of["section"].values[number_of])
-        self.utilisation = float(utilisation[which, check])
-        self.check = str(members.coords["check"].values[check])
-        self.clause = str(of["clause"].values[check])
-        self.member = str(members.coords["member"].values[number_of])
-        self.combination = int(of["combination"].values[number_of, check])
+    Attributes:
+        group, section: their names.
+        count: number of its members.
+        number, check: of the member and the check that govern, as they are numbered in the archive.
+        utilisation: effect over resistance; nan if no check applies.
+        name, clause: of the check.
+        member: name of the member.
+        combination: number of the combination, from 1; 0 if no check applies.
+    """
+
+    group: str
+    section: str
+    count: int
+    number: int
+    check: int
+    utilisation: float
+    name: str
+    clause: str
+    member: str
+    combination: int
 
 
-def _worst_of_groups(members: Group) -> Iterator[_Worst]:
-    for group in dict.fromkeys(members.variables["group"].values.tolist()):
-        yield _Worst(members, str(group))
+def worst_of_groups(results: BuildingResults) -> Iterator[Worst]:
+    """Yield the governing check of each group, in the order of the members."""
+    groups, utilisation = results.values("members", "group"), results.values("members", "utilisation")
+    for group in dict.fromkeys(groups.tolist()):
+        chosen = np.flatnonzero(groups == group)
+        filled = np.where(np.isnan(utilisation[chosen]), -1.0, utilisation[chosen])
+        which, check = (int(place) for place in np.unravel_index(int(filled.argmax()), filled.shape))
+        member = int(chosen[which])
+        yield Worst(
+            group=str(group),
+            section=str(results.values("members", "section")[member]),
+            count=chosen.size,
+            number=member,
+            check=check,
+            utilisation=float(utilisation[member, check]),
+            name=str(results.values("members", "check")[check]),
+            clause=str(results.values("members", "clause")[check]),
+            member=str(results.values("members", "member")[member]),
+            combination=int(results.values("members", "combination")[member, check]),
+        )
 
 
-def _modes(group: Group) -> Table:
-    of = group.variables
+def modes_table(results: BuildingResults) -> Table:
+    """Return periods, effective masses and design accelerations of the first modes."""
+    period = results.values("modes", "period")
+    ratios = [results.values("modes", f"effective_mass_ratio_{name}") for name in ("x", "y", "rz")]
+    S_d = [results.values("modes", f"design_acceleration_{axis}") for axis in AXES]
+    bound = [results.values("modes", f"lower_bound_{axis}") for axis in AXES]
     table = Table(
         "Natural modes", ("mode", "T [s]", "mass x [%]", "mass y [%]", "mass rz [%]", "S_d x", "S_d y [m/s2]")
     )
-    for k in range(min(MODES_SHOWN, group.coords["mode"].values.size)):
-        ratios = [of[f"effective_mass_ratio_{name}"].values[k] for name in ("x", "y", "rz")]
-        S_d = [of[f"design_acceleration_{axis}"].values[k] for axis in AXES]
-        bound = ["*" if of[f"lower_bound_{axis}"].values[k] else "" for axis in AXES]
+    for k in range(min(MODES_SHOWN, period.size)):
         table.rows.append(
             [
                 str(k + 1),
-                number(of["period"].values[k]),
-                *(number(ratio, 3, 0.01, negligible=1e-5) for ratio in ratios),
-                *(f"{number(value, 3)}{mark}" for value, mark in zip(S_d, bound, strict=True)),
+                number(period[k]),
+                *(number(ratio[k], 3, 0.01, negligible=1e-5) for ratio in ratios),
+                *(f"{number(of[k], 3)}{'*' if lower[k] else ''}" for of, lower in zip(S_d, bound, strict=True)),
             ]
         )
     if any("*" in cell for row in table.rows for cell in row):
@@ -141,101 +120,123 @@ def _modes(group: Group) -> Table:
     return table
 
 
-def _base_shear(summary: Group) -> Table:
-    of = summary.attributes
-    weight = float(str(of["mass_kg"])) * STANDARD_GRAVITY
-    table = Table(
-        "Seismic action", ("direction", "q", "base shear [kN]", "by weight", "without beta [kN]", "Omega", "of")
-    )
+def base_shear_table(results: BuildingResults) -> Table:
+    """Return base shear and overstrength of both directions."""
+    mass = results.number("mass_kg")
+    table = Table("Seismic action", ("direction", "q", "base shear [kN]", "by weight", "without beta", "Omega", "of"))
     for axis in AXES:
-        shear = float(str(of[f"base_shear_{axis}_N"]))
+        shear = results.number(f"base_shear_{axis}_N")
         table.rows.append(
             [
                 axis,
-                number(float(str(of[f"q_{axis}"])), 3),
+                number(results.number(f"q_{axis}"), 3),
                 number(shear, 4, 1e3),
-                number(shear / weight, 3),
-                number(float(str(of[f"base_shear_without_beta_{axis}_N"])), 4, 1e3),
-                number(float(str(of[f"Omega_{axis}"])), 3),
-                str(of[f"Omega_member_{axis}"]),
+                number(shear / (mass * STANDARD_GRAVITY), 3),
+                number(results.number(f"base_shear_without_beta_{axis}_N"), 4, 1e3),
+                number(results.number(f"Omega_{axis}"), 3),
+                results.text(f"Omega_member_{axis}"),
             ]
         )
-    table.notes.append(
-        f"mass {number(float(str(of['mass_kg'])), 4, 1e3)} t; Omega: least overstrength of dissipative members"
+    table.notes.append(f"mass {number(mass, 4, 1e3)} t; Omega: least overstrength of dissipative members")
+    return table
+
+
+def storeys_table(results: BuildingResults, axis: str) -> Table:
+    """Return shear, gravity, drifts and theta of the storeys under the action along an axis, from the roof down."""
+    name = f"storeys_{axis}"
+    columns = (
+        ("V [kN]", "shear", 4, 1e3),
+        ("P [kN]", "gravity", 4, 1e3),
+        ("d_r [mm]", "drift", 3, 1e-3),
+        ("q d_e", "drift_q", 3, 1e-3),
+        ("theta", "theta", 3, 1.0),
+        ("theta_q", "theta_q", 3, 1.0),
+        ("factor", "amplification", 3, 1.0),
+        ("nu d_r/h", "reduced", 3, 1.0),
     )
+    table = Table(f"Storeys, direction {axis}", ("storey", *(header for header, *_ in columns)))
+    found = [(results.values(name, variable), digits, unit) for _, variable, digits, unit in columns]
+    for k in reversed(range(found[0][0].size)):
+        table.rows.append([str(k + 1), *(number(of[k], digits, unit) for of, digits, unit in found)])
+    table.notes.append("theta_q: with q d_e; factor: on the effects of the action, for second order")
+    if (limit := results.group(name).attributes.get("limit")) is not None:
+        table.notes.append(f"limit of nu d_r/h: {number(float(str(limit)), 3)} (EN 1998-1, 4.4.3.2(1))")
     return table
 
 
-def _storeys(axis: str, group: Group) -> Table:
-    of = group.variables
-    limit = group.attributes.get("limit")
-    table = Table(
-        f"Storeys, direction {axis}",
-        ("storey", "V [kN]", "P [kN]", "d_r [mm]", "q d_e [mm]", "theta", "theta q d_e", "factor", "nu d_r/h [%]"),
-    )
-    for k in reversed(range(group.coords["storey"].values.size)):
-        row = [str(k + 1), number(of["shear"].values[k], 4, 1e3), number(of["gravity"].values[k], 4, 1e3)]
-        row += [number(of[name].values[k], 3, 1e-3) for name in ("drift", "drift_q")]
-        row += [number(of[name].values[k], 3) for name in ("theta", "theta_q", "amplification")]
-        table.rows.append([*row, number(of["reduced"].values[k], 3, 0.01)])
-    if limit is not None:
-        table.notes.append(f"limit of nu d_r/h: {number(float(str(limit)), 3, 0.01)} % (EN 1998-1, 4.4.3.2(1))")
+def criteria_table(results: BuildingResults) -> Table:
+    """Return the rules for the whole building, with what was found and where."""
+    table = Table("Rules of EN 1998-1 for the building", ("clause", "rule", "value", "limit", ""), left=2, sentences=1)
+    columns = [results.values("criteria", of) for of in ("clause", "text", "detail", "value", "required", "passed")]
+    for clause, text, detail, value, limit, passed in zip(*columns, strict=True):
+        rule = f"{text}: {detail}" if detail else str(text)
+        found = {1: "met", 0: "NOT MET"}.get(int(passed), "-")
+        table.rows.append([str(clause), rule, number(finite(value), 3), number(finite(limit), 3), found])
     return table
 
 
-def _criteria(group: Group) -> Table:
-    of = group.variables
-    table = Table("Rules for the building", ("clause", "rule", "value", "limit", "", "where"), left=2)
-    for k in range(group.coords["rule"].values.size):
-        passed = {1: "met", 0: "NOT MET"}.get(int(of["passed"].values[k]), "-")
-        numbers = [number(_finite(of[name].values[k]), 3) for name in ("value", "required")]
-        table.rows.append(
-            [str(of["clause"].values[k]), str(of["text"].values[k]), *numbers, passed, str(of["detail"].values[k])]
-        )
-    return table
-
-
-def _groups(members: Group) -> Table:
+def groups_table(results: BuildingResults) -> Table:
+    """Return the governing check of each group of members."""
     table = Table(
         "Members: the governing check of each group",
         ("group", "section", "members", "use", "check", "member", "combination"),
         left=2,
     )
-    for worst in _worst_of_groups(members):
-        table.rows.append(
-            [
-                worst.group,
-                worst.section,
-                str(worst.count),
-                number(_finite(worst.utilisation), 3),
-                f"{worst.check} ({worst.clause})",
-                worst.member,
-                str(worst.combination),
-            ]
-        )
+    clauses: dict[str, str] = {}
+    for worst in worst_of_groups(results):
+        cells = [worst.group, worst.section, str(worst.count), number(finite(worst.utilisation), 3)]
+        table.rows.append([*cells, worst.name, worst.member, str(worst.combination)])
+        clauses.setdefault(worst.name, worst.clause)
     table.notes.append("use: effect over resistance; combination: its number below")
+    table.notes += [f"{name}: {clause}" for name, clause in clauses.items()]
     return table
 
 
-def _combinations(group: Group) -> Table:
-    of = group.variables
-    table = Table("Combinations of actions", ("no.", "combination", "situation", "EN 1990"), left=4)
-    for k in range(group.coords["combination"].values.size):
-        table.rows.append([str(k + 1), *(str(of[name].values[k]) for name in ("name", "set", "equation"))])
+def combinations_table(results: BuildingResults) -> Table:
+    """Return the combinations of actions; those that differ in signs of the seismic action only stand in one row."""
+    table = Table("Combinations of actions", ("no.", "combination", "situation", "EN 1990"), left=4, sentences=1)
+    columns = [results.values("combinations", of) for of in ("name", "set", "equation", "static", "seismic")]
+    alike: dict[tuple[object, ...], list[int]] = {}
+    for k, (_, kind, equation, static, seismic) in enumerate(zip(*columns, strict=True)):
+        alike.setdefault((kind, equation, *static, *np.abs(seismic)), []).append(k)
+    for numbers in alike.values():
+        name, kind, equation, _, seismic = (column[numbers[0]] for column in columns)
+        name = _SEISMIC_SIGN.sub("+- ", str(name)) if len(numbers) > 1 else str(name)
+        situation = f"{kind}, 1.1 gamma_ov Omega" if np.abs(seismic).max(initial=0.0) > 1.0 else str(kind)
+        table.rows.append([_numbers(numbers), name, situation, str(equation)])
     return table
 
 
-def _failures(members: Group, archive: Archive) -> list[str]:
-    over = [worst for worst in _worst_of_groups(members) if worst.utilisation > 1.0]
-    rules = archive.group(f"{PLACE}/criteria").variables
-    broken = [str(rules["text"].values[k]) for k in np.flatnonzero(rules["passed"].values == 0)]
-    found = [f"not met: {worst.group} {worst.section}: {worst.check} {worst.utilisation:.3f}" for worst in over]
-    return found + [f"not met: {rule}" for rule in broken]
+def _numbers(places: list[int]) -> str:
+    """Numbers from 1 of places in rising order: 2-5, or 2, 4."""
+    first, last = places[0] + 1, places[-1] + 1
+    if len(places) > 1 and last - first == len(places) - 1:
+        return f"{first}-{last}"
+    return ", ".join(str(place + 1) for place in places)
 
 
-def _finite(value: float) -> float | None:
-    return float(value) if math.isfinite(value) else None
+def verdict_table(results: BuildingResults) -> Table:
+    """Return what is not met, and what an engineer should know; no columns."""
+    met = bool(results.number("passed"))
+    notes = results.group().attributes.get("notes")
+    verdict = ["all checks and rules are met"] if met else _failures(results)
+    return Table("Verdict", notes=[*verdict, *map(str, notes if isinstance(notes, list) else [])])
 
 
-def _list(value: object) -> list[object]:
-    return value if isinstance(value, list) else []
+def _failures(results: BuildingResults) -> list[str]:
+    over = [worst for worst in worst_of_groups(results) if worst.utilisation > 1.0]
+    rules = zip(*(results.values("criteria", name) for name in ("text", "passed")), strict=True)
+    found = [f"not met: {worst.group} {worst.section}: {worst.name} {worst.utilisation:.3f}" for worst in over]
+    return found + [f"not met: {text}" for text, passed in rules if passed == 0]
+
+
+TABLES: tuple[Make, ...] = (
+    lambda results: [modes_table(results)],
+    lambda results: [base_shear_table(results)],
+    *(lambda results, axis=axis: [storeys_table(results, axis)] for axis in AXES),
+    lambda results: [criteria_table(results)],
+    lambda results: [groups_table(results)],
+    lambda results: [deflection_table(results.group("deflections"))],
+    lambda results: [combinations_table(results)],
+    lambda results: [verdict_table(results)],
+)

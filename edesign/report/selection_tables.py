@@ -15,9 +15,11 @@ def selection_tables(selection: Selection) -> list[Table]:
 def _groups(selection: Selection) -> Table:
     table = Table(
         "Sections: before, chosen, and the most used check of each group",
-        ("group", "members", "before", "chosen", "mass [t]", "use", "check", "member", "combination"),
+        ("group", "members", "before", "chosen", "mass [t]", "use", "most used check"),
         left=4,
+        sentences=6,
     )
+    clauses: dict[str, str] = {}
     for row in selection.groups:
         of = row.governing
         table.rows.append(
@@ -28,16 +30,18 @@ def _groups(selection: Selection) -> Table:
                 row.after,
                 number(row.mass, 4, 1e3),
                 number(of.utilisation, 3),
-                f"{of.check} ({of.clause})",
-                of.member,
-                of.combination,
+                f"{of.check} of {of.member} in {of.combination}",
             ]
         )
+        clauses.setdefault(of.check, of.clause)
+    table.notes += [f"{name}: {clause}" for name, clause in clauses.items()]
     return table
 
 
 def _held(selection: Selection) -> Table:
-    table = Table("What holds each group up: what its next lighter section would break", ("group", "broken"), left=2)
+    table = Table(
+        "What holds each group up: what its next lighter section would break", ("group", "broken"), left=2, sentences=1
+    )
     table.rows += [[row.group.name, row.held_by] for row in selection.groups]
     return table
 

@@ -14,7 +14,7 @@ from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean, listed
 from edesign.report.archived import is_building_archive
-from edesign.report.building_tables import building_summary
+from edesign.report.building_summary import building_summary
 from edesign.study.plan import ANALYSES
 from edesign.study.record_results import RECORDS
 from edesign.study.warnings import ATTRIBUTE, warnings_of

@@ -18,6 +18,7 @@ class Table:
         rows: cells, as many as columns in each row.
         notes: lines below.
         left: number of columns, from the first, that hold text and are aligned left.
+        sentences: number of the column, from 0, whose cells may be broken into lines where the table is too wide.
     """
 
     title: str
@@ -25,6 +26,7 @@ class Table:
     rows: list[list[str]] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     left: int = 1
+    sentences: int | None = None
 
 
 def number(value: float | None, digits: int = 4, scale: float = 1.0, negligible: float = 0.0) -> str:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import sys
+import textwrap
 from collections.abc import Iterable
 from typing import TextIO
 
 from edesign.report.table import Table
 from edesign.report.visible import visible, visible_line
 
+PAPER = 80  # characters of a line in files and pipes
 _GAP = 3  # between columns on a terminal
+_LEAST = 16  # characters of a line inside a cell
 _COLOURS = {"completed": "green", "failed": "red", "not run": "yellow"}  # of cells, on a terminal
 
 
@@ -20,14 +23,37 @@ def print_tables(tables: Iterable[Table], stream: TextIO | None = None) -> None:
     if stream.isatty():
         _print_rich(shown, stream)
     else:
-        stream.write("\n\n".join(plain(table) for table in shown) + "\n")
+        stream.write("\n\n".join(plain(broken(table, PAPER, gap=2)) for table in shown) + "\n")
 
 
 def _visible(table: Table) -> Table:
     """The table with the control characters of its texts written out, so that columns are as wide as they look."""
     rows = [[visible_line(cell) for cell in row] for row in table.rows]
     columns = [visible_line(header) for header in table.columns]
-    return Table(visible_line(table.title), columns, rows, [visible(note) for note in table.notes], table.left)
+    notes = [visible(note) for note in table.notes]
+    return Table(visible_line(table.title), columns, rows, notes, table.left, table.sentences)
+
+
+def broken(table: Table, width: int, gap: int) -> Table:
+    """Return a table whose column of sentences is broken into lines, rows of their own, so that it fits.
+
+    Args:
+        table: the table; one without such a column, or that fits, is returned as it is.
+        width: characters of a line.
+        gap: characters between columns.
+    """
+    if table.sentences is None or not table.rows:
+        return table
+    widths = [max(len(row[i]) for row in (table.columns, *table.rows)) for i in range(len(table.columns))]
+    over = sum(widths) + gap * (len(widths) - 1) - width
+    if over <= 0:
+        return table
+    room = max(widths[table.sentences] - over, len(table.columns[table.sentences]), _LEAST)
+    rows = []
+    for row in table.rows:
+        for number, line in enumerate(textwrap.wrap(row[table.sentences], room) or [""]):
+            rows.append([line if i == table.sentences else "" if number else cell for i, cell in enumerate(row)])
+    return Table(table.title, table.columns, rows, table.notes, table.left)
 
 
 def plain(table: Table) -> str:
@@ -78,7 +104,8 @@ def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
     from rich.text import Text  # in which brackets and colons are no markup
 
     console = Console(file=stream, highlight=False)
-    for table in [part for whole in tables for part in folded(whole, console.width)]:
+    fitting = [broken(table, console.width, _GAP) for table in tables]
+    for table in [part for whole in fitting for part in folded(whole, console.width)]:
         if table.title:
             console.print(Text(table.title, style="bold"))
         if table.rows:

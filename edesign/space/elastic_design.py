@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
@@ -108,17 +108,18 @@ class ElasticDesign:
         )
 
 
-def elastic_design(building: Building) -> ElasticDesign:
+def elastic_design(building: Building, tell: Callable[[str], None] = lambda stage: None) -> ElasticDesign:
     """Analyse a building and check it.
 
     Args:
         building: from `load_building`, with the blocks `hazard`, `masses` and `design`.
+        tell: called with the name of each stage at its beginning.
 
     Raises:
         InputError: a block is missing, a behaviour factor or a mode is out of its range.
         InputError: the structure is a mechanism.
     """
-    found = ElasticAnalysis(building).design()
+    found = ElasticAnalysis(building, tell).design()
     if found.members.slender:
         member = found.frame.members[found.members.slender[0]]
         raise InputError(
@@ -137,6 +138,7 @@ class ElasticAnalysis:
 
     Args:
         building: from `load_building`, with the blocks `hazard`, `masses` and `design`.
+        tell: called with the name of each stage at its beginning.
 
     Attributes:
         frame: with the sections of the file; load cases as `space_frame` gives them.
@@ -152,16 +154,18 @@ class ElasticAnalysis:
             direction has nothing that dissipates energy, or the structure is a mechanism.
     """
 
-    def __init__(self, building: Building) -> None:
-        self.building = building
+    def __init__(self, building: Building, tell: Callable[[str], None] = lambda stage: None) -> None:
+        self.building, self._tell = building, tell
         self._design = design_of(building)
         hazard = _hazard(building)
         self._national = national_of(hazard)
+        tell("members, loads and masses")
         self.frame = space_frame(building)
         if not self.frame.node_mass.any():
             raise InputError(
                 f"{building.path}: masses: the seismic action needs masses; docs/building_file.md explains them"
             )
+        tell(f"stiffness of {len(self.frame.members)} members")
         try:
             self._models = [space_model(self.frame, building.materials, gravity) for gravity in (False, True)]
         except CoreError as error:
@@ -255,9 +259,11 @@ class ElasticAnalysis:
         frame = self.frame_with(sections) if sections else self.frame
         model, gravity_model = self._with_sections(frame)
         frame = _with_joined_cases(frame)
+        self._tell("natural modes")
         modes = every = model.modes(frame.node_mass)
         if design.modes != "auto":
             modes = _first(modes, design.modes, building)
+        self._tell("effects of the actions")
         static = static_response(gravity_model, frame)
         found_by = response_of_shifted_masses if design.torsion_by == "shifted_masses" else seismic_response
         response = {
@@ -290,6 +296,7 @@ class ElasticAnalysis:
             axis: overstrength(frame, steel, in_earthquakes, self.dissipative[axis], axis, kind[axis], gamma_M0)
             for axis in AXES
         }
+        self._tell("checks of the members")
         checked = self.members.results(frame, acting, sway.rows, self.seismic, Omega, self.yielded)
         of_joints = {
             axis: joints(frame, steel, in_earthquakes, self.dissipative[axis], axis, gamma_M0)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from pathlib import Path
 
 from edesign.archive.dataset import Group
@@ -19,7 +20,10 @@ BUILDING = "building"
 
 
 def run_building(
-    building: Building, archive_path: str | os.PathLike[str] | None = None, overwrite: bool = False
+    building: Building,
+    archive_path: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
+    tell: Callable[[str], None] = lambda stage: None,
 ) -> tuple[Path, ElasticDesign]:
     """Analyse and check a building, and archive the results.
 
@@ -27,6 +31,7 @@ def run_building(
         building: from `load_building`.
         archive_path: the archive; by default beside the file, with its name.
         overwrite: True replaces the archive of something else too.
+        tell: called with the name of each stage at its beginning.
 
     Returns:
         The archive, and the design.
@@ -52,7 +57,8 @@ def run_building(
     )
     root.add("building_text", (), building.text, "", "text of the building file")
     check_owner(path, root, overwrite)
-    design = elastic_design(building)
+    design = elastic_design(building, tell)
+    tell(f"writing {path}")
     with ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
         for place, group in groups(design):
             writer.write(place, group)

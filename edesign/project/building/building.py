@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag
 
-from edesign.project.base import Model, by_shape
+from edesign.project.base import FormatVersion, Model, by_shape
 from edesign.project.building.design import Design
 from edesign.project.building.layout import Layout
 from edesign.project.building.loads import Loads, Masses
@@ -82,7 +82,7 @@ class Building(FileModel):
 
     kind: ClassVar[str] = "building"
 
-    edesign_building: Literal[1]
+    edesign_building: FormatVersion
     title: Annotated[str, Field(min_length=1)]
     plan: Plan
     storeys: Annotated[

@@ -1,0 +1,64 @@
+"""Work in stages that a user can watch and end, whatever it calls."""
+
+from __future__ import annotations
+
+import contextvars
+import sys
+import threading
+import time
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+from edesign.report.visible import visible_line
+from edesign.stopping import Stopped
+
+R = TypeVar("R")
+Tell = Callable[[str], None]
+LOOK = 0.1  # s between looks at the work
+LINE_AFTER = 1.0  # s: quicker stages have no line
+
+
+def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
+    """Do work in a thread of its own, with a line on standard error for each stage that lasts, and return its result.
+
+    Python answers Ctrl-C between two of its own steps only, and the factorisation of a large building is one step of
+    many seconds. So this thread waits, and Ctrl-C ends it at once; the work ends at its next stage, or with the
+    process.
+
+    Args:
+        work: is handed a function that takes the name of each stage at its beginning.
+        quiet: without lines.
+    """
+    stages: list[tuple[str, float]] = []
+    ended = threading.Event()
+    results: list[R] = []
+    errors: list[BaseException] = []
+
+    def tell(stage: str) -> None:
+        if ended.is_set():
+            raise Stopped
+        stages.append((stage, time.monotonic()))
+
+    def run() -> None:
+        try:
+            results.append(work(tell))
+        except BaseException as error:
+            errors.append(error)
+
+    context: Any = contextvars.copy_context()
+    thread = threading.Thread(target=context.run, args=(run,), daemon=True)
+    thread.start()
+    told = ""
+    try:
+        while thread.is_alive():
+            thread.join(LOOK)
+            stage, since = stages[-1] if stages else ("", 0.0)
+            if stage != told and thread.is_alive() and time.monotonic() - since >= LINE_AFTER:
+                told = stage
+                if not quiet:
+                    print(f"{visible_line(stage)} ...", file=sys.stderr, flush=True)
+    finally:
+        ended.set()
+    if errors:
+        raise errors[0]
+    return results[0]

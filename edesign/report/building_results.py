@@ -1,0 +1,80 @@
+"""The results of a building in its archive, read group by group; what is not there is named."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.errors import ArchiveError
+from edesign.space.archived import PLACE
+
+
+class BuildingResults:
+    """The groups of a building below its place in an archive, each read once.
+
+    Args:
+        archive: open, of a building.
+    """
+
+    def __init__(self, archive: Archive) -> None:
+        self.archive = archive
+        self._groups: dict[str, Group] = {}
+
+    def has(self, name: str) -> bool:
+        """Whether there is a group that can be read."""
+        return self.archive.has(_place(name))
+
+    def group(self, name: str = "") -> Group:
+        """Return a group by its name below that of the building, which is "".
+
+        Raises:
+            ArchiveError: it is missing or damaged.
+        """
+        if name not in self._groups:
+            self._groups[name] = self.archive.group(_place(name))
+        return self._groups[name]
+
+    def values(self, name: str, variable: str) -> np.ndarray:
+        """Return the values of a variable or coordinate of a group.
+
+        Raises:
+            ArchiveError: there is none.
+        """
+        group = self.group(name)
+        found = group.variables.get(variable) or group.coords.get(variable)
+        if found is None:
+            raise self._incomplete(name, variable)
+        return found.values
+
+    def number(self, attribute: str, name: str = "") -> float:
+        """Return a number among the attributes of a group.
+
+        Raises:
+            ArchiveError: there is none.
+        """
+        try:
+            return float(str(self.group(name).attributes[attribute]))
+        except (KeyError, ValueError) as error:
+            raise self._incomplete(name, attribute) from error
+
+    def text(self, attribute: str, name: str = "") -> str:
+        """Return a text among the attributes of a group, "" if there is none."""
+        return str(self.group(name).attributes.get(attribute, ""))
+
+    def _incomplete(self, name: str, what: str) -> ArchiveError:
+        return ArchiveError(
+            f"{self.archive.path}: {_place(name)} has no `{what}`: the archive is damaged, or of another version; "
+            "`edesign run` makes it anew"
+        )
+
+
+def _place(name: str) -> str:
+    return f"{PLACE}/{name}" if name else PLACE
+
+
+def finite(value: float) -> float | None:
+    """Return a number, None in place of one that is not finite."""
+    return float(value) if math.isfinite(value) else None

@@ -1,0 +1,73 @@
+"""The results of a building as plain data: what `edesign show --json` prints."""
+
+from __future__ import annotations
+
+from edesign.archive.reader import Archive
+from edesign.report.building_results import BuildingResults, finite
+from edesign.report.building_tables import worst_of_groups
+from edesign.report.deflection_table import worst_beams
+from edesign.space.response import AXES
+
+
+def building_summary(archive: Archive) -> dict[str, object]:
+    """Return the results of a building for JSON, SI units: modes, base shears, storeys, rules, groups, verdict.
+
+    Raises:
+        ArchiveError: a group is missing or damaged.
+    """
+    results = BuildingResults(archive)
+    summary = results.group()
+    modes = results.group("modes")
+    found: dict[str, object] = dict(summary.attributes) | {"passed": bool(results.number("passed"))}
+    found["modes"] = [
+        {
+            "period_s": float(results.values("modes", "period")[k]),
+            **{name: float(results.values("modes", f"effective_mass_ratio_{name}")[k]) for name in ("x", "y", "rz")},
+        }
+        for k in range(modes.coords["mode"].values.size)
+    ]
+    for axis in AXES:
+        group = results.group(f"storeys_{axis}")
+        names = list(group.variables)
+        found[f"storeys_{axis}"] = [
+            {"storey": k + 1, **{name: float(group.variables[name].values[k]) for name in names}}
+            for k in range(group.coords["storey"].values.size)
+        ]
+    rules = results.group("criteria")
+    found["rules"] = [
+        {
+            "clause": str(rules.variables["clause"].values[k]),
+            "text": str(rules.variables["text"].values[k]),
+            "required": finite(rules.variables["required"].values[k]),
+            "value": finite(rules.variables["value"].values[k]),
+            "passed": {1: True, 0: False}.get(int(rules.variables["passed"].values[k])),
+            "detail": str(rules.variables["detail"].values[k]),
+        }
+        for k in range(rules.coords["rule"].values.size)
+    ]
+    rows = results.values("combinations", "name")
+    found["groups"] = [
+        {
+            "group": worst.group,
+            "section": worst.section,
+            "utilisation": finite(worst.utilisation),
+            "passed": not worst.utilisation > 1.0,
+            "check": worst.name,
+            "clause": worst.clause,
+            "member": worst.member,
+            "combination": str(rows[worst.combination - 1]) if worst.combination else "",
+        }
+        for worst in worst_of_groups(results)
+    ]
+    found["deflections"] = [
+        {
+            "group": worst.group,
+            "loads": worst.load,
+            "beam": worst.beam,
+            "span_m": worst.span,
+            "deflection_m": worst.deflection,
+            "limit": worst.limit,
+        }
+        for worst in worst_beams(results.group("deflections"))
+    ]
+    return found

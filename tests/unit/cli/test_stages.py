@@ -1,0 +1,63 @@
+"""Work in stages: what a user sees of it, and that Ctrl-C ends the wait for it at once."""
+
+from __future__ import annotations
+
+import os
+import signal
+import threading
+import time
+
+import pytest
+
+from edesign.cli import stages
+from edesign.cli.stages import Tell, in_stages
+from edesign.errors import InputError
+from edesign.stopping import Stopped
+
+
+def test_a_stage_that_lasts_has_a_line(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.setattr(stages, "LINE_AFTER", 0.2)  # three looks are enough to see the line once
+
+    def work(tell: Tell) -> int:
+        tell("quick")
+        tell("long")
+        time.sleep(0.5)
+        return 7
+
+    assert in_stages(work) == 7
+    assert capsys.readouterr().err == "long ...\n"
+    assert in_stages(work, quiet=True) == 7
+    assert capsys.readouterr().err == ""
+
+
+def test_errors_of_the_work_are_those_of_the_caller() -> None:
+    def work(tell: Tell) -> None:
+        raise InputError("wrong")
+
+    with pytest.raises(InputError, match="wrong"):
+        in_stages(work)
+
+
+def test_ctrl_c_ends_the_wait_and_the_work_at_its_next_stage() -> None:
+    begun, goes_on, ended = threading.Event(), threading.Event(), threading.Event()
+
+    def work(tell: Tell) -> None:
+        tell("first")
+        begun.set()
+        goes_on.wait(10.0)  # stands for a call that cannot be interrupted
+        try:
+            tell("second")
+        except Stopped:
+            ended.set()
+            raise
+
+    def interrupt() -> None:
+        begun.wait(10.0)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    threading.Thread(target=interrupt, daemon=True).start()
+    with pytest.raises(KeyboardInterrupt):
+        in_stages(work)
+    assert not ended.is_set()
+    goes_on.set()
+    assert ended.wait(10.0)

@@ -1,0 +1,103 @@
+"""Tables of a building: their width, what stands in one row, and what they say of an archive that is not whole."""
+
+from __future__ import annotations
+
+import io
+import json
+from collections.abc import Iterator
+from pathlib import Path
+
+import h5py
+import pytest
+from building_examples import SMALL
+
+from edesign.archive.reader import Archive, open_archive
+from edesign.building.building_file import load_building
+from edesign.cli.main import main
+from edesign.errors import ArchiveError, InputError
+from edesign.report.building_results import BuildingResults
+from edesign.report.building_tables import building_tables
+from edesign.report.table import Table
+from edesign.report.text import broken, plain, print_tables
+from edesign.study.building import run_building
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("building")
+    (folder / "small.yaml").write_text(SMALL, encoding="utf-8")
+    return run_building(load_building(folder / "small.yaml"))[0]
+
+
+@pytest.fixture
+def archive(path: Path) -> Iterator[Archive]:
+    with open_archive(path) as opened:
+        yield opened
+
+
+def test_combinations_that_differ_in_signs_stand_in_one_row(archive: Archive) -> None:
+    rows = next(table for table in building_tables(archive) if table.title == "Combinations of actions").rows
+    names = [row[1] for row in rows]
+    assert names[:3] == ["1.35 G + 1.5 Q", "G + 0.3 Q +- E_x +- 0.3 E_y", "G + 0.3 Q +- E_y +- 0.3 E_x"]
+    assert [row[0] for row in rows] == ["1", "2-5", "6-9", "10-13", "14-17", "18"]
+    assert [row[2] for row in rows[3:5]] == ["seismic, 1.1 gamma_ov Omega"] * 2
+
+
+def test_tables_fit_on_80_columns(archive: Archive) -> None:
+    stream = io.StringIO()
+    tables = [Table(of.title, of.columns, of.rows, [], of.left, of.sentences) for of in building_tables(archive)]
+    print_tables(tables, stream)
+    assert max(map(len, stream.getvalue().splitlines())) <= 80
+
+
+def test_sentences_are_broken_where_the_table_is_too_wide() -> None:
+    table = Table("T", ("a", "rule", "b"), [["1", "one two three four five six", "x"]], left=2, sentences=1)
+    assert broken(table, 40, gap=2) is table
+    found = broken(table, 26, gap=2)
+    assert found.rows == [["1", "one two three four", "x"], ["", "five six", ""]]
+    assert max(map(len, plain(found).splitlines())) <= 26
+
+
+def test_missing_groups_are_named_and_the_others_are_shown(
+    path: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    damaged = tmp_path / "damaged.h5"
+    damaged.write_bytes(path.read_bytes())
+    missing = [f"there is no building/{name}" for name in ("modes", "criteria", "storeys_x", "members")]
+    with h5py.File(damaged, "a") as file:
+        for text in missing:
+            del file[text.removeprefix("there is no ")]
+    assert main(["show", str(damaged)]) == 4  # the file is not as it was written
+    said = capsys.readouterr().out
+    assert all(f"{damaged}: {text}" in said for text in missing) and "Seismic action" in said
+    assert main(["show", "--json", str(damaged)]) == 4
+    assert f"{damaged}: {missing[0]}" in capsys.readouterr().err
+    assert main(["report", str(damaged)]) == 4
+    page = damaged.with_suffix(".html").read_text(encoding="utf-8")
+    assert all(text in page for text in missing) and "Traceback" not in capsys.readouterr().err
+
+
+def test_a_missing_variable_is_named(archive: Archive) -> None:
+    with pytest.raises(ArchiveError, match="building/modes has no `velocity`: the archive is damaged, or of another"):
+        BuildingResults(archive).values("modes", "velocity")
+
+
+def test_limit_and_value_of_the_drift_have_one_unit(archive: Archive) -> None:
+    tables = {table.title: table for table in building_tables(archive)}
+    storeys = tables["Storeys, direction x"]
+    largest = max(float(row[-1]) for row in storeys.rows)
+    rule = next(row for row in tables["Rules of EN 1998-1 for the building"].rows if row[0] == "4.4.3.2(1)")
+    assert float(rule[2]) == largest and f"limit of nu d_r/h: {rule[3]} " in storeys.notes[-1]
+
+
+def test_json_is_valid(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["show", "--json", str(path)]) == 0
+    assert json.loads(capsys.readouterr().out)["building"]["groups"]
+
+
+@pytest.mark.parametrize("version", ["true", "2", "1.5"])
+def test_the_version_of_the_format_is_a_number(tmp_path: Path, version: str) -> None:
+    file = tmp_path / "building.yaml"
+    file.write_text(SMALL.replace("edesign_building: 1", f"edesign_building: {version}"), encoding="utf-8")
+    with pytest.raises(InputError, match=rf"1:19: edesign_building: format `{version}` is unknown to this version"):
+        load_building(file)
