@@ -20,7 +20,7 @@ from edesign.codes.fema356.steel import RotationLimits, beam_rotations, column_r
 from edesign.codes.fema356.strength import lower_bound_axial_strength
 from edesign.project.materials import ElasticMaterial
 from edesign.project.members import BeamRun, ColumnRun
-from edesign.project.names import beam_name, column_name
+from edesign.project.names import column_name
 from edesign.project.project import Project
 from edesign.project.sections import PlateSection
 
@@ -85,7 +85,7 @@ def frame_members(project: Project) -> dict[str, FrameMember]:
 
     The project's fy is taken for both the expected and the lower-bound yield stress. P_CL is that of the length between
     nodes in and out of the plane of the frame (K = 1: P-Delta is part of the analysis). Left out are braces, members
-    that stay elastic, and sections that are no I section.
+    that stay elastic, sections that are no I section, and columns that bend about their weak axis.
     """
     found = {}
     frame = project.frame
@@ -96,11 +96,10 @@ def frame_members(project: Project) -> dict[str, FrameMember]:
             strength = lower_bound_axial_strength(section, length, length)
             name = column_name(line, storey)
             found[name] = FrameMember(name, "column", storey, length, section, strength)
-    for (bay, floor), beam in frame.beam_at.items():
-        section = i_section(project, beam)
+    for name, beam in frame.beam_members.items():
+        section = i_section(project, frame.beam_at[beam.bay, beam.floor])
         if section is not None:
-            name = beam_name(bay, floor)
-            found[name] = FrameMember(name, "beam", floor, frame.bay_widths[bay - 1], section)
+            found[name] = FrameMember(name, "beam", beam.floor, beam.length, section)
     return found
 
 
@@ -111,6 +110,8 @@ def i_section(project: Project, run: ColumnRun | BeamRun) -> ISection | None:
     if isinstance(material, ElasticMaterial) or (own is not None and not isinstance(own, PlateSection)):
         return None
     if own is None and profile_names().canonical(run.section) is None:
+        return None
+    if isinstance(run, ColumnRun) and run.axis == "weak":
         return None
     shape = cross_section(project, run.section)
     if not isinstance(shape, CrossSection):

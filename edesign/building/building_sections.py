@@ -1,4 +1,4 @@
-"""The names of sections that a building may use: the catalogue's, and hollow sections of any size."""
+"""The names of sections that a file may use: the catalogue's, and hollow sections of any size."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from edesign.errors import InputError
 
 
 class BuildingSections(Collection[str]):
-    """The names of sections that a building may use: the catalogue's, and hollow sections of any size."""
+    """The names of sections that a building or project may use: the catalogue's, and hollow sections of any size."""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, BuildingSections)

@@ -6,8 +6,8 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
+from edesign.building.building_sections import BuildingSections
 from edesign.building.named_section import cross_section
-from edesign.building.profiles import profile_names
 from edesign.core import CoreError, LawValues, Model
 from edesign.errors import InputError
 from edesign.project import names
@@ -253,9 +253,9 @@ def _brace(project: Project, run: DamperRun | DamperBetween, place: _Place, devi
     if not isinstance(run.brace, BraceSection):
         return 0.0
     name = run.brace.section
-    if name not in project.sections and profile_names().canonical(name) is None:
+    if name not in project.sections and BuildingSections().canonical(name) is None:
         keys = ("dampers", "devices", device, "brace", "section")
-        message = no_section(name, project.sections, profile_names())
+        message = no_section(name, project.sections, BuildingSections())
         raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {message}")
     axial = project.materials[run.brace.material].E * cross_section(project, name).area / place.length
     return place.braces * axial * place.cosine**2

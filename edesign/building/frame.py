@@ -18,7 +18,7 @@ from edesign.errors import InputError
 from edesign.project import names
 from edesign.project.frame import Frame
 from edesign.project.materials import BilinearMaterial, ElasticMaterial, Material
-from edesign.project.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.members import BeamRun, BraceRun, ColumnRun, SectionAxis
 from edesign.project.project import Project
 from edesign.project.sections import ElasticSection
 
@@ -120,7 +120,7 @@ def build_frame(
     members = _members(project, model, nodes)
     supports = _supports(frame, model, nodes)
     for floor in frame.diaphragm_floors:
-        tied = [nodes[name] for line in frame.lines if (name := names.node_name(line, floor)) in nodes]
+        tied = [node for name, node in nodes.items() if frame.nodes[name][1] == frame.y[floor]]
         for node in tied[1:]:
             model.tie(node, tied[0], ux=True, uy=False, rz=False)
     masses = node_masses(project)
@@ -171,13 +171,8 @@ def _ends(frame: Frame) -> dict[str, tuple[str, str]]:
     ends = {}
     for line, storey in frame.column_at:
         ends[names.column_name(line, storey)] = (names.node_name(line, storey - 1), names.node_name(line, storey))
-    for bay, floor in frame.beam_at:
-        left, right = frame.bay_lines(bay)
-        ends[names.beam_name(bay, floor)] = (names.node_name(left, floor), names.node_name(right, floor))
-    for bay, storey, way in frame.brace_at:
-        left, right = frame.bay_lines(bay)
-        floors = (storey - 1, storey) if way == "r" else (storey, storey - 1)
-        ends[names.brace_name(bay, storey, way)] = (names.node_name(left, floors[0]), names.node_name(right, floors[1]))
+    ends |= {name: (beam.start, beam.end) for name, beam in frame.beam_members.items()}
+    ends |= {names.brace_name(*place): frame.brace_nodes(*place) for place in frame.brace_at}
     return ends
 
 
@@ -191,7 +186,7 @@ def _members(project: Project, model: Model, nodes: dict[str, int]) -> dict[str,
     for name, run in project.frame.members.items():
         start, end = ends[name]
         kind = kinds[name[0]]
-        if kind == "brace":
+        if isinstance(run, BraceRun):
             material, area = parts.brace(run)
             element = model.truss(name, nodes[start], nodes[end], material, area, geometry=of_kind[kind])
             found[name] = Member(name, kind, element, start, end)
@@ -210,29 +205,37 @@ def _members(project: Project, model: Model, nodes: dict[str, int]) -> dict[str,
     return found
 
 
+ONE_OF_A_PAIR = 0.5
+"""Share of its area that a brace has that does not count in compression.
+
+Source: EN 1998-1:2004, 6.7.2(2)P: of a pair the one in tension acts. With half its area each, the pair is as stiff and
+as strong as that one.
+"""
+
+
 class _Parts:
     """Materials and sections of the core's model, each made once; the core wants all materials before any section."""
 
     def __init__(self, project: Project, model: Model) -> None:
         self._project = project
         self._model = model
-        self._shapes: dict[str, CrossSection | ElasticSection] = {}
+        self._shapes: dict[tuple[str, SectionAxis], CrossSection | ElasticSection] = {}
         self._materials: dict[tuple[str, bool], int] = {}
-        self._sections: dict[tuple[str, str], tuple[int, np.ndarray | None]] = {}
+        self._sections: dict[tuple[str, str, SectionAxis], tuple[int, np.ndarray | None]] = {}
         for run in project.frame.members.values():
             if isinstance(run, BraceRun) or not self._stays_elastic(run):
                 self._material(run)
 
     def section(self, run: Run) -> tuple[int, np.ndarray | None]:
         """Id of the section of a column or beam, and the depths of its layers unless it is elastic."""
-        key = (run.section, run.material)
+        key = (run.section, run.material, _axis(run))
         if key not in self._sections:
             self._sections[key] = self._make(run)
         return self._sections[key]
 
-    def brace(self, run: Run) -> tuple[int, float]:
+    def brace(self, run: BraceRun) -> tuple[int, float]:
         """Material id and area of a brace; on an elastic section the material is its elastic part."""
-        return self._material(run), self._shape(run).area
+        return self._material(run), self._shape(run).area * (1.0 if run.compression else ONE_OF_A_PAIR)
 
     def _make(self, run: Run) -> tuple[int, np.ndarray | None]:
         shape = self._shape(run)
@@ -250,15 +253,20 @@ class _Parts:
         return isinstance(law, ElasticMaterial) or isinstance(self._shape(run), ElasticSection)
 
     def _shape(self, run: Run) -> CrossSection | ElasticSection:
-        if run.section not in self._shapes:
-            self._shapes[run.section] = cross_section(self._project, run.section)
-        return self._shapes[run.section]
+        key = (run.section, _axis(run))
+        if key not in self._shapes:
+            self._shapes[key] = cross_section(self._project, *key)
+        return self._shapes[key]
 
     def _material(self, run: Run) -> int:
         key = (run.material, self._stays_elastic(run))
         if key not in self._materials:
             self._materials[key] = self._model.material(_law(self._project.materials[run.material], key[1]))
         return self._materials[key]
+
+
+def _axis(run: Run) -> SectionAxis:
+    return run.axis if isinstance(run, ColumnRun) else "strong"
 
 
 def _law(material: Material, elastic: bool) -> Steel:

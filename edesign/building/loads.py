@@ -13,12 +13,16 @@ def combined(load: BeamLoad | NodeLoad, factors: Combination) -> float:
 
 
 def beam_loads(project: Project, factors: Combination) -> dict[str, float]:
-    """Return the uniform load of every loaded beam in N/m, positive downwards, by name; loads on one beam add up."""
+    """Return the uniform load of every loaded beam in N/m, positive downwards, by name; loads on one beam add up.
+
+    The halves of a beam that braces meet in the middle have their names.
+    """
     found: dict[str, float] = {}
     for load in project.loads.beams:
-        for place in project.frame.standing_beams(load):
-            name = names.beam_name(*place)
-            found[name] = found.get(name, 0.0) + combined(load, factors)
+        chosen = set(project.frame.standing_beams(load))
+        for name, beam in project.frame.beam_members.items():
+            if (beam.bay, beam.floor) in chosen:
+                found[name] = found.get(name, 0.0) + combined(load, factors)
     return {name: value for name, value in found.items() if value != 0.0}
 
 
@@ -34,7 +38,7 @@ def node_loads(project: Project, factors: Combination) -> dict[str, float]:
 
 def gravity_load(project: Project) -> float:
     """Return the sum of the loads of the gravity combination on beams and nodes, N, positive downwards."""
-    widths = project.frame.bay_widths
+    beams = project.frame.beam_members
     on_beams = beam_loads(project, project.loads.gravity)
-    uniform = sum(on_beams.get(names.beam_name(*place), 0.0) * widths[place[0] - 1] for place in project.frame.beam_at)
+    uniform = sum(load * beams[name].length for name, load in on_beams.items())
     return uniform + sum(node_loads(project, project.loads.gravity).values())

@@ -35,12 +35,10 @@ def _from_loads(project: Project, factors: Combination) -> dict[str, float]:
     frame = project.frame
     weights = node_loads(project, factors)
     on_beams = beam_loads(project, factors)
-    for bay, floor in frame.beam_at:
-        half_span = 0.5 * frame.bay_widths[bay - 1]
-        load = on_beams.get(names.beam_name(bay, floor), 0.0)
-        for line in frame.bay_lines(bay):
-            node = names.node_name(line, floor)
-            weights[node] = weights.get(node, 0.0) + load * half_span
+    for name, load in on_beams.items():
+        beam = frame.beam_members[name]
+        for node in (beam.start, beam.end):
+            weights[node] = weights.get(node, 0.0) + load * 0.5 * beam.length
     for node, weight in weights.items():
         if weight < 0.0:
             where = project.where("masses", "from_loads")

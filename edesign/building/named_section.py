@@ -2,26 +2,39 @@
 
 from __future__ import annotations
 
+from edesign.building.hollow_fibres import hollow_cross_section
+from edesign.building.hollow_section import hollow_section
 from edesign.building.profiles import profile
 from edesign.building.section import CrossSection, plate_section, rectangle_section, rolled_section
 from edesign.errors import InputError
+from edesign.project.members import SectionAxis
 from edesign.project.project import Project
 from edesign.project.sections import ElasticSection, PlateSection, RectangleSection
 
 
-def cross_section(project: Project, name: str) -> CrossSection | ElasticSection:
-    """Return a section by its name: an own one of the project, or one of the catalogue.
+def cross_section(project: Project, name: str, axis: SectionAxis = "strong") -> CrossSection | ElasticSection:
+    """Return a section by its name: an own one of the project, one of the catalogue, or a hollow one.
+
+    Args:
+        project: the validated project.
+        name: of the section.
+        axis: about which it bends.
 
     Raises:
         InputError: there is no such section, or its plates do not fit together.
     """
-    own = project.sections.get(name)
+    own, weak = project.sections.get(name), axis == "weak"
     try:
         if isinstance(own, PlateSection):
-            return plate_section(own, project.fibres)
+            return plate_section(own, project.fibres, weak)
         if isinstance(own, RectangleSection):
             return rectangle_section(own, project.fibres)
-        return own if own is not None else rolled_section(profile(name), project.fibres)
+        if own is not None:
+            return own
+        hollow = hollow_section(name)
+        if hollow is not None:
+            return hollow_cross_section(hollow, project.fibres, weak)
+        return rolled_section(profile(name), project.fibres, weak)
     except InputError as error:
         where = project.where(*(("sections", name) if own is not None else ("frame",)))
         raise InputError(f"{where}: section {name}: {error}") from error

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from edesign.building.profiles import profile_names
+from edesign.building.building_sections import BuildingSections
 from edesign.project import loader, study_loader
 from edesign.project.project import Project
 from edesign.project.study import Study
 
 
 def load_project(path: Path | str) -> Project:
-    """Read and check a project file; sections that it does not define itself must be in the catalogue.
+    """Read and check a project file; sections that it does not define itself must be in the catalogue, or hollow.
 
     Args:
         path: the YAML file, UTF-8.
@@ -22,9 +22,9 @@ def load_project(path: Path | str) -> Project:
     Raises:
         InputError: the file cannot be read, or is wrong; the message lists all problems with file, line and column.
     """
-    return loader.load_project(path, profile_names())
+    return loader.load_project(path, BuildingSections())
 
 
 def load_study(path: Path | str) -> Study:
     """Read and check a study file and its project; otherwise as `load_project`."""
-    return study_loader.load_study(path, profile_names())
+    return study_loader.load_study(path, BuildingSections())

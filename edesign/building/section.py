@@ -50,8 +50,8 @@ class CrossSection:
     spots: tuple[Spot, ...] = ()
 
     def __post_init__(self) -> None:
-        if not self.strips:
-            raise InputError("a section needs at least one rectangle")
+        if not self.strips and not self.spots:
+            raise InputError("a section needs at least one part")
         sizes = [size for strip in self.strips for size in (strip.width, strip.depth, strip.rows, strip.columns)]
         if not all(size > 0 for size in [*sizes, *(spot.area for spot in self.spots)]):
             raise InputError("all sizes of a section must be greater than zero")
@@ -98,7 +98,9 @@ class CrossSection:
         return levels, np.bincount(of_fibre, weights=areas)
 
 
-def i_section(height: float, width: float, flange: float, web: float, cut: Fibres, radius: float = 0.0) -> CrossSection:
+def i_section(
+    height: float, width: float, flange: float, web: float, cut: Fibres, radius: float = 0.0, weak: bool = False
+) -> CrossSection:
     """Return a doubly symmetric I section of three rectangles, with fillets if `radius` is greater than zero.
 
     Args:
@@ -106,6 +108,7 @@ def i_section(height: float, width: float, flange: float, web: float, cut: Fibre
         flange, web: thickness, m.
         cut: numbers of fibres of flanges and web.
         radius: of the fillets between web and flanges, m.
+        weak: it bends about its weak axis; the depth of its fibres is then that along the flanges.
 
     Raises:
         InputError: the flanges leave no web, the web is wider than the flange, or the fillets do not fit.
@@ -117,6 +120,12 @@ def i_section(height: float, width: float, flange: float, web: float, cut: Fibre
         raise InputError(f"the web ({web:g} m) is thicker than the flange is wide ({width:g} m)")
     if radius < 0.0 or 2.0 * radius > clear or 2.0 * radius + web > width:
         raise InputError(f"fillets of radius {radius:g} m do not fit between web and flanges")
+    if weak:
+        walls = (
+            Strip(2.0 * flange, width, 0.0, cut.flange_width, 2 * cut.flange_thickness),
+            Strip(clear, web, 0.0, cut.web_thickness, cut.web_height),
+        )
+        return CrossSection(walls, fillets(-0.5 * web, radius) if radius > 0.0 else ())
     arm = 0.5 * (height - flange)
     strips = (
         Strip(width, flange, -arm, cut.flange_thickness, cut.flange_width),
@@ -144,14 +153,14 @@ def fillets(face: float, radius: float) -> tuple[Spot, Spot]:
     return (Spot(2.0 * area, arm - face, 2.0 * own, 2), Spot(2.0 * area, face - arm, 2.0 * own, 2))
 
 
-def rolled_section(rolled: Profile, cut: Fibres) -> CrossSection:
+def rolled_section(rolled: Profile, cut: Fibres, weak: bool = False) -> CrossSection:
     """Return a section of the catalogue; its fillets are left out unless `cut.fillets` asks for them."""
-    return i_section(rolled.h, rolled.b, rolled.tf, rolled.tw, cut, rolled.r if cut.fillets else 0.0)
+    return i_section(rolled.h, rolled.b, rolled.tf, rolled.tw, cut, rolled.r if cut.fillets else 0.0, weak)
 
 
-def plate_section(plates: PlateSection, cut: Fibres) -> CrossSection:
+def plate_section(plates: PlateSection, cut: Fibres, weak: bool = False) -> CrossSection:
     """Return an own I section of three plates."""
-    return i_section(plates.height, plates.width, plates.flange, plates.web, cut)
+    return i_section(plates.height, plates.width, plates.flange, plates.web, cut, weak=weak)
 
 
 def rectangle_section(stack: RectangleSection, cut: Fibres) -> CrossSection:

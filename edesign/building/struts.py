@@ -13,11 +13,12 @@ from typing import Literal
 from edesign.building.frame import FrameModel
 from edesign.building.named_section import cross_section
 from edesign.building.section import CrossSection
-from edesign.building.steel_section import steel_section
+from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec3.buckling import (
     Curve,
     buckling_resistance,
     critical_force,
+    hollow_curve,
     reduction_factor,
     rolled_i_curve,
     slenderness,
@@ -59,20 +60,22 @@ class Bar:
     Attributes:
         name: of the column or brace, or of the damper that the brace belongs to.
         section: its name.
-        strut: None: the section has no second moment of area.
+        strut: None: the section has no second moment of area, or the bar does not count in compression.
+        compression: whether it counts there.
     """
 
     name: str
     kind: Kind
     section: str
     strut: Strut | None
+    compression: bool = True
 
 
 def strut(project: Project, section: str, material: str, length: float) -> Strut | None:
     """Return a member as a strut; None if its section has no second moment of area.
 
-    Rolled profiles count with their fillets. An own elastic section has one axis, and
-    curve c: its shape is not known. A stack of rectangles is taken as solid.
+    Rolled profiles count with their fillets, hollow sections with their own curve. An own elastic section has one axis,
+    and curve c: its shape is not known. A stack of rectangles is taken as solid.
 
     Args:
         project: the validated project.
@@ -102,6 +105,9 @@ def frame_bars(project: Project, frame: FrameModel) -> list[Bar]:
         (x0, y0), (x1, y1) = (frame.frame.nodes[node] for node in (member.start, member.end))
         length = math.hypot(x1 - x0, y1 - y0) * (run.buckling_length_factor if isinstance(run, BraceRun) else 1.0)
         kind: Kind = "brace" if member.kind == "brace" else "column"
+        if isinstance(run, BraceRun) and not run.compression:
+            found.append(Bar(member.name, kind, run.section, None, compression=False))
+            continue
         found.append(Bar(member.name, kind, run.section, strut(project, run.section, run.material, length)))
     for device in frame.devices:
         bar = device.brace_bar
@@ -117,12 +123,18 @@ def _section(project: Project, name: str, steel: Material) -> tuple[float, list[
     shape = cross_section(project, name)
     if not isinstance(shape, CrossSection):
         return shape.area, [] if shape.inertia is None else [(shape.inertia, solid_curve())]
+    if own is None:
+        steel_shape = steel_section(name)
+        curves = _catalogue_curves(steel_shape, 0.0 if isinstance(steel, ElasticMaterial) else steel.fy)
+        return steel_shape.A, list(zip((steel_shape.I_y, steel_shape.I_z), curves, strict=True))
     weak = sum(strip.depth * strip.width**3 / 12.0 for strip in shape.strips)
     if isinstance(own, PlateSection):
         return shape.area, [(shape.inertia, welded_i_curve(own.flange, "y")), (weak, welded_i_curve(own.flange, "z"))]
-    if own is not None:
-        return shape.area, [(shape.inertia, solid_curve()), (weak, solid_curve())]
-    rolled = steel_section(name)
-    fy = 0.0 if isinstance(steel, ElasticMaterial) else steel.fy
-    curves = [rolled_i_curve(rolled.h, rolled.b, rolled.tf, axis, fy) for axis in ("y", "z")]
-    return rolled.A, [(rolled.I_y, curves[0]), (rolled.I_z, curves[1])]
+    return shape.area, [(shape.inertia, solid_curve()), (weak, solid_curve())]
+
+
+def _catalogue_curves(section: SteelSection, fy: float) -> list[Curve]:
+    """Buckling curves about the strong and the weak axis."""
+    if section.kind == "I":
+        return [rolled_i_curve(section.h, section.b, section.tf, axis, fy) for axis in ("y", "z")]
+    return [hollow_curve(fy, section.cold_formed)] * 2

@@ -40,6 +40,7 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
         check.beam_places(("frame", "missing", "beams", i), hole)
     if _covered(frame, problems):
         _floors(frame, problems)
+        _met_beams(frame, problems)
     _releases(frame, problems, check)
     _sections(project, problems, profiles)
     for keys, run in _runs(frame):
@@ -156,6 +157,15 @@ def _floors(frame: Frame, problems: Problems) -> None:
             problems.at_key(("frame", "missing"), message)
 
 
+def _met_beams(frame: Frame, problems: Problems) -> None:
+    """Every beam that braces meet in the middle is there."""
+    for (bay, floor), run in frame.met_beams.items():
+        if (bay, floor) not in frame.beam_at:
+            beam = f"{names.beam_name(bay, floor)} is missing" if floor else f"bay {bay} has no beam at the base"
+            message = f"a `{run.kind}` meets a beam in the middle, and {beam}"
+            problems.at_value(("frame", "braces", frame.braces.index(run), "kind"), message)
+
+
 def _uncovered(what: str, members: list[str], problems: Problems) -> None:
     message = f"{_count(members, what)} without a section: {listed(members)}; add an entry, or list under `missing`"
     problems.at_key(("frame", f"{what}s"), message)
@@ -187,6 +197,9 @@ def _sections(project: Project, problems: Problems, profiles: Catalogue | None) 
 
 def _section_of(project: Project, problems: Problems, keys: Keys, run: Run, profiles: Catalogue | None) -> None:
     own = project.sections.get(run.section)
+    if isinstance(run, ColumnRun) and run.axis == "weak" and own is not None and not isinstance(own, PlateSection):
+        message = f"the own section `{run.section}` has one axis; only I and hollow sections have a weak one"
+        problems.at_value((*keys, "axis"), message)
     if own is None and profiles is not None and run.section not in profiles:
         problems.at_value((*keys, "section"), no_section(run.section, project.sections, profiles))
     if isinstance(own, ElasticSection) and own.inertia is None and not isinstance(run, BraceRun):

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from edesign.project.checks_frame import Selections
-from edesign.project.members import BraceRun
+from edesign.project.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.outputs import FibreOutput, SectionOutput
 from edesign.project.problems import Keys, Problems, did_you_mean
 from edesign.project.project import Project
-from edesign.project.sections import ElasticSection, RectangleSection
+from edesign.project.sections import ElasticSection, PlateSection
 from edesign.project.selections import NumberSelection
 
 
@@ -26,17 +26,21 @@ def check_outputs(project: Project, problems: Problems) -> None:
     for i, fibre in enumerate(outputs.fibres):
         keys = ("outputs", "fibres", i)
         if _points(project, problems, keys, fibre) and isinstance(fibre.layers, NumberSelection):
-            last = layers_at_most(project, project.frame.members[fibre.member].section)
+            last = layers_at_most(project, project.frame.members[fibre.member])
             if last is not None:
                 Selections(project.frame, problems).numbers((*keys, "layers"), fibre.layers, "layer", last)
     if outputs.archive is not None and not outputs.archive.endswith((".h5", ".hdf5", ".nc")):
         problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc")
 
 
-def layers_at_most(project: Project, section: str) -> int | None:
-    """How many layers of fibres an I section has; None where the building decides (fillets, stacks of rectangles)."""
+def layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> int | None:
+    """How many layers of fibres an I section of three plates has; None where the building decides.
+
+    It does with fillets, about a weak axis, and for stacks of rectangles and the sections of the catalogue.
+    """
     fibres = project.fibres
-    if fibres.fillets or isinstance(project.sections.get(section), RectangleSection):
+    weak = isinstance(run, ColumnRun) and run.axis == "weak"
+    if fibres.fillets or weak or not isinstance(project.sections.get(run.section), PlateSection):
         return None
     return 2 * fibres.flange_thickness + fibres.web_height
 

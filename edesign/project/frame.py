@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
 from typing import Annotated, Literal
@@ -18,6 +19,23 @@ from edesign.project.units import PositiveLength
 Support = Literal["fixed", "pinned", "roller"]
 Count = Annotated[int, Field(ge=1, le=1000)]
 Lengths = Annotated[tuple[PositiveLength, ...], Field(min_length=1)]
+
+
+@dataclass(frozen=True)
+class BeamMember:
+    """A member of the frame that is a beam, or the half of one that braces meet in the middle.
+
+    Attributes:
+        bay, floor: of the beam.
+        start, end: names of its nodes, from the left.
+        length: m.
+    """
+
+    bay: int
+    floor: int
+    start: str
+    end: str
+    length: float
 
 
 class EqualBays(Model):
@@ -134,49 +152,85 @@ class Frame(Model):
 
     @cached_property
     def brace_at(self) -> dict[tuple[int, int, str], BraceRun]:
-        """The run of every brace, by (bay, storey, "r" rising | "f" falling); a cross is two braces."""
+        """The run of every brace, by (bay, storey, "r" rising | "f" falling); all but a single diagonal are two."""
         runs = {}
         for run in self.braces:
             for storey in run.storeys.numbers(1, self.n_storeys):
                 for bay in run.bays.numbers(1, self.n_bays):
                     runs[bay, storey] = run
-        ways = {"rising": "r", "falling": "f", "cross": "rf"}
-        return {(b, s, way): run for (b, s), run in sorted(runs.items(), key=_by_storey) for way in ways[run.kind]}
+        ways = {"rising": "r", "falling": "f"}
+        places = sorted(runs.items(), key=_by_storey)
+        return {(b, s, way): run for (b, s), run in places for way in ways.get(run.kind, "rf")}
+
+    @cached_property
+    def met_beams(self) -> dict[tuple[int, int], BraceRun]:
+        """The beams that braces meet in the middle, by (bay, floor), with one of the runs that do."""
+        found = {}
+        for (bay, storey, _), run in self.brace_at.items():
+            if run.kind in ("chevron", "v"):
+                found[bay, storey if run.kind == "chevron" else storey - 1] = run
+        return found
+
+    @cached_property
+    def beam_members(self) -> dict[str, BeamMember]:
+        """The members that the beams are, by name, floor by floor from the left."""
+        found = {}
+        for bay, floor in self.beam_at:
+            left, right = (names.node_name(line, floor) for line in self.bay_lines(bay))
+            width = self.bay_widths[bay - 1]
+            whole = names.beam_name(bay, floor)
+            if (bay, floor) not in self.met_beams:
+                found[whole] = BeamMember(bay, floor, left, right, width)
+                continue
+            first, second = names.beam_half_names(bay, floor)
+            found[first] = BeamMember(bay, floor, left, whole, 0.5 * width)
+            found[second] = BeamMember(bay, floor, whole, right, 0.5 * width)
+        return found
+
+    def brace_nodes(self, bay: int, storey: int, way: str) -> tuple[str, str]:
+        """Names of the left and the right node of a brace."""
+        left, right = self.bay_lines(bay)
+        kind = self.brace_at[bay, storey, way].kind
+        below, above = (left, right) if way == "r" else (right, left)
+        low = names.beam_name(bay, storey - 1) if kind == "v" else names.node_name(below, storey - 1)
+        high = names.beam_name(bay, storey) if kind == "chevron" else names.node_name(above, storey)
+        return (low, high) if way == "r" else (high, low)
 
     @cached_property
     def released(self) -> dict[str, tuple[bool, bool]]:
         """Members with moment releases, by name: (released at the start, released at the end)."""
         found: dict[str, tuple[bool, bool]] = {}
         for release in self.releases:
-            for name in self._names_in(release):
-                start, end = found.get(name, (False, False))
-                found[name] = (start or release.ends != "end", end or release.ends != "start")
-        return found
+            at_start, at_end = release.ends != "end", release.ends != "start"
+            for first, last in self._members_in(release):
+                found[first] = (found.get(first, (False, False))[0] or at_start, found.get(first, (False, False))[1])
+                found[last] = (found.get(last, (False, False))[0], found.get(last, (False, False))[1] or at_end)
+        return {name: ends for name, ends in found.items() if any(ends)}
 
     @cached_property
     def nodes(self) -> dict[str, tuple[float, float]]:
         """Coordinates (x, y) in m of every node that a member needs, by name, floor by floor from the left."""
-        used = set()
+        used = {node for beam in self.beam_members.values() for node in (beam.start, beam.end)}
+        used |= {node for place in self.brace_at for node in self.brace_nodes(*place)}
         for line, storey in self.column_at:
-            used |= {(line, storey - 1), (line, storey)}
-        for bay, floor in self.beam_at:
-            used |= {(line, floor) for line in self.bay_lines(bay)}
-        for bay, storey, way in self.brace_at:
-            left, right = self.bay_lines(bay)
-            used |= {(left, storey - 1), (right, storey)} if way == "r" else {(left, storey), (right, storey - 1)}
-        return {
-            names.node_name(line, floor): (self.x[i], self.y[floor])
-            for floor in range(self.n_storeys + 1)
-            for i, line in enumerate(self.lines)
-            if (line, floor) in used
-        }
+            used |= {names.node_name(line, storey - 1), names.node_name(line, storey)}
+        grid = {}
+        for floor, y in enumerate(self.y):
+            for i, line in enumerate(self.lines):
+                grid[names.node_name(line, floor)] = (self.x[i], y)
+                if i < self.n_bays:
+                    grid[names.beam_name(i + 1, floor)] = (0.5 * (self.x[i] + self.x[i + 1]), y)
+        return {name: place for name, place in grid.items() if name in used}
 
     @cached_property
     def members(self) -> dict[str, ColumnRun | BeamRun | BraceRun]:
-        """Every member that stands, by name (C_A_1, B_1_1, D_1_1_r): columns, then beams, then braces."""
+        """Every member that stands, by name (C_A_1, B_1_1, D_1_1_r): columns, then beams, then braces.
+
+        A beam that braces meet in the middle is two: B_1_1_1, B_1_1_2.
+        """
         found: dict[str, ColumnRun | BeamRun | BraceRun] = {}
         found.update({names.column_name(*place): run for place, run in self.column_at.items()})
-        found.update({names.beam_name(*place): run for place, run in self.beam_at.items()})
+        found.update({name: self.beam_at[beam.bay, beam.floor] for name, beam in self.beam_members.items()})
         found.update({names.brace_name(*place): run for place, run in self.brace_at.items()})
         return found
 
@@ -207,11 +261,16 @@ class Frame(Model):
             if names.node_name(line, floor) in self.nodes
         ]
 
-    def _names_in(self, release: Release) -> Iterator[str]:
+    def _members_in(self, release: Release) -> Iterator[tuple[str, str]]:
+        """The first and the last member of each beam or column of a release; of most they are one."""
         if release.beams is not None:
-            yield from (names.beam_name(*p) for p in self.beam_places(release.beams) if p in self.beam_at)
+            for place in self.standing_beams(release.beams):
+                name = names.beam_name(*place)
+                yield names.beam_half_names(*place) if place in self.met_beams else (name, name)
         if release.columns is not None:
-            yield from (names.column_name(*p) for p in self.column_places(release.columns) if p in self.column_at)
+            for line, storey in self.column_places(release.columns):
+                if (line, storey) in self.column_at:
+                    yield (names.column_name(line, storey),) * 2
 
 
 def _by_storey(item: tuple[tuple[int, int], BraceRun]) -> tuple[int, int]:

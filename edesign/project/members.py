@@ -8,7 +8,8 @@ from edesign.project.base import Model
 from edesign.project.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
 from edesign.project.units import PositiveRatio
 
-BraceKind = Literal["rising", "falling", "cross"]
+BraceKind = Literal["rising", "falling", "cross", "chevron", "v"]
+SectionAxis = Literal["strong", "weak"]
 
 
 class ColumnPlaces(Model):
@@ -26,10 +27,14 @@ class BeamPlaces(Model):
 
 
 class ColumnRun(ColumnPlaces):
-    """Columns of one section and material; a later run overrides an earlier one where they overlap."""
+    """Columns of one section and material; a later run overrides an earlier one where they overlap.
+
+    `axis` is that of the section about which they bend in the plane of the frame.
+    """
 
     section: str
     material: str
+    axis: SectionAxis = "strong"
 
 
 class BeamRun(BeamPlaces):
@@ -42,7 +47,9 @@ class BeamRun(BeamPlaces):
 class BraceRun(Model):
     """Pin-ended braces; rising and falling are seen from left to right, cross is both.
 
-    Their buckling length is `buckling_length_factor` times the length between nodes.
+    A chevron is two braces to the middle of the beam above, a v two from the middle of the beam below. Their buckling
+    length is `buckling_length_factor` times the length between nodes. Without `compression` one of each pair is meant
+    to act, the one in tension; each then has half its area.
     """
 
     bays: Numbers
@@ -50,6 +57,7 @@ class BraceRun(Model):
     kind: BraceKind
     section: str
     material: str
+    compression: bool = True
     buckling_length_factor: PositiveRatio = 1.0
 
 

@@ -44,6 +44,12 @@ def beam_name(bay: int, floor: int) -> str:
     return f"B_{bay}_{floor}"
 
 
+def beam_half_names(bay: int, floor: int) -> tuple[str, str]:
+    """Members of a beam that braces meet in the middle: B_2_5_1, B_2_5_2; the node between them is named B_2_5."""
+    name = beam_name(bay, floor)
+    return f"{name}_1", f"{name}_2"
+
+
 def damper_name(kind: str, bay: int, storey: int) -> str:
     """Damper in a bay and storey by its kind, e.g. V_2_5: chevron (V), rising (R), falling (F), storey (S)."""
     letter = {"chevron": "V", "rising": "R", "falling": "F", "storey": "S"}[kind]

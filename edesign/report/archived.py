@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from edesign.archive.reader import Archive
-from edesign.building.profiles import profile_names
+from edesign.building.building_sections import BuildingSections
 from edesign.errors import ArchiveError
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
@@ -36,7 +36,7 @@ def archived_project(archive: Archive) -> Project | None:
     if text is None:
         return None
     path = Path(str(archive.attributes.get("project_file") or "project.yaml"))
-    return parse_project(str(text.values), path, profile_names(), files=False)
+    return parse_project(str(text.values), path, BuildingSections(), files=False)
 
 
 def archived_study(archive: Archive) -> Study | None:

@@ -33,12 +33,9 @@ def member_lines(frame: Frame) -> dict[str, Line]:
     for line, storey in frame.column_at:
         x = frame.x[frame.lines.index(line)]
         found[names.column_name(line, storey)] = ((x, frame.y[storey - 1]), (x, frame.y[storey]))
-    for bay, floor in frame.beam_at:
-        found[names.beam_name(bay, floor)] = ((frame.x[bay - 1], frame.y[floor]), (frame.x[bay], frame.y[floor]))
-    for bay, storey, way in frame.brace_at:
-        low, high = (storey - 1, storey) if way == "r" else (storey, storey - 1)
-        found[names.brace_name(bay, storey, way)] = ((frame.x[bay - 1], frame.y[low]), (frame.x[bay], frame.y[high]))
-    return found
+    ends = {name: (beam.start, beam.end) for name, beam in frame.beam_members.items()}
+    ends |= {names.brace_name(*place): frame.brace_nodes(*place) for place in frame.brace_at}
+    return found | {name: (frame.nodes[start], frame.nodes[end]) for name, (start, end) in ends.items()}
 
 
 def damper_drawing(frame: Frame, name: str) -> DamperDrawing | None:

@@ -8,12 +8,12 @@ from typing import TypeVar
 
 import numpy as np
 
+from edesign.building.steel_section import steel_section
 from edesign.ground_motion.hazard import checked_hazard
 from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import column_name
 from edesign.project.problems import listed
-from edesign.space.extract.rectangles import plane_section
 from edesign.space.frame import SpaceFrame
 from edesign.space.geometry import space_frame
 from edesign.space.load_cases import on_nodes
@@ -119,7 +119,7 @@ def _warnings(building: Building) -> list[str]:
         column_name(line, storey)
         for (line, storey), run in at.items()
         if (below := at.get((line, storey - 1))) is not None
-        and plane_section(run.section, True)[0] > plane_section(below.section, True)[0]
+        and steel_section(run.section).A > steel_section(below.section).A
     ]
     if not larger:
         return []

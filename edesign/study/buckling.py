@@ -36,7 +36,8 @@ def slender_braces(project: Project, frame: FrameModel) -> list[str]:
         frame: its model; with dampers their braces count too.
     """
     lines = []
-    for (kind, section), bars in _alike(bar for bar in frame_bars(project, frame) if bar.kind != "column").items():
+    braces = (bar for bar in frame_bars(project, frame) if bar.kind != "column" and bar.compression)
+    for (kind, section), bars in _alike(braces).items():
         known = {bar.name: bar.strut for bar in bars if bar.strut is not None}
         if not known:
             lines.append(f"{_PLURAL[kind]} of section `{section}` cannot be judged for buckling: it has no `inertia`")
@@ -66,7 +67,7 @@ def buckling_warnings(group: Group, project: Project, frame: FrameModel) -> list
         lowest = group.variables.get(f"{kind}_axial_force_min")
         if lowest is not None:
             resistance = [math.nan if bar.strut is None else bar.strut.resistance for bar in bars if bar.kind == kind]
-            label = f"N_b,Rd of the {kind} by {CLAUSE}, nan: not known"
+            label = f"N_b,Rd of the {kind} by {CLAUSE}, nan: not known, or not counted in compression"
             group.add(f"{kind}_buckling_resistance", (kind,), resistance, "N", label)
             names = group.coords[kind].values
             compression |= {(kind, str(name)): -float(n) for name, n in zip(names, lowest.values, strict=True)}

@@ -23,6 +23,7 @@ from edesign.project.building.names import (
 )
 from edesign.project.problems import listed
 from edesign.space.frame import SpaceFrame
+from edesign.space.geometry import half_names
 from edesign.space.load_cases import on_members, on_nodes
 
 AtNodes = dict[tuple[int, int], float]
@@ -95,14 +96,17 @@ class PlaneFrame:
             total -= factor * on_members(self.space, self.space.cases[name])[:, 2]
         numbers = {member.name: i for i, member in enumerate(self.space.members)}
         widths = self.building.widths(self.along)
-        return {(p.bay, p.floor): float(total[numbers[str(p)]]) / widths[p.bay - 1] for p in self.beams}
+        return {
+            (p.bay, p.floor): float(sum(total[numbers[name]] for name in self._members_of(p))) / widths[p.bay - 1]
+            for p in self.beams
+        }
 
     def node_load(self, factors: Mapping[str, float]) -> AtNodes:
         """Return what other members bring to its nodes above the base, N, downwards; arguments as `beam_load`.
 
         Beams at right angles bring half of their load, columns and braces half of their weight.
         """
-        own = {str(place) for place in self.beams}
+        own = {name for place in self.beams for name in self._members_of(place)}
         return self._carried(factors, np.array([member.name in own for member in self.space.members]))
 
     def weight(self, factors: Mapping[str, float]) -> AtNodes:
@@ -112,6 +116,10 @@ class PlaneFrame:
     def node_mass(self) -> AtNodes:
         """Return the mass at each of its nodes above the base, kg."""
         return self._at_nodes(self.space.node_mass)
+
+    def _members_of(self, place: BeamPlace) -> tuple[str, ...]:
+        """Names of the members that a beam is."""
+        return half_names(place) if place in self.building.layout.halved_beams else (str(place),)
 
     def _carried(self, factors: Mapping[str, float], but: np.ndarray | None) -> AtNodes:
         total = np.zeros(len(self.space.node_names))
@@ -150,15 +158,12 @@ class PlaneFrame:
         """Check that a project file can say what the frame is.
 
         Raises:
-            InputError: it has semi-rigid ends, chevrons, no column, nodes without a member of its own, or nothing that
+            InputError: it has semi-rigid ends, no column, nodes without a member of its own, or nothing that
                 resists while other frames do.
         """
         soft = [str(place) for place, run in self.beams.items() if _semi_rigid(run.ends)]
         if soft:
             raise self._refuse(f"project files have no semi-rigid ends, as those of {listed(soft)}")
-        halved = [str(place) for place in self.beams if place in self.building.layout.halved_beams]
-        if halved:
-            raise self._refuse(f"project files have no braces to the middle of a beam, as to that of {listed(halved)}")
         if not self.columns:
             raise self._refuse("no column stands in it")
         if loose := self._loose_nodes():

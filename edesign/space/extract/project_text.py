@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from edesign.building.steel_section import steel_section
 from edesign.project.building.layout import ways
-from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.building.members import BraceRun
+from edesign.project.building.names import BracePlace
 from edesign.project.names import line_name
 from edesign.project.yaml_edit import yaml_text
 from edesign.space.extract.leaning import leaning, leaning_shares
 from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames
-from edesign.space.extract.rectangles import plane_name, plane_section, rectangles
 from edesign.space.extract.selections import runs, selection, value
 from edesign.space.load_cases import PERMANENT, SELF_WEIGHT
 from edesign.space.masses import psi_2
@@ -29,7 +30,7 @@ def project_text(frame: PlaneFrame) -> str:
         frame: of a building.
 
     Raises:
-        InputError: it has semi-rigid ends, chevrons or springs at its feet, which project files do not have.
+        InputError: it has semi-rigid ends or springs at its feet, which project files do not have.
     """
     frame.check()
     return "\n".join(_ProjectText(frame).text)
@@ -88,7 +89,7 @@ class _ProjectText:
                 "# Not all floors are diaphragms, which would tie them: their masses and loads are not in this file.",
             ]
         if any(not run.in_compression for run in frame.braces.values()):
-            text.append("# The building counts these diagonals in tension alone; here they carry compression too.")
+            text.append("# Of diagonals that do not count in compression each has half its area, as in the building.")
         return [*text, "", "edesign: 1", f"title: {yaml_text(f'{self.building.title}, frame {frame.name}')}", ""]
 
     def grid(self) -> list[str]:
@@ -112,24 +113,27 @@ class _ProjectText:
 
     def members(self) -> list[str]:
         frame = self.frame
-        columns = {place: (self._column_section(run), run.material) for place, run in frame.columns.items()}
+        columns = {
+            place: (run.section, run.material, "" if run.strong == frame.along else ", axis: weak")
+            for place, run in frame.columns.items()
+        }
         first = next(iter(frame.columns.values())).material
-        columns |= {(self.leaning_line, s): (LEANING, first) for s in range(1, self.leaning_top + 1)}
+        columns |= {(self.leaning_line, s): (LEANING, first, "") for s in range(1, self.leaning_top + 1)}
         beams = {(p.bay, p.floor): (run.section, run.material) for p, run in frame.beams.items()}
-        braces = {}
-        for place, run in frame.braces.items():
-            found = ways(place, run)
-            kind = "cross" if len(found) == 2 else "rising" if "r" in found else "falling"
-            braces[place.bay, place.storey] = kind, run.section, run.material
+        braces = {
+            (p.bay, p.storey): (_kind(p, run), run.section, run.material, run.in_compression)
+            for p, run in frame.braces.items()
+        }
         text = ["  columns:"]
-        for at, storeys, (name, steel) in runs(columns, self.lines, self.storeys, line_name):
-            text.append(f"    - {{lines: {at}, storeys: {storeys}, {_section(name, steel)}}}")
+        for at, storeys, (name, steel, axis) in runs(columns, self.lines, self.storeys, line_name):
+            text.append(f"    - {{lines: {at}, storeys: {storeys}, {_section(name, steel)}{axis}}}")
         text.append("  beams:" if beams else "  beams: []")
         for at, floors, (name, steel) in runs(beams, self.bays, self.storeys, str):
             text.append(f"    - {{bays: {at}, floors: {floors}, {_section(name, steel)}}}")
         text += ["  braces:"] if braces else []
-        for at, storeys, (kind, name, steel) in runs(braces, self.bays, self.storeys, str):
-            text.append(f"    - {{bays: {at}, storeys: {storeys}, kind: {kind}, {_section(name, steel)}}}")
+        for at, storeys, (kind, name, steel, counts) in runs(braces, self.bays, self.storeys, str):
+            more = "" if counts else ", compression: false"
+            text.append(f"    - {{bays: {at}, storeys: {storeys}, kind: {kind}, {_section(name, steel)}{more}}}")
         return [*text, *self._missing(columns, beams), *self._releases(), ""]
 
     def _missing(self, columns: Mapping[tuple[int, int], object], beams: Mapping[tuple[int, int], object]) -> list[str]:
@@ -160,22 +164,10 @@ class _ProjectText:
             text.append(f"    - {{columns: {{lines: {line_name(self.leaning_line)}, storeys: all}}, ends: both}}")
         return text
 
-    def _column_section(self, run: ColumnRun) -> str:
-        return plane_name(run.section, run.strong == self.frame.along)
-
     def sections(self) -> list[str]:
-        """Own sections: hollow ones, I sections about their weak axis, and that of what leans on the frame."""
-        own: dict[str, str] = {}
-        for column in self.frame.columns.values():
-            own[self._column_section(column)] = rectangles(column.section, column.strong == self.frame.along)
-        others: list[BeamRun | BraceRun] = [*self.frame.beams.values(), *self.frame.braces.values()]
-        for run in others:
-            own[run.section] = rectangles(run.section, strong=True)
-        text = [f"  {yaml_text(name)}: {{rectangles: [{parts}]}}" for name, parts in own.items() if parts]
-        if self.leans:
-            text.append(f"  {LEANING}: {self._leaning_section()}")
+        """The section of what leans on the frame; all others are known by their names."""
         return [
-            *(["sections:", *text, ""] if text else []),
+            *(["sections:", f"  {LEANING}: {self._leaning_section()}", ""] if self.leans else []),
             "fibres: {fillets: true}                # areas and moments of inertia of the catalogue",
             "",
         ]
@@ -187,8 +179,9 @@ class _ProjectText:
         for number, share in next(iter(self.shares.values())).items():
             for (_, storey), run in others[number].columns.items():
                 if storey == 1:
-                    own_area, own_inertia = plane_section(run.section, run.strong == self.frame.along)
-                    area, inertia = area + share * own_area, inertia + share * own_inertia
+                    shape = steel_section(run.section)
+                    area += share * shape.A
+                    inertia += share * (shape.I_y if run.strong == self.frame.along else shape.I_z)
         return f"{{area: {value(1e4 * area, 'cm^2')}, inertia: {value(1e8 * inertia, 'cm^4')}}}"
 
     def materials(self) -> list[str]:
@@ -258,6 +251,13 @@ class _ProjectText:
             text.append(f"  - {{name: modes, kind: modal, modes: {min(3, self.storeys)}}}")
             text.append("  - {name: pushover, kind: pushover, pattern: first_mode, roof_drift: 2 %}")
         return [*text, ""]
+
+
+def _kind(place: BracePlace, run: BraceRun) -> str:
+    """The kind of braces of a place in a project file, which has no alternating diagonals."""
+    if run.kind != "alternating":
+        return run.kind
+    return "rising" if "r" in ways(place, run) else "falling"
 
 
 def _section(name: str, steel: str) -> str:

@@ -123,7 +123,7 @@ def test_impossible_sections(sizes: tuple[float, float, float, float, float], sa
 
 
 def test_a_section_needs_parts_of_some_size() -> None:
-    with pytest.raises(InputError, match="at least one rectangle"):
+    with pytest.raises(InputError, match="at least one part"):
         CrossSection(())
     with pytest.raises(InputError, match="greater than zero"):
         CrossSection((Strip(0.1, 0.0, 0.0),))

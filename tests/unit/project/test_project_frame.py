@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edesign.project import Project, parse_project
+from edesign.project import Project, ProjectError, parse_project
 
 
 @pytest.fixture
@@ -81,3 +81,35 @@ def test_defaults_and_marks(project: Project, small: str) -> None:
 def test_projects_do_not_change(project: Project) -> None:
     with pytest.raises(ValueError, match="frozen"):
         project.title = "other"  # type: ignore[misc]
+
+
+CHEVRONS = (
+    "  braces:\n"
+    "    - {bays: 1, storeys: 1, kind: chevron, section: rod, material: S275}\n"
+    "    - {bays: 2, storeys: 2, kind: v, section: rod, material: S275}\n"
+)
+
+
+def test_beams_that_braces_meet_are_two_members(small: str) -> None:
+    release = "  releases: [{beams: {bays: all, floors: 1}, ends: both}]\n"
+    frame = parse_project(small.replace("sections:\n", CHEVRONS + release + "sections:\n")).frame
+    assert frame.nodes["B_1_1"] == (3.0, 3.5) and frame.nodes["B_2_1"] == (9.75, 3.5)
+    assert {"B_1_1_1", "B_1_1_2", "B_2_1_1", "B_2_1_2", "B_1_2"} < set(frame.members)
+    assert "B_1_1" not in frame.members and "B_1_2" not in frame.nodes
+    assert frame.brace_nodes(1, 1, "r") == ("A0", "B_1_1") and frame.brace_nodes(1, 1, "f") == ("B_1_1", "B0")
+    assert frame.brace_nodes(2, 2, "f") == ("B2", "B_2_1") and frame.brace_nodes(2, 2, "r") == ("B_2_1", "C2")
+    assert frame.released == {name: (name.endswith("_1"), name.endswith("_2")) for name in frame.released}
+    assert len(frame.released) == 4
+
+
+@pytest.mark.parametrize(
+    ("braces", "said"),
+    [
+        ("{bays: 2, storeys: 3, kind: chevron", "a `chevron` meets a beam in the middle, and B_2_3 is missing"),
+        ("{bays: 1, storeys: 1, kind: v", "a `v` meets a beam in the middle, and bay 1 has no beam at the base"),
+    ],
+)
+def test_braces_need_the_beam_that_they_meet(small: str, braces: str, said: str) -> None:
+    text = small.replace("sections:\n", f"  braces: [{braces}, section: rod, material: S275}}]\nsections:\n")
+    with pytest.raises(ProjectError, match=said):
+        parse_project(text)

@@ -8,12 +8,9 @@ import pytest
 from building_examples import IRREGULAR, SMALL, building
 
 from edesign.building.building_file import load_building
+from edesign.building.building_sections import BuildingSections
 from edesign.building.loads import beam_loads, gravity_load, node_loads
 from edesign.building.masses import node_masses
-from edesign.building.named_section import cross_section
-from edesign.building.profiles import profile_names
-from edesign.building.section import CrossSection
-from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.project import Project, parse_project
 from edesign.project.building import Building
@@ -31,7 +28,7 @@ G, Q = Combination(G=1.0, Q=0.0), Combination(G=0.0, Q=1.0)
 
 
 def extracted(whole: Building, name: str) -> Project:
-    return parse_project(project_text(plane_frame(whole, space_frame(whole), name)), "frame.yaml", profile_names())
+    return parse_project(project_text(plane_frame(whole, space_frame(whole), name)), "frame.yaml", BuildingSections())
 
 
 @pytest.fixture(scope="module")
@@ -117,22 +114,11 @@ def test_live_loads_of_several_categories_are_multiplied_with_their_psi_2() -> N
     assert loads["B1"] == pytest.approx(0.3 * 50e3, rel=DIGITS) and "B2" not in loads
 
 
-@pytest.mark.parametrize("section", ["SHS200x10", "RHS300x200x10", "CHS168.3x8", "SHS40x4"])
-def test_rectangles_of_hollow_sections_have_their_area_and_inertia(section: str) -> None:
-    text = SMALL.replace("CHS101.6x5", section)
-    project = extracted(building(text), "YA")
-    shape = cross_section(project, section)
-    assert isinstance(shape, CrossSection)
-    assert shape.area == pytest.approx(steel_section(section).A, rel=DIGITS)
-    assert shape.inertia == pytest.approx(steel_section(section).I_y, rel=DIGITS)
-
-
 @pytest.mark.parametrize(
     ("name", "said"),
     [
         ("X1", "frame X1: project files have no support like that of D1, only fixed, pinned, roller"),
         ("X2", "frame X2: project files have no semi-rigid ends, as those of `BX_2_1_1`"),
-        ("YA", "frame YA: project files have no braces to the middle of a beam"),
         ("X4", "there is no frame `X4`; the frames are X1 to X3 and YA to YD"),
         ("B2", "there is no frame `B2`"),
         ("", "there is no frame ``"),
