@@ -11,6 +11,7 @@ import pytest
 from building_examples import building
 
 from edesign.building.building_sections import BuildingSections
+from edesign.building.loads import gravity_load
 from edesign.building.named_section import cross_section
 from edesign.building.section import CrossSection
 from edesign.building.steel_section import steel_section
@@ -18,11 +19,14 @@ from edesign.building.struts import frame_bars
 from edesign.codes.ec3 import buckling
 from edesign.core.space import PROPERTIES
 from edesign.project import Project, parse_project
+from edesign.project.analyses import GravityAnalysis, PushoverAnalysis
 from edesign.project.building import Building
 from edesign.space import model
 from edesign.space.extract import plane_frame, project_text
 from edesign.space.geometry import space_frame
 from edesign.space.model import space_model
+from edesign.study.gravity import run_gravity
+from edesign.study.pushover import run_pushover
 from edesign.study.structure import make_frame, make_structure
 
 CUT = 0.5 / 256
@@ -160,3 +164,17 @@ def test_hollow_sections_have_their_area_inertia_and_plastic_modulus(section: st
     assert areas @ abs(depths) == pytest.approx(steel.W_pl_y if strong == "y" else steel.W_pl_z, rel=1e-3)
     # 1/256 of the walls' own is missing, and that of the corners: of the thickest cold formed ones 0.7 %
     assert areas @ depths**2 == pytest.approx(shape.inertia, rel=0.01)
+
+
+def test_storeys_with_chevrons_are_in_equilibrium() -> None:
+    """Pushed to 2 %: the forces on the tops of columns and braces of storey 1 are the base shear; gravity as well."""
+    project = extracted(two_frames(braces="kind: chevron"))
+    gravity, _, push = project.analyses
+    assert isinstance(gravity, GravityAnalysis) and isinstance(push, PushoverAnalysis)
+    pushed = run_pushover(project, push)
+    assert pushed.attributes["status"] == "completed"
+    shear, base = pushed.variables["storey_shear"].values, pushed.variables["base_shear"].values
+    scale = float(np.max(np.abs(base)))
+    assert shear[:, 0] == pytest.approx(base, abs=1e-5 * scale)  # equilibrium has a tolerance of 1e-7 of end forces
+    reactions = run_gravity(project, gravity).variables["reaction_y_final"].values
+    assert reactions.sum() == pytest.approx(gravity_load(project), rel=1e-6)
