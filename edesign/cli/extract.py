@@ -1,4 +1,4 @@
-"""`edesign extract`: a plane frame of a building as a project file."""
+"""`edesign extract`: a plane frame of a building as a project file, and a study of it."""
 
 from __future__ import annotations
 
@@ -14,16 +14,67 @@ def extract(
         str, typer.Option("--frame", "-f", metavar="NAME", help="X2: along x on line 2; YA: along y on line A.")
     ],
     output: Annotated[Path, typer.Option("--output", "-o", metavar="FILE", help="The project file to write.")],
+    study: Annotated[
+        Path | None,
+        typer.Option(
+            "--study",
+            "-s",
+            metavar="FILE",
+            help="Write a study too, with and without dampers, and beside it its motions, FILE_records.yaml.",
+        ),
+    ] = None,
+    recordings: Annotated[
+        Path | None,
+        typer.Option("--recordings", metavar="FOLDER", help="Your recordings for the motions of the study."),
+    ] = None,
+    drift: Annotated[
+        str | None,
+        typer.Option(
+            "--drift",
+            metavar="RATIO",
+            help="Largest storey drift in the study, `1 %`; by default that of the building's limit over nu.",
+        ),
+    ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file that is of something else.")] = False,
 ) -> None:
     """Write a plane frame of a building as a project file, with the loads and masses that fall to it."""
-    from edesign.archive.files import check_own_yaml, write_yaml
+    from edesign.archive.files import check_own_yaml, source_file, write_yaml
     from edesign.building.building_file import load_building
-    from edesign.space.extract import plane_frame, project_text
+    from edesign.errors import InputError
+    from edesign.space.extract import StudyNames, plane_frame, project_text, study_text, suite_text
     from edesign.space.geometry import space_frame
 
+    if study is None and (recordings is not None or drift is not None):
+        raise InputError("--recordings and --drift belong to a study; give --study FILE too")
     read = load_building(building)
-    check_own_yaml(output, building, overwrite)
     found = plane_frame(read, space_frame(read), frame)
-    write_yaml(project_text(found), output, building)
-    print(f"{output} written. Next: edesign check {output}; edesign run {output}")
+    texts = {}
+    if study is None:
+        texts[output] = project_text(found)
+    else:
+        suite = study.with_name(f"{study.stem}_records.yaml")
+        folder = "" if recordings is None else source_file(recordings, output)
+        names = StudyNames(source_file(output, study), source_file(suite, output), folder)
+        largest = None if drift is None else _ratio(drift)
+        texts = {
+            suite: suite_text(found),
+            output: project_text(found, names),
+            study: study_text(found, names, largest),
+        }
+        if len(texts) < 3:
+            raise InputError(f"{study}: the project and the study are two files; give them different names")
+    for path in texts:
+        check_own_yaml(path, building, overwrite)
+    for path, text in texts.items():
+        write_yaml(text, path, building)
+    print(f"{', '.join(map(str, texts))} written. Next: edesign check {study or output}; edesign run {study or output}")
+
+
+def _ratio(text: str) -> float:
+    from edesign.errors import InputError
+    from edesign.project.units import parse_ratio
+
+    try:
+        return parse_ratio(text, 0.0, 1.0, low_allowed=False)
+    except ValueError as error:
+        raise InputError(f"--drift: {error}") from error

@@ -13,6 +13,7 @@ from edesign.project.yaml_edit import yaml_text
 from edesign.space.extract.leaning import leaning, leaning_shares
 from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames
 from edesign.space.extract.selections import runs, selection, value
+from edesign.space.extract.study_text import StudyNames, study_blocks
 from edesign.space.load_cases import PERMANENT, SELF_WEIGHT
 from edesign.space.masses import psi_2
 
@@ -20,7 +21,7 @@ LEANING = "leaning"
 """Section of the line of columns that stands for what leans on the frame."""
 
 
-def project_text(frame: PlaneFrame) -> str:
+def project_text(frame: PlaneFrame, study: StudyNames | None = None) -> str:
     """Return a plane frame as a project file: tributary loads and masses, sections, supports, and first analyses.
 
     The loads of a beam are spread over its length. The steel is elastic-perfectly plastic. Parallel frames that resist
@@ -28,12 +29,14 @@ def project_text(frame: PlaneFrame) -> str:
 
     Args:
         frame: of a building.
+        study: names of the files of a study of it, which needs damping, records and a law of dampers; None: no study.
 
     Raises:
         InputError: it has semi-rigid ends or springs at its feet, which project files do not have.
     """
     frame.check()
-    return "\n".join(_ProjectText(frame).text)
+    text = "\n".join(_ProjectText(frame).text)
+    return text if study is None else f"{text}\n{study_blocks(frame, study)}"
 
 
 class _ProjectText:

@@ -1,0 +1,220 @@
+"""A study of an extracted frame: without and with dampers, under motions that fit the building's hazard."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.codes.ec8.drift import drift_limit
+from edesign.codes.ec8.ground import ground_type
+from edesign.errors import InputError
+from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.ground_motion.simulation.simulate import simulate
+from edesign.ground_motion.simulation.site import V_S30_RANGE
+from edesign.project.building.design import Drift
+from edesign.project.building.names import BeamPlace
+from edesign.project.checks_criteria import objective_level
+from edesign.project.hazard import Hazard
+from edesign.project.yaml_edit import yaml_text
+from edesign.space.extract.plane_frame import PlaneFrame
+from edesign.space.extract.selections import selection, value
+
+MOTIONS = "motions"
+"""Name of the records in the project."""
+LAW = "elastomer"
+"""Name of the law of the dampers in the project."""
+
+N_MOTIONS = 7
+"""As many as let the mean of their results count. Source: EN 1998-1:2004, 4.3.3.4.3(3)."""
+MAGNITUDES = {1: 6.5, 2: 5.5}
+"""Of the stand-ins, by the type of spectrum. Source: EN 1998-1:2004, 3.2.2.2(2)P, Note 1: type 2 up to M_s = 5.5."""
+DISTANCES = (5e3, 10e3, 15e3, 20e3, 30e3, 40e3, 60e3, 80e3)
+"""Of the stand-ins, m: that whose motion has the peak nearest to a_g S is taken, so that scaling stays modest."""
+_SURFACE_OF_E = "C"  # ground E has the velocity of C or D near the surface
+
+RESIDUAL_DRIFT = 0.005
+"""Source: FEMA P-58-1 (2012), Appendix C: damage state 2, from which on a frame has to be straightened."""
+OBJECTIVES = ("h", "l")
+"""The basic safety objective. Source: FEMA 356, Table C1-1 (letters of thesis Table 5.4)."""
+
+
+@dataclass(frozen=True)
+class StudyNames:
+    """How the files of a study name each other.
+
+    Attributes:
+        project: the project file, from the study's folder.
+        suite: the suite file, from the project's folder.
+        folder: of the user's recordings, from the project's folder; "" for none.
+    """
+
+    project: str
+    suite: str
+    folder: str = ""
+
+
+def study_blocks(frame: PlaneFrame, names: StudyNames) -> str:
+    """Return what the project file of a frame needs for a study: damping, integration, records, a law of dampers.
+
+    Args:
+        frame: of a building.
+        names: of the files.
+    """
+    modes = "kind: rayleigh, ratio: 2 %, modes: [1, 2]" if frame.top > 1 else "kind: modal, ratio: 2 %, modes: 1"
+    folders = f", folders: [{yaml_text(names.folder)}]" if names.folder else ""
+    return f"""\
+damping: {{{modes}}}
+
+integration: {{method: newmark, time_step: 0.01 s}}
+
+records:                                # fitted to the spectrum of the hazard
+  {MOTIONS}: {{suite: {yaml_text(names.suite)}{folders}, match: {{method: wavelets}}}}
+
+dampers:
+  laws:                                 # a tested elastomer; `edesign fit` makes the law of another one
+    {LAW}:
+      type: mgmm
+      parameters: thesis_table_4_2
+      prototype: {{layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}}
+"""
+
+
+def study_text(frame: PlaneFrame, names: StudyNames, drift: float | None = None) -> str:
+    """Return the study of a frame without dampers and with dampers that are sized until the criteria are met.
+
+    Viscoelastic dampers on chevrons stand in the first and the last bay that is free of braces from base to top.
+
+    Args:
+        frame: of a building with a hazard and masses.
+        names: of the files.
+        drift: largest storey drift at the level of the design, a ratio; None: that of the building's own limit.
+
+    Raises:
+        InputError: the building has no hazard with levels or no masses, or no bay has room for dampers.
+    """
+    building, hazard = frame.building, _hazard(frame)
+    level = building.design_level or next(iter(hazard.levels))
+    limit, why = (drift, "as asked for") if drift is not None else _drift(frame)
+    bays = _bays(frame)
+    levels = ", ".join(yaml_text(name) for name in hazard.levels)
+    letters = [letter for letter in OBJECTIVES if objective_level(letter, hazard) is not None]
+    last = f"objectives: [{', '.join(letters)}]                       # the basic safety objective of FEMA 356\n\n"
+    percent = f"{100.0 * limit:.6g} %"
+    return f"""\
+# Motions: `edesign check` tells which of them are recordings and which are simulated.
+
+edesign_study: 1
+title: {yaml_text(f"{building.title}, frame {frame.name}, with and without dampers")}
+project: {yaml_text(names.project)}
+
+designs:
+  dampers:
+    method: strain_energy
+    law: {LAW}
+    kind: chevron
+    bays: {bays}
+    layers: 2
+    damping: 10 %                       # of critical, in the first mode; more if the criteria ask for it
+    strain: 20 %                        # of the layers, at which their properties are taken
+    properties: {{table: thesis_appendix_a}}
+    drift: {percent}                        # with the strain limit it gives the thickness of the layers
+    strain_limit: 50 %
+    brace: {{ratio: 7}}                   # braces of a storey over its stiffness
+    verify: {{records: {MOTIONS}, levels: {yaml_text(level)}, criteria: [drift, residual drift], free_vibration: 20 s}}
+
+variants:
+  bare: {{dampers: none}}
+  damped: {{design: dampers}}
+
+histories:
+  - {{variants: all, levels: [{levels}], records: {MOTIONS}, free_vibration: 20 s}}
+
+criteria:
+  - name: drift                         # {why}
+    measure: interstorey_drift
+    levels: {yaml_text(level)}
+    most: {percent}
+  - name: residual drift                # up to it a frame needs no straightening (FEMA P-58)
+    measure: residual_interstorey_drift
+    levels: {yaml_text(level)}
+    most: {100.0 * RESIDUAL_DRIFT:g} %
+
+{last if letters else ""}outputs: {{histories: [floors], every: 2}}
+"""
+
+
+def suite_text(frame: PlaneFrame) -> str:
+    """Return a suite of motions, each of which stands for a recording until the user has one.
+
+    Args:
+        frame: of a building with a hazard.
+
+    Raises:
+        InputError: the building has no hazard with levels.
+    """
+    hazard = _hazard(frame)
+    magnitude, v_s30 = MAGNITUDES[hazard.spectrum], _v_s30(hazard.ground)
+    peak = elastic_spectrum(hazard).zero_period
+    peaks = [float(np.max(np.abs(simulate(magnitude, far, v_s30, 1).acceleration))) for far in DISTANCES]
+    distance = min(zip(DISTANCES, peaks, strict=True), key=lambda pair: abs(math.log(pair[1] / peak)))[0]
+    text = f"""\
+# Motions for a study. Give each entry a recording: `peer: RSN6_IMPVALL.I_I-ELC180.AT2` for a file of PEER in the folder
+# of --recordings, or `file: motions/mine.csv` in place of all other keys. An entry without one is simulated.
+
+edesign_suite: 1
+title: Motions for ground {hazard.ground}, spectrum of type {hazard.spectrum}
+records:
+"""
+    for seed in range(1, N_MOTIONS + 1):
+        text += f"""\
+  - id: motion_{seed}
+    magnitude: {magnitude:g}
+    distance: {value(distance / 1e3, "km")}
+    stand_in: {{seed: {seed}, v_s30: {value(v_s30, "m/s")}}}
+"""
+    return text
+
+
+def _hazard(frame: PlaneFrame) -> Hazard:
+    building = frame.building
+    if building.hazard is None or not building.hazard.levels:
+        raise InputError(f"{building.path}: a study needs a `hazard` with `levels`")
+    if building.masses is None:
+        raise InputError(f"{building.path}: a study needs `masses`")
+    return building.hazard
+
+
+def _drift(frame: PlaneFrame) -> tuple[float, str]:
+    """The largest drift at the level of the design, and where it comes from; without a limit that of the default."""
+    design = frame.building.design
+    given = Drift() if design is None or design.drift.limit == "none" else design.drift
+    limit = drift_limit(given.limit)
+    return limit / given.nu, f"{100.0 * limit:g} % / nu = {given.nu:g}, EN 1998-1, 4.4.3.2"
+
+
+def _v_s30(ground: str) -> float:
+    """Shear wave velocity of a ground type in the range of the simulation: the middle of Table 3.1, m/s."""
+    low, high = ground_type(ground).v_s30 or ground_type(_SURFACE_OF_E).v_s30 or V_S30_RANGE
+    middle = low if math.isinf(high) else 0.5 * (low + high)
+    return min(max(middle, V_S30_RANGE[0]), V_S30_RANGE[1])
+
+
+def _bays(frame: PlaneFrame) -> str:
+    """The first and the last bay between columns and below beams in all storeys, without braces."""
+    storeys = range(1, frame.top + 1)
+    braced = {place.bay for place in frame.braces}
+    free = [
+        bay
+        for bay in range(1, len(frame.lines))
+        if bay not in braced
+        and all((i, storey) in frame.columns for i in (bay - 1, bay) for storey in storeys)
+        and all(BeamPlace(frame.along, frame.number, bay, floor) in frame.beams for floor in storeys)
+    ]
+    if not free:
+        raise InputError(
+            f"{frame.building.path}: frame {frame.name}: no bay is free of braces, with columns and beams in all "
+            "storeys, for dampers to stand in"
+        )
+    return selection(sorted({free[0], free[-1]}), list(range(0)), str)
