@@ -17,7 +17,7 @@ from edesign.report.table import Table, number
 from edesign.space.response import AXES
 
 MODES_SHOWN = 12
-_SEISMIC_SIGN = re.compile(r"[+-] (?=(?:[0-9.]+ )?(?:E_[xyz]|SRSS\())")
+_SIGN_OF_HORIZONTAL = re.compile(r"[+-] (?=(?:[0-9.]+ )?(?:E_[xyz]|S_[xy]|SRSS\())")
 
 Make = Callable[[BuildingResults], list[Table]]
 
@@ -166,7 +166,12 @@ def storeys_table(results: BuildingResults, axis: str) -> Table:
 
 def criteria_table(results: BuildingResults) -> Table:
     """Return the rules for the whole building, with what was found and where."""
-    table = Table("Rules of EN 1998-1 for the building", ("clause", "rule", "value", "limit", ""), left=2, sentences=1)
+    table = Table(
+        "Rules for the building, clauses of EN 1998-1 where no other code is named",
+        ("clause", "rule", "value", "limit", ""),
+        left=2,
+        sentences=1,
+    )
     columns = [results.values("criteria", of) for of in ("clause", "text", "detail", "value", "required", "passed")]
     for clause, text, detail, value, limit, passed in zip(*columns, strict=True):
         rule = f"{text}: {detail}" if detail else str(text)
@@ -193,15 +198,15 @@ def groups_table(results: BuildingResults) -> Table:
 
 
 def combinations_table(results: BuildingResults) -> Table:
-    """Return the combinations of actions; those that differ in signs of the seismic action only stand in one row."""
+    """Return the combinations of actions; those that differ in signs of horizontal actions stand in one row."""
     table = Table("Combinations of actions", ("no.", "combination", "situation", "EN 1990"), left=4, sentences=1)
     columns = [results.values("combinations", of) for of in ("name", "set", "equation", "static", "seismic")]
     alike: dict[tuple[object, ...], list[int]] = {}
     for k, (_, kind, equation, static, seismic) in enumerate(zip(*columns, strict=True)):
-        alike.setdefault((kind, equation, *static, *np.abs(seismic)), []).append(k)
+        alike.setdefault((kind, equation, *np.abs(static), *np.abs(seismic)), []).append(k)
     for numbers in alike.values():
         name, kind, equation, _, seismic = (column[numbers[0]] for column in columns)
-        name = _SEISMIC_SIGN.sub("+- ", str(name)) if len(numbers) > 1 else str(name)
+        name = _SIGN_OF_HORIZONTAL.sub("+- ", str(name)) if len(numbers) > 1 else str(name)
         situation = f"{kind}, 1.1 gamma_ov Omega" if np.abs(seismic).max(initial=0.0) > 1.0 else str(kind)
         table.rows.append([_numbers(numbers), name, situation, str(equation)])
     return table
