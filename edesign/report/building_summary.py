@@ -6,6 +6,7 @@ from edesign.archive.reader import Archive
 from edesign.report.building_results import BuildingResults, finite
 from edesign.report.building_tables import worst_of_groups
 from edesign.report.deflection_table import worst_beams
+from edesign.report.foundation_table import foundation_summary
 from edesign.space.response import AXES
 
 
@@ -70,4 +71,5 @@ def building_summary(archive: Archive) -> dict[str, object]:
         }
         for worst in worst_beams(results.group("deflections"))
     ]
+    found["foundations"] = foundation_summary(results.group("foundations"))
     return found

@@ -13,6 +13,7 @@ from edesign.errors import ArchiveError
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.building_results import BuildingResults, finite
 from edesign.report.deflection_table import deflection_table
+from edesign.report.foundation_table import foundation_table
 from edesign.report.table import Table, number
 from edesign.space.response import AXES
 
@@ -242,6 +243,7 @@ TABLES: tuple[Make, ...] = (
     lambda results: [criteria_table(results)],
     lambda results: [groups_table(results)],
     lambda results: [deflection_table(results.group("deflections"))],
+    lambda results: [foundation_table(results.group("foundations"))],
     lambda results: [combinations_table(results)],
     lambda results: [verdict_table(results)],
 )

@@ -9,6 +9,7 @@ import numpy as np
 from edesign.archive.dataset import Group, Variable
 from edesign.space.criteria import design_of
 from edesign.space.elastic_design import ElasticDesign
+from edesign.space.foundations import COMPONENTS
 from edesign.space.response import AXES, STATIONS
 
 PLACE = "building"
@@ -27,6 +28,9 @@ def groups(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
     yield f"{PLACE}/criteria", _criteria(design)
     if design.joints:
         yield f"{PLACE}/joints", _joints(design)
+    if design.panels:
+        yield f"{PLACE}/panels", _panels(design)
+    yield f"{PLACE}/foundations", _foundations(design)
     yield f"{PLACE}/members", _members(design)
     yield f"{PLACE}/deflections", _deflections(design)
     yield f"{PLACE}/forces", _forces(design)
@@ -163,6 +167,44 @@ def _joints(design: ElasticDesign) -> Group:
     ):
         group.add(name, ("joint",), np.array([getattr(joint, name) for joint in joints]), unit, text)
     group.add("exempt", ("joint",), np.array([joint.exempt for joint in joints]), "1", "the rule is not asked here")
+    return group
+
+
+def _panels(design: ElasticDesign) -> Group:
+    panels = design.panels
+    group = _numbered("panel", len(panels), "number of the web panel")
+    group.add("node", ("panel",), np.array([panel.node for panel in panels]), "", "node")
+    group.add("axis", ("panel",), np.array([panel.axis for panel in panels]), "", "direction of its beams")
+    for name, unit, text in (
+        ("V_wp_Ed", "N", "shear when the beams have their hinges"),
+        ("V_wp_Rd", "N", "resistance of the web of the column"),
+        ("V_wp_Rd_doubled", "N", "resistance with a supplementary web plate"),
+        ("doubler", "m", "thickness of that plate, 0: none is needed"),
+    ):
+        group.add(name, ("panel",), np.array([getattr(panel, name) for panel in panels]), unit, text)
+    return group
+
+
+def _foundations(design: ElasticDesign) -> Group:
+    of = design.foundations
+    axes = Variable(("axis",), np.array(AXES), "", "direction of the seismic action")
+    group = Group(
+        coords={
+            "support": Variable(("support",), np.array(of.nodes), "", "node"),
+            "component": Variable(("component",), np.array(COMPONENTS), "", "global, F_z positive upwards"),
+            "case": Variable(("case",), np.array(of.cases), "", "load case"),
+            "axis": axes,
+            "combination": Variable(("combination",), np.array(of.combinations), "", "combination of actions"),
+        }
+    )
+    text = "reactions on the frame to load cases"
+    group.add("static", ("case", "support", "component"), of.static, _UNITS, text)
+    text = "reactions to the seismic action without sign, with second-order effects and accidental torsion"
+    group.add("seismic", ("axis", "support", "component"), of.seismic, _UNITS, text)
+    group.add("factor", ("axis", "support"), of.factor, "1", "gamma_Rd Omega (EN 1998-1, 4.4.2.6(4))")
+    for name in ("least", "largest"):
+        text = f"{name} design action, E_F,G -+ gamma_Rd Omega E_F,E"
+        group.add(name, ("combination", "support", "component"), getattr(of, name), _UNITS, text)
     return group
 
 

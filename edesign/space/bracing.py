@@ -72,18 +72,21 @@ class Bracing:
         found = internal.copy()
         force = axial[:, self.braces]
         if self.collectors.size:
-            each = [combine(self.to_collectors @ (force * share).T, rho) for share in self._shares()[:2]]
+            each = [combine(self.to_collectors @ (force * share).T, rho) for share in self.share]
             found[self.collectors, :, _N] = np.max(each, axis=0).reshape(self.collectors.size, -1)
         if (self.share != 1.0).any():
             model = axial[:, self.columns].T
-            each = [combine(model + self.to_columns @ (force * (share - 1.0)).T, rho) for share in self._shares()]
+            each = [combine(model + self.to_columns @ (force * more).T, rho) for more in self.beyond_the_model()]
             found[self.columns, :, _N] = np.max(each, axis=0)[:, None]
         return found
 
-    def _shares(self) -> list[np.ndarray]:
-        """Return the shares of all braces, (b,), for both senses; then with the sense along y turned round."""
+    def beyond_the_model(self) -> list[np.ndarray]:
+        """Return the force of each brace beyond that of the linear model, over it, (b,), by senses along x and y."""
+        if not (self.share != 1.0).any():
+            return [np.zeros(self.braces.size)]
         along_x = self.axis == 0
-        return [np.where(along_x, self.share[x], self.share[y]) for x, y in ((0, 0), (1, 1), (0, 1), (1, 0))]
+        senses = ((0, 0), (0, 1), (1, 0), (1, 1))
+        return [np.where(along_x, self.share[x], self.share[y]) - 1.0 for x, y in senses]
 
 
 def bracing(frame: SpaceFrame) -> Bracing:
@@ -95,8 +98,8 @@ def bracing(frame: SpaceFrame) -> Bracing:
     members = frame.members
     braces = np.array([number for number, member in enumerate(members) if member.kind == "brace"], dtype=int)
     axis = np.array([AXES.index(members[number].frame[0][0].lower()) for number in braces], dtype=int)
-    along = frame.coordinates[[members[number].end for number in braces]]
-    along = (along - frame.coordinates[[members[number].start for number in braces]]) / frame.length[braces, None]
+    start, end = (nodes[braces] for nodes in frame.ends)
+    along = (frame.coordinates[end] - frame.coordinates[start]) / frame.length[braces, None]
     cosine, sine = along[np.arange(braces.size), axis], along[:, 2]
     in_tension = np.array([cosine * sense > 0.0 for sense in SENSES])
     share = np.where(frame.in_compression[braces], 1.0, in_tension / TENSION_ONLY_SHARE)

@@ -157,7 +157,7 @@ def joints(
     start, end = frame.ends
     force = acting[:, :, N].max(axis=1)
     M_Rc, M_Rb, columns_at, beams_at = np.zeros((4, len(frame.node_names)))
-    of_columns = _column_moments(frame, materials, axis, force, gamma_M0)
+    of_columns = column_moments(frame, materials, axis, force, gamma_M0)
     M_pl = by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_y, steel.fy, gamma_M0))[beams]
     rigid = frame.passes_moment[beams]
     for side, nodes in enumerate((start, end)):
@@ -179,10 +179,17 @@ def bends_about_y(member: Member, axis: Axis) -> bool:
     return abs(member.web[AXES.index(axis)]) > _DIAGONAL
 
 
-def _column_moments(
+def column_moments(
     frame: SpaceFrame, materials: Mapping[str, Steel], axis: Axis, force: np.ndarray, gamma_M0: float
 ) -> np.ndarray:
-    """Return M_N,Rd of the columns about the axis that horizontal forces bend them about, (n_columns,) N m."""
+    """Return M_N,Rd of the columns about the axis that horizontal forces bend them about, (n_columns,) N m.
+
+    Args:
+        frame, materials: of the building.
+        axis: of the horizontal forces.
+        force: (n_members,) largest axial forces, N, without sign.
+        gamma_M0: partial factor.
+    """
     pairs, of_members = frame.sections
     strong = np.array([bends_about_y(frame.members[number], axis) for number in frame.columns], dtype=bool)
     kinds, found = 2 * of_members[frame.columns] + strong, np.zeros(frame.columns.size)

@@ -16,6 +16,7 @@ from edesign.codes.ec8.behaviour_factor import alpha_ratio, behaviour_factor, la
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, asymmetry, homogeneity, slenderness
 from edesign.codes.ec8.criterion import Criterion, at_least, at_most
 from edesign.codes.ec8.modal_combination import check_modes
+from edesign.codes.ec8.moment_frames import rotation_capacity
 from edesign.codes.ec8.regularity import IRREGULAR_Q
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
@@ -178,6 +179,18 @@ def joint_criteria(joints: Sequence[Joint], axis: Axis) -> list[Criterion]:
     worst = min(asked, key=lambda joint: joint.ratio)
     text = f"sum M_Rc / sum M_Rb, direction {axis}"
     return [at_least("4.4.2.3(4)", text, LEAST_RATIO, worst.ratio, worst.node)]
+
+
+def connection_criteria(design: Design, axis: Axis, q: float) -> list[Criterion]:
+    """Return the rotation that beam to column connections of a moment frame must reach, for information.
+
+    Args:
+        design: block of the file.
+        axis, q: direction and its behaviour factor.
+    """
+    rotation = rotation_capacity(design.ductility_class, q)
+    text = f"rotation capacity of beam to column connections, direction {axis}, rad"
+    return [Criterion("6.6.4(3)", text, None, rotation, "rad", None, "to be shown by tests")] if rotation else []
 
 
 def brace_slenderness(building: Building, frame: SpaceFrame, members: np.ndarray) -> np.ndarray:

@@ -24,10 +24,13 @@ from edesign.project.building.design import Design
 from edesign.project.hazard import Hazard
 from edesign.space.bracing import bracing
 from edesign.space.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
+from edesign.space.column_feet import feet_criteria, hinged_feet
 from edesign.space.criteria import (
     MOMENT_FRAME,
+    allowed_class,
     behaviour_criteria,
     bracing_criteria,
+    connection_criteria,
     design_of,
     joint_criteria,
     largest_q,
@@ -37,6 +40,7 @@ from edesign.space.criteria import (
 )
 from edesign.space.deflections import DeflectionAnalysis, Deflections, deflection_criteria
 from edesign.space.effects import Effects, effects, largest
+from edesign.space.foundations import Foundations, foundation_factors, foundations, supports
 from edesign.space.frame import LoadCase, Member, SpaceFrame
 from edesign.space.geometry import space_frame
 from edesign.space.load_cases import SELF_WEIGHT, self_weight
@@ -55,6 +59,7 @@ from edesign.space.response import (
 )
 from edesign.space.storeys import Storeys, storeys
 from edesign.space.sway import SwayAnalysis, SwayStability, sway_criteria, sway_notes
+from edesign.space.web_panels import Panel, panel_criteria, web_panels
 from edesign.space.yielded_braces import with_yielded_braces, yielded_combinations
 
 PERMANENT = "permanent"  # category of load cases
@@ -77,6 +82,8 @@ class ElasticDesign:
         q: behaviour factors.
         overstrength: of either direction.
         joints: of moment frames.
+        panels: web panels at the joints of moment frames.
+        foundations: reactions of the supports and design actions on foundations.
         members: checks of all members.
         deflections: of the beams, under characteristic combinations.
         criteria: rules for the whole building.
@@ -95,6 +102,8 @@ class ElasticDesign:
     q: Mapping[Axis, float]
     overstrength: Mapping[Axis, Overstrength]
     joints: tuple[Joint, ...]
+    panels: tuple[Panel, ...]
+    foundations: Foundations
     members: MemberResults
     deflections: Deflections
     criteria: tuple[Criterion, ...]
@@ -146,6 +155,7 @@ class ElasticAnalysis:
         q_limit: their upper limits, Table 6.2.
         dissipative: numbers of the dissipative members of both directions.
         bracing: what braces bring to columns and beams.
+        supports: of the frame.
         members: checks of the members.
         fundamental, seismic, yielded: combinations of actions; `yielded` of beams beside buckled braces.
 
@@ -178,6 +188,8 @@ class ElasticAnalysis:
         self.dissipative = {axis: dissipative_members(self.frame, axis, system[axis].type) for axis in AXES}
         self._refuse()
         self.bracing = bracing(self.frame)
+        self.supports = supports(self.frame, self.bracing)
+        self._feet = {axis: hinged_feet(self.frame, axis) for axis in AXES}
         self.members = MemberChecker(building, self.frame, self.dissipative, self.q, self.bracing)
         self._sway = SwayAnalysis(self.frame, self._design.imperfections == "sway")
         self._elastic = elastic_spectrum(hazard, self._design.level or next(iter(hazard.levels), None))
@@ -278,6 +290,7 @@ class ElasticAnalysis:
                 design.damping,
                 design.accidental_torsion,
                 self.bracing,
+                self.supports,
             )
             for axis in AXES
         }
@@ -304,6 +317,23 @@ class ElasticAnalysis:
             if kind[axis] == MOMENT_FRAME
         }
         deflections = self._deflections.deflections(frame, self._properties[1], static)
+        factor = foundation_factors(building, frame, self.supports, in_earthquakes, Omega, self.q)
+        found = foundations(frame, self.supports, static, response, of_storeys, self.seismic, factor)
+        of_panels = {
+            axis: web_panels(
+                frame,
+                steel,
+                acting.seismic[number],
+                self.dissipative[axis],
+                of_joints[axis],
+                Omega[axis].Omega,
+                axis,
+                gamma_M0,
+            )
+            for number, axis in enumerate(AXES)
+            if axis in of_joints
+        }
+        amplified = checked.amplified
         criteria = [*modal_criteria(modes), *sway_criteria(sway, design.imperfections == "sway")]
         for axis in AXES:
             criteria += behaviour_criteria(building, frame, self.q, self.q_limit, axis, self.dissipative[axis])
@@ -311,7 +341,11 @@ class ElasticAnalysis:
             if self._design.ductility_class == "low":
                 continue  # no capacity design (EN 1998-1, 6.1.2(4))
             if axis in of_joints:
+                highest = allowed_class(design, self.q[axis], self.q_limit[axis])
+                criteria += connection_criteria(design, axis, self.q[axis])
                 criteria += joint_criteria(of_joints[axis], axis)
+                criteria += feet_criteria(frame, steel, acting, amplified, self._feet[axis], axis, highest, gamma_M0)
+                criteria += panel_criteria(of_panels[axis], len(of_joints[axis]), axis, design.members.doubler_plates)
             else:
                 criteria += bracing_criteria(building, frame, Omega[axis])
         names = [member.name for member in frame.members]
@@ -331,8 +365,10 @@ class ElasticAnalysis:
             members=checked,
             deflections=deflections,
             joints=tuple(joint for of_axis in of_joints.values() for joint in of_axis),
+            panels=tuple(panel for of_axis in of_panels.values() for panel in of_axis),
+            foundations=found,
             criteria=tuple(criteria),
-            notes=tuple([*_notes(response, of_storeys), *sway_notes(sway), *self._limits(frame)]),
+            notes=tuple([*_notes(response, of_storeys), *sway_notes(sway), *found.uplift, *self._limits(frame)]),
         )
 
     def _limits(self, frame: SpaceFrame) -> list[str]:

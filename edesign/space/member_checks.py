@@ -75,6 +75,12 @@ class MemberResults:
     counts: tuple[int, int, int, int]
     slender: tuple[int, ...]
 
+    @property
+    def amplified(self) -> tuple[Combination, ...]:
+        """The combinations with amplified seismic effects."""
+        before = sum(self.counts[:CAPACITY])
+        return self.rows[before : before + self.counts[CAPACITY]]
+
 
 class MemberChecker:
     """Checks the members of a building, whatever sections they have.

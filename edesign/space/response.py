@@ -24,6 +24,7 @@ from edesign.space.model import diaphragm_floors
 
 if TYPE_CHECKING:
     from edesign.space.bracing import Bracing
+    from edesign.space.foundations import Supports
 
 Axis = Literal["x", "y"]
 AXES: tuple[Axis, Axis] = ("x", "y")
@@ -65,6 +66,7 @@ class SeismicResponse:
         drift_elastic: (n_storeys,) the same of the elastic spectrum, m.
         internal: (n_members, n_stations, 6) as in StaticResponse.
         torsion: (n_members, n_stations, 6) part of `internal` that comes from accidental torsion.
+        reactions: (n_supports, 6) of the supports on the frame, N and N m.
     """
 
     axis: Axis
@@ -78,6 +80,7 @@ class SeismicResponse:
     drift_elastic: np.ndarray
     internal: np.ndarray
     torsion: np.ndarray
+    reactions: np.ndarray
 
 
 def static_response(model: SpaceModel, frame: SpaceFrame) -> StaticResponse:
@@ -96,6 +99,7 @@ def seismic_response(
     damping: float,
     torsion: float,
     bracing: Bracing,
+    supports: Supports,
     mass_shift: np.ndarray | None = None,
 ) -> SeismicResponse:
     """Return the effects of the seismic action in one direction by modal response spectrum analysis.
@@ -111,6 +115,7 @@ def seismic_response(
         damping: ratio of critical damping of the modes.
         torsion: e_ai / L_i; 0 for none.
         bracing: what braces bring to columns and beams.
+        supports: of the frame.
         mass_shift: (n_nodes, 2) m, as the modes were found with.
 
     Raises:
@@ -128,7 +133,7 @@ def seismic_response(
     shear = _modal_storey_shear(frame, modes, direction, mass_shift)  # (k, storeys) for an amplitude of 1
     drift, storey = _modal_drift(frame, modes, direction)  # (k, columns)
     storey_shear = combine(shear.T, rho * np.outer(amplitude, amplitude))
-    twist = _accidental_torsion(model, frame, modes, axis, float(storey_shear[0]), torsion, bracing)
+    twist = _accidental_torsion(model, frame, modes, axis, float(storey_shear[0]), torsion, bracing, supports)
 
     def drifts(of: np.ndarray) -> np.ndarray:
         base_shear = combine(shear[:, :1].T, rho * np.outer(of, of))[0]
@@ -140,7 +145,8 @@ def seismic_response(
 
     scaled = rho * np.outer(amplitude, amplitude)
     internal = combine_internal(modes.end_forces, scaled, STATIONS)
-    internal = bracing.axial_forces(internal, modes.end_forces[:, :, AXIAL_AT_END], scaled)
+    axial = modes.end_forces[:, :, AXIAL_AT_END]
+    internal = bracing.axial_forces(internal, axial, scaled)
     return SeismicResponse(
         axis=axis,
         spectrum=spectrum,
@@ -153,6 +159,7 @@ def seismic_response(
         drift_elastic=drifts(amplitude_elastic),
         internal=internal + twist.internal,
         torsion=twist.internal,
+        reactions=supports.combined(bracing, supports.modal(modes.end_forces), axial, scaled) + twist.reactions,
     )
 
 
@@ -167,6 +174,7 @@ def response_of_shifted_masses(
     damping: float,
     torsion: float,
     bracing: Bracing,
+    supports: Supports,
 ) -> SeismicResponse:
     """Return the effects of the seismic action in one direction with the masses of all floors e_ai to either side.
 
@@ -193,6 +201,7 @@ def response_of_shifted_masses(
             damping,
             torsion=0.0,
             bracing=bracing,
+            supports=supports,
             mass_shift=side * shift,
         )
         for side in (1.0, -1.0)
@@ -208,6 +217,7 @@ def response_of_shifted_masses(
         drift=np.maximum(one.drift, other.drift),
         drift_elastic=np.maximum(one.drift_elastic, other.drift_elastic),
         internal=np.maximum(one.internal, other.internal),
+        reactions=np.maximum(one.reactions, other.reactions),
     )
 
 
@@ -239,6 +249,7 @@ def _without_beta(spectrum: DesignSpectrum) -> DesignSpectrum:
 class _Twist:
     internal: np.ndarray
     drift: np.ndarray
+    reactions: np.ndarray
 
 
 def _correlation(modes: SpaceModes, combination: str, damping: float) -> np.ndarray:
@@ -280,13 +291,14 @@ def _accidental_torsion(
     base_shear: float,
     ratio: float,
     bracing: Bracing,
+    supports: Supports,
 ) -> _Twist:
     """Return the effects of M_ai = e_ai F_i, F_i by the heights of the floors (Eq. 4.11), without sign."""
     level = frame.level_of_nodes
     rigid = [int(np.flatnonzero(frame.node_floor == floor)[0]) for floor in diaphragm_floors(frame)]
     if ratio == 0.0 or not rigid:
         nothing = np.zeros((len(frame.members), STATIONS.size, 6))
-        return _Twist(nothing, np.zeros(frame.columns.size))
+        return _Twist(nothing, np.zeros(frame.columns.size), np.zeros((supports.nodes.size, 6)))
     floors = level[rigid]
     mass = np.bincount(level, weights=frame.node_mass, minlength=frame.n_floors + 1)[floors]
     across = frame.coordinates[:, 1 - AXES.index(axis)]
@@ -297,8 +309,10 @@ def _accidental_torsion(
     start, end = (nodes[frame.columns] for nodes in frame.ends)
     moved = found.displacements[0][:, AXES.index(axis)]
     axial = found.internal[:, :, 0, 0]
-    internal = bracing.axial_forces(np.abs(found.internal[0]), axial, np.ones((1, 1)))
-    return _Twist(internal, np.abs(moved[end] - moved[start]))
+    one = np.ones((1, 1))
+    internal = bracing.axial_forces(np.abs(found.internal[0]), axial, one)
+    reactions = supports.combined(bracing, found.reactions[:, supports.nodes], axial, one)
+    return _Twist(internal, np.abs(moved[end] - moved[start]), reactions)
 
 
 def static_cases(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticResponse:

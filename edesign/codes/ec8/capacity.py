@@ -1,4 +1,4 @@
-"""Capacity design of steel structures: what all types share, EN 1998-1:2004, 4.4.2.6, 6.5.5, 6.6.3(1), 6.7.4(1)."""
+"""Capacity design of steel structures: what all types share, EN 1998-1:2004, 4.4.2.6, 6.6.3(1), 6.7.4(1)."""
 
 from __future__ import annotations
 
@@ -31,51 +31,18 @@ def overstrength(resistance: ArrayLike, demand: ArrayLike) -> np.ndarray:
     return np.divide(R, E, out=np.full(R.shape, np.inf), where=E > 0.0)
 
 
-def amplified_effect(E_G: ArrayLike, E_E: ArrayLike, Omega: float, gamma_ov: float = 1.25) -> np.ndarray:
-    """Return E_Ed = E_Ed,G + 1.1 gamma_ov Omega E_Ed,E of members that must not yield, in the unit of the effects.
+def foundation_factor(Omega: ArrayLike, q: float) -> np.ndarray:
+    """Return gamma_Rd Omega, the factor of seismic effects on foundations: E_F,d = E_F,G + gamma_Rd Omega E_F,E.
+
+    gamma_Rd is 1.2 for q above 3, else 1.
 
     Args:
-        E_G: effect of the non-seismic actions in the seismic combination.
-        E_E: effect of the design seismic action, with sign.
-        Omega: least overstrength of the dissipative members, see `overstrength`.
-        gamma_ov: material overstrength (`NationalParameters.gamma_ov`).
-
-    Raises:
-        InputError: a factor is not greater than zero or not finite.
-
-    Source: EN 1998-1:2004, 6.6.3(1)P, Eq. 6.6 (columns of moment frames); 6.7.4(1), Eq. 6.12 (columns and beams of
-        braced frames).
-    """
-    check_positive(Omega=Omega, gamma_ov=gamma_ov)
-    return np.asarray(np.asarray(E_G, dtype=float) + OVERSTRENGTH * gamma_ov * Omega * np.asarray(E_E, dtype=float))
-
-
-def connection_resistance(R_fy: ArrayLike, gamma_ov: float = 1.25) -> np.ndarray:
-    """Return 1.1 gamma_ov R_fy: what a non-dissipative connection of a dissipative member must resist at least.
-
-    Args:
-        R_fy: plastic resistance of the connected member by its design yield stress.
-        gamma_ov: material overstrength.
-
-    Source: EN 1998-1:2004, 6.5.5(3), Eq. 6.1.
-    """
-    check_positive(R_fy=R_fy, gamma_ov=gamma_ov)
-    return np.asarray(OVERSTRENGTH * gamma_ov * np.asarray(R_fy, dtype=float))
-
-
-def foundation_effect(E_G: ArrayLike, E_E: ArrayLike, Omega: float, q: float) -> np.ndarray:
-    """Return E_Fd = E_F,G + gamma_Rd Omega E_F,E, the effect on a foundation; gamma_Rd is 1.2 for q above 3, else 1.
-
-    Args:
-        E_G: effect of the non-seismic actions in the seismic combination.
-        E_E: effect of the design seismic action, with sign.
-        Omega: R_di / E_di <= q of the dissipative member that has most influence on the effect; larger values count
-            as q.
+        Omega: R_di / E_di of the dissipative member that has most influence on the effect; values above q count as q,
+            values below 1, of members that fail their own check, as 1.
         q: behaviour factor.
 
-    Source: EN 1998-1:2004, 4.4.2.6(4), Eq. 4.30. For columns of moment frames Omega is M_Rd / M_Ed at the base (5), for
-        concentric bracings the least of all diagonals (7).
+    Source: EN 1998-1:2004, 4.4.2.6(4), Eq. 4.30. For columns of moment frames Omega is M_Rd / M_Ed at the base, the
+        less of both directions (5); for concentric bracings the least of all diagonals (6).
     """
-    check_positive(Omega=Omega, q=q)
-    gamma_Rd = 1.2 if q > HIGH_Q else 1.0
-    return np.asarray(np.asarray(E_G, dtype=float) + gamma_Rd * min(Omega, q) * np.asarray(E_E, dtype=float))
+    check_positive(q=q)
+    return np.asarray((1.2 if q > HIGH_Q else 1.0) * np.clip(np.asarray(Omega, dtype=float), 1.0, max(q, 1.0)))

@@ -15,8 +15,19 @@ SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v"]
 """Structural types of EN 1998-1, 6.3.1 and Table 6.2."""
 SectionFamily = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+*? -]*$", max_length=24)]
 SectionChoice = Annotated[tuple[SectionFamily, ...], Field(min_length=1)]
-LeftOut = Literal["4.4.2.2(3)", "4.4.2.3(4)", "4.4.3.2(1)", "6.7.1(3)", "6.7.3(1)", "6.7.3(2)", "6.7.3(3)", "6.7.3(8)"]
-"""Clauses of EN 1998-1 for the whole building that sections decide: theta, strong columns, drift, diagonals."""
+LeftOut = Literal[
+    "4.4.2.2(3)",
+    "4.4.2.3(4)",
+    "4.4.3.2(1)",
+    "6.6.3(4)",
+    "6.6.3(6)",
+    "6.7.1(3)",
+    "6.7.3(1)",
+    "6.7.3(2)",
+    "6.7.3(3)",
+    "6.7.3(8)",
+]
+"""Clauses of EN 1998-1 for the whole building that sections decide: theta, joints, drift, columns, diagonals."""
 
 
 def _q(value: Any) -> Any:
@@ -155,12 +166,16 @@ class LateralRestraint(Model):
 
 
 class MemberChecks(Model):
-    """How members are checked by EN 1993-1-1; `yield_by_thickness`: f_y of thick parts by EN 10025-2."""
+    """How members are checked by EN 1993-1-1; `yield_by_thickness`: f_y of thick parts by EN 10025-2.
+
+    `doubler_plates`: whether web panels that are too weak may have a supplementary web plate (EN 1998-1, 6.6.3(6)).
+    """
 
     interaction: Literal["annex_a", "annex_b"] = "annex_b"
     buckling_length: BucklingLength = BucklingLength()
     lateral_restraint: LateralRestraint = LateralRestraint()
     yield_by_thickness: bool = False
+    doubler_plates: bool = True
 
 
 KINDS = ("columns", "beams", "braces")

@@ -1,0 +1,95 @@
+"""Feet of the columns of moment frames, where plastic hinges are planned, EN 1998-1:2004, 6.6.1(1)P and 6.6.3(2)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+import numpy as np
+
+from edesign.building.section_class import section_class
+from edesign.building.steel_section import steel_section
+from edesign.codes.ec3.cross_section import moment_resistance, shear_resistance
+from edesign.codes.ec8.criterion import Criterion, at_most
+from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear
+from edesign.codes.en1990.combinations import Combination
+from edesign.project.building.building import Steel
+from edesign.space.capacity import bends_about_y, by_section
+from edesign.space.effects import Effects, largest
+from edesign.space.frame import SpaceFrame
+from edesign.space.response import Axis
+
+N, M_Y, M_Z = 0, 4, 5  # places in internal forces
+_TURNS = {"x": 4, "y": 3}  # degree of a support that turns under horizontal forces along an axis
+
+
+def hinged_feet(frame: SpaceFrame, axis: Axis) -> np.ndarray:
+    """Return the numbers of the columns on supports that hold them against turning along an axis.
+
+    Args:
+        frame: of the building.
+        axis: direction of the horizontal forces.
+    """
+    turn = _TURNS[axis]
+    held = frame.fixed[:, turn] | (frame.springs[:, turn] > 0.0)
+    return np.array([number for number in frame.columns if held[frame.members[number].start]], dtype=int)
+
+
+def feet_criteria(
+    frame: SpaceFrame,
+    materials: Mapping[str, Steel],
+    effects: Effects,
+    amplified: Sequence[Combination],
+    feet: np.ndarray,
+    axis: Axis,
+    highest: int,
+    gamma_M0: float,
+) -> Iterator[Criterion]:
+    """Yield the rules for hinges at the feet of columns: class of the section, and shear with M_pl,Rd at the foot.
+
+    The moment at the foot is M_pl,Rd, that at the head what the amplified combinations give; V_Ed is their sum over
+    the length. N_Ed, which the class depends on, is that of the amplified combinations.
+
+    Args:
+        frame, materials: of the building.
+        effects: of the actions.
+        amplified: combinations for members that must not yield.
+        feet: numbers of the columns, by `hinged_feet`.
+        axis: of the moment frame.
+        highest: class that dissipative sections may have.
+        gamma_M0: partial factor.
+
+    Source: EN 1998-1:2004, 6.5.3(2); 6.6.3(2) and (4), Eq. 6.7.
+    """
+    if not feet.size:
+        return
+    of_feet = Effects(effects.cases, effects.static[:, feet], effects.seismic[:, feet])
+    acting = largest(of_feet, amplified)
+    pairs, of_members = frame.sections
+    worst, where = 0, ""
+    for kind in np.unique(of_members[feet]):
+        name, material = pairs[kind]
+        force = float(acting[of_members[feet] == kind, 0, N].max())
+        of = section_class(steel_section(name), materials[material].fy, -force, about_y=True).number
+        if of > worst:
+            worst, where = of, name
+    yield at_most("6.5.3(2)", f"class of columns at hinges at their feet, direction {axis}", highest, worst, where)
+    about_y = np.array([bends_about_y(frame.members[number], axis) for number in feet], dtype=bool)
+    head = np.where(about_y, acting[:, -1, M_Y], acting[:, -1, M_Z])
+    resistances = np.array(
+        [
+            by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_y, steel.fy, gamma_M0))[feet],
+            by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_z, steel.fy, gamma_M0))[feet],
+            by_section(frame, materials, lambda of, steel: shear_resistance(of.A_vz, steel.fy, gamma_M0))[feet],
+            by_section(frame, materials, lambda of, steel: shear_resistance(of.A_vy, steel.fy, gamma_M0))[feet],
+        ]
+    )
+    M_pl, V_pl = np.where(about_y, resistances[0], resistances[1]), np.where(about_y, resistances[2], resistances[3])
+    ratio = column_hinge_shear(M_pl, head, frame.length[feet]) / V_pl
+    worst_foot = int(ratio.argmax())
+    yield at_most(
+        "6.6.3(4)",
+        f"V_Ed / V_pl,Rd of columns with M_pl,Rd at the foot, direction {axis}",
+        SHEAR_LIMIT,
+        float(ratio[worst_foot]),
+        frame.members[feet[worst_foot]].name,
+    )

@@ -1,0 +1,214 @@
+"""Reactions at the supports, and the design actions on foundations, EN 1998-1:2004, 4.4.2.6."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.codes.ec8.capacity import foundation_factor
+from edesign.codes.ec8.capacity import overstrength as strength_over_demand
+from edesign.codes.en1990.combinations import Combination
+from edesign.core.space import combine
+from edesign.project.building.building import Building
+from edesign.project.problems import listed
+from edesign.space.bracing import Bracing
+from edesign.space.capacity import Overstrength, bends_about_y, column_moments
+from edesign.space.column_feet import M_Y, M_Z, N, hinged_feet
+from edesign.space.criteria import MOMENT_FRAME, design_of, system_of
+from edesign.space.frame import SpaceFrame
+from edesign.space.response import AXES, Axis, SeismicResponse, StaticResponse
+from edesign.space.storeys import Storeys
+
+COMPONENTS = ("F_x", "F_y", "F_z", "M_x", "M_y", "M_z")
+"""Of a support on the frame, global; F_z is positive upwards."""
+
+
+@dataclass(frozen=True)
+class Supports:
+    """The supports of a frame and the members that end at them; sections do not change it.
+
+    Attributes:
+        nodes: (s,) numbers of the nodes.
+        member, at_end, support: (p,) members, whether it is their end, and which of `nodes` it is.
+        rotation: (p, 3, 3) rows are the local axes.
+        to_reactions: (s 6, b) change of the reactions by a unit of tension in a brace beyond the linear model.
+    """
+
+    nodes: np.ndarray
+    member: np.ndarray
+    at_end: np.ndarray
+    support: np.ndarray
+    rotation: np.ndarray
+    to_reactions: np.ndarray
+
+    def modal(self, end_forces: np.ndarray) -> np.ndarray:
+        """Return the reactions of each mode in the linear model, (k, s, 6), from the end forces of all members."""
+        k = len(end_forces)
+        local = np.where(self.at_end[:, None], end_forces[:, self.member, 6:], end_forces[:, self.member, :6])
+        turned = np.einsum("kpci,pij->kpcj", local.reshape(k, -1, 2, 3), self.rotation).reshape(k, -1, 6)
+        of_supports = self.support == np.arange(self.nodes.size)[:, None]
+        return np.asarray(np.einsum("sp,kpj->ksj", of_supports.astype(float), turned, optimize=True))
+
+    def combined(self, bracing: Bracing, reactions: np.ndarray, axial: np.ndarray, rho: np.ndarray) -> np.ndarray:
+        """Return the combined reactions without sign, (s, 6), those of the worse sense of braces in tension.
+
+        Args:
+            bracing: of the building.
+            reactions: (k, s, 6) of each mode in the linear model.
+            axial: (k, n_members) axial forces.
+            rho: (k, k) correlation of the modes, scaled by their amplitudes.
+        """
+        values = reactions.reshape(len(reactions), -1).T
+        force = axial[:, bracing.braces]
+        each = [combine(values + self.to_reactions @ (force * more).T, rho) for more in bracing.beyond_the_model()]
+        return np.asarray(np.max(each, axis=0).reshape(-1, 6))
+
+
+@dataclass(frozen=True)
+class Foundations:
+    """Reactions and design actions of all supports.
+
+    Attributes:
+        nodes: (s,) names.
+        cases: (c,) load cases.
+        static: (c, s, 6) reactions to the load cases, in the order of `COMPONENTS`, N and N m.
+        seismic: (2, s, 6) to the seismic action along x and y, without sign, with second-order effects.
+        factor: (2, s) gamma_Rd Omega of either direction.
+        combinations: (r,) names of the combinations.
+        least, largest: (r, s, 6) E_F,G -+ gamma_Rd Omega E_F,E.
+    """
+
+    nodes: tuple[str, ...]
+    cases: tuple[str, ...]
+    static: np.ndarray
+    seismic: np.ndarray
+    factor: np.ndarray
+    combinations: tuple[str, ...]
+    least: np.ndarray
+    largest: np.ndarray
+
+    @property
+    def uplift(self) -> list[str]:
+        """What an engineer should know of supports that are pulled upwards: a sentence, or none."""
+        least = self.least[:, :, 2].min(axis=0)
+        lifted = [self.nodes[number] for number in np.flatnonzero(least < 0.0)]
+        if not lifted:
+            return []
+        return [
+            f"foundations of {listed(lifted)} are pulled upwards, by up to {-least.min() / 1e3:.0f} kN with gamma_Rd "
+            "Omega (EN 1998-1, 4.4.2.6(4))"
+        ]
+
+
+def supports(frame: SpaceFrame, bracing: Bracing) -> Supports:
+    """Return the supports of a frame.
+
+    Args:
+        frame: of the building.
+        bracing: its braces.
+    """
+    nodes = np.flatnonzero(frame.fixed.any(axis=1) | (frame.springs > 0.0).any(axis=1))
+    place = {int(node): number for number, node in enumerate(nodes)}
+    ends = [
+        (number, at_end, place[node])
+        for number, member in enumerate(frame.members)
+        for at_end, node in ((False, member.start), (True, member.end))
+        if node in place
+    ]
+    member, at_end, support = (np.array(values) for values in zip(*ends, strict=True))
+    start, end = frame.ends
+    x = (frame.coordinates[end] - frame.coordinates[start]) / frame.length[:, None]
+    z = np.array([frame.members[number].web for number in member])
+    to_reactions = np.zeros((nodes.size, 6, bracing.braces.size))
+    for row, number in enumerate(bracing.columns):
+        if start[number] in place:
+            to_reactions[place[start[number]], 2] -= bracing.to_columns[row]
+    for column, number in enumerate(bracing.braces):
+        if start[number] in place:
+            to_reactions[place[start[number]], :3, column] -= x[number]
+    rotation = np.stack([x[member], np.cross(z, x[member]), z], axis=1)
+    return Supports(nodes, member, at_end, support, rotation, to_reactions.reshape(6 * nodes.size, bracing.braces.size))
+
+
+def foundation_factors(
+    building: Building,
+    frame: SpaceFrame,
+    of: Supports,
+    acting: np.ndarray,
+    overstrength: Mapping[Axis, Overstrength],
+    q: Mapping[Axis, float],
+) -> np.ndarray:
+    """Return gamma_Rd Omega of both directions at each support, (2, s); 1 in ductility class low.
+
+    Where a column of a moment frame has a hinge at its foot, Omega is the least M_Rd / M_Ed there of both directions;
+    elsewhere that of the dissipative members of the direction.
+
+    Args:
+        building, frame: with the members.
+        of: supports.
+        acting: (n_members, n_stations, 6) largest effects in the seismic design situation.
+        overstrength, q: of both directions.
+
+    Source: EN 1998-1:2004, 4.4.2.6(4)-(6).
+    """
+    design = design_of(building)
+    if design.ductility_class == "low":
+        return np.ones((2, of.nodes.size))
+    frames = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
+    at_foot = np.full(len(frame.node_names), np.inf)
+    force = acting[:, :, N].max(axis=1)
+    for axis in frames:
+        feet = hinged_feet(frame, axis)
+        M_Rd = column_moments(frame, building.materials, axis, force, design.partial_factors.M0)
+        M_Rd = M_Rd[np.searchsorted(frame.columns, feet)]
+        about_y = np.array([bends_about_y(frame.members[number], axis) for number in feet], dtype=bool)
+        M_Ed = np.where(about_y, acting[feet, 0, M_Y], acting[feet, 0, M_Z])
+        Omega = np.where(M_Rd > 0.0, strength_over_demand(np.maximum(M_Rd, 1.0), M_Ed), 1.0)
+        np.minimum.at(at_foot, frame.ends[0][feet], Omega)
+    found = []
+    for axis in AXES:
+        of_direction = np.full(of.nodes.size, overstrength[axis].Omega)
+        own = at_foot[of.nodes]
+        Omega = np.where(np.isfinite(own), own, of_direction) if axis in frames else of_direction
+        found.append(foundation_factor(Omega, q[axis]))
+    return np.array(found)
+
+
+def foundations(
+    frame: SpaceFrame,
+    of: Supports,
+    static: StaticResponse,
+    response: Mapping[Axis, SeismicResponse],
+    storeys: Mapping[Axis, Storeys],
+    seismic: Sequence[Combination],
+    factor: np.ndarray,
+) -> Foundations:
+    """Return the reactions at all supports and the design actions on foundations.
+
+    Args:
+        frame: of the building.
+        of: its supports.
+        static, response: effects of load cases and of the seismic action.
+        storeys: with the factors for second-order effects, of which that of the lowest storey counts.
+        seismic: combinations.
+        factor: by `foundation_factors`.
+
+    Source: EN 1998-1:2004, 4.4.2.6(4), Eq. 4.30.
+    """
+    reactions = static.reactions[:, of.nodes]
+    acting = np.stack([response[axis].reactions * storeys[axis].amplification[0] for axis in AXES])
+    raised = acting * factor[:, :, None]
+    alike = {(tuple(map(abs, row.seismic[:2])), tuple(sorted(row.static.items()))): row for row in reversed(seismic)}
+    rows = list(reversed(alike.values()))
+    least, largest, names = [], [], []
+    for row in rows:
+        steady = np.tensordot([row.static.get(case, 0.0) for case in static.names], reactions, 1)
+        x, y = (abs(share) * of_axis for share, of_axis in zip(row.seismic[:2], raised, strict=True))
+        swing = np.sqrt(x**2 + y**2) if row.directions == "srss" else x + y
+        least.append(steady - swing)
+        largest.append(steady + swing)
+        names.append(row.name)
+    nodes = tuple(frame.node_names[node] for node in of.nodes)
+    return Foundations(nodes, static.names, reactions, acting, factor, tuple(names), np.array(least), np.array(largest))

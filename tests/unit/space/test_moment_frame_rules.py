@@ -1,0 +1,173 @@
+"""Feet of columns, web panels and foundations of small buildings, by hand and by equilibrium."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.building.building_file import load_building
+from edesign.building.steel_section import steel_section
+from edesign.space.bracing import bracing
+from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.foundations import supports
+
+FRAME = """
+edesign_building: 1
+title: Two bays, two storeys
+plan: {x: [6 m, 6 m], y: [8 m]}
+storeys: [4 m, 3 m]
+columns:
+  - {section: HEB300, material: S275, strong: x, group: C}
+beams:
+  - {along: x, section: IPE400, material: S275, ends: rigid, group: BX}
+  - {along: y, section: IPE400, material: S275, ends: rigid, group: BY}
+materials: {S275: {fy: 275 MPa}}
+loads:
+  areas:
+    - {G: 5 kN/m^2, Q: 2 kN/m^2, category: B, spans: y}
+masses: {from_loads: {G: 1.0, Q: 0.3}}
+hazard: {code: ec8-2004, a_gR: 2.5 m/s^2, ground: B, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}
+design:
+  ductility_class: medium
+  systems:
+    x: {type: moment_frame, q: 4}
+    y: {type: moment_frame, q: 4}
+  accidental_torsion: none
+"""
+FY = 275e6
+
+
+def design_of(folder: Path, text: str = FRAME) -> ElasticDesign:
+    path = folder / "frame.yaml"
+    path.write_text(text, encoding="utf-8")
+    return elastic_design(load_building(path))
+
+
+@pytest.fixture(scope="module")
+def found(tmp_path_factory: pytest.TempPathFactory) -> ElasticDesign:
+    return design_of(tmp_path_factory.mktemp("frame"))
+
+
+def number_of(design: ElasticDesign, name: str) -> int:
+    return next(n for n, member in enumerate(design.frame.members) if member.name == name)
+
+
+def test_web_panels_by_hand(found: ElasticDesign) -> None:
+    """EN 1993-1-8, Eqs. 5.3 and 6.7: one beam IPE400 at the edge, two in the middle, HEB300 of S275.
+
+    V_wp,Ed = sum M_pl / (h - t_f) less the mean shear of both columns at the first hinge. V_wp,Rd = 0.9 A_vc f_y /
+    sqrt3, with a plate 208 mm wide and as thick as the web, 11 mm, beside it (6.2.6.1(6)). Along y the columns bend
+    about their weak axis: no panels there.
+    """
+    beam, column = steel_section("IPE400"), steel_section("HEB300")
+    M_over_z = beam.W_pl_y * FY / (0.4 - 0.0135)
+    web = 0.9 * FY * column.A_vz / np.sqrt(3.0)
+    plate = 0.9 * FY * 0.208 * 0.011 / np.sqrt(3.0)
+    panels = {panel.node: panel for panel in found.panels}
+    assert {panel.axis for panel in found.panels} == {"x"} and len(panels) == 12
+    for line, beams in (("A1", 1), ("B1", 2)):
+        E = found.effects.seismic[0]
+        V = [E[number_of(found, f"C_{line}_{storey}"), 0, 2] for storey in (1, 2)]
+        panel = panels[f"{line}.1"]
+        expected = beams * M_over_z - found.overstrength["x"].Omega * np.mean(V)
+        assert panel.V_wp_Ed == pytest.approx(expected, rel=1e-12)
+        assert panel.V_wp_Rd == pytest.approx(web, rel=1e-12)
+        assert panel.V_wp_Rd_doubled == pytest.approx(web + plate, rel=1e-12)
+        assert panel.doubler == (0.011 if expected > web else 0.0)
+    (rule,) = [rule for rule in found.criteria if rule.clause == "6.6.3(6)" and rule.value is not None]
+    assert rule.value == pytest.approx(max(panel.utilisation(True) for panel in found.panels), rel=1e-12)
+    assert "doubler plates of 11 mm at" in rule.detail
+
+
+def test_without_doubler_plates(tmp_path: Path, found: ElasticDesign) -> None:
+    plain = design_of(tmp_path, FRAME + "  members: {doubler_plates: false}\n")
+    worst = max(panel.V_wp_Ed / panel.V_wp_Rd for panel in found.panels)
+    rules = [rule for rule in plain.criteria if rule.clause == "6.6.3(6)" and rule.value is not None]
+    assert rules[0].value == pytest.approx(worst, rel=1e-12) and rules[0].passed is False
+
+
+def test_hinges_at_the_feet(found: ElasticDesign) -> None:
+    """EN 1998-1, 6.6.3(2) and (4): M_pl,Rd at the foot and the moment at the head of the amplified combinations."""
+    column = steel_section("HEB300")
+    M_pl, V_pl = column.W_pl_y * FY, column.A_vz * FY / np.sqrt(3.0)
+    ground = [n for n, of in enumerate(found.frame.members) if of.kind == "column" and of.storey == 1]
+    head = [
+        max(
+            abs(found.effects.of_static(row)[n, -1, 4]) + found.effects.of_seismic(row)[n, -1, 4]
+            for row in found.members.amplified
+        )
+        for n in ground
+    ]
+    rules = {rule.text: rule for rule in found.criteria}
+    rule = rules["V_Ed / V_pl,Rd of columns with M_pl,Rd at the foot, direction x"]
+    assert rule.value == pytest.approx((M_pl + max(head)) / 4.0 / V_pl, rel=1e-12) and rule.required == 0.5
+    assert rules["class of columns at hinges at their feet, direction x"].value == 1.0
+
+
+def test_pinned_feet_have_no_hinges(tmp_path: Path) -> None:
+    pinned = design_of(tmp_path, FRAME.replace("columns:\n", "supports: pinned\ncolumns:\n", 1))
+    assert not [rule for rule in pinned.criteria if "foot" in rule.text or "feet" in rule.text]
+    assert np.ptp(pinned.foundations.factor[0]) == 0.0  # Omega of the beams everywhere
+
+
+def test_reactions_balance_the_loads(found: ElasticDesign) -> None:
+    """Sums of the reactions are the weights; of the seismic action in a symmetric building V and its moment (1e-9)."""
+    base = found.foundations
+    assert base.nodes == ("A1.0", "A2.0", "B1.0", "B2.0", "C1.0", "C2.0")
+    weight = dict(zip(base.cases, base.static[:, :, 2].sum(axis=1), strict=True))
+    steel = sum(steel_section(of.section).A * found.frame.length[n] for n, of in enumerate(found.frame.members))
+    assert weight["Q"] == pytest.approx(2 * 2e3 * 96.0, rel=1e-9)
+    assert weight["G"] == pytest.approx(2 * 5e3 * 96.0 + 7850.0 * 9.80665 * steel, rel=1e-9)
+    mode = int(found.modes.effective_mass_ratio[:, 0].argmax())
+    of = supports(found.frame, bracing(found.frame))
+    R = of.modal(found.modes.end_forces[[mode]])[0]
+    inertia = found.modes.omega[mode] ** 2 * found.frame.node_mass * found.modes.displacements[mode, :, 0]
+    x, z = found.frame.coordinates[of.nodes, 0], found.frame.coordinates[:, 2]
+    assert R[:, 0].sum() == pytest.approx(-inertia.sum(), rel=1e-9)
+    overturning = (inertia * z).sum()
+    assert (R[:, 4] - x * R[:, 2]).sum() == pytest.approx(-overturning, rel=1e-9)
+
+
+def test_design_actions_on_foundations(found: ElasticDesign) -> None:
+    """EN 1998-1, Eq. 4.30: E_F,G -+ 1.2 Omega E_F,E for q = 4; Omega of fixed feet is M_Rd / M_Ed there, at most q."""
+    base, acting = found.foundations, found.effects
+    assert base.combinations == ("G + 0.3 Q + E_x + 0.3 E_y", "G + 0.3 Q + E_y + 0.3 E_x")
+    G = base.static[0] + 0.3 * base.static[1]
+    swing = base.factor[0][:, None] * base.seismic[0] + 0.3 * base.factor[1][:, None] * base.seismic[1]
+    np.testing.assert_allclose(base.largest[0], G + swing, rtol=1e-12, atol=1e-6)
+    np.testing.assert_allclose(base.least[0], G - swing, rtol=1e-12, atol=1e-6)
+    column, section = number_of(found, "C_A1_1"), steel_section("HEB300")
+    ratios = []
+    for part, W in ((4, section.W_pl_y), (5, section.W_pl_z)):  # n is too small to reduce the resistance
+        M = max(
+            abs(acting.of_static(row)[column, 0, part]) + acting.of_seismic(row)[column, 0, part]
+            for row in found.combinations
+            if row.set == "seismic" and max(map(abs, row.seismic)) == 1.0
+        )
+        ratios.append(W * FY / M)
+    assert base.factor[0, 0] == pytest.approx(1.2 * min(max(min(ratios), 1.0), 4.0), rel=1e-9)
+
+
+def test_supports_of_a_braced_frame(tmp_path: Path) -> None:
+    """Diagonals in tension alone: the feet of one frame take M / L of the overturning moment, whatever the sense.
+
+    All beams along y and all feet are hinged, so that columns carry no moment to the ground (1e-9).
+    """
+    text = FRAME.replace("plan: {x: [6 m, 6 m]", "plan: {x: [6 m]").replace(
+        "columns:\n", "supports: pinned\ncolumns:\n", 1
+    )
+    text = text.replace("ends: rigid, group: BY", "ends: pinned, group: BY").replace(
+        "y: {type: moment_frame, q: 4}", "y: {type: concentric_diagonal, q: 4}"
+    )
+    braces = "braces:\n  - {along: y, frames: all, bays: all, kind: cross, section: SHS100x6, material: S275}\n"
+    found = design_of(tmp_path, text.replace("materials:", f"{braces}materials:", 1))
+    mode = int(found.modes.effective_mass_ratio[:, 1].argmax())
+    of = supports(found.frame, bracing(found.frame))
+    ends, one = found.modes.end_forces[[mode]], np.ones((1, 1))
+    R = of.combined(bracing(found.frame), of.modal(ends), ends[:, :, 6], one)
+    inertia = found.modes.omega[mode] ** 2 * found.frame.node_mass * found.modes.displacements[mode, :, 1]
+    overturning = abs((inertia * found.frame.coordinates[:, 2]).sum())
+    np.testing.assert_allclose(R[:, 2], 0.5 * overturning / 8.0, rtol=1e-9)
+    assert R[:, 1].max() == pytest.approx(0.5 * abs(inertia.sum()), rel=0.02)  # the rest is shear of columns
