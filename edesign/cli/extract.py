@@ -43,10 +43,11 @@ def extract(
     from edesign.errors import InputError
     from edesign.space.extract import StudyNames, plane_frame, project_text, study_text, suite_text
     from edesign.space.geometry import space_frame
+    from edesign.space.steel_by_thickness import with_steel_by_thickness
 
     if study is None and (recordings is not None or drift is not None):
         raise InputError("--recordings and --drift belong to a study; give --study FILE too")
-    read = load_building(building)
+    read = with_steel_by_thickness(load_building(building))
     found = plane_frame(read, space_frame(read), frame)
     texts = {}
     if study is None:

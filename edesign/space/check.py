@@ -17,6 +17,7 @@ from edesign.project.problems import listed
 from edesign.space.frame import SpaceFrame
 from edesign.space.geometry import space_frame
 from edesign.space.load_cases import on_nodes
+from edesign.space.steel_by_thickness import with_steel_by_thickness
 
 R = TypeVar("R")
 
@@ -36,7 +37,7 @@ def check_building(building: Building) -> dict[str, str]:
     building.check_unchanged()
     if building.hazard is not None:
         checked_hazard(building)
-    frame = space_frame(building)
+    frame = space_frame(with_steel_by_thickness(building))
     warnings = _warnings(building)
     return {
         "title": building.title,

@@ -19,7 +19,7 @@ from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum, national_of
-from edesign.project.building.building import Building
+from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
 from edesign.project.hazard import Hazard
 from edesign.space.bracing import bracing
@@ -57,6 +57,7 @@ from edesign.space.response import (
     seismic_response,
     static_response,
 )
+from edesign.space.steel_by_thickness import steel_by_thickness, with_steel_by_thickness
 from edesign.space.storeys import Storeys, storeys
 from edesign.space.sway import SwayAnalysis, SwayStability, sway_criteria, sway_notes
 from edesign.space.web_panels import Panel, panel_criteria, web_panels
@@ -70,7 +71,7 @@ class ElasticDesign:
     """A building with its response and its checks.
 
     Attributes:
-        building: the file.
+        building: the file, with steels by thickness where it asks for them.
         frame: its members, loads and masses.
         modes: natural modes that were taken.
         static: effects of the load cases.
@@ -166,6 +167,10 @@ class ElasticAnalysis:
 
     def __init__(self, building: Building, tell: Callable[[str], None] = lambda stage: None) -> None:
         self.building, self._tell = building, tell
+        self._material = {run.group: run.material for run in building.columns}
+        self._material |= {run.group: run.material for run in building.beams}
+        self._material |= {run.group: run.material for run in building.braces}
+        self._made = building = with_steel_by_thickness(building)
         self._design = design_of(building)
         hazard = _hazard(building)
         self._national = national_of(hazard)
@@ -212,7 +217,6 @@ class ElasticAnalysis:
         """Refuse what would be passed over, and a system of which the building has nothing."""
         file, members = self.building.path, self._design.members
         undone = {
-            "design.members.yield_by_thickness: true": members.yield_by_thickness,
             "design.members.interaction: annex_a": members.interaction != "annex_b",
             "loads.live_load_reduction: true": self.building.loads.live_load_reduction,
         }
@@ -227,8 +231,16 @@ class ElasticAnalysis:
     def steel_mass(self) -> float:
         """Return the mass of the members of the file, kg."""
         pairs, of_members = self.frame.sections
-        metre = [steel_section(name).A * self.building.materials[steel].density for name, steel in pairs]
+        metre = [steel_section(name).A * self._made.materials[steel].density for name, steel in pairs]
         return float(np.array(metre)[of_members] @ self.frame.length)
+
+    def steel_of(self, group: str, section: str) -> tuple[str, Steel]:
+        """Return the steel of a section in a group, and its name.
+
+        Raises:
+            InputError: with yield strengths by thickness the section is thicker than the standard knows.
+        """
+        return steel_by_thickness(self.building, section, self._material[group])
 
     def frame_with(self, sections: Mapping[str, str]) -> SpaceFrame:
         """Return the frame with other sections, and the self weight and masses that follow from them.
@@ -237,29 +249,33 @@ class ElasticAnalysis:
             sections: section of each group; groups without one keep theirs.
 
         Raises:
-            InputError: a section is not known.
+            InputError: a section is not known, or too thick for its steel.
         """
         frame, members = self.frame, list(self.frame.members)
         for name, numbers in self._groups.items():
             wanted = sections.get(name)
             if wanted is not None and wanted != frame.members[numbers[0]].section:
                 if (name, wanted) not in self._variants:
-                    self._variants[name, wanted] = [replace(frame.members[k], section=wanted) for k in numbers]
+                    material, steel = self.steel_of(name, wanted)
+                    self._made.materials.setdefault(material, steel)
+                    self._variants[name, wanted] = [
+                        replace(frame.members[k], section=wanted, material=material) for k in numbers
+                    ]
                 for number, member in zip(numbers, self._variants[name, wanted], strict=True):
                     members[number] = member
         found = frame.with_sections(tuple(members), frame.cases, frame.node_mass)
         if SELF_WEIGHT not in frame.cases:
             return found
-        cases = frame.cases | {SELF_WEIGHT: self_weight(self.building, found)}
+        cases = frame.cases | {SELF_WEIGHT: self_weight(self._made, found)}
         found = found.with_sections(found.members, cases, frame.node_mass)
-        return found.with_sections(found.members, cases, node_masses(self.building, found))
+        return found.with_sections(found.members, cases, node_masses(self._made, found))
 
     def design(self, sections: Mapping[str, str] | None = None) -> ElasticDesign:
         """Analyse the building and check it.
 
         Args:
             sections: section of each group; those of the file for groups without one. With any, `building` of the
-                result is still that of the file.
+                result has still those of the file.
 
         Returns:
             The design; members of class 4, which the checks do not cover, are in `members.slender`.
@@ -267,7 +283,7 @@ class ElasticAnalysis:
         Raises:
             InputError: a section is not known, or modes that SRSS needs apart are close.
         """
-        building, design = self.building, self._design
+        building, design = self._made, self._design
         frame = self.frame_with(sections) if sections else self.frame
         model, gravity_model = self._with_sections(frame)
         frame = _with_joined_cases(frame)
@@ -381,7 +397,7 @@ class ElasticAnalysis:
     def _with_sections(self, frame: SpaceFrame) -> list[SpaceModel]:
         """Return the models for earthquakes and for gravity with the sections of a frame."""
         for number, model in enumerate(self._models):
-            properties = member_properties(frame, self.building.materials, gravity=number == 1)
+            properties = member_properties(frame, self._made.materials, gravity=number == 1)
             if (changed := np.flatnonzero((properties != self._properties[number]).any(axis=1))).size:
                 model.change_sections(changed, properties[changed])
                 self._properties[number] = properties

@@ -63,6 +63,11 @@ def ultimate_strength(grade: str, thickness: float, standard: Standard = "en1002
     return _row(grade, thickness, standard)[2] * 1e6
 
 
+def thickness_step(grade: str, thickness: float, standard: Standard = "en10025-2") -> float:
+    """Return up to which thickness the values of `yield_stress` hold, m; arguments and errors are those of it."""
+    return _row(grade, thickness, standard)[0] * 1e-3
+
+
 def _row(grade: str, thickness: float, standard: Standard) -> tuple[float, float, float]:
     if standard not in _TABLES:
         raise unknown("table of steels", standard, _TABLES)

@@ -60,6 +60,10 @@ def _share_of_span(value: Any) -> Any:
     return parse_ratio(value, 0.0, 1.0, False, False)
 
 
+def _by_thickness(value: Any) -> Any:
+    return {True: "en10025-2", False: None}[value] if isinstance(value, bool) else value
+
+
 def _drift(value: Any) -> Any:
     """`none` is a limit of its own."""
     return {"limit": "none"} if value == "none" else value
@@ -166,15 +170,17 @@ class LateralRestraint(Model):
 
 
 class MemberChecks(Model):
-    """How members are checked by EN 1993-1-1; `yield_by_thickness`: f_y of thick parts by EN 10025-2.
+    """How members are checked by EN 1993-1-1.
 
+    `yield_by_thickness`: f_y by the thickest part of a section, of EN 10025-2 (`true`) or of EN 1993-1-1, Table 3.1;
+    the National Annex chooses (3.2.1(1)).
     `doubler_plates`: whether web panels that are too weak may have a supplementary web plate (EN 1998-1, 6.6.3(6)).
     """
 
     interaction: Literal["annex_a", "annex_b"] = "annex_b"
     buckling_length: BucklingLength = BucklingLength()
     lateral_restraint: LateralRestraint = LateralRestraint()
-    yield_by_thickness: bool = False
+    yield_by_thickness: Annotated[Literal["en10025-2", "table-3.1"] | None, BeforeValidator(_by_thickness)] = None
     doubler_plates: bool = True
 
 

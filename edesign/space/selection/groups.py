@@ -24,14 +24,14 @@ class Group:
     Attributes:
         name: of the file.
         kind: column, beam or brace.
-        material: name of its steel.
+        material: name of its steel; with yield strengths by thickness that of the section in the file.
         sections: names of those that it may have, the cheapest first.
         mass: (n_sections,) of all its members with each section, kg.
         cost: (n_sections,) that mass times its price, or the mass itself where that is to be least.
         area: (n_sections,) m2.
         records: numbers of the sections that are stiffer about y than every cheaper one.
         stiffer: (n_sections,) numbers of the sections that cost more and are stiffer about y, the cheapest first.
-        left_out: sections of its lists whose class is too high.
+        left_out: sections of its lists whose class is too high, or that are thicker than their steel is made.
     """
 
     name: str
@@ -59,7 +59,7 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
     building, frame = analysis.building, analysis.frame
     numbers = [number for number, of in enumerate(frame.members) if of.group == name]
     member = frame.members[numbers[0]]
-    steel, kinds = building.materials[member.material], f"{member.kind}s"
+    (_, steel), kinds = analysis.steel_of(name, member.section), f"{member.kind}s"
     select = design_of(building).select
     keys = ("lists", "groups", name) if name in select.lists.groups else ("lists", kinds)
     asked = select.lists.groups.get(name) or getattr(select.lists, kinds)
@@ -74,11 +74,11 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
             where = building.where("design", "select", *keys, place)
             raise InputError(f"{where}: {keys_text(('design', 'select', *keys))}: {error}") from error
         bent = member.kind != "brace"
-        fit = [of for of in whole if dissipative_class(of.name, steel.fy, bent).number <= highest]
+        fit = [of for of in whole if _fits(analysis, name, of.name, bent, highest)]
         left_out += [of.name for of in whole if of not in fit]
         chosen |= {of.name for of in (efficient(fit, lambda of: of.A * price(of.name)) if len(whole) > 1 else fit)}
     if not chosen:
-        why = f"; of a class above {highest} are {listed(left_out)}" if left_out else ""
+        why = f"; of a class above {highest}, or too thick, are {listed(left_out)}" if left_out else ""
         why += f"; largest_depth is {1e3 * depth:g} mm" if depth < math.inf else ""
         where = building.where("design", "select", *keys)
         raise InputError(f"{where}: {keys_text(('design', 'select', *keys))}: group {name} has no section left{why}")
@@ -124,6 +124,15 @@ def _prices(analysis: ElasticAnalysis) -> Callable[[str], float]:
         )
 
     return price
+
+
+def _fits(analysis: ElasticAnalysis, group: str, section: str, bent: bool, highest: int) -> bool:
+    """Whether a section is of a class that its group may have, and no thicker than its steel is made."""
+    try:
+        _, steel = analysis.steel_of(group, section)
+    except InputError:
+        return False
+    return dissipative_class(section, steel.fy, bent).number <= highest
 
 
 def _allowed_class(analysis: ElasticAnalysis, members: Sequence[int]) -> int:

@@ -291,10 +291,6 @@ def test_the_least_slenderness_of_crosses(tmp_path: Path) -> None:
         (TABLE + "  modes: 99\n", "99 modes, the building has 3"),
         (TABLE + "  modes: 1\n", "the first 1 modes have"),
         (TABLE + "  members: {interaction: annex_a}\n", "annex_a: this is not in the analysis yet"),
-        (
-            TABLE + "  members: {yield_by_thickness: true}\n",
-            "yield_by_thickness: true: this is not in the analysis yet",
-        ),
     ],
 )
 def test_what_is_refused(tmp_path: Path, text: str, says: str) -> None:

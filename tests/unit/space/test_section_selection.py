@@ -226,7 +226,7 @@ def test_what_stands_in_the_way_is_told() -> None:
 def test_sections_of_too_high_a_class_are_left_out_by_name() -> None:
     lines: list[str] = []
     select_sections(changed(TEXT, ("D: [SHS150x8]", "D: [SHS200x5, SHS150x8]")), lines.append)
-    assert lines[0] == "group D: left out for their class: SHS200x5"
+    assert lines[0] == "group D: left out for their class or thickness: SHS200x5"
 
 
 def test_wrong_lists_are_told_at_their_place() -> None:
@@ -240,7 +240,9 @@ def test_wrong_lists_are_told_at_their_place() -> None:
         changed(TEXT, ("D: [SHS150x8]", "DD: [SHS150x8]"))
     with pytest.raises(FileProblems, match="largest_depth.beam: there is no group `beam`; did you mean `beams`?"):
         changed(TEXT, ("leave_out:", "largest_depth: {beam: 400 mm}\n    leave_out:"))
-    with pytest.raises(InputError, match="group D has no section left; of a class above 1 are `SHS200x5`"):
+    with pytest.raises(
+        InputError, match="group D has no section left; of a class above 1, or too thick, are `SHS200x5`"
+    ):
         select_sections(changed(TEXT, ("D: [SHS150x8]", "D: [SHS200x5]")))
     with pytest.raises(InputError, match="all larger than those of the group below"):
         select_sections(changed(TEXT, ("groups: {BY", "groups: {C1: [HEB200], C2: [HEB300], BY")))

@@ -1,0 +1,79 @@
+"""Yield strengths by thickness: EN 10025-2, Table 7, and EN 1993-1-1, Table 3.1."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from building_examples import SMALL, building
+
+from edesign.building.steel_section import steel_section
+from edesign.errors import InputError
+from edesign.space.elastic_design import ElasticAnalysis, elastic_design
+from edesign.space.selection.groups import groups_of
+from edesign.space.steel_by_thickness import with_steel_by_thickness
+
+THICK = (
+    SMALL.replace("columns: [{section: HEB200,", "columns: [{section: HEB450,")
+    + "  members: {yield_by_thickness: true}\n"
+)
+"""Flanges of HEB450 are 26 mm thick: 265 MPa by EN 10025-2, and 275 MPa by Table 3.1; all others are below 16 mm."""
+
+
+def test_members_are_of_the_steel_of_their_thickest_part() -> None:
+    frame = elastic_design(building(THICK)).frame
+    assert {member.material for member in frame.members if member.kind == "column"} == {"S275_t40"}
+    assert {member.material for member in frame.members if member.kind != "column"} == {"S275"}
+    of_table = elastic_design(building(THICK, ("thickness: true", "thickness: table-3.1"))).frame
+    assert {member.material for member in of_table.members} == {"S275"}
+
+
+def test_checks_take_the_lower_strength() -> None:
+    """N alone in a column: its utilisation grows by 275 / 265 (1e-12)."""
+    with_it, without = (
+        elastic_design(building(THICK, ("thickness: true", f"thickness: {key}"))) for key in ("en10025-2", "false")
+    )
+    column = [member.kind for member in with_it.frame.members].index("column")
+    check = with_it.members.checks.index("N")
+    one, other = (of.members.utilisation[column, check] for of in (with_it, without))
+    assert with_it.building.materials["S275_t40"].fy == 265e6
+    assert one == pytest.approx(other * 275.0 / 265.0, rel=1e-12)
+
+
+def test_other_sections_bring_their_own_steel() -> None:
+    """The analysis of HEB450 in place of HEB200 is that of a file that has it, but for rounding (1e-9)."""
+    thin = building(THICK, ("HEB450", "HEB200"))
+    found = ElasticAnalysis(thin).design({"C1": "HEB450"})
+    whole = elastic_design(building(THICK)).members.utilisation
+    np.testing.assert_allclose(found.members.utilisation, whole, rtol=1e-9, atol=1e-9)
+
+
+def test_sections_that_are_too_thick_are_left_out() -> None:
+    """Table 3.1 ends at 80 mm; the flanges of HD400x818 have 97 mm."""
+    assert steel_section("HD400x818").tf > 0.08
+    text = THICK.replace("thickness: true", "thickness: table-3.1")
+    listed = building(text + "  select: {lists: {columns: [HEB450, HD400x818]}}\n")
+    group = next(group for group in groups_of(ElasticAnalysis(listed)) if group.name == "C1")
+    assert group.sections == ("HEB450",) and group.left_out == ("HD400x818.0",)
+
+
+@pytest.mark.parametrize(
+    ("changes", "says"),
+    [
+        ([("S275: {fy: 275 MPa}", "S275: {fy: 265 MPa}")], r"materials.S275.fy: 265 MPa, but en10025-2 has 275 MPa"),
+        (
+            [("HEB450", "HD400x1086"), ("thickness: true", "thickness: table-3.1")],
+            "S275 of 125 mm is thicker than 80 mm",
+        ),
+        ([("thickness: true", "thickness: 3")], "yield_by_thickness"),
+    ],
+)
+def test_what_is_refused(changes: list[tuple[str, str]], says: str) -> None:
+    with pytest.raises(InputError, match=says):
+        with_steel_by_thickness(building(THICK, *changes))
+
+
+def test_a_name_that_is_no_grade() -> None:
+    text = THICK.replace("S275", "mild")
+    with pytest.raises(InputError, match=r"materials.mild: yield_by_thickness needs the name of a grade"):
+        with_steel_by_thickness(building(text))
+    assert with_steel_by_thickness(building(THICK.replace("S275", "S275JR"))).materials["S275JR_t40"].fy == 265e6
