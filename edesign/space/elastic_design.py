@@ -43,6 +43,8 @@ from edesign.space.effects import Effects, effects, largest
 from edesign.space.foundations import Foundations, foundation_factors, foundations, supports
 from edesign.space.frame import LoadCase, Member, SpaceFrame
 from edesign.space.geometry import space_frame
+from edesign.space.live_load_reduction import NOTE as LIVE_LOADS_REDUCED
+from edesign.space.live_load_reduction import LiveLoadReduction
 from edesign.space.load_cases import SELF_WEIGHT, self_weight
 from edesign.space.masses import node_masses, psi_2
 from edesign.space.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
@@ -207,6 +209,8 @@ class ElasticAnalysis:
         self.seismic = seismic(cases, psi, directions)
         self._characteristic = characteristic(cases, psi)
         self.yielded = yielded_combinations(self.seismic[0], self.bracing, self._design)
+        wanted = building.loads.live_load_reduction
+        self._reduction = LiveLoadReduction(building, self.frame, joined, psi) if wanted else None
         self._deflections = DeflectionAnalysis(self.frame, joined, "G", self._characteristic)
         self._groups: dict[str, list[int]] = {}
         for number, member in enumerate(self.frame.members):
@@ -218,7 +222,6 @@ class ElasticAnalysis:
         file, members = self.building.path, self._design.members
         undone = {
             "design.members.interaction: annex_a": members.interaction != "annex_b",
-            "loads.live_load_reduction: true": self.building.loads.live_load_reduction,
         }
         if asked := [key for key, wanted in undone.items() if wanted]:
             raise InputError(f"{file}: {asked[0]}: this is not in the analysis yet; leave it out")
@@ -314,7 +317,9 @@ class ElasticAnalysis:
         gravity = gravity_above(frame, self.seismic[0].static)
         of_storeys = {axis: storeys(response[axis], height, gravity, design) for axis in AXES}
         sway = self._sway.stability(model, frame, every, self._properties[0], static, self.fundamental)
-        acting = sway.added(effects(frame, static, response, of_storeys))
+        acting, persistent = sway.added(effects(frame, static, response, of_storeys)), sway.rows
+        if self._reduction is not None:
+            acting, persistent = self._reduction.added(acting), self._reduction.rows(persistent)
         if self.yielded:
             gamma_pb = self._national.gamma_pb
             acting = with_yielded_braces(acting, gravity_model, frame, self.bracing, building, gamma_pb)
@@ -326,7 +331,7 @@ class ElasticAnalysis:
             for axis in AXES
         }
         self._tell("checks of the members")
-        checked = self.members.results(frame, acting, sway.rows, self.seismic, Omega, self.yielded)
+        checked = self.members.results(frame, acting, persistent, self.seismic, Omega, self.yielded)
         of_joints = {
             axis: joints(frame, steel, in_earthquakes, self.dissipative[axis], axis, gamma_M0)
             for axis in AXES
@@ -389,7 +394,7 @@ class ElasticAnalysis:
 
     def _limits(self, frame: SpaceFrame) -> list[str]:
         """Return what the analysis leaves out of this building, a sentence each."""
-        found = []
+        found = [LIVE_LOADS_REDUCED] if self._reduction is not None else []
         if self._design.accidental_torsion and not diaphragm_floors(frame):
             found.append("accidental torsion is left out: no floor is rigid, and its moments act on rigid floors")
         return found

@@ -126,10 +126,10 @@ def _case(name: str, loads: _Sum, frame: SpaceFrame) -> LoadCase:
     for node, force in loads.nodes.items():
         nodal[nodes[node], 2] -= force
     for place, load in loads.uniform.items():
-        for member in _members_of(place, members):
+        for member in members_of(place, members):
             uniform[member, 2] -= load
     for (place, position), force in loads.points.items():
-        whole = _members_of(place, members)
+        whole = members_of(place, members)
         if len(whole) == 1:
             points.append((whole[0], position, force))
         elif position == 0.5:
@@ -147,7 +147,7 @@ def _case(name: str, loads: _Sum, frame: SpaceFrame) -> LoadCase:
     )
 
 
-def _members_of(place: BeamPlace, members: dict[str, int]) -> list[int]:
+def members_of(place: BeamPlace, members: dict[str, int]) -> list[int]:
     """The member of a beam, or those of its two halves."""
     name = str(place)
     return [members[name]] if name in members else [members[f"{name}_1"], members[f"{name}_2"]]

@@ -23,7 +23,8 @@ REFERENCE_AREA = 10.0
 LEAST_ALPHA_A = 0.6
 """Lower limit of alpha_A for categories C and D. Source: the same."""
 
-_REDUCED = "ABCD"
+REDUCED = "ABCD"
+"""Categories whose loads may be reduced. Source: EN 1991-1-1:2002, 6.3.1.2(10) and (11)."""
 
 
 def alpha_A(area: float, category: str, psi_0: float) -> float:
@@ -70,7 +71,7 @@ def alpha_n(storeys: int, category: str, psi_0: float, leading: bool = True) -> 
 def _check_category(category: str) -> None:
     if category not in CATEGORIES:
         raise unknown("category of imposed load", category, CATEGORIES)
-    if category not in _REDUCED:
+    if category not in REDUCED:
         raise InputError(
             f"imposed loads of category {category} ({CATEGORIES[category]}) are not reduced; EN 1991-1-1, 6.3.1.2(10) "
             "and (11) allow it for categories A to D"
