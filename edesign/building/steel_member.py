@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 from edesign.building.steel_section import SteelSection
 from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
@@ -37,6 +38,46 @@ class Stability:
     C_mLT: float = 0.9
     twists: bool = True
     general: bool = False
+
+
+@dataclass(frozen=True)
+class SteelMember:
+    """A member as its checks see it.
+
+    Attributes:
+        section: by `steel_section`.
+        fy: yield strength, Pa.
+        stability: restraints.
+        section_class: 1, 2 or 3.
+        V_M: V_Ed,M of EN 1998-1, 6.6.2(2), N.
+        E, G: Pa.
+        gamma_M0, gamma_M1: partial factors.
+    """
+
+    section: SteelSection
+    fy: float
+    stability: Stability
+    section_class: int
+    V_M: float = 0.0
+    E: float = E
+    G: float = G
+    gamma_M0: float = GAMMA_M0
+    gamma_M1: float = GAMMA_M1
+
+    @cached_property
+    def constants(self) -> MemberConstants:
+        """Its resistances and factors, by `member_constants`."""
+        return member_constants(
+            self.section,
+            self.fy,
+            self.stability,
+            self.section_class,
+            self.V_M,
+            self.E,
+            self.G,
+            self.gamma_M0,
+            self.gamma_M1,
+        )
 
 
 def member_constants(

@@ -17,6 +17,10 @@ def show(
     analysis: Annotated[
         str | None, typer.Option("--analysis", "-n", metavar="NAME", help="Details of one analysis only.")
     ] = None,
+    member: Annotated[
+        str | None,
+        typer.Option("--member", "-m", metavar="NAME", help="Checks of one member of a building, written out."),
+    ] = None,
     figures: Annotated[
         Path | None, typer.Option("--figures", metavar="DIR", help="Draw records, their spectra, and loops of dampers.")
     ] = None,
@@ -26,15 +30,19 @@ def show(
     from edesign.archive.files import check_folder
     from edesign.archive.reader import Archive, DamagedArchive, read_archive
     from edesign.report.archive_figures import check_format, draw_figures
-    from edesign.report.summary import summarise
-    from edesign.report.tables import details, overview
+    from edesign.report.summary import of_member, summarise
+    from edesign.report.tables import details, details_of_member, overview
     from edesign.report.text import print_tables
 
     def read(opened: Archive) -> Callable[[], None]:
         if as_json:
-            text = json.dumps(summarise(opened, analysis), indent=2, allow_nan=False, ensure_ascii=False)
+            found = of_member(opened, member) if member is not None else summarise(opened, analysis)
+            text = json.dumps(found, indent=2, allow_nan=False, ensure_ascii=False)
             return lambda: print(text)
-        tables = details(opened, analysis) if analysis is not None else overview(opened)
+        if member is not None:
+            tables = details_of_member(opened, member)
+        else:
+            tables = details(opened, analysis) if analysis is not None else overview(opened)
         return lambda: print_tables(tables)
 
     check_format(figure_format)

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from edesign.archive.reader import Archive
+from edesign.report.building_checks import written_data, written_worst
 from edesign.report.building_results import BuildingResults, finite
-from edesign.report.building_tables import worst_of_groups
 from edesign.report.deflection_table import worst_beams
 from edesign.report.foundation_table import foundation_summary
 from edesign.space.response import AXES
@@ -46,7 +46,6 @@ def building_summary(archive: Archive) -> dict[str, object]:
         }
         for k in range(rules.coords["rule"].values.size)
     ]
-    rows = results.values("combinations", "name")
     found["groups"] = [
         {
             "group": worst.group,
@@ -56,9 +55,10 @@ def building_summary(archive: Archive) -> dict[str, object]:
             "check": worst.name,
             "clause": worst.clause,
             "member": worst.member,
-            "combination": str(rows[worst.combination - 1]) if worst.combination else "",
+            "combination": calculation.combination,
+            "calculation": written_data(calculation),
         }
-        for worst in worst_of_groups(results)
+        for worst, calculation in written_worst(results)
     ]
     found["deflections"] = [
         {

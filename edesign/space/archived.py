@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
+from edesign.space.archived_basis import add_restraints, basis
 from edesign.space.criteria import design_of
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.foundations import COMPONENTS
@@ -34,6 +35,8 @@ def groups(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
     yield f"{PLACE}/members", _members(design)
     yield f"{PLACE}/deflections", _deflections(design)
     yield f"{PLACE}/forces", _forces(design)
+    for name, group in basis(design):
+        yield f"{PLACE}/{name}", group
 
 
 def _summary(design: ElasticDesign) -> Group:
@@ -44,6 +47,8 @@ def _summary(design: ElasticDesign) -> Group:
             "notes": list(design.notes),
             "mass_kg": float(frame.node_mass.sum()),
             "ductility_class": design.building.design.ductility_class if design.building.design else "",
+            "gamma_M0": design.members.members[0].gamma_M0,
+            "gamma_M1": design.members.members[0].gamma_M1,
         }
     )
     for axis in AXES:
@@ -90,7 +95,12 @@ def _about_corner(design: ElasticDesign) -> np.ndarray:
 
 def _combinations(design: ElasticDesign) -> Group:
     group = _numbered("combination", len(design.combinations), "number of the combination")
-    for name, text in (("name", "as reports print it"), ("set", "design situation"), ("equation", "of EN 1990")):
+    for name, text in (
+        ("name", "as reports print it"),
+        ("set", "design situation"),
+        ("equation", "of EN 1990"),
+        ("directions", "how the components of the seismic action add up: as a sum, or srss"),
+    ):
         values = np.array([getattr(row, name) for row in design.combinations])
         group.add(name, ("combination",), values, "", text)
     group.coords["case"] = Variable(("case",), np.array(design.effects.cases), "", "load case")
@@ -230,6 +240,7 @@ def _members(design: ElasticDesign) -> Group:
         "combination", ("member", "check"), checks.combination, "1", "number of the governing combination, 0: none"
     )
     group.add("station", ("member", "check"), checks.station, "1", "governing place as a fraction of the length")
+    add_restraints(group, design)
     return group
 
 

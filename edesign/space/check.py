@@ -17,6 +17,7 @@ from edesign.project.problems import listed
 from edesign.space.frame import SpaceFrame
 from edesign.space.geometry import space_frame
 from edesign.space.load_cases import on_nodes
+from edesign.space.masses import floor_masses
 from edesign.space.steel_by_thickness import with_steel_by_thickness
 
 R = TypeVar("R")
@@ -89,17 +90,13 @@ def _sums(names: list[str], values: tuple[float, ...]) -> str:
 
 def _masses(frame: SpaceFrame) -> str:
     """Mass, its centre and radius of gyration at each floor, and the mass in all."""
-    floors = frame.level_of_nodes
-    rows = []
-    for floor in range(1, frame.n_floors + 1):
-        mass, plan = frame.node_mass[floors == floor], frame.coordinates[floors == floor, :2]
-        total = float(mass.sum())
-        if total == 0.0:
-            rows.append("no mass")
-            continue
-        x, y = (mass @ plan) / total
-        gyration = float(np.sqrt(mass @ ((plan - (x, y)) ** 2).sum(axis=1) / total))
-        rows.append(f"{total / 1e3:.1f} t at x = {x:.2f} m, y = {y:.2f} m, radius of gyration {gyration:.2f} m")
+    of = floor_masses(frame)
+    rows = [
+        f"{mass / 1e3:.1f} t at x = {x:.2f} m, y = {y:.2f} m, radius of gyration {gyration:.2f} m"
+        if mass
+        else "no mass"
+        for mass, x, y, gyration in list(zip(of.mass, of.x, of.y, of.gyration, strict=True))[1:]
+    ]
     lines = [f"{floors_text}: {text}" for floors_text, text in _floors(rows)]
     return "\n".join([*lines, f"building: {frame.node_mass.sum() / 1e3:.1f} t"])
 

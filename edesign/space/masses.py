@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from edesign.codes.ec8.national import national_parameters
@@ -25,6 +27,37 @@ def psi_2(building: Building, category: str) -> float:
         return given
     national = national_parameters() if building.hazard is None else national_of(building.hazard)
     return national.psi[category].psi_2
+
+
+@dataclass(frozen=True)
+class FloorMasses:
+    """The masses of the floors, each (n_floors + 1,), the base first.
+
+    Attributes:
+        mass: kg.
+        x, y: centre of mass, m; nan without mass.
+        gyration: radius of gyration about it, m; nan without mass.
+    """
+
+    mass: np.ndarray
+    x: np.ndarray
+    y: np.ndarray
+    gyration: np.ndarray
+
+
+def floor_masses(frame: SpaceFrame) -> FloorMasses:
+    """Return the mass of each floor, its centre and its radius of gyration."""
+    floors, count = frame.level_of_nodes, frame.n_floors + 1
+
+    def sums(values: np.ndarray) -> np.ndarray:
+        return np.bincount(floors, values * frame.node_mass, minlength=count)
+
+    x, y = frame.coordinates[:, 0], frame.coordinates[:, 1]
+    total = sums(np.ones_like(x))
+    mass = np.where(total > 0.0, total, np.nan)
+    centre_x, centre_y = sums(x) / mass, sums(y) / mass
+    square = sums((x - centre_x[floors]) ** 2 + (y - centre_y[floors]) ** 2) / mass
+    return FloorMasses(total, centre_x, centre_y, np.sqrt(square))
 
 
 def node_masses(building: Building, frame: SpaceFrame) -> np.ndarray:

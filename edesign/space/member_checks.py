@@ -16,7 +16,7 @@ from functools import cache
 import numpy as np
 
 from edesign.building.section_class import section_class
-from edesign.building.steel_member import Stability, member_constants
+from edesign.building.steel_member import Stability, SteelMember
 from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec3 import cross_section
 from edesign.codes.ec3.moment_factors import SWAY
@@ -29,7 +29,6 @@ from edesign.core.member_checks import (
     MEMBER_CHECKS,
     SECTION_CHECKS,
     Check,
-    MemberConstants,
     MemberTable,
     Utilisations,
     mask,
@@ -64,6 +63,8 @@ class MemberResults:
         counts: how many of them are persistent, seismic, amplified, and with yielded braces.
         slender: numbers of the members of class 4, whose utilisations are infinite: effective sections (EN 1993-1-5)
             are not in the checks.
+        members: what the checks take the members for: each kind of them once.
+        kinds: (n_members,) which of `members` each member is.
     """
 
     checks: tuple[str, ...]
@@ -74,6 +75,8 @@ class MemberResults:
     rows: tuple[Combination, ...]
     counts: tuple[int, int, int, int]
     slender: tuple[int, ...]
+    members: tuple[SteelMember, ...]
+    kinds: np.ndarray
 
     @property
     def amplified(self) -> tuple[Combination, ...]:
@@ -109,7 +112,7 @@ class MemberChecker:
         self._roles = list(dict.fromkeys(roles))
         places = {role: place for place, role in enumerate(self._roles)}
         self._role_of_members = np.array([places[role] for role in roles], dtype=int)
-        self._known: dict[tuple[str, str, bool, int], MemberConstants] = {}
+        self._known: dict[tuple[str, str, bool, int], SteelMember] = {}
 
     def results(
         self,
@@ -132,7 +135,8 @@ class MemberChecker:
         amplified = amplified_combinations(self._design, seismic, overstrength, self._q)
         rows = (*fundamental, *seismic, *amplified, *yielded)
         counts = len(fundamental), len(seismic), len(amplified), len(yielded)
-        found, slender = self._checked(frame, effects, rows, counts)
+        members, kinds, slender = self._members(frame, effects, rows)
+        found = self._checked(members, kinds, slender, effects, rows, counts)
         applies = found.combination >= 0
         return MemberResults(
             checks=tuple(check.name for check in Check),
@@ -142,7 +146,9 @@ class MemberChecker:
             station=np.where(applies, STATIONS[np.maximum(found.station, 0)], np.nan),
             rows=rows,
             counts=counts,
-            slender=slender,
+            slender=tuple(slender),
+            members=tuple(members),
+            kinds=kinds,
         )
 
     def under_frozen_forces(self, frame: SpaceFrame, effects: Effects, results: MemberResults) -> np.ndarray:
@@ -152,18 +158,20 @@ class MemberChecker:
             frame: with the sections.
             effects, results: of the other sections.
         """
-        return self._checked(frame, effects, results.rows, results.counts)[0].utilisation.max(axis=1)
+        checked = self._members(frame, effects, results.rows)
+        return self._checked(*checked, effects, results.rows, results.counts).utilisation.max(axis=1)
 
     def _checked(
         self,
-        frame: SpaceFrame,
+        members: Sequence[SteelMember],
+        kinds: np.ndarray,
+        slender: Sequence[int],
         effects: Effects,
         rows: Sequence[Combination],
         counts: tuple[int, int, int, int],
-    ) -> tuple[Utilisations, tuple[int, ...]]:
+    ) -> Utilisations:
         spectral, factors = _spectral(effects, rows)
-        constants, of_members, slender = self._constants(frame, effects, rows)
-        table = MemberTable.of(constants)
+        table = MemberTable.of([member.constants for member in members])
         found = member_checks(
             statics=effects.static,
             spectral=spectral,
@@ -171,20 +179,20 @@ class MemberChecker:
             spectral_factors=factors,
             combination_set=np.repeat([PERSISTENT, SEISMIC, CAPACITY, YIELDED], counts),
             gravity=np.ones(len(effects.cases), dtype=int),
-            members=MemberTable(table.constants[of_members], table.kind[of_members]),
+            members=MemberTable(table.constants[kinds], table.kind[kinds]),
             masks=self._masks,
         )
         found.utilisation[slender] = np.where(found.combination[slender] >= 0, np.inf, found.utilisation[slender])
-        return found, tuple(slender)
+        return found
 
-    def _constants(
+    def _members(
         self, frame: SpaceFrame, effects: Effects, rows: Sequence[Combination]
-    ) -> tuple[list[MemberConstants], np.ndarray, list[int]]:
-        """Return constants under the largest compressions, which of them each member has, and members of class 4."""
+    ) -> tuple[list[SteelMember], np.ndarray, list[int]]:
+        """Return kinds of members under the largest compressions, which of them each is, and members of class 4."""
         pairs, of_members = frame.sections
         kinds = of_members * len(self._roles) + self._role_of_members
         distinct, kind_of_members = np.unique(kinds, return_inverse=True)
-        found: list[MemberConstants] = []
+        found: list[SteelMember] = []
         undecided: list[int] = []
         too_slender: list[int] = []
         for number, kind in enumerate(distinct):
@@ -208,11 +216,11 @@ class MemberChecker:
                 found.append(self._of(member.section, member.material, of_class, role))
         return found, kind_of_members, slender
 
-    def _of(self, name: str, material: str, of_class: int, role: int) -> MemberConstants:
+    def _of(self, name: str, material: str, of_class: int, role: int) -> SteelMember:
         key = (name, material, of_class <= LARGEST_PLASTIC_CLASS, role)
         if key not in self._known:
             steel = self._building.materials[material]
-            self._known[key] = _constants(self._design, steel_section(name), steel, key[2], self._roles[role])
+            self._known[key] = _member(self._design, steel_section(name), steel, key[2], self._roles[role])
         return self._known[key]
 
 
@@ -317,8 +325,8 @@ def _classes(name: str, fy: float, kind: str) -> tuple[int, int]:
     return least, highest
 
 
-def _constants(design: Design, section: SteelSection, steel: Steel, plastic: bool, role: _Role) -> MemberConstants:
-    """Return the constants of a member; `plastic`: of class 1 or 2.
+def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, role: _Role) -> SteelMember:
+    """Return a member as its checks see it; `plastic`: of class 1 or 2.
 
     Moment factors are those of a uniform moment but for sway (Table B.3), and C1 is 1.
     """
@@ -328,7 +336,7 @@ def _constants(design: Design, section: SteelSection, steel: Steel, plastic: boo
         role.kind == "column" and checks.lateral_restraint.columns == "all_along"
     )
     M_pl = cross_section.moment_resistance(section.W_pl_y, steel.fy, factors.M0)
-    return member_constants(
+    return SteelMember(
         section,
         steel.fy,
         Stability(
@@ -342,8 +350,8 @@ def _constants(design: Design, section: SteelSection, steel: Steel, plastic: boo
         ),
         LARGEST_PLASTIC_CLASS if plastic else LARGEST_CLASS,
         V_M=0.5 * role.hinges * float(hinge_shear(M_pl, M_pl, role.length)),
-        modulus=steel.E,
-        shear_modulus=steel.E / (2.0 * (1.0 + steel.nu)),
+        E=steel.E,
+        G=steel.E / (2.0 * (1.0 + steel.nu)),
         gamma_M0=factors.M0,
         gamma_M1=factors.M1,
     )

@@ -13,6 +13,8 @@ from numpy.typing import ArrayLike
 from edesign.codes.names import unknown
 from edesign.codes.quantities import check_positive
 
+AXIAL_LIMIT = 0.15
+"""N_Ed / N_pl,Rd in hinges of beams. Source: EN 1998-1:2004, 6.6.2(2), Eq. 6.3."""
 SHEAR_LIMIT = 0.5
 """V_Ed / V_pl,Rd in hinges of beams, and in columns. Source: EN 1998-1:2004, Eqs. 6.4 and 6.7."""
 

@@ -1,0 +1,125 @@
+"""What a design rests on as groups of an archive: steels, floors, nodes with their modes, overstrength of members."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import fields
+
+import numpy as np
+
+from edesign.archive.dataset import Group, Variable
+from edesign.building.section_class import section_class
+from edesign.building.steel_member import Stability
+from edesign.building.steel_section import steel_section
+from edesign.space.effects import largest
+from edesign.space.elastic_design import ElasticDesign
+from edesign.space.load_cases import on_nodes
+from edesign.space.masses import floor_masses
+from edesign.space.response import AXES
+
+MODES_DRAWN = 6
+_LENGTHS = {"L_cr_y", "L_cr_z", "L_LT", "z_g"}
+
+
+def basis(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
+    """Yield the groups with their names below that of the building."""
+    yield "materials", _materials(design)
+    yield "floors", _floors(design)
+    yield "nodes", _nodes(design)
+    for axis in AXES:
+        yield f"overstrength_{axis}", _overstrength(design, axis)
+
+
+def add_restraints(group: Group, design: ElasticDesign) -> None:
+    """Add to the group of the members what their checks take them for: class, restraints, ends, orientation."""
+    checks, members = design.members, design.frame.members
+    kinds = checks.kinds
+    for of in fields(Stability):
+        values = np.array([float(getattr(member.stability, of.name)) for member in checks.members])
+        unit = "m" if of.name in _LENGTHS else "1"
+        group.add(of.name, ("member",), values[kinds], unit, f"{of.name} of the checks of stability")
+    V_M = np.array([member.V_M for member in checks.members])
+    group.add("V_M", ("member",), V_M[kinds], "N", "V_Ed,M of EN 1998-1, 6.6.2(2)")
+    text = "class of the section under the largest axial force of all combinations"
+    group.add("class", ("member",), _classes(design), "1", text)
+    at = np.array(["y at start", "z at start", "y at end", "z at end"])
+    group.coords["end_axis"] = Variable(("end_axis",), at, "", "axis of the section and end of the member")
+    stiffness = np.array([member.ends for member in members])
+    group.add("ends", ("member", "end_axis"), stiffness, "N*m/rad", "stiffness of the ends; infinite: rigid, 0: pinned")
+    web = np.array([member.web for member in members])
+    group.add("web", ("member", "coordinate"), web, "1", "direction of the web")
+    for end in ("start", "end"):
+        nodes = np.array([design.frame.node_names[getattr(member, end)] for member in members])
+        group.add(f"{end}_node", ("member",), nodes, "", f"node at the {end}")
+
+
+def _classes(design: ElasticDesign) -> np.ndarray:
+    force = largest(design.effects, design.members.rows)[:, :, 0].max(axis=1)
+    known: dict[tuple[str, str, float, bool], int] = {}
+    found = []
+    for member, N_Ed in zip(design.frame.members, force.tolist(), strict=True):
+        compression = 0.0 if member.kind == "beam" else N_Ed
+        key = member.section, member.material, compression, member.kind != "brace"
+        if key not in known:
+            fy = design.building.materials[member.material].fy
+            known[key] = section_class(steel_section(member.section), fy, -compression, about_y=key[3]).number
+        found.append(known[key])
+    return np.array(found)
+
+
+def _materials(design: ElasticDesign) -> Group:
+    steels = design.building.materials
+    group = Group(coords={"material": Variable(("material",), np.array(list(steels)), "", "name of the steel")})
+    for name, unit, text in (
+        ("fy", "Pa", "yield strength"),
+        ("E", "Pa", "modulus of elasticity"),
+        ("nu", "1", "Poisson's ratio"),
+        ("density", "kg/m^3", "density"),
+    ):
+        group.add(name, ("material",), np.array([getattr(steel, name) for steel in steels.values()]), unit, text)
+    return group
+
+
+def _floors(design: ElasticDesign) -> Group:
+    frame = design.frame
+    numbers = np.arange(frame.n_floors + 1)
+    group = Group(coords={"floor": Variable(("floor",), numbers, "1", "floor; 0: the base")})
+    group.coords["case"] = Variable(("case",), np.array(list(frame.cases)), "", "load case")
+    group.add("level", ("floor",), frame.levels, "m", "level above the base")
+    loads = [
+        np.bincount(frame.level_of_nodes, -on_nodes(frame, case)[:, 2], minlength=numbers.size)
+        for case in frame.cases.values()
+    ]
+    group.add("load", ("case", "floor"), np.array(loads), "N", "load on the floor, downwards")
+    masses = floor_masses(frame)
+    for name, unit, text in (
+        ("mass", "kg", "mass of the floor"),
+        ("x", "m", "centre of mass"),
+        ("y", "m", "centre of mass"),
+        ("gyration", "m", "radius of gyration of the mass about its centre"),
+    ):
+        group.add(name, ("floor",), getattr(masses, name), unit, text)
+    return group
+
+
+def _nodes(design: ElasticDesign) -> Group:
+    frame, modes = design.frame, design.modes
+    count = min(MODES_DRAWN, modes.period.size)
+    group = Group(coords={"node": Variable(("node",), np.array(frame.node_names), "", "name of the node")})
+    group.coords["coordinate"] = Variable(("coordinate",), np.array(["x", "y", "z"]), "", "global coordinate")
+    group.coords["mode"] = Variable(("mode",), np.arange(1, count + 1), "1", "number of the mode")
+    group.add("position", ("node", "coordinate"), frame.coordinates, "m", "place of the node")
+    group.add("mass", ("node",), frame.node_mass, "kg", "mass at the node, horizontally")
+    shape = modes.displacements[:count, :, :3].astype(np.float32)  # for drawings
+    group.add("mode_shape", ("mode", "node", "coordinate"), shape, "kg^-1/2", "shape, generalised mass 1")
+    return group
+
+
+def _overstrength(design: ElasticDesign, axis: str) -> Group:
+    of = design.overstrength[axis]  # type: ignore[index]
+    members = [design.frame.members[number] for number in of.members]
+    names = np.array([member.name for member in members], dtype=str)
+    group = Group(coords={"member": Variable(("member",), names, "", "dissipative member")})
+    group.add("storey", ("member",), np.array([member.storey for member in members], dtype=int), "1", "storey")
+    group.add("ratio", ("member",), of.ratios, "1", "resistance over effect in the seismic design situation")
+    return group

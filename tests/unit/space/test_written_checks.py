@@ -1,0 +1,133 @@
+"""Checks written out step by step, against the pass of the core over all members and combinations."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.archive.reader import open_archive
+from edesign.building.building_file import load_building
+from edesign.building.section_class import section_class
+from edesign.building.steel_member import Stability, SteelMember
+from edesign.building.steel_section import steel_section
+from edesign.core.member_checks import Check, MemberTable, mask, member_checks
+from edesign.report.building_checks import written
+from edesign.report.building_results import BuildingResults
+from edesign.space.written_checks import ForcesAlong, written_check
+from edesign.study.building import run_building
+
+SAME = 1e-9
+"""Both do the same sums of some tens of terms in another order; above rounding by six digits."""
+
+MEMBERS = {
+    "I, class 1": SteelMember(steel_section("HEB320"), 275e6, Stability(3.5, 3.5, 3.5), 1, gamma_M0=1.05),
+    "I, h/b above 2, general case": SteelMember(
+        steel_section("IPE400"), 275e6, Stability(7.2, 2.4, 2.4, C1=1.77, general=True), 1, V_M=200e3
+    ),
+    "I, load on the flange": SteelMember(
+        steel_section("IPE400"), 355e6, Stability(7.2, 2.4, 2.4, 1.348, 0.63, 0.2, C_mLT=0.6), 2, gamma_M1=1.1
+    ),
+    "I, class 3": SteelMember(steel_section("HEA300"), 355e6, Stability(6.0, 6.0, 6.0), 3),
+    "I, held all along": SteelMember(steel_section("IPE330"), 275e6, Stability(7.2, 0.0, 0.0, twists=False), 1),
+    "I, torsion governs": SteelMember(steel_section("HEB200"), 275e6, Stability(3.0, 1.0, 12.0), 1),
+    "square": SteelMember(steel_section("SHS180x10"), 275e6, Stability(8.0, 8.0, 8.0, C_my=1.0, C_mz=1.0), 1),
+    "rectangle": SteelMember(steel_section("RHS300x200x10"), 355e6, Stability(4.0, 5.0, 5.0), 2),
+    "rectangle, class 3": SteelMember(steel_section("RHS300x200x6.3"), 355e6, Stability(4.0, 5.0, 5.0), 3),
+    "circle": SteelMember(steel_section("CHS168.3x8"), 275e6, Stability(4.0, 4.0, 4.0), 1),
+}
+CHECKS = [check for check in Check]
+
+
+@pytest.mark.parametrize("name", MEMBERS)
+def test_every_check_is_that_of_the_core(name: str) -> None:
+    """Random forces up to 1.2 of each resistance, so that shear and axial force reduce moments, in 60 combinations."""
+    member, random = MEMBERS[name], np.random.default_rng(5)
+    c = member.constants
+    resistance = np.array([c.N_b_z_Rd, c.V_y_Rd, c.V_z_Rd, 1.0, c.M_y_Rd, c.M_z_Rd])
+    size = resistance * random.uniform(0.0, 1.2, (60, 1, 6)) ** 2
+    steady = size * random.uniform(-0.6, 0.6, (60, 7, 6))
+    swing = size * random.uniform(0.0, 0.6, (60, 7, 6)) * (random.random((60, 1, 1)) > 0.3)
+    stations = np.linspace(0.0, 1.0, 7)
+    seen = set()
+    for k in range(60):
+        core = member_checks(
+            statics=steady[k][None, None],
+            spectral=swing[k][None, None],
+            static_factors=np.ones((1, 1)),
+            spectral_factors=np.ones((1, 1)),
+            combination_set=np.zeros(1),
+            gravity=np.ones(1),
+            members=MemberTable.of([c]),
+            masks=np.array([[mask(*CHECKS)]]),
+        )
+        forces = ForcesAlong(stations, steady[k], swing[k])
+        for check in CHECKS:
+            steps = written_check(member, forces, check.name, int(core.station[0, check]))
+            assert steps[-1].symbol == "utilisation"
+            assert steps[-1].value == pytest.approx(core.utilisation[0, check], rel=SAME), (check.name, k)
+            seen |= {step.symbol for step in steps}
+    assert {"rho_z", "N_cr,y", "k_yy"} <= seen
+
+
+BUILDING = """
+edesign_building: 1
+title: One of each
+plan: {x: [6 m, 1.5 m, 5 m], y: {count: 2, width: 5 m}}
+storeys: [4 m, 3 m]
+columns:
+  - {section: HEB240, material: S355, strong: x, group: I}
+  - {at: A, section: RHS300x200x10, material: S355, strong: x, group: RHS}
+  - {at: D, section: HEA300, material: S355, strong: x, group: third}
+beams:
+  - {along: x, section: IPE300, material: S355, group: BX}
+  - {along: y, section: IPE270, material: S355, ends: pinned, group: BY}
+braces:
+  - {along: y, frames: [A], bays: 1, kind: cross, section: CHS101.6x5, material: S355, group: CHS}
+  - {along: y, frames: [D], bays: 1-2, kind: alternating, compression: true, section: SHS140x8, material: S355,
+     group: SHS}
+materials: {S355: {fy: 355 MPa}}
+loads:
+  areas: [{G: 9 kN/m^2, Q: 3 kN/m^2, category: B, spans: x}]
+masses: {from_loads: {}}
+hazard: {code: ec8-2004, a_gR: 0.3 g, ground: C, spectrum: 1, levels: {DBE: {probability: 10 %}}}
+design:
+  ductility_class: medium
+  systems: {x: {type: moment_frame, q: 4}, y: {type: concentric_diagonal, q: 4}}
+  directions: 30 %
+"""
+
+
+@pytest.mark.parametrize("directions", ["30 %", "srss"])
+def test_every_check_of_an_archive_is_written_out(tmp_path: Path, directions: str) -> None:
+    """Of every member and check of a building with I, RHS, SHS and CHS sections, from its archive alone."""
+    file = tmp_path / "building.yaml"
+    file.write_text(BUILDING.replace("directions: 30 %", f"directions: {directions}"), encoding="utf-8")
+    path, design = run_building(load_building(file))
+    with open_archive(path) as archive:
+        results = BuildingResults(archive)
+        groups, seen = set(), set()
+        for number, member in enumerate(design.frame.members):
+            for check, name in enumerate(design.members.checks):
+                if not design.members.combination[number, check]:
+                    continue
+                found = written(results, number, check)
+                assert found.steps[-1].value == pytest.approx(design.members.utilisation[number, check], rel=SAME)
+                groups.add(member.group)
+                seen.add(name)
+    assert groups == {"I", "RHS", "third", "BX", "BY", "CHS", "SHS"}
+    assert seen == set(design.members.checks)
+
+
+def test_the_class_is_that_of_the_checks(tmp_path: Path) -> None:
+    """HEA300 of S355 is of class 3 in bending; the archive gives the class by the largest axial force."""
+    assert section_class(steel_section("HEA300"), 355e6).number == 3
+    file = tmp_path / "building.yaml"
+    file.write_text(BUILDING, encoding="utf-8")
+    path, design = run_building(load_building(file))
+    with open_archive(path) as archive:
+        found = BuildingResults(archive).values("members", "class")
+    used = np.array([member.section_class for member in design.members.members])[design.members.kinds]
+    assert ((found < 3) == (used < 3)).all()
+    assert set(found[[member.group == "third" for member in design.frame.members]]) == {3}
