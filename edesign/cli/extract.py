@@ -11,7 +11,13 @@ import typer
 def extract(
     building: Annotated[Path, typer.Argument(help="The building file.", show_default=False)],
     frame: Annotated[
-        str, typer.Option("--frame", "-f", metavar="NAME", help="X2: along x on line 2; YA: along y on line A.")
+        str,
+        typer.Option(
+            "--frame",
+            "-f",
+            metavar="NAME",
+            help="X2: along x on line 2; YA: along y on line A; X, Y: all of a direction.",
+        ),
     ],
     output: Annotated[Path, typer.Option("--output", "-o", metavar="FILE", help="The project file to write.")],
     study: Annotated[
@@ -41,14 +47,14 @@ def extract(
     from edesign.archive.files import check_own_yaml, source_file, write_yaml
     from edesign.building.building_file import load_building
     from edesign.errors import InputError
-    from edesign.space.extract import StudyNames, plane_frame, project_text, study_text, suite_text
+    from edesign.space.extract import StudyNames, frame_row, project_text, study_text, suite_text
     from edesign.space.geometry import space_frame
     from edesign.space.steel_by_thickness import with_steel_by_thickness
 
     if study is None and (recordings is not None or drift is not None):
         raise InputError("--recordings and --drift belong to a study; give --study FILE too")
     read = with_steel_by_thickness(load_building(building))
-    found = plane_frame(read, space_frame(read), frame)
+    found = frame_row(read, space_frame(read), frame)
     texts = {}
     if study is None:
         texts[output] = project_text(found)

@@ -154,8 +154,11 @@ class PlaneFrame:
             )
         return kind
 
-    def check(self) -> None:
+    def check(self, alone: bool = True) -> None:
         """Check that a project file can say what the frame is.
+
+        Args:
+            alone: whether it stands alone, so that it must resist something itself.
 
         Raises:
             InputError: it has semi-rigid ends, no column, nodes without a member of its own, or nothing that
@@ -168,7 +171,7 @@ class PlaneFrame:
             raise self._refuse("no column stands in it")
         if loose := self._loose_nodes():
             raise self._refuse(f"beams at right angles end at {listed(loose)}, where it has no member itself")
-        if not self.resists and (firm := [other.name for other in parallel_frames(self) if other.resists]):
+        if alone and not self.resists and (firm := [other.name for other in parallel_frames(self) if other.resists]):
             message = f"it leans on others, as its beams are pinned and it has no braces; extract {listed(firm)}"
             raise self._refuse(message)
 

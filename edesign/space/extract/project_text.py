@@ -1,4 +1,4 @@
-"""A plane frame of a building as the text of a project file."""
+"""Plane frames of a building as the text of a project file."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from edesign.project.building.members import BraceRun
 from edesign.project.building.names import BracePlace
 from edesign.project.names import line_name
 from edesign.project.yaml_edit import yaml_text
+from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.leaning import leaning, leaning_shares
 from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames
 from edesign.space.extract.selections import runs, selection, value
@@ -21,39 +22,41 @@ LEANING = "leaning"
 """Section of the line of columns that stands for what leans on the frame."""
 
 
-def project_text(frame: PlaneFrame, study: StudyNames | None = None) -> str:
-    """Return a plane frame as a project file: tributary loads and masses, sections, supports, and first analyses.
+def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
+    """Return plane frames as a project file: tributary loads and masses, sections, supports, and first analyses.
 
-    The loads of a beam are spread over its length. The steel is elastic-perfectly plastic. Parallel frames that resist
-    nothing stand as one more line of pin-ended columns, tied by the diaphragms, with their share of mass and load.
+    The loads of a beam are spread over its length. The steel is elastic-perfectly plastic. Beside a single frame,
+    parallel frames that resist nothing stand as one more line of pin-ended columns, tied by the diaphragms, with their
+    share of mass and load.
 
     Args:
-        frame: of a building.
+        row: one frame of a building, or all of a direction.
         study: names of the files of a study of it, which needs damping, records and a law of dampers; None: no study.
 
     Raises:
         InputError: it has semi-rigid ends or springs at its feet, which project files do not have.
     """
-    frame.check()
-    text = "\n".join(_ProjectText(frame).text)
-    return text if study is None else f"{text}\n{study_blocks(frame, study)}"
+    row.check()
+    text = "\n".join(_ProjectText(row).text)
+    return text if study is None else f"{text}\n{study_blocks(row, study)}"
 
 
 class _ProjectText:
     """The parts of the file."""
 
-    def __init__(self, frame: PlaneFrame) -> None:
-        self.frame = frame
-        self.building = frame.building
-        self.storeys = frame.top
-        self.shares = leaning_shares(frame)
-        tied = set(self.shares) <= set(frame.building.diaphragms.numbers(1, self.storeys))
+    def __init__(self, row: FrameRow) -> None:
+        self.row = row
+        self.building = row.building
+        self.storeys = row.top
+        self.shares = leaning_shares(row.alone) if row.alone is not None else {}
+        tied = set(self.shares) <= set(self.building.diaphragms.numbers(1, self.storeys))
         self.leans = bool(self.shares) and tied
         """Whether there is a line for what leans on the frame."""
         self.leaning_top = max(self.shares) if self.leans else 0
-        self.lines = range(len(frame.lines) + self.leans)
+        self.lines = range(row.n_lines + self.leans)
         self.bays = range(1, len(self.lines))
-        self.leaning_line = len(frame.lines)
+        self.leaning_line = row.n_lines
+        self.beams = row.merged(lambda frame: {(p.bay, p.floor): run for p, run in frame.beams.items()})
 
     @property
     def text(self) -> list[str]:
@@ -70,35 +73,40 @@ class _ProjectText:
         return [line for part in parts for line in part()]
 
     def head(self) -> list[str]:
-        frame = self.frame
-        last = line_name(len(frame.lines) - 1)
-        text = [
-            f"# Frame {frame.name} of the building; lines A to {last} are its column lines {frame.lines[0]} to "
-            f"{frame.lines[-1]}.",
-            "# Beams carry the mean of their loads over their length, nodes what beams at right angles bring.",
-        ]
-        others = parallel_frames(frame)
-        first = next(iter(self.shares), 0)
-        leaning = ", ".join(f"{share:.4g} of {others[n].name}" for n, share in self.shares.get(first, {}).items())
-        shares = f"by the lever rule, at floor {first} {leaning}"
-        if self.leans:
-            text += [
-                f"# Frames that resist nothing along {frame.along} lean on this one {shares}.",
-                f"# Line {line_name(self.leaning_line)} is theirs: pin-ended columns with their masses and loads.",
-            ]
-        elif self.shares:
-            text += [
-                f"# Frames that resist nothing along {frame.along} lean on this one {shares}.",
-                "# Not all floors are diaphragms, which would tie them: their masses and loads are not in this file.",
-            ]
-        if any(not run.in_compression for run in frame.braces.values()):
+        row = self.row
+        text = [f"# {row.name[0].upper()}{row.name[1:]} of the building."]
+        for frame, start in zip(row.frames, row.starts, strict=True):
+            first, last = line_name(start), line_name(start + len(frame.lines) - 1)
+            text.append(
+                f"# Lines {first} to {last} are its column lines {frame.lines[0]} to {frame.lines[-1]}."
+                if row.alone is not None
+                else f"# Lines {first} to {last} are frame {frame.name}."
+            )
+        text.append("# Beams carry the mean of their loads over their length, nodes what beams at right angles bring.")
+        text += self._leaning_text() if row.alone is not None and self.shares else []
+        if any(not run.in_compression for frame in row.frames for run in frame.braces.values()):
             text.append("# Of diagonals that do not count in compression each has half its area, as in the building.")
-        return [*text, "", "edesign: 1", f"title: {yaml_text(f'{self.building.title}, frame {frame.name}')}", ""]
+        return [*text, "", "edesign: 1", f"title: {yaml_text(f'{self.building.title}, {row.name}')}", ""]
+
+    def _leaning_text(self) -> list[str]:
+        others, along = parallel_frames(self.row.frames[0]), self.row.along
+        first = next(iter(self.shares))
+        leaning = ", ".join(f"{share:.4g} of {others[n].name}" for n, share in self.shares[first].items())
+        shares = f"by the lever rule, at floor {first} {leaning}"
+        text = f"# Frames that resist nothing along {along} lean on this one {shares}."
+        if self.leans:
+            line = line_name(self.leaning_line)
+            return [text, f"# Line {line} is theirs: pin-ended columns with their masses and loads."]
+        return [
+            text,
+            "# Not all floors are diaphragms, which would tie them: their masses and loads are not in this file.",
+        ]
 
     def grid(self) -> list[str]:
-        widths = list(self.building.widths(self.frame.along))
+        widths = list(self.row.widths)
         widths += widths[-1:] if self.leans else []
-        supports = {i: self.frame.support(i) for i in range(self.leaning_line) if (i, 1) in self.frame.columns}
+        found = self.row.merged(lambda frame: {(i, 1): frame.support(i) for i, s in frame.columns if s == 1})
+        supports = {line: kind for (line, _), kind in sorted(found.items())}
         supports |= {self.leaning_line: "pinned"} if self.leans else {}
         kinds = set(supports.values())
         by_line = "{" + ", ".join(f"{line_name(i)}: {kind}" for i, kind in supports.items()) + "}"
@@ -115,18 +123,20 @@ class _ProjectText:
         return selection(floors, list(range(1, self.storeys + 1)), str) if floors else "none"
 
     def members(self) -> list[str]:
-        frame = self.frame
+        row = self.row
         columns = {
-            place: (run.section, run.material, "" if run.strong == frame.along else ", axis: weak")
-            for place, run in frame.columns.items()
+            place: (run.section, run.material, "" if run.strong == row.along else ", axis: weak")
+            for place, run in row.merged(lambda frame: frame.columns).items()
         }
-        first = next(iter(frame.columns.values())).material
+        first = next(iter(row.frames[0].columns.values())).material
         columns |= {(self.leaning_line, s): (LEANING, first, "") for s in range(1, self.leaning_top + 1)}
-        beams = {(p.bay, p.floor): (run.section, run.material) for p, run in frame.beams.items()}
-        braces = {
-            (p.bay, p.storey): (_kind(p, run), run.section, run.material, run.in_compression)
-            for p, run in frame.braces.items()
-        }
+        beams = {place: (run.section, run.material) for place, run in self.beams.items()}
+        braces = row.merged(
+            lambda frame: {
+                (p.bay, p.storey): (_kind(p, run), run.section, run.material, run.in_compression)
+                for p, run in frame.braces.items()
+            }
+        )
         text = ["  columns:"]
         for at, storeys, (name, steel, axis) in runs(columns, self.lines, self.storeys, line_name):
             text.append(f"    - {{lines: {at}, storeys: {storeys}, {_section(name, steel)}{axis}}}")
@@ -156,10 +166,10 @@ class _ProjectText:
     def _releases(self) -> list[str]:
         ends = {(True, True): "both", (True, False): "start", (False, True): "end"}
         pins = {}
-        for p, run in self.frame.beams.items():
+        for place, run in self.beams.items():
             pinned = (run.ends.start == "pinned", run.ends.end == "pinned")
             if any(pinned):
-                pins[p.bay, p.floor] = ends[pinned]
+                pins[place] = ends[pinned]
         text = ["  releases:"] if pins or self.leans else []
         for at, floors, which in runs(pins, self.bays, self.storeys, str):
             text.append(f"    - {{beams: {{bays: {at}, floors: {floors}}}, ends: {which}}}")
@@ -177,20 +187,20 @@ class _ProjectText:
 
     def _leaning_section(self) -> str:
         """The share of the columns of the first storey; pin-ended, they do not bend."""
-        others = parallel_frames(self.frame)
+        others = parallel_frames(self.row.frames[0])
         area = inertia = 0.0
         for number, share in next(iter(self.shares.values())).items():
             for (_, storey), run in others[number].columns.items():
                 if storey == 1:
                     shape = steel_section(run.section)
                     area += share * shape.A
-                    inertia += share * (shape.I_y if run.strong == self.frame.along else shape.I_z)
+                    inertia += share * (shape.I_y if run.strong == self.row.along else shape.I_z)
         return f"{{area: {value(1e4 * area, 'cm^2')}, inertia: {value(1e8 * inertia, 'cm^4')}}}"
 
     def materials(self) -> list[str]:
-        frame = self.frame
-        used = [run.material for run in frame.columns.values()] + [run.material for run in frame.beams.values()]
-        used += [run.material for run in frame.braces.values()]
+        used = [run.material for frame in self.row.frames for run in frame.columns.values()]
+        used += [run.material for run in self.beams.values()]
+        used += [run.material for frame in self.row.frames for run in frame.braces.values()]
         text = ["materials:"]
         for name in dict.fromkeys(used):
             steel = self.building.materials[name]
@@ -200,9 +210,10 @@ class _ProjectText:
 
     def loads(self) -> list[str]:
         """Line loads and nodal loads; Q of several categories with different psi_2 is multiplied with them."""
-        G = {name: 1.0 for name in (PERMANENT, SELF_WEIGHT) if name in self.frame.space.cases}
+        G = {name: 1.0 for name in (PERMANENT, SELF_WEIGHT) if name in self.row.space.cases}
         Q, factor, why = self._live()
-        beams_G, beams_Q = self.frame.beam_load(G), self.frame.beam_load(Q)
+        beams_G = self.row.merged(lambda frame: frame.beam_load(G))
+        beams_Q = self.row.merged(lambda frame: frame.beam_load(Q))
         nodes_G, nodes_Q = self._node_load(G), self._node_load(Q)
         beams = {place: (_kilo(load), _kilo(beams_Q.get(place, 0.0))) for place, load in beams_G.items()}
         nodes = {node: (_kilo(load), _kilo(nodes_Q.get(node, 0.0))) for node, load in nodes_G.items()}
@@ -215,15 +226,15 @@ class _ProjectText:
         return [*text, f"  gravity: {{G: 1.0, Q: {factor:.6g}}}              # {why}", ""]
 
     def _node_load(self, factors: Mapping[str, float]) -> AtNodes:
-        found = self.frame.node_load(factors)
+        found = self.row.merged(lambda frame: frame.node_load(factors))
         if self.leans:
-            weights = leaning(self.frame, lambda other: other.weight(factors))
+            weights = leaning(self.row.frames[0], lambda other: other.weight(factors))
             found |= {(self.leaning_line, floor): weight for floor, weight in weights.items()}
         return found
 
     def _live(self) -> tuple[dict[str, float], float, str]:
         """Factors on the live load cases, the factor of Q in the gravity loads, and what it is."""
-        live = {n: case.category for n, case in self.frame.space.cases.items() if case.category != "permanent"}
+        live = {n: case.category for n, case in self.row.space.cases.items() if case.category != "permanent"}
         masses = self.building.masses
         if masses is None or masses.from_loads is None:
             return dict.fromkeys(live, 1.0), 0.3, "the building file does not say psi_2"
@@ -233,9 +244,9 @@ class _ProjectText:
         return of_cases, 1.0, "Q is multiplied with psi_2 of its categories"
 
     def masses(self) -> list[str]:
-        found = self.frame.node_mass()
+        found = self.row.merged(PlaneFrame.node_mass)
         if self.leans:
-            leans = leaning(self.frame, PlaneFrame.node_mass)
+            leans = leaning(self.row.frames[0], PlaneFrame.node_mass)
             found |= {(self.leaning_line, floor): mass for floor, mass in leans.items()}
         tonnes = {node: _kilo(mass) for node, mass in found.items() if mass > 0.0}
         if not tonnes:

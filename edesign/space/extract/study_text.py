@@ -18,7 +18,7 @@ from edesign.project.building.names import BeamPlace
 from edesign.project.checks_criteria import objective_level
 from edesign.project.hazard import Hazard
 from edesign.project.yaml_edit import yaml_text
-from edesign.space.extract.plane_frame import PlaneFrame
+from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.selections import selection, value
 
 MOTIONS = "motions"
@@ -55,14 +55,14 @@ class StudyNames:
     folder: str = ""
 
 
-def study_blocks(frame: PlaneFrame, names: StudyNames) -> str:
+def study_blocks(row: FrameRow, names: StudyNames) -> str:
     """Return what the project file of a frame needs for a study: damping, integration, records, a law of dampers.
 
     Args:
-        frame: of a building.
+        row: one frame of a building, or all of a direction.
         names: of the files.
     """
-    modes = "kind: rayleigh, ratio: 2 %, modes: [1, 2]" if frame.top > 1 else "kind: modal, ratio: 2 %, modes: 1"
+    modes = "kind: rayleigh, ratio: 2 %, modes: [1, 2]" if row.top > 1 else "kind: modal, ratio: 2 %, modes: 1"
     folders = f", folders: [{yaml_text(names.folder)}]" if names.folder else ""
     return f"""\
 damping: {{{modes}}}
@@ -81,23 +81,24 @@ dampers:
 """
 
 
-def study_text(frame: PlaneFrame, names: StudyNames, drift: float | None = None) -> str:
+def study_text(row: FrameRow, names: StudyNames, drift: float | None = None) -> str:
     """Return the study of a frame without dampers and with dampers that are sized until the criteria are met.
 
-    Viscoelastic dampers on chevrons stand in the first and the last bay that is free of braces from base to top.
+    Viscoelastic dampers on chevrons stand in the first and the last bay that is free of braces from base to top; of
+    several frames, in those of the first and the last one that resist.
 
     Args:
-        frame: of a building with a hazard and masses.
+        row: one frame, or all of a direction, of a building with a hazard and masses.
         names: of the files.
         drift: largest storey drift at the level of the design, a ratio; None: that of the building's own limit.
 
     Raises:
         InputError: the building has no hazard with levels or no masses, or no bay has room for dampers.
     """
-    building, hazard = frame.building, _hazard(frame)
+    building, hazard = row.building, _hazard(row)
     level = building.design_level or next(iter(hazard.levels))
-    limit, why = (drift, "as asked for") if drift is not None else _drift(frame)
-    bays = _bays(frame)
+    limit, why = (drift, "as asked for") if drift is not None else _drift(row)
+    bays = _bays(row)
     levels = ", ".join(yaml_text(name) for name in hazard.levels)
     letters = [letter for letter in OBJECTIVES if objective_level(letter, hazard) is not None]
     last = f"objectives: [{', '.join(letters)}]                       # the basic safety objective of FEMA 356\n\n"
@@ -106,7 +107,7 @@ def study_text(frame: PlaneFrame, names: StudyNames, drift: float | None = None)
 # Motions: `edesign check` tells which of them are recordings and which are simulated.
 
 edesign_study: 1
-title: {yaml_text(f"{building.title}, frame {frame.name}, with and without dampers")}
+title: {yaml_text(f"{building.title}, {row.name}, with and without dampers")}
 project: {yaml_text(names.project)}
 
 designs:
@@ -145,16 +146,16 @@ criteria:
 """
 
 
-def suite_text(frame: PlaneFrame) -> str:
+def suite_text(row: FrameRow) -> str:
     """Return a suite of motions, each of which stands for a recording until the user has one.
 
     Args:
-        frame: of a building with a hazard.
+        row: one frame, or all of a direction, of a building with a hazard.
 
     Raises:
         InputError: the building has no hazard with levels.
     """
-    hazard = _hazard(frame)
+    hazard = _hazard(row)
     magnitude, v_s30 = MAGNITUDES[hazard.spectrum], _v_s30(hazard.ground)
     peak = elastic_spectrum(hazard).zero_period
     peaks = [float(np.max(np.abs(simulate(magnitude, far, v_s30, 1).acceleration))) for far in DISTANCES]
@@ -177,8 +178,8 @@ records:
     return text
 
 
-def _hazard(frame: PlaneFrame) -> Hazard:
-    building = frame.building
+def _hazard(row: FrameRow) -> Hazard:
+    building = row.building
     if building.hazard is None or not building.hazard.levels:
         raise InputError(f"{building.path}: a study needs a `hazard` with `levels`")
     if building.masses is None:
@@ -186,9 +187,9 @@ def _hazard(frame: PlaneFrame) -> Hazard:
     return building.hazard
 
 
-def _drift(frame: PlaneFrame) -> tuple[float, str]:
+def _drift(row: FrameRow) -> tuple[float, str]:
     """The largest drift at the level of the design, and where it comes from; without a limit that of the default."""
-    design = frame.building.design
+    design = row.building.design
     given = Drift() if design is None or design.drift.limit == "none" else design.drift
     limit = drift_limit(given.limit)
     return limit / given.nu, f"{100.0 * limit:g} % / nu = {given.nu:g}, EN 1998-1, 4.4.3.2"
@@ -201,20 +202,26 @@ def _v_s30(ground: str) -> float:
     return min(max(middle, V_S30_RANGE[0]), V_S30_RANGE[1])
 
 
-def _bays(frame: PlaneFrame) -> str:
-    """The first and the last bay between columns and below beams in all storeys, without braces."""
-    storeys = range(1, frame.top + 1)
-    braced = {place.bay for place in frame.braces}
-    free = [
-        bay
-        for bay in range(1, len(frame.lines))
-        if bay not in braced
-        and all((i, storey) in frame.columns for i in (bay - 1, bay) for storey in storeys)
-        and all(BeamPlace(frame.along, frame.number, bay, floor) in frame.beams for floor in storeys)
-    ]
+def _bays(row: FrameRow) -> str:
+    """The first and the last free bay of the frame; of several frames, of the first and the last that reach the top.
+
+    A bay is free if it has columns and beams in all storeys, and no braces.
+    """
+    storeys = range(1, row.top + 1)
+    free = []
+    for frame, start in zip(row.frames, row.starts, strict=True):
+        braced = {place.bay for place in frame.braces}
+        of_frame = [
+            start + bay
+            for bay in range(1, len(frame.lines))
+            if bay not in braced
+            and all((i, storey) in frame.columns for i in (bay - 1, bay) for storey in storeys)
+            and all(BeamPlace(frame.along, frame.number, bay, floor) in frame.beams for floor in storeys)
+        ]
+        free += [(of_frame[0], of_frame[-1])] if of_frame and frame.resists else []
     if not free:
         raise InputError(
-            f"{frame.building.path}: frame {frame.name}: no bay is free of braces, with columns and beams in all "
-            "storeys, for dampers to stand in"
+            f"{row.building.path}: {row.name}: no bay is free of braces, with columns and beams in all storeys, for "
+            "dampers to stand in"
         )
-    return selection(sorted({free[0], free[-1]}), list(range(0)), str)
+    return selection(sorted({*free[0], *free[-1]}), [], str)

@@ -17,7 +17,7 @@ from edesign.project.building import Building
 from edesign.project.loads import Combination
 from edesign.project.names import node_name
 from edesign.project.units import STANDARD_GRAVITY
-from edesign.space.extract import plane_frame, project_text
+from edesign.space.extract import frame_row, project_text
 from edesign.space.extract.selections import runs
 from edesign.space.geometry import space_frame
 from edesign.study.modal import fundamental_period
@@ -28,7 +28,7 @@ G, Q = Combination(G=1.0, Q=0.0), Combination(G=0.0, Q=1.0)
 
 
 def extracted(whole: Building, name: str) -> Project:
-    return parse_project(project_text(plane_frame(whole, space_frame(whole), name)), "frame.yaml", BuildingSections())
+    return parse_project(project_text(frame_row(whole, space_frame(whole), name)), "frame.yaml", BuildingSections())
 
 
 @pytest.fixture(scope="module")
@@ -90,14 +90,14 @@ def test_a_frame_that_leans_and_the_lever_rule() -> None:
     """YB at 6 m of 10 m: 0.4 of it lean on YA, 0.6 on YC, and both frames make the whole."""
     whole = building(SMALL)
     frame = space_frame(whole)
-    first, last = (plane_frame(whole, frame, name) for name in ("YA", "YC"))
+    first, last = (frame_row(whole, frame, name) for name in ("YA", "YC"))
     assert "by the lever rule, at floor 1 0.4 of YB" in project_text(first) and "0.6 of YB" in project_text(last)
     mass = sum(sum(node_masses(extracted(whole, name)).values()) for name in ("YA", "YC"))
     assert mass == pytest.approx(frame.node_mass.sum(), rel=DIGITS)
     with pytest.raises(InputError, match="frame YB: it leans on others, .* extract `YA`, `YC`"):
-        project_text(plane_frame(whole, frame, "YB"))
+        project_text(frame_row(whole, frame, "YB"))
     loose = building(SMALL, ("columns: [", "diaphragms: none\ncolumns: ["))
-    assert "Not all floors are diaphragms" in project_text(plane_frame(loose, space_frame(loose), "YA"))
+    assert "Not all floors are diaphragms" in project_text(frame_row(loose, space_frame(loose), "YA"))
 
 
 def test_live_loads_of_several_categories_are_multiplied_with_their_psi_2() -> None:
@@ -127,7 +127,7 @@ def test_live_loads_of_several_categories_are_multiplied_with_their_psi_2() -> N
 def test_what_a_project_file_cannot_say(name: str, said: str) -> None:
     whole = building(IRREGULAR)
     with pytest.raises(InputError) as caught:
-        project_text(plane_frame(whole, space_frame(whole), name))
+        project_text(frame_row(whole, space_frame(whole), name))
     assert str(caught.value).startswith(f"building.yaml: {said}")
 
 
@@ -148,7 +148,7 @@ def test_a_frame_without_a_member_where_others_end() -> None:
     with pytest.raises(
         InputError, match="frame X2: beams at right angles end at `B2.2`, where it has no member itself"
     ):
-        project_text(plane_frame(whole, space_frame(whole), "X2"))
+        project_text(frame_row(whole, space_frame(whole), "X2"))
 
 
 def test_runs_say_where_each_value_stands() -> None:

@@ -12,17 +12,19 @@ from building_examples import building
 
 from edesign.building.building_sections import BuildingSections
 from edesign.building.loads import gravity_load
+from edesign.building.masses import node_masses
 from edesign.building.named_section import cross_section
 from edesign.building.section import CrossSection
 from edesign.building.steel_section import steel_section
 from edesign.building.struts import frame_bars
 from edesign.codes.ec3 import buckling
 from edesign.core.space import PROPERTIES
+from edesign.errors import InputError
 from edesign.project import Project, parse_project
 from edesign.project.analyses import GravityAnalysis, PushoverAnalysis
 from edesign.project.building import Building
 from edesign.space import model
-from edesign.space.extract import plane_frame, project_text
+from edesign.space.extract import frame_row, project_text
 from edesign.space.geometry import space_frame
 from edesign.space.model import space_model
 from edesign.study.gravity import run_gravity
@@ -55,7 +57,7 @@ def two_frames(*changes: tuple[str, str], braces: str = "") -> Building:
 
 
 def extracted(whole: Building, name: str = "YA") -> Project:
-    return parse_project(project_text(plane_frame(whole, space_frame(whole), name)), "frame.yaml", BuildingSections())
+    return parse_project(project_text(frame_row(whole, space_frame(whole), name)), "frame.yaml", BuildingSections())
 
 
 def building_period(whole: Building) -> float:
@@ -178,3 +180,41 @@ def test_storeys_with_chevrons_are_in_equilibrium() -> None:
     assert shear[:, 0] == pytest.approx(base, abs=1e-5 * scale)  # equilibrium has a tolerance of 1e-7 of end forces
     reactions = run_gravity(project, gravity).variables["reaction_y_final"].values
     assert reactions.sum() == pytest.approx(gravity_load(project), rel=1e-6)
+
+
+THREE_FRAMES = ("plan: {x: [7 m], ", "plan: {x: [7 m, 7 m], ")
+
+
+@pytest.mark.parametrize(
+    "whole",
+    [
+        pytest.param(two_frames(THREE_FRAMES, RIGID), id="moment frames"),
+        pytest.param(
+            two_frames(THREE_FRAMES, braces="kind: chevron").with_values("braces[0].frames", ["A", "C"]),
+            id="chevrons in the outer frames",
+        ),
+        pytest.param(
+            two_frames(
+                THREE_FRAMES, RIGID, ("columns: [", "setbacks: [{floors: 3, bays: {x: all, y: 1}}]\ncolumns: [")
+            ),
+            id="moment frames with a setback",
+        ),
+    ],
+)
+def test_all_frames_of_a_direction_have_the_period_of_the_building(
+    whole: Building, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The middle frame carries twice the mass of the others, and rigid floors make all move alike."""
+    without_shear(monkeypatch)
+    project = extracted(whole, "Y")
+    assert frame_period(project) == pytest.approx(building_period(whole), rel=CUT)
+    mass = float(space_frame(whole).node_mass.sum())
+    assert sum(node_masses(project).values()) == pytest.approx(mass, rel=1e-5)  # six digits are written
+    alone = frame_period(extracted(whole, "YA"))
+    assert abs(alone / building_period(whole) - 1.0) > 10 * CUT or whole.braces
+
+
+def test_only_rigid_floors_tie_frames_in_one_plane() -> None:
+    loose = two_frames(RIGID, ("columns: [", "diaphragms: 1-2\ncolumns: ["))
+    with pytest.raises(InputError, match="frames along y: only rigid floors tie frames in one plane, and floor 3 is"):
+        extracted(loose, "Y")
