@@ -463,13 +463,13 @@ int ed_recursion_peaks(int n, const double *samples, int n_recursions, const dou
  * moments and shears the one that adds. T is not checked.
  * set: n_combinations, number of the set of checks of a combination; masks: n_members x n_sets, the checks of a member under it, 1 <<
  * ED_CHECK_...; gravity: n_cases, whether a case counts in V_Ed,G. constants: n_members x ED_N_CONSTANTS; kind: n_members, shape,
- * | ED_CLASS_3, | ED_NO_TWIST. Member checks (N_B, M_B, 6_61, 6_62) count with the largest compression and moments along the member;
+ * | ED_CLASS_3, | ED_NO_TWIST, | ED_ANNEX_A where 6_61 and 6_62 follow it, and not Annex B. Member checks (N_B, M_B, 6_61, 6_62) count with the largest compression and moments along the member;
  * their station is that of the compression, of M_y elsewhere.
  * Of each member and check: the largest utilisation (1 is the limit), the first combination and station that give it, or 0, -1, -1
  * where none applies: n_members x ED_N_CHECKS each. every: 1 evaluates all combinations, 0 leaves out those that cannot govern; the
  * results are the same. ED_E_ARGUMENT: a number or constant is out of range, ED_E_NOT_FINITE, ED_E_MEMORY; nothing is written then. */
 #define ED_MAX_LOADS 256 /* cases and directions together */
-enum { ED_I = 0, ED_RHS = 1, ED_CHS = 2, ED_CLASS_3 = 4, ED_NO_TWIST = 8 };
+enum { ED_I = 0, ED_RHS = 1, ED_CHS = 2, ED_CLASS_3 = 4, ED_NO_TWIST = 8, ED_ANNEX_A = 16 };
 enum {
   ED_N_RD = 0,       /* A f_y / gamma_M0 */
   ED_V_Y_RD = 1,
@@ -490,7 +490,21 @@ enum {
   ED_C_MZ = 16,
   ED_C_MLT = 17,     /* above 0.25 */
   ED_V_M = 18,       /* V_Ed,M of EN 1998-1, 6.6.2(2) */
-  ED_N_CONSTANTS = 19
+  /* of Annex A alone; its C_mi,0 is C_MY or C_MZ + C_M._N N_Ed / N_cr,i */
+  ED_N_RK = 19,      /* N_Rk / gamma_M1 */
+  ED_PER_N_CR_Y = 20,        /* 1 / N_cr, 0 where the member is held */
+  ED_PER_N_CR_Z = 21,
+  ED_PER_N_CR_T = 22,
+  ED_CHI_Z = 23,     /* of flexural buckling */
+  ED_ELASTIC_Y = 24, /* W_el / W_pl */
+  ED_ELASTIC_Z = 25,
+  ED_A_LT = 26,      /* 1 - I_t / I_y, 0 to 1 */
+  ED_LAMBDA_0 = 27,  /* under uniform moment; 0 without lateral torsional buckling */
+  ED_LT_LIMIT = 28,  /* 0.2 sqrt(C_1) */
+  ED_AREA_BY_MODULUS = 29,   /* A / W_el,y */
+  ED_C_MY_N = 30,
+  ED_C_MZ_N = 31,
+  ED_N_CONSTANTS = 32
 };
 enum {
   ED_CHECK_N = 0,         /* EN 1993-1-1, 6.2.3, 6.2.4 */

@@ -14,7 +14,10 @@ static const double SIMPLE[ED_N_CONSTANTS] = {
   [ED_N_RD] = 100.0,  [ED_V_Y_RD] = 50.0,  [ED_V_Z_RD] = 40.0,  [ED_M_Y_RD] = 20.0,  [ED_M_Z_RD] = 10.0,
   [ED_M_Y_SHEAR] = 8.0, [ED_N_WEB] = 40.0, [ED_WEB_SHARE_Y] = 0.4,      [ED_WEB_SHARE_Z] = 0.4,      [ED_N_B_Y] = 80.0,
   [ED_N_B_Z] = 50.0,  [ED_M_B] = 16.0,     [ED_M_Z_RK] = 10.0,  [ED_LAMBDA_Y] = 0.7, [ED_LAMBDA_Z] = 1.2,
-  [ED_C_MY] = 0.9,    [ED_C_MZ] = 0.8,     [ED_C_MLT] = 0.65,   [ED_V_M] = 12.0};
+  [ED_C_MY] = 0.9,    [ED_C_MZ] = 0.8,     [ED_C_MLT] = 0.65,   [ED_V_M] = 12.0,
+  [ED_N_RK] = 100.0,  [ED_PER_N_CR_Y] = 0.004, [ED_PER_N_CR_Z] = 0.01, [ED_PER_N_CR_T] = 0.005, [ED_CHI_Z] = 0.5,
+  [ED_ELASTIC_Y] = 0.88, [ED_ELASTIC_Z] = 0.64, [ED_A_LT] = 0.75, [ED_LAMBDA_0] = 0.6, [ED_LT_LIMIT] = 0.2,
+  [ED_AREA_BY_MODULUS] = 4.0, [ED_C_MY_N] = 0.5, [ED_C_MZ_N] = -0.5};
 
 static void one(const double *constants, int kind, const double *force, const double *response, int mask, double *u)
 {
@@ -60,6 +63,34 @@ static void check_by_hand(void)
   CHECK_NEAR(u[ED_CHECK_N], 0.0, 0.0); /* not asked for */
 }
 
+/* Annex A with N 20, M_y 6, M_z 2: N / N_cr 0.08, 0.2, 0.1; class 3, then without lateral torsional buckling, then beyond N_cr. */
+static void check_annex_a(void)
+{
+  const double force[F] = {-20.0, 0.0, 0.0, 0.0, -6.0, 2.0}, beyond[F] = {-120.0, 0.0, 0.0, 0.0, 0.0, 2.0}, none[F] = {0.0};
+  const int mask = 1 << ED_CHECK_6_61 | 1 << ED_CHECK_6_62;
+  const double m_y = 0.375, m_z = 0.2, mu_y = 0.92 / (1.0 - 0.8 * 0.08), mu_z = 0.8 / (1.0 - 0.5 * 0.2);
+  const double root = 0.75 * sqrt(6.0 / 20.0 * 4.0), C_my = 0.94 + 0.06 * root / (1.0 + root), C_mz = 0.7; /* 0.9 + 0.5 x 0.08, 0.8 - 0.5 x 0.2 */
+  const double C_mLT = fmax(C_my * C_my * 0.75 / sqrt(0.8 * 0.9), 1.0), y = C_my * C_mLT / 0.92, z = C_mz / 0.8;
+  double u[ED_N_CHECKS], constants[ED_N_CONSTANTS];
+  one(SIMPLE, ED_I | ED_CLASS_3 | ED_ANNEX_A, force, none, mask, u);
+  CHECK_NEAR(u[ED_CHECK_6_61], 0.25 + mu_y * (y * m_y + z * m_z), 1e-15);
+  CHECK_NEAR(u[ED_CHECK_6_62], 0.4 + mu_z * (y * m_y + z * m_z), 1e-15);
+
+  memcpy(constants, SIMPLE, sizeof SIMPLE);
+  constants[ED_LAMBDA_0] = 0.0;
+  one(constants, ED_I | ED_ANNEX_A, force, none, mask, u);
+  const double w_y = 1.0 / 0.88, w_z = 1.5, most = 1.2, by = 0.94 / 0.92, turn = 0.6 * sqrt(w_z / w_y), back = 0.6 * sqrt(w_y / w_z);
+  const double C_yy = fmax(1.0 + (w_y - 1.0) * (2.0 - 1.6 / w_y * 0.94 * 0.94 * (most + most * most)) * 0.2, 0.88);
+  const double C_zz = fmax(1.0 + (w_z - 1.0) * (2.0 - 1.6 / w_z * 0.7 * 0.7 * (most + most * most)) * 0.2, 0.64);
+  const double C_yz = fmax(1.0 + (w_z - 1.0) * (2.0 - 14.0 * 0.49 * most * most / pow(w_z, 5.0)) * 0.2, turn * 0.64);
+  const double C_zy = fmax(1.0 + (w_y - 1.0) * (2.0 - 14.0 * 0.94 * 0.94 * most * most / pow(w_y, 5.0)) * 0.2, back * 0.88);
+  CHECK_NEAR(u[ED_CHECK_6_61], 0.25 + mu_y * (by * m_y / C_yy + z * m_z * turn / C_yz), 1e-14);
+  CHECK_NEAR(u[ED_CHECK_6_62], 0.4 + mu_z * (by * m_y * back / C_zy + z * m_z / C_zz), 1e-14);
+
+  one(SIMPLE, ED_I | ED_ANNEX_A, beyond, none, mask, u);
+  CHECK(isinf(u[ED_CHECK_6_61]) && isinf(u[ED_CHECK_6_62]));
+}
+
 /* A response adds to moments and shears, and to N in tension and in compression. */
 static void check_signs(void)
 {
@@ -99,7 +130,7 @@ static void check_bounds(void)
     const double size = 0.02 * pow(1.02, trial);
     for (int m = 0; m < MEMBERS; m++) {
       memcpy(constants[m], SIMPLE, sizeof SIMPLE);
-      kind[m] = m % 3 | (m / 3 == 1 ? ED_CLASS_3 : 0) | (m / 3 == 2 ? ED_NO_TWIST : 0);
+      kind[m] = m % 3 | (m / 3 == 1 ? ED_CLASS_3 : 0) | (m / 3 == 2 ? ED_NO_TWIST : 0) | (trial % 2 ? ED_ANNEX_A : 0);
       for (int s = 0; s < SETS; s++)
         masks[m][s] = (int)(next_number(&random, 0.0, 1.0) * (1 << ED_N_CHECKS));
       for (int s = 0; s < STATIONS; s++)
@@ -145,12 +176,13 @@ static void check_arguments(void)
   CHECK_STATUS(CALL(force, negative, 1, 1, &kind), ED_E_ARGUMENT);
   CHECK_STATUS(CALL(force, response, 0, 1, &kind), ED_E_ARGUMENT);
   CHECK_STATUS(CALL(force, response, 1, 0, &kind), ED_E_ARGUMENT);
-  static const int unknown[] = {3, 16, -1};
+  static const int unknown[] = {3, 32, -1};
   for (int i = 0; i < 3; i++)
     CHECK_STATUS(CALL(force, response, 1, 1, &unknown[i]), ED_E_ARGUMENT);
   set = 1;
   CHECK_STATUS(CALL(force, response, 1, 1, &kind), ED_E_ARGUMENT);
   set = 0;
+  kind = ED_I | ED_ANNEX_A;
   for (int i = 0; i < ED_N_CONSTANTS; i++) {
     const double kept = constants[i];
     constants[i] = -1.0;
@@ -167,6 +199,7 @@ static void check_arguments(void)
 int main(void)
 {
   check_by_hand();
+  check_annex_a();
   check_signs();
   check_used_up();
   check_bounds();

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 from edesign.building.steel_section import SteelSection
 from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
@@ -22,7 +24,9 @@ class Stability:
         L_cr_y, L_cr_z: buckling lengths, m; 0: held all along, chi = 1.
         L_LT: between restraints of the compressed flange and of twisting, m; 0: held all along, chi_LT = 1.
         C1, C2, z_g: of the critical moment; z_g in m.
-        C_my, C_mz, C_mLT: equivalent uniform moment factors, Table B.3; 0.9 is that of sway members.
+        C_my, C_mz, C_mLT: equivalent uniform moment factors, Table B.3; 0.9 is that of sway members. With Annex A
+            C_my and C_mz are C_mi,0 without compression.
+        C_my_N, C_mz_N: slopes of C_mi,0 over N_Ed / N_cr,i, Table A.2.
         twists: susceptible to torsional deformation (Table B.2); hollow sections never are.
         general: chi_LT by the general case 6.3.2.2; otherwise 6.3.2.3 with f, k_c = 1 / sqrt(C1).
     """
@@ -36,6 +40,8 @@ class Stability:
     C_my: float = 0.9
     C_mz: float = 0.9
     C_mLT: float = 0.9
+    C_my_N: float = 0.0
+    C_mz_N: float = 0.0
     twists: bool = True
     general: bool = False
 
@@ -52,6 +58,7 @@ class SteelMember:
         V_M: V_Ed,M of EN 1998-1, 6.6.2(2), N.
         E, G: Pa.
         gamma_M0, gamma_M1: partial factors.
+        annex_a: k_ij of 6.3.3 by Annex A; otherwise by Annex B.
     """
 
     section: SteelSection
@@ -63,6 +70,7 @@ class SteelMember:
     G: float = G
     gamma_M0: float = GAMMA_M0
     gamma_M1: float = GAMMA_M1
+    annex_a: bool = False
 
     @cached_property
     def constants(self) -> MemberConstants:
@@ -77,6 +85,7 @@ class SteelMember:
             self.G,
             self.gamma_M0,
             self.gamma_M1,
+            self.annex_a,
         )
 
 
@@ -90,6 +99,7 @@ def member_constants(
     shear_modulus: float = G,
     gamma_M0: float = GAMMA_M0,
     gamma_M1: float = GAMMA_M1,
+    annex_a: bool = False,
 ) -> MemberConstants:
     """Return the resistances and factors of a member.
 
@@ -101,6 +111,7 @@ def member_constants(
         V_M: V_Ed,M of EN 1998-1, 6.6.2(2), N.
         modulus, shear_modulus: E, G, Pa.
         gamma_M0, gamma_M1: partial factors.
+        annex_a: k_ij of 6.3.3 by Annex A; otherwise by Annex B.
 
     Raises:
         InputError: the class is 4, or a length is not greater than zero.
@@ -116,8 +127,8 @@ def member_constants(
     clear = s.h - 2.0 * s.tf
     webs = {"I": s.tw, "RHS": 2.0 * s.tw, "CHS": 0.0}[s.kind]
     M_y_shear = cross_section.moment_of_shear_area(clear, webs, fy, gamma_M0) if plastic and webs else M_y_Rd
-    lambda_y, lambda_z, chi_y, chi_z = _buckling(s, fy, stability, modulus, shear_modulus)
-    chi_LT = _lateral_torsional(s, fy, stability, W_y, modulus, shear_modulus)
+    of = _buckling(s, fy, stability, modulus, shear_modulus)
+    chi_LT, lambda_0 = _lateral_torsional(s, fy, stability, W_y, modulus, shear_modulus)
     return MemberConstants(
         N_Rd=cross_section.axial_resistance(s.A, fy, gamma_M0),
         V_y_Rd=cross_section.shear_resistance(s.A_vy, fy, gamma_M0),
@@ -128,55 +139,82 @@ def member_constants(
         N_web=cross_section.axial_resistance(clear * s.tw, fy, gamma_M0) if s.kind == "I" else 0.0,
         a_y=cross_section.web_share(s.A, 2.0 * s.b * s.tf) if s.kind != "CHS" else 0.0,
         a_z=cross_section.web_share(s.A, 2.0 * (s.b if s.kind == "I" else s.h) * s.tf) if s.kind != "CHS" else 0.0,
-        N_b_y_Rd=buckling.buckling_resistance(s.A, fy, chi_y, gamma_M1),
-        N_b_z_Rd=buckling.buckling_resistance(s.A, fy, chi_z, gamma_M1),
+        N_b_y_Rd=buckling.buckling_resistance(s.A, fy, of.chi_y, gamma_M1),
+        N_b_z_Rd=buckling.buckling_resistance(s.A, fy, min(of.chi_z, of.chi_T), gamma_M1),
         M_b_Rd=lateral_torsional.buckling_moment(chi_LT, W_y, fy, gamma_M1),
         M_z_Rk=cross_section.moment_resistance(W_z, fy, gamma_M1),
-        lambda_y=lambda_y,
-        lambda_z=lambda_z,
+        lambda_y=of.lambda_y,
+        lambda_z=of.lambda_z,
         C_my=stability.C_my,
         C_mz=stability.C_mz,
         C_mLT=stability.C_mLT,
         V_M=V_M,
+        N_Rk=cross_section.axial_resistance(s.A, fy, gamma_M1),
+        per_N_cr_y=1.0 / of.N_cr_y,
+        per_N_cr_z=1.0 / of.N_cr_z,
+        per_N_cr_T=1.0 / of.N_cr_T,
+        chi_z=of.chi_z,
+        elastic_y=s.W_el_y / s.W_pl_y,
+        elastic_z=s.W_el_z / s.W_pl_z,
+        a_LT=max(1.0 - s.I_t / s.I_y, 0.0),
+        lambda_0=lambda_0,
+        LT_limit=0.2 * math.sqrt(stability.C1),
+        area_by_modulus=s.A / s.W_el_y,
+        C_my_N=stability.C_my_N,
+        C_mz_N=stability.C_mz_N,
         shape=s.kind,
         class_3=not plastic,
         twists=stability.twists and s.kind == "I" and stability.L_LT > 0.0,
+        annex_a=annex_a,
     )
 
 
-def _buckling(
-    s: SteelSection, fy: float, stability: Stability, modulus: float, shear_modulus: float
-) -> tuple[float, float, float, float]:
-    """Slendernesses and reduction factors about y and z; the latter by torsion where that is less."""
+class _Buckling(NamedTuple):
+    """Slendernesses, reduction factors and elastic critical forces; infinite where the member is held."""
+
+    lambda_y: float
+    lambda_z: float
+    chi_y: float
+    chi_z: float
+    chi_T: float
+    N_cr_y: float
+    N_cr_z: float
+    N_cr_T: float
+
+
+def _buckling(s: SteelSection, fy: float, stability: Stability, modulus: float, shear_modulus: float) -> _Buckling:
     if s.kind == "I":
         curves = [buckling.rolled_i_curve(s.h, s.b, s.tf, axis, fy) for axis in ("y", "z")]
     else:
         curves = [buckling.hollow_curve(fy, s.cold_formed)] * 2
     axes = zip((s.I_y, s.I_z), (stability.L_cr_y, stability.L_cr_z), strict=True)
-    found = [
-        buckling.slenderness(s.A, fy, buckling.critical_force(modulus, inertia, length)) if length != 0.0 else 0.0
-        for inertia, length in axes
+    N_cr = [
+        buckling.critical_force(modulus, inertia, length) if length != 0.0 else math.inf for inertia, length in axes
     ]
-    chi_y, chi_z = (buckling.reduction_factor(x, curve) for x, curve in zip(found, curves, strict=True))
+    slender = [buckling.slenderness(s.A, fy, force) if force < math.inf else 0.0 for force in N_cr]
+    chi = [buckling.reduction_factor(x, curve) for x, curve in zip(slender, curves, strict=True)]
+    N_cr_T, chi_T = math.inf, 1.0
     if s.kind == "I" and stability.L_LT > 0.0:
         N_cr_T = buckling.torsional_critical_force(
             modulus, shear_modulus, s.A, s.I_y + s.I_z, s.I_t, s.I_w, stability.L_LT
         )
-        chi_z = min(chi_z, buckling.reduction_factor(buckling.slenderness(s.A, fy, N_cr_T), curves[1]))
-    return found[0], found[1], chi_y, chi_z
+        chi_T = buckling.reduction_factor(buckling.slenderness(s.A, fy, N_cr_T), curves[1])
+    return _Buckling(slender[0], slender[1], chi[0], chi[1], chi_T, N_cr[0], N_cr[1], N_cr_T)
 
 
 def _lateral_torsional(
     s: SteelSection, fy: float, stability: Stability, W_y: float, modulus: float, shear_modulus: float
-) -> float:
-    """chi_LT, 1 of hollow sections and of members that are held all along."""
+) -> tuple[float, float]:
+    """chi_LT, and the slenderness under uniform moment; 1 and 0 of hollow sections and of members held all along."""
     if s.kind != "I" or stability.L_LT == 0.0:
-        return 1.0
-    shape = stability.C1, stability.C2, stability.z_g
-    M_cr = lateral_torsional.critical_moment(modulus, shear_modulus, s.I_z, s.I_t, s.I_w, stability.L_LT, *shape)
+        return 1.0, 0.0
+    of_member = modulus, shear_modulus, s.I_z, s.I_t, s.I_w, stability.L_LT
+    M_cr = lateral_torsional.critical_moment(*of_member, stability.C1, stability.C2, stability.z_g)
+    lambda_0 = lateral_torsional.slenderness(W_y, fy, lateral_torsional.critical_moment(*of_member))
     slenderness = lateral_torsional.slenderness(W_y, fy, M_cr)
     if stability.general:
-        return lateral_torsional.reduction_factor_general(slenderness, lateral_torsional.general_curve(s.h, s.b))
+        curve = lateral_torsional.general_curve(s.h, s.b)
+        return lateral_torsional.reduction_factor_general(slenderness, curve), lambda_0
     chi = lateral_torsional.reduction_factor(slenderness, lateral_torsional.rolled_curve(s.h, s.b))
     k_c = lateral_torsional.correction_of_factor(stability.C1)
-    return lateral_torsional.modified_reduction_factor(chi, slenderness, k_c)
+    return lateral_torsional.modified_reduction_factor(chi, slenderness, k_c), lambda_0

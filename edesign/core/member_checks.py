@@ -83,9 +83,19 @@ class MemberConstants:
         lambda_y, lambda_z: slendernesses in flexural buckling.
         C_my, C_mz, C_mLT: equivalent uniform moment factors.
         V_M: V_Ed,M = (M_pl,A + M_pl,B) / L of EN 1998-1, 6.6.2(2); 0 where it is not checked.
+        N_Rk: A f_y / gamma_M1; this and what follows is of Annex A alone.
+        per_N_cr_y, per_N_cr_z, per_N_cr_T: 1 / N_cr of flexural and torsional buckling, 1/N; 0 where it is held.
+        chi_z: of flexural buckling.
+        elastic_y, elastic_z: W_el / W_pl.
+        a_LT: 1 - I_t / I_y, at least 0.
+        lambda_0: slenderness in lateral torsional buckling under uniform moment; 0 without it.
+        LT_limit: 0.2 sqrt(C1), where it begins.
+        area_by_modulus: A / W_el,y, 1/m.
+        C_my_N, C_mz_N: slopes of C_mi,0 = C_mi + C_mi_N N_Ed / N_cr,i.
         shape: of the section.
         class_3: elastic moduli and factors; otherwise class 1 or 2.
         twists: susceptible to torsional deformation (Table B.2).
+        annex_a: k_ij of Annex A; otherwise of Annex B.
     """
 
     N_Rd: float
@@ -107,14 +117,29 @@ class MemberConstants:
     C_mz: float
     C_mLT: float
     V_M: float = 0.0
+    N_Rk: float = 0.0
+    per_N_cr_y: float = 0.0
+    per_N_cr_z: float = 0.0
+    per_N_cr_T: float = 0.0
+    chi_z: float = 1.0
+    elastic_y: float = 1.0
+    elastic_z: float = 1.0
+    a_LT: float = 0.0
+    lambda_0: float = 0.0
+    LT_limit: float = 0.0
+    area_by_modulus: float = 0.0
+    C_my_N: float = 0.0
+    C_mz_N: float = 0.0
     shape: Shape = "I"
     class_3: bool = False
     twists: bool = True
+    annex_a: bool = False
 
     @property
     def kind(self) -> int:
-        """Shape, class and twisting as the core takes them."""
-        return int(_SHAPES[self.shape] | self.class_3 * lib.ED_CLASS_3 | (not self.twists) * lib.ED_NO_TWIST)
+        """Shape, class, twisting and annex as the core takes them."""
+        bits = self.class_3 * lib.ED_CLASS_3 | (not self.twists) * lib.ED_NO_TWIST | self.annex_a * lib.ED_ANNEX_A
+        return int(_SHAPES[self.shape] | bits)
 
 
 _numbers = attrgetter(*(field.name for field in fields(MemberConstants)[: lib.ED_N_CONSTANTS]))

@@ -163,8 +163,8 @@ class ElasticAnalysis:
         fundamental, seismic, yielded: combinations of actions; `yielded` of beams beside buckled braces.
 
     Raises:
-        InputError: a block is missing, a behaviour factor is out of its range, a key asks for what is not done, a
-            direction has nothing that dissipates energy, or the structure is a mechanism.
+        InputError: a block is missing, a behaviour factor is out of its range, a direction has nothing that dissipates
+            energy, a steel has no values by thickness, or the structure is a mechanism.
     """
 
     def __init__(self, building: Building, tell: Callable[[str], None] = lambda stage: None) -> None:
@@ -218,18 +218,12 @@ class ElasticAnalysis:
         self._variants: dict[tuple[str, str], list[Member]] = {}
 
     def _refuse(self) -> None:
-        """Refuse what would be passed over, and a system of which the building has nothing."""
-        file, members = self.building.path, self._design.members
-        undone = {
-            "design.members.interaction: annex_a": members.interaction != "annex_b",
-        }
-        if asked := [key for key, wanted in undone.items() if wanted]:
-            raise InputError(f"{file}: {asked[0]}: this is not in the analysis yet; leave it out")
+        """Refuse a system of which the building has nothing."""
         for axis in AXES:
             kind = system_of(self._design, axis).type
             if not self.dissipative[axis].size:
                 what = "beam along it has a stiff end" if kind == MOMENT_FRAME else "bay along it is braced"
-                raise InputError(f"{file}: design.systems.{axis}.type: `{kind}`, but no {what}")
+                raise InputError(f"{self.building.path}: design.systems.{axis}.type: `{kind}`, but no {what}")
 
     def steel_mass(self) -> float:
         """Return the mass of the members of the file, kg."""

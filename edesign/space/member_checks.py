@@ -19,7 +19,7 @@ from edesign.building.section_class import section_class
 from edesign.building.steel_member import Stability, SteelMember
 from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec3 import cross_section
-from edesign.codes.ec3.moment_factors import SWAY
+from edesign.codes.ec3.moment_factors import SWAY, linear_moment_factor_a
 from edesign.codes.ec8.capacity import OVERSTRENGTH
 from edesign.codes.ec8.moment_frames import hinge_shear
 from edesign.codes.en1990.combinations import Combination
@@ -328,7 +328,7 @@ def _classes(name: str, fy: float, kind: str) -> tuple[int, int]:
 def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, role: _Role) -> SteelMember:
     """Return a member as its checks see it; `plastic`: of class 1 or 2.
 
-    Moment factors are those of a uniform moment but for sway (Table B.3), and C1 is 1.
+    Moment factors are those of a uniform moment, which is on the safe side, but for sway (Table B.3); C1 is 1.
     """
     checks, factors = design.members, design.partial_factors
     of_length = getattr(checks.buckling_length, f"{role.kind}s")
@@ -336,6 +336,8 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
         role.kind == "column" and checks.lateral_restraint.columns == "all_along"
     )
     M_pl = cross_section.moment_resistance(section.W_pl_y, steel.fy, factors.M0)
+    annex_a = checks.interaction == "annex_a"
+    uniform, slope = linear_moment_factor_a(1.0, 0.0, 1.0), linear_moment_factor_a(1.0, 1.0, 1.0)
     return SteelMember(
         section,
         steel.fy,
@@ -343,9 +345,11 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
             L_cr_y=of_length.y * role.length,
             L_cr_z=0.0 if role.kind == "beam" and restrained else of_length.z * role.length,
             L_LT=0.0 if restrained or role.kind == "brace" else role.length,
-            C_my=SWAY if role.sways_y else 1.0,
-            C_mz=SWAY if role.sways_z else 1.0,
+            C_my=uniform if annex_a else SWAY if role.sways_y else 1.0,
+            C_mz=uniform if annex_a else SWAY if role.sways_z else 1.0,
             C_mLT=1.0,
+            C_my_N=slope - uniform,
+            C_mz_N=slope - uniform,
             twists=not (role.kind == "beam" and restrained),
         ),
         LARGEST_PLASTIC_CLASS if plastic else LARGEST_CLASS,
@@ -354,4 +358,5 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
         G=steel.E / (2.0 * (1.0 + steel.nu)),
         gamma_M0=factors.M0,
         gamma_M1=factors.M1,
+        annex_a=annex_a,
     )

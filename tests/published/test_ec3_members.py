@@ -7,9 +7,11 @@ for member stability in EN 1993-1-1 (ECCS 119). V.EC3: Bentley, STAAD.Pro, verif
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 from edesign.building.section_class import section_class
+from edesign.building.steel_member import Stability, member_constants
 from edesign.building.steel_section import steel_section
 from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
 from edesign.codes.ec3.interaction import (
@@ -21,6 +23,7 @@ from edesign.codes.ec3.interaction import (
 )
 from edesign.codes.ec3.materials import E, G
 from edesign.codes.ec3.moment_factors import linear_moment_factor, linear_moment_factor_a, loaded_moment_factor_a
+from edesign.core.member_checks import Check, MemberConstants, MemberTable, mask, member_checks
 from edesign.errors import InputError
 
 S235, S275, S355 = 235e6, 275e6, 355e6
@@ -162,6 +165,36 @@ def test_annex_a() -> None:
     found = (terms.C_my, terms.C_mz, terms.C_mLT, terms.C_yy, terms.C_yz, k.k_yy, k.k_yz)
     assert found == pytest.approx((1.000, 0.771, 1.137, 0.984, 0.852, 1.164, 0.739), rel=3e-3)  # from rounded steps
     assert member_interaction(k, m.n_y, m.n_z, m.m_y, m.m_z)[0] == pytest.approx(0.872, rel=3e-3)
+
+
+def test_annex_a_in_the_pass_of_checks() -> None:
+    """The member of DS EC 06 in the core: Eq. 6.61 gives 0.872 (from rounded steps)."""
+    at_no_force = {"C_my": 1.0, "C_mz": linear_moment_factor_a(0.0, 0.0, 1.0)}
+    slopes = {"C_my_N": -0.18, "C_mz_N": linear_moment_factor_a(0.0, 1.0, 1.0) - at_no_force["C_mz"]}
+    stability = Stability(3.75, 3.75, 3.75, C1=1.201, general=True, **at_no_force, **slopes)
+    member = member_constants(steel_section("IPE500"), S235, stability, 1, annex_a=True)
+    found = utilisations(member, IPE500.N, IPE500.M_y, IPE500.M_z)
+    assert found[Check.EQ_6_61] == pytest.approx(0.872, rel=3e-3)
+
+
+def test_annex_a_of_a_rafter() -> None:
+    """The rafter of SSB04, Appendix D: IPE450, S355, 127 kN, 356 kNm uniform, 1.7 m. FERS 0.2.2 finds by Annex A k_yy
+    1.0036 and k_zy 0.5256, to the digits printed."""
+    uniform = {"C_my": 1.0, "C_mz": 1.0, "C_my_N": 0.2412, "C_mz_N": 0.2412}
+    member = member_constants(steel_section("IPE450"), S355, Stability(1.7, 1.7, 1.7, **uniform), 1, annex_a=True)
+    u = utilisations(member, 127e3, 356e3, 0.0)
+    k_yy = (u[Check.EQ_6_61] - 127e3 / member.N_b_y_Rd) / u[Check.M_B]
+    k_zy = (u[Check.EQ_6_62] - 127e3 / member.N_b_z_Rd) / u[Check.M_B]
+    assert (k_yy, k_zy) == pytest.approx((1.0036, 0.5256), abs=1e-4)
+
+
+def utilisations(member: MemberConstants, N: float, M_y: float, M_z: float) -> np.ndarray:
+    """Of a member under a compression and moments, by the pass of the core."""
+    force = np.array([-N, 0.0, 0.0, 0.0, M_y, M_z]).reshape(1, 1, 1, 6)
+    one, none, every = np.ones((1, 1)), np.zeros((0, 1, 1, 6)), np.array([[mask(*Check)]])
+    return member_checks(
+        force, none, one, one[:, :0], np.zeros(1), np.zeros(1), MemberTable.of([member]), every
+    ).utilisation[0]
 
 
 def test_annex_b() -> None:

@@ -6,6 +6,7 @@
  * with the same factors (directions have no sign) are evaluated once. */
 #include "base/clones.h"
 #include "edcore.h"
+#include "space/annex_a.h"
 #include "space/member_strength.h"
 #include "space/section_bound.h"
 
@@ -138,7 +139,7 @@ ED_CLONES static void evaluate(const loads *l, const member *b, int at, int k, c
   }
   const double n_y = compressed * per[ED_N_B_Y], n_z = compressed * per[ED_N_B_Z];
   const double m_y = top[M_Y] * per[ED_M_B], m_z = top[M_Z] * per[ED_M_Z_RK];
-  const factors a = annex_b(b, n_y, n_z);
+  const factors a = b->annex_a ? annex_a(b, compressed, top[M_Y], m_y, m_z) : annex_b(b, n_y, n_z);
   const double value[ED_N_CHECKS] = {
     [ED_CHECK_N] = top[N] * per[ED_N_RD],
     [ED_CHECK_V_Y] = v_y,
@@ -148,8 +149,8 @@ ED_CLONES static void evaluate(const loads *l, const member *b, int at, int k, c
     [ED_CHECK_N_M] = -2.0,
     [ED_CHECK_N_B] = larger(n_y, n_z),
     [ED_CHECK_M_B] = m_y,
-    [ED_CHECK_6_61] = n_y + a.yy * m_y + a.yz * m_z,
-    [ED_CHECK_6_62] = n_z + a.zy * m_y + a.zz * m_z,
+    [ED_CHECK_6_61] = n_y + times(a.yy, m_y) + times(a.yz, m_z),
+    [ED_CHECK_6_62] = n_z + times(a.zy, m_y) + times(a.zz, m_z),
     [ED_CHECK_BEAM_M] = top[M_Y] * per[ED_M_Y_RD],
     [ED_CHECK_BEAM_N] = top[N] * per[ED_N_RD] / 0.15,
     [ED_CHECK_BEAM_V] = (by_gravity + c[ED_V_M]) * per[ED_V_Z_RD] / 0.5,
@@ -246,6 +247,19 @@ static inline __attribute__((always_inline)) void fill_bounds(const member *b, i
   }
 }
 
+static void annex_a_bounds(const member *b, const workspace *w)
+{
+  const size_t row = w->n;
+  for (int k = 0; k < w->n; k++) {
+    const double N_Ed = w->force[N * row + k], m_y = w->force[M_Y * row + k] * b->per[ED_M_B], m_z = w->force[M_Z * row + k] * b->per[ED_M_Z_RK];
+    double y, z;
+    annex_a_bound(b, N_Ed * (1.0 + ROUNDING), &y, &z);
+    const double moments = times(y, m_y) + times(z, m_z);
+    w->bound[ED_CHECK_6_61 * row + k] = N_Ed * b->per[ED_N_B_Y] + moments;
+    w->bound[ED_CHECK_6_62 * row + k] = N_Ed * b->per[ED_N_B_Z] + moments;
+  }
+}
+
 ED_CLONES static void check_bounds(const member *b, const workspace *w)
 {
   if (b->shape == ED_I)
@@ -254,6 +268,8 @@ ED_CLONES static void check_bounds(const member *b, const workspace *w)
     fill_bounds(b, ED_RHS, w);
   else
     fill_bounds(b, ED_CHS, w);
+  if (b->annex_a)
+    annex_a_bounds(b, w);
 }
 
 /* Whether a combination may still govern one of its checks. */
@@ -343,6 +359,20 @@ ED_CLONES static int without_nan_or_infinity(size_t n, const double *x, double *
   return all == 0.0;
 }
 
+static int valid_for_annex_a(const double *c)
+{
+  static const int share[] = {ED_CHI_Z, ED_ELASTIC_Y, ED_ELASTIC_Z};
+  static const int positive[] = {ED_PER_N_CR_Y, ED_PER_N_CR_Z, ED_PER_N_CR_T, ED_LAMBDA_0, ED_LT_LIMIT, ED_AREA_BY_MODULUS};
+  for (size_t j = 0; j < sizeof share / sizeof *share; j++)
+    if (!(c[share[j]] > 0.0 && c[share[j]] <= 1.0))
+      return 0;
+  for (size_t j = 0; j < sizeof positive / sizeof *positive; j++)
+    if (!(c[positive[j]] >= 0.0))
+      return 0;
+  return c[ED_N_RK] * (1.0 + ROUNDING) >= c[ED_N_B_Y] && c[ED_A_LT] >= 0.0 && c[ED_A_LT] <= 1.0 && c[ED_C_MY] + c[ED_C_MY_N] > 0.0 &&
+         c[ED_C_MZ] + c[ED_C_MZ_N] > 0.0;
+}
+
 static int valid_members(int members, const double *constants, const int *kind)
 {
   for (int i = 0; i < members; i++) {
@@ -356,7 +386,9 @@ static int valid_members(int members, const double *constants, const int *kind)
         !(c[ED_WEB_SHARE_Y] >= 0.0 && c[ED_WEB_SHARE_Y] <= 0.5) || !(c[ED_WEB_SHARE_Z] >= 0.0 && c[ED_WEB_SHARE_Z] <= 0.5) || !(c[ED_LAMBDA_Y] >= 0.0) ||
         !(c[ED_LAMBDA_Z] >= 0.0) || !(c[ED_V_M] >= 0.0))
       return 0;
-    if (kind[i] < 0 || kind[i] > (KIND_SHAPE | ED_CLASS_3 | ED_NO_TWIST) || (kind[i] & KIND_SHAPE) > ED_CHS)
+    if (kind[i] < 0 || kind[i] > (KIND_SHAPE | ED_CLASS_3 | ED_NO_TWIST | ED_ANNEX_A) || (kind[i] & KIND_SHAPE) > ED_CHS)
+      return 0;
+    if (kind[i] & ED_ANNEX_A && !valid_for_annex_a(c))
       return 0;
   }
   return 1;
@@ -418,7 +450,7 @@ int ed_member_checks(int n_cases, int n_directions, int n_members, int n_station
     found.combination[i] = -1;
   for (int m = 0; m < n_members; m++) {
     member b = {.c = constants + (size_t)m * ED_N_CONSTANTS, .shape = kind[m] & KIND_SHAPE,
-                .elastic = kind[m] & ED_CLASS_3, .twists = !(kind[m] & ED_NO_TWIST)};
+                .elastic = kind[m] & ED_CLASS_3, .twists = !(kind[m] & ED_NO_TWIST), .annex_a = (kind[m] & ED_ANNEX_A) != 0};
     for (int i = 0; i < ED_N_CONSTANTS; i++)
       b.per[i] = b.c[i] > 0.0 ? 1.0 / b.c[i] : HUGE_VAL;
     check_member(&l, &b, m, masks + (size_t)m * n_sets, &w, every, &found);

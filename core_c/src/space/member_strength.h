@@ -11,7 +11,7 @@ enum { N, V_Y, V_Z, T, M_Y, M_Z, FORCES };
 typedef struct {
   const double *c;             /* constants, ED_N_RD ... */
   double per[ED_N_CONSTANTS];  /* 1 / c of resistances */
-  int shape, elastic, twists;
+  int shape, elastic, twists, annex_a;
 } member;
 
 static inline double larger(double a, double b)

@@ -290,12 +290,20 @@ def test_the_least_slenderness_of_crosses(tmp_path: Path) -> None:
         (TABLE.replace("ends: rigid, group: BX", "ends: pinned, group: BX"), "nothing resists along x|has a stiff end"),
         (TABLE + "  modes: 99\n", "99 modes, the building has 3"),
         (TABLE + "  modes: 1\n", "the first 1 modes have"),
-        (TABLE + "  members: {interaction: annex_a}\n", "annex_a: this is not in the analysis yet"),
     ],
 )
 def test_what_is_refused(tmp_path: Path, text: str, says: str) -> None:
     with pytest.raises(InputError, match=says):
         design_of(tmp_path, text)
+
+
+def test_annex_a_changes_the_interaction_alone(tmp_path: Path) -> None:
+    """C_mi,0 of a uniform moment without compression is 1 of it, where Annex B has 0.9 for sway; k differ, not N_b."""
+    b, a = (design_of(tmp_path, TABLE + f"  members: {{interaction: annex_{of}}}\n").members for of in "ba")
+    interaction = [name.startswith("EQ_6_6") for name in b.checks]
+    np.testing.assert_array_equal(a.utilisation[:, ~np.array(interaction)], b.utilisation[:, ~np.array(interaction)])
+    one, other = a.utilisation[:, interaction], b.utilisation[:, interaction]
+    assert (np.abs(one / other - 1.0) > 1e-3).any() and (np.abs(one / other - 1.0) < 0.25).all()
 
 
 def test_psi_2_is_that_of_the_category(tmp_path: Path) -> None:
