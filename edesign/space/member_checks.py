@@ -19,6 +19,7 @@ from edesign.building.section_class import section_class
 from edesign.building.steel_member import Stability, SteelMember
 from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec3 import cross_section
+from edesign.codes.ec3.lateral_torsional import least_factor
 from edesign.codes.ec3.moment_factors import SWAY, linear_moment_factor_a
 from edesign.codes.ec8.capacity import OVERSTRENGTH
 from edesign.codes.ec8.moment_frames import hinge_shear
@@ -328,7 +329,8 @@ def _classes(name: str, fy: float, kind: str) -> tuple[int, int]:
 def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, role: _Role) -> SteelMember:
     """Return a member as its checks see it; `plastic`: of class 1 or 2.
 
-    Moment factors are those of a uniform moment, which is on the safe side, but for sway (Table B.3); C1 is 1.
+    Moment factors are those of a uniform moment, which is on the safe side, but for sway (Table B.3). So is M_cr, but
+    for beams without a slab to hold them, whose loads stand on the top flange.
     """
     checks, factors = design.members, design.partial_factors
     of_length = getattr(checks.buckling_length, f"{role.kind}s")
@@ -336,6 +338,11 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
         role.kind == "column" and checks.lateral_restraint.columns == "all_along"
     )
     M_pl = cross_section.moment_resistance(section.W_pl_y, steel.fy, factors.M0)
+    modulus, shear_modulus = steel.E, steel.E / (2.0 * (1.0 + steel.nu))
+    C1 = 1.0
+    if role.kind == "beam" and not restrained and section.kind == "I":
+        of_beam = modulus, shear_modulus, section.I_z, section.I_t, section.I_w, role.length
+        C1 = least_factor(*of_beam, z_g=0.5 * section.h, pinned=role.hinges == 0)
     annex_a = checks.interaction == "annex_a"
     uniform, slope = linear_moment_factor_a(1.0, 0.0, 1.0), linear_moment_factor_a(1.0, 1.0, 1.0)
     return SteelMember(
@@ -345,6 +352,7 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
             L_cr_y=of_length.y * role.length,
             L_cr_z=0.0 if role.kind == "beam" and restrained else of_length.z * role.length,
             L_LT=0.0 if restrained or role.kind == "brace" else role.length,
+            C1=C1,
             C_my=uniform if annex_a else SWAY if role.sways_y else 1.0,
             C_mz=uniform if annex_a else SWAY if role.sways_z else 1.0,
             C_mLT=1.0,
@@ -354,8 +362,8 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
         ),
         LARGEST_PLASTIC_CLASS if plastic else LARGEST_CLASS,
         V_M=0.5 * role.hinges * float(hinge_shear(M_pl, M_pl, role.length)),
-        E=steel.E,
-        G=steel.E / (2.0 * (1.0 + steel.nu)),
+        E=modulus,
+        G=shear_modulus,
         gamma_M0=factors.M0,
         gamma_M1=factors.M1,
         annex_a=annex_a,

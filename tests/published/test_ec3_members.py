@@ -58,6 +58,21 @@ def test_unrestrained_beam() -> None:
     assert lateral_torsional.buckling_moment(modified, s.W_pl_y, S235) == pytest.approx(92.24e3, rel=5e-4)
 
 
+def test_least_critical_moment_of_loads_on_the_top_flange() -> None:
+    """Of the beam of MSB04, A.1: on hinges the uniform load of the example governs, 113.9 kNm of 132.4 kNm. With ends
+    that may be held it is the load at the middle, and nothing in Table 3.2 of SN003 is less."""
+    s = steel_section("IPE330")
+    of_beam = E, G, s.I_z, s.I_t, s.I_w, 5.7
+    uniform = lateral_torsional.critical_moment(*of_beam)
+    assert uniform * lateral_torsional.least_factor(*of_beam, 0.165, pinned=True) == pytest.approx(113.9e3, rel=5e-4)
+    each = [
+        lateral_torsional.critical_moment(*of_beam, C1, C2, 0.165)
+        for C1, C2, _ in lateral_torsional.TRANSVERSE_LOADS.values()
+    ]
+    assert uniform * lateral_torsional.least_factor(*of_beam, 0.165, pinned=False) == pytest.approx(min(each))
+    assert lateral_torsional.least_factor(*of_beam, 0.0, pinned=False) == 1.0
+
+
 def test_beam_under_a_point_load() -> None:
     """V.EC3, laterally unrestrained beam: HD 320x127, S275, 5 m, E 205 GPa, C1 1.348, C2 0.63, z_g 160 mm."""
     s = steel_section("HD320x127")

@@ -113,6 +113,25 @@ def critical_moment(
     return C1 * euler * (math.sqrt(inner) - tipping)
 
 
+def least_factor(
+    modulus: float, shear_modulus: float, I_z: float, I_t: float, I_w: float, length: float, z_g: float, pinned: bool
+) -> float:
+    """Return the least M_cr of a member under any of `TRANSVERSE_LOADS` by that of a uniform moment; at most 1.
+
+    It stands for C1 where the diagram is not known and loads stand above the shear centre, which makes M_cr less.
+
+    Args:
+        modulus, shear_modulus, I_z, I_t, I_w, length, z_g: as for `critical_moment`.
+        pinned: both ends are free to turn about the strong axis; otherwise they are free, held or in between.
+
+    Source: NCCI SN003, Table 3.2.
+    """
+    of_member = modulus, shear_modulus, I_z, I_t, I_w, length
+    rows = [of for name, of in TRANSVERSE_LOADS.items() if not pinned or name.endswith("_pinned")]
+    least = min(critical_moment(*of_member, C1, C2, z_g) for C1, C2, _ in rows)
+    return min(least / critical_moment(*of_member), 1.0)
+
+
 def slenderness(modulus: float, yield_stress: float, critical: float) -> float:
     """Return lambda_LT = sqrt(W_y f_y / M_cr).
 

@@ -12,6 +12,7 @@ from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
 from edesign.building.steel_section import steel_section
 from edesign.cli.main import main
+from edesign.codes.ec3 import lateral_torsional
 from edesign.errors import InputError
 from edesign.report.page.document import page_text
 from edesign.space.elastic_design import ElasticDesign, elastic_design
@@ -295,6 +296,22 @@ def test_the_least_slenderness_of_crosses(tmp_path: Path) -> None:
 def test_what_is_refused(tmp_path: Path, text: str, says: str) -> None:
     with pytest.raises(InputError, match=says):
         design_of(tmp_path, text)
+
+
+def test_beams_without_a_slab_carry_their_loads_on_top(tmp_path: Path) -> None:
+    """M_b by M_cr of the most unfavourable load on the top flange: 8 m of IPE400 with both ends rigid, by hand."""
+    held, free = (
+        design_of(tmp_path, TABLE + f"  members: {{lateral_restraint: {{beams: {of}}}}}\n") for of in ("slab", "ends")
+    )
+    number = [member.name for member in held.frame.members].index("BY_A_1_1")
+    check = held.members.checks.index("M_B")
+    s = steel_section("IPE400")
+    of_beam = 210e9, 210e9 / 2.6, s.I_z, s.I_t, s.I_w, 8.0
+    M_cr = min(lateral_torsional.critical_moment(*of_beam, C1, C2, 0.2) for C1, C2 in ((1.0, 0.0), (1.683, 1.645)))
+    slenderness = lateral_torsional.slenderness(s.W_pl_y, 275e6, M_cr)
+    chi_LT = lateral_torsional.reduction_factor(slenderness, lateral_torsional.rolled_curve(s.h, s.b))
+    expected = held.members.utilisation[number, check] / chi_LT
+    assert free.members.utilisation[number, check] == pytest.approx(expected, rel=1e-9)
 
 
 def test_annex_a_changes_the_interaction_alone(tmp_path: Path) -> None:
