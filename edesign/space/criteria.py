@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cache
 from typing import TypeVar
 
@@ -33,6 +34,20 @@ from edesign.space.storeys import Storeys
 
 M = TypeVar("M", bound=Model)
 MOMENT_FRAME = "moment_frame"
+
+
+@dataclass(frozen=True)
+class Regular:
+    """Whether a building counts as regular, as the file says, or as it is found where the file leaves it open.
+
+    Attributes:
+        plan, elevation: EN 1998-1:2004, 4.2.3.2 and 4.2.3.3.
+    """
+
+    plan: bool
+    elevation: bool
+
+
 _PATTERNS = {"cross": "x", "chevron": "v", "v": "v"}  # words of EN 1998-1, 6.7.3, for those of the file
 
 
@@ -73,7 +88,7 @@ def system_of(design: Design, axis: Axis) -> System:
     return design.systems.x if axis == "x" else design.systems.y
 
 
-def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: float) -> float:
+def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: float, regular: Regular) -> float:
     """Return the upper limit of q in one direction.
 
     Args:
@@ -81,16 +96,17 @@ def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: f
         system: of this direction.
         axis: direction.
         low_ductility_q: of the country.
+        regular: whether the building is.
 
     Source: EN 1998-1:2004, 6.3.2, Table 6.2.
     """
     design = design_of(building)
-    default = alpha_ratio(system.type, building.n_storeys, building.n_bays(axis), design.regular_in_plan)
+    default = alpha_ratio(system.type, building.n_storeys, building.n_bays(axis), regular.plan)
     return behaviour_factor(
         system.type,
         design.ductility_class,
         system.alpha_u_over_alpha_1 or default,
-        design.regular_in_elevation,
+        regular.elevation,
         low_ductility_q,
     )
 
@@ -109,6 +125,7 @@ def behaviour_criteria(
     limit: Mapping[Axis, float],
     axis: Axis,
     dissipative: np.ndarray,
+    regular: Regular,
 ) -> list[Criterion]:
     """Return whether q, and the class of the dissipative sections in one direction, are allowed.
 
@@ -117,6 +134,7 @@ def behaviour_criteria(
         q, limit: behaviour factors and their upper limits.
         axis: direction.
         dissipative: numbers of the dissipative members.
+        regular: whether the building is.
     """
     found = [at_most("6.3.2(1)", f"behaviour factor q, direction {axis}", limit[axis], q[axis])]
     design = design_of(building)
@@ -129,18 +147,19 @@ def behaviour_criteria(
             worst, where = of.number, name
     if worst:
         text = f"class of dissipative sections, direction {axis}"
-        found.append(at_most("6.5.3(2)", text, allowed_class(design, q[axis], limit[axis]), worst, where))
+        found.append(at_most("6.5.3(2)", text, allowed_class(design, q[axis], limit[axis], regular), worst, where))
     return found
 
 
-def allowed_class(design: Design, q: float, limit: float) -> int:
+def allowed_class(design: Design, q: float, limit: float, regular: Regular) -> int:
     """Return the highest class that dissipative sections may have (EN 1998-1, 6.5.3(2), Table 6.3).
 
     Args:
         design: block of the file.
         q, limit: behaviour factor of a direction and its upper limit.
+        regular: whether the building is.
     """
-    reference = limit if design.regular_in_elevation else limit / IRREGULAR_Q
+    reference = limit if regular.elevation else limit / IRREGULAR_Q
     return largest_section_class(design.ductility_class, min(q, reference))
 
 

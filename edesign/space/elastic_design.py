@@ -49,6 +49,7 @@ from edesign.space.load_cases import SELF_WEIGHT, self_weight
 from edesign.space.masses import node_masses, psi_2
 from edesign.space.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
 from edesign.space.model import diaphragm_floors, member_properties, space_model
+from edesign.space.regularity import found_regular, shape_criteria, stiffness_criteria
 from edesign.space.response import (
     AXES,
     Axis,
@@ -154,6 +155,7 @@ class ElasticAnalysis:
 
     Attributes:
         frame: with the sections of the file; load cases as `space_frame` gives them.
+        regular: whether the building counts as regular, with the sections of the file.
         q: behaviour factors.
         q_limit: their upper limits, Table 6.2.
         dissipative: numbers of the dissipative members of both directions.
@@ -190,7 +192,9 @@ class ElasticAnalysis:
         self._properties = [member_properties(self.frame, building.materials, gravity) for gravity in (False, True)]
         system = {axis: system_of(self._design, axis) for axis in AXES}
         low = self._national.low_ductility_q
-        self.q_limit = {axis: largest_q(building, system[axis], axis, low) for axis in AXES}
+        self.regular = found_regular(building, self.frame, self._models[0])
+        self._shape = shape_criteria(building, self.frame, self.regular)
+        self.q_limit = {axis: largest_q(building, system[axis], axis, low, self.regular) for axis in AXES}
         self.q = {axis: self.q_limit[axis] if (q := system[axis].q) == "table" else float(q) for axis in AXES}
         self.dissipative = {axis: dissipative_members(self.frame, axis, system[axis].type) for axis in AXES}
         self._refuse()
@@ -349,14 +353,17 @@ class ElasticAnalysis:
             if axis in of_joints
         }
         amplified = checked.amplified
-        criteria = [*modal_criteria(modes), *sway_criteria(sway, design.imperfections == "sway")]
+        criteria = [*modal_criteria(modes), *self._shape, *stiffness_criteria(frame, model, self.regular)]
+        criteria += sway_criteria(sway, design.imperfections == "sway")
         for axis in AXES:
-            criteria += behaviour_criteria(building, frame, self.q, self.q_limit, axis, self.dissipative[axis])
+            criteria += behaviour_criteria(
+                building, frame, self.q, self.q_limit, axis, self.dissipative[axis], self.regular
+            )
             criteria += storey_criteria(of_storeys[axis])
             if self._design.ductility_class == "low":
                 continue  # no capacity design (EN 1998-1, 6.1.2(4))
             if axis in of_joints:
-                highest = allowed_class(design, self.q[axis], self.q_limit[axis])
+                highest = allowed_class(design, self.q[axis], self.q_limit[axis], self.regular)
                 criteria += connection_criteria(design, axis, self.q[axis])
                 criteria += joint_criteria(of_joints[axis], axis)
                 criteria += feet_criteria(frame, steel, acting, amplified, self._feet[axis], axis, highest, gamma_M0)

@@ -20,6 +20,7 @@ class Criterion:
         unit: of both; empty for ratios and counts.
         passed: None for a rule that does not apply or only informs.
         detail: where the worst value stands, or what follows.
+        least: whether the limit is the least value, not the largest.
     """
 
     clause: str
@@ -29,6 +30,7 @@ class Criterion:
     unit: str
     passed: bool | None
     detail: str = ""
+    least: bool = False
 
     @property
     def reference(self) -> str:
@@ -42,6 +44,15 @@ class Criterion:
         if self.passed is not None:
             object.__setattr__(self, "passed", bool(self.passed))
 
+    @property
+    def utilisation(self) -> float:
+        """How far the limit is used: 1 is the limit, whichever way it counts; 0 of a rule without limit or value."""
+        if not self.required or self.value is None:
+            return 0.0
+        if not self.least:
+            return self.value / self.required
+        return self.required / self.value if self.value > 0.0 else float("inf")
+
 
 def at_most(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
     """Return the criterion that a ratio is at most a limit; the limit itself passes, whatever its last bits."""
@@ -50,4 +61,4 @@ def at_most(clause: str, text: str, limit: float, value: float, detail: str = ""
 
 def at_least(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
     """Return the criterion that a ratio is at least a limit; the limit itself passes, whatever its last bits."""
-    return Criterion(clause, text, limit, value, "", bool(value >= limit * (1.0 - ROUNDING)), detail)
+    return Criterion(clause, text, limit, value, "", bool(value >= limit * (1.0 - ROUNDING)), detail, least=True)

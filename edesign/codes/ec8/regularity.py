@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -90,17 +87,6 @@ def torsional_radius(K_theta: ArrayLike, K: ArrayLike) -> np.ndarray:
     return np.sqrt(np.asarray(K_theta, dtype=float) / np.asarray(K, dtype=float))
 
 
-def radius_of_gyration(L_x: float, L_y: float) -> float:
-    """Return l_s = sqrt((L_x2 + L_y2) / 12), m, of a rectangular floor with uniform mass about its centre.
-
-    Of another floor it is sqrt(I_p / m), from the polar moment I_p (kg m2) of the floor mass m about its centre.
-
-    Source: EN 1998-1:2004, 4.2.3.2(6); moment of inertia of a rectangle.
-    """
-    check_positive(L_x=L_x, L_y=L_y)
-    return math.sqrt((L_x**2 + L_y**2) / 12.0)
-
-
 def eccentricity_and_radius(
     e_0: ArrayLike, r: ArrayLike, l_s: ArrayLike, direction: str
 ) -> tuple[Criterion, Criterion]:
@@ -142,7 +128,7 @@ def gradual_mass(mass: ArrayLike, limits: ChangeLimits | None = None) -> Criteri
     change = _changes(mass)
     worst = int(np.argmax(np.abs(change))) if change.size else 0
     value = float(abs(change[worst])) if change.size else 0.0
-    return _gradual("mass", limits.mass if limits else None, value, worst)
+    return _gradual("change of mass", limits.mass if limits else None, value, worst)
 
 
 def gradual_stiffness(stiffness: ArrayLike, limits: ChangeLimits | None = None) -> tuple[Criterion, Criterion]:
@@ -163,8 +149,8 @@ def gradual_stiffness(stiffness: ArrayLike, limits: ChangeLimits | None = None) 
     fall = max(0.0, -float(change[low])) if change.size else 0.0
     rise = max(0.0, float(change[high])) if change.size else 0.0
     return (
-        _gradual("stiffness, fall", limits.stiffness_fall if limits else None, fall, low),
-        _gradual("stiffness, rise", limits.stiffness_rise if limits else None, rise, high),
+        _gradual("fall of stiffness", limits.stiffness_fall if limits else None, fall, low),
+        _gradual("rise of stiffness", limits.stiffness_rise if limits else None, rise, high),
     )
 
 
@@ -229,39 +215,6 @@ def setbacks(lower: ArrayLike, upper: ArrayLike, top: ArrayLike) -> tuple[Criter
     )
 
 
-def is_regular(criteria: Iterable[Criterion]) -> bool:
-    """Return whether no criterion fails; those that only inform (`passed` None) remain for the engineer to judge."""
-    return all(criterion.passed is not False for criterion in criteria)
-
-
-@dataclass(frozen=True)
-class Consequences:
-    """What regularity allows (Table 4.1).
-
-    Attributes:
-        model: `planar` is enough, or `spatial` is needed.
-        analysis: `lateral_force` is enough if T_1 allows it, or `modal` is needed.
-        q_factor: on the reference value of q: 1, or 0.8 if irregular in elevation.
-    """
-
-    model: Literal["planar", "spatial"]
-    analysis: Literal["lateral_force", "modal"]
-    q_factor: float
-
-
-def consequences(plan: bool, elevation: bool) -> Consequences:
-    """Return what follows from regularity in plan and in elevation.
-
-    Source: EN 1998-1:2004, Table 4.1. In a spatial model of a building regular in elevation the lateral force method
-        needs also the conditions of 4.3.3.1(8).
-    """
-    return Consequences(
-        "planar" if plan else "spatial",
-        "lateral_force" if elevation else "modal",
-        1.0 if elevation else IRREGULAR_Q,
-    )
-
-
 def _changes(values: ArrayLike) -> np.ndarray:
     check_positive(**{"the value of a storey": values})
     array = np.atleast_1d(np.asarray(values, dtype=float))
@@ -270,7 +223,7 @@ def _changes(values: ArrayLike) -> np.ndarray:
 
 def _gradual(what: str, limit: float | None, value: float, storey: int) -> Criterion:
     detail = f"from storey {storey + 1} to {storey + 2}" if value else "no change"
-    text = f"change of {what} from storey to storey"
+    text = f"largest {what} from storey to storey upwards"
     if limit is None:
         return Criterion("4.2.3.3(3)", text, None, value, "", None, detail)
     return at_most("4.2.3.3(3)", text, limit, value, detail)

@@ -16,6 +16,7 @@ SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v"]
 SectionFamily = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+*? -]*$", max_length=24)]
 SectionChoice = Annotated[tuple[SectionFamily, ...], Field(min_length=1)]
 LeftOut = Literal[
+    "4.2.3.2(6)",
     "4.4.2.2(3)",
     "4.4.2.3(4)",
     "4.4.3.2(1)",
@@ -27,7 +28,7 @@ LeftOut = Literal[
     "6.7.3(3)",
     "6.7.3(8)",
 ]
-"""Clauses of EN 1998-1 for the whole building that sections decide: theta, joints, drift, columns, diagonals."""
+"""Clauses of EN 1998-1 for the whole building that sections decide: torsion, theta, drift, joints, diagonals."""
 
 
 def _q(value: Any) -> Any:
@@ -226,7 +227,7 @@ class Design(Model):
     """What is checked, and how the seismic action is combined.
 
     Where q is of the table, a building that is not `regular_in_elevation` has 0.8 of it (EN 1998-1, 4.2.3.1(7)), and
-    one that is not `regular_in_plan` a smaller default of alpha_u / alpha_1 (6.3.2(4)).
+    one that is not `regular_in_plan` a smaller default of alpha_u / alpha_1 (6.3.2(4)). `auto`: as it is found.
     `level` of the hazard; without it the only one. `accidental_torsion`: eccentricity over the length of the plan, 0
     for none. `torsion_by`: static moments (EN 1998-1, 4.3.3.3.3), or masses that lie beside their place in the modal
     analysis (4.3.2(1)P). `directions`: share of the other direction's action, or `srss`.
@@ -236,8 +237,8 @@ class Design(Model):
     level: str | None = None
     ductility_class: Literal["low", "medium", "high"]
     systems: Systems
-    regular_in_plan: bool = True
-    regular_in_elevation: bool = True
+    regular_in_plan: Literal["auto"] | bool = "auto"
+    regular_in_elevation: Literal["auto"] | bool = "auto"
     combination: Literal["cqc", "srss"] = "cqc"
     damping: Annotated[float, BeforeValidator(lambda value: parse_ratio(value, 0.0, 1.0, False, False))] = 0.05
     modes: Annotated[Literal["auto"] | int, BeforeValidator(_modes)] = "auto"

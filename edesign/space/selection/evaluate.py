@@ -23,7 +23,7 @@ from edesign.space.sway import STABLE
 
 THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.2.3(4)", "6.7.3(8)", "6.7.1(3)"
 SLENDER = ("6.7.3(1)", "6.7.3(2)", "6.7.3(3)")
-CLASS, FEET, PANELS = "6.5.3(2)", "6.6.3(4)", "6.6.3(6)"
+CLASS, FEET, PANELS, TORSION = "6.5.3(2)", "6.6.3(4)", "6.6.3(6)", "4.2.3.2(6)"
 
 FINITE = 1e6
 """What counts for an infinite utilisation, as of class 4 sections, so that sums stay numbers."""
@@ -173,7 +173,7 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
     The symmetry of diagonals is one of them where those of a storey are of several groups; all others (q, modes) are
     those of the file whatever its sections.
     """
-    found = {CLASS, FEET, PANELS, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
+    found = {CLASS, FEET, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
     limits = design_of(analysis.building).serviceability.beams
     if limits.total is not None or limits.live is not None:
         found.add(LIMITED)
@@ -219,8 +219,8 @@ def utilisations(design: ElasticDesign, clauses: frozenset[str]) -> Mapping[str,
             steep = brace_slenderness(design.building, design.frame, Omega.members)
             found[f"{SLENDER[1]} {axis}"] = steep / SLENDERNESS["diagonal"][1]
             found[f"{HOMOGENEOUS} {axis}"] = Omega.ratios / Omega.Omega / (1.0 + HOMOGENEITY)
-    for clause in (CLASS, FEET, SYMMETRIC):
-        rules = [rule for rule in design.criteria if rule.clause == clause and rule.required]
-        found[clause] = np.array([(rule.value or 0.0) / (rule.required or 1.0) for rule in rules])
+    for clause in (CLASS, FEET, SYMMETRIC, TORSION):
+        rules = [rule for rule in design.criteria if rule.clause == clause and rule.passed is not None]
+        found[clause] = np.array([rule.utilisation for rule in rules])
     counted = {"members", *clauses}
     return {name: of for name, of in found.items() if name in counted or name.rsplit(" ", 1)[0] in counted}

@@ -139,7 +139,7 @@ def _allowed_class(analysis: ElasticAnalysis, members: Sequence[int]) -> int:
     """The highest class that the members of a group may have."""
     design = design_of(analysis.building)
     of_axes = [
-        allowed_class(design, analysis.q[axis], analysis.q_limit[axis])
+        allowed_class(design, analysis.q[axis], analysis.q_limit[axis], analysis.regular)
         for axis in AXES
         if not set(analysis.dissipative[axis].tolist()).isdisjoint(members)
     ]

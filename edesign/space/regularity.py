@@ -1,0 +1,201 @@
+"""Regularity of a building as its file claims it, and as it is found, EN 1998-1:2004, 4.2.3.
+
+Centre of stiffness and torsional radius of each floor come from three static cases: forces along x, along y, and
+moments about a vertical axis that follow the same forces, by masses and heights of the floors (4.3.3.2.3, Eq. 4.11).
+For one storey they are exact; of several storeys they are those of this distribution (4.2.3.2(8)).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from edesign.codes.ec8.criterion import Criterion, at_most
+from edesign.codes.ec8.lateral_force import lateral_forces
+from edesign.codes.ec8.regularity import (
+    eccentricity_and_radius,
+    gradual_mass,
+    gradual_stiffness,
+    recess,
+    setbacks,
+    slenderness,
+    torsional_radius,
+)
+from edesign.core.space import SpaceModel
+from edesign.project.building.building import Building
+from edesign.space.criteria import Regular, design_of
+from edesign.space.frame import NO_DIAPHRAGM, SpaceFrame
+from edesign.space.plan_outline import recess_areas
+from edesign.space.response import AXES
+
+ROUNDING = 1e-9
+"""Eccentricities below this share of the plan are rounding of the solution."""
+
+
+@dataclass(frozen=True)
+class FloorStiffness:
+    """Floors under lateral forces, values (2, n_floors) for forces along x and along y.
+
+    Attributes:
+        e_0: distance of the centre of stiffness from the centre of mass at right angles to the forces, m.
+        r: torsional radius, m.
+        l_s: (n_floors,) radius of gyration of the mass, m.
+        storey: stiffness of the storeys, shear over drift of the centres of mass, N/m.
+    """
+
+    e_0: np.ndarray
+    r: np.ndarray
+    l_s: np.ndarray
+    storey: np.ndarray
+
+
+def found_regular(building: Building, frame: SpaceFrame, model: SpaceModel) -> Regular:
+    """Return whether a building counts as regular: what its file says, or else what is found with its sections.
+
+    Where a centre of stiffness cannot be found, as not all floors are rigid, it does not count as regular in plan.
+
+    Args:
+        building: with its block `design`.
+        frame: of it.
+        model: for the seismic action.
+    """
+    design = design_of(building)
+    plan, elevation = design.regular_in_plan, design.regular_in_elevation
+    if plan == "auto":
+        rules = [*_shape_of_plan(building, frame), *_torsion(_floor_stiffness(frame, model))]
+        plan = all(rule.passed for rule in rules)
+    if elevation == "auto":
+        elevation = all(rule.passed is not False for rule in _shape_of_elevation(frame))
+    return Regular(plan, elevation)
+
+
+def shape_criteria(building: Building, frame: SpaceFrame, regular: Regular) -> list[Criterion]:
+    """Return the rules for the shape of a building, which no section changes.
+
+    Args:
+        building, frame: of the building.
+        regular: what it counts as; rules of what does not count as regular only inform.
+    """
+    plan, elevation = _shape_of_plan(building, frame), _shape_of_elevation(frame)
+    return [*_binding(plan, regular.plan), *_binding(elevation, regular.elevation)]
+
+
+def stiffness_criteria(frame: SpaceFrame, model: SpaceModel, regular: Regular) -> list[Criterion]:
+    """Return the rules for the stiffness and the masses of a building, which follow its sections.
+
+    Args:
+        frame: with its sections.
+        model: for the seismic action.
+        regular: what the building counts as; rules of what does not count as regular only inform.
+    """
+    of = _floor_stiffness(frame, model)
+    found = _binding(_torsion(of), regular.plan)
+    mass = _floor_masses(frame)
+    if (mass > 0.0).all():
+        found.append(gradual_mass(mass))
+    if of is not None:
+        for number, axis in enumerate(AXES):
+            rules = gradual_stiffness(of.storey[number])
+            found += [replace(rule, text=f"{rule.text}, direction {axis}") for rule in rules]
+    return found
+
+
+def _shape_of_plan(building: Building, frame: SpaceFrame) -> list[Criterion]:
+    extent = [np.ptp(frame.coordinates[frame.level_of_nodes <= 1, axis]) for axis in (0, 1)]
+    lines = [np.concatenate([[0.0], np.cumsum(building.widths(axis))]).tolist() for axis in AXES]
+    each = []
+    for floor, bays in building.layout.floors.items():
+        areas, whole = recess_areas(bays, *lines)
+        each.append(replace(recess(max(areas, default=0.0), whole), detail=f"floor {floor}"))
+    return [slenderness(*extent), max(each, key=lambda rule: rule.value or 0.0)]
+
+
+def _shape_of_elevation(frame: SpaceFrame) -> list[Criterion]:
+    found = []
+    for number, axis in enumerate(AXES):
+        places = [frame.coordinates[frame.level_of_nodes == floor, number] for floor in range(1, frame.n_floors + 1)]
+        rules = setbacks([of.min() for of in places], [of.max() for of in places], frame.levels[1:])
+        found += [replace(rule, text=f"{rule.text}, direction {axis}") for rule in rules]
+    return [*found, *_interrupted(frame)]
+
+
+def _torsion(of: FloorStiffness | None) -> list[Criterion]:
+    """Return the rules for eccentricity and torsional radius, or that they cannot be found."""
+    if of is None:
+        text = "centre of stiffness and torsional radius: not all floors are rigid and have mass"
+        return [Criterion("4.2.3.2(4)", text, None, None, "", None)]
+    each = [eccentricity_and_radius(of.e_0[n], of.r[n], of.l_s, axis) for n, axis in enumerate(AXES)]
+    return [rule for pair in each for rule in pair]
+
+
+def _floor_masses(frame: SpaceFrame) -> np.ndarray:
+    """Return the masses of the floors, (n_floors,) kg."""
+    return np.bincount(frame.level_of_nodes, frame.node_mass, minlength=frame.n_floors + 1)[1:]
+
+
+def _floor_stiffness(frame: SpaceFrame, model: SpaceModel) -> FloorStiffness | None:
+    """Return the floors under lateral forces; None unless all are rigid and have mass."""
+    rigid = frame.node_floor[frame.level_of_nodes > 0] != NO_DIAPHRAGM
+    return floor_stiffness(frame, model) if rigid.all() and (_floor_masses(frame) > 0.0).all() else None
+
+
+def floor_stiffness(frame: SpaceFrame, model: SpaceModel) -> FloorStiffness:
+    """Return centres of stiffness, torsional radii and stiffness of the storeys of a building with rigid floors.
+
+    With u_x and theta_x under forces along x through the centres of mass, and theta_M and u_M under moments of these
+    forces times 1 m, the floor does not turn under forces at e = theta_x / theta_M; it then moves by u_x - e u_M.
+
+    Args:
+        frame: with masses on all floors.
+        model: for the seismic action.
+    """
+    level, n = frame.level_of_nodes, frame.n_floors
+    mass = _floor_masses(frame)
+    share = np.where(level > 0, frame.node_mass / np.concatenate([[1.0], mass])[level], 0.0)
+    force = lateral_forces(1.0, mass, frame.levels[1:])
+    nodal = np.zeros((3, len(level), 6))
+    nodal[0, :, 0] = nodal[1, :, 1] = nodal[2, :, 5] = share * np.concatenate([[0.0], force])[level]
+    moved = model.static(nodal).displacements
+    centre = np.array(
+        [[np.bincount(level, share * case[:, part], minlength=n + 1)[1:] for part in (0, 1, 5)] for case in moved]
+    )  # case, component, floor
+    at = np.array([np.bincount(level, share * frame.coordinates[:, axis], minlength=n + 1) for axis in (0, 1)])
+    distance = ((frame.coordinates[:, :2].T - at[:, level]) ** 2).sum(axis=0)
+    theta_M = centre[2, 2]
+    e = np.array([centre[0, 2], -centre[1, 2]]) / theta_M
+    e = np.where(np.abs(e) > ROUNDING * np.ptp(frame.coordinates[:, :2]), e, 0.0)
+    without_turning = np.array([centre[0, 0] - e[0] * centre[2, 0], centre[1, 1] + e[1] * centre[2, 1]])
+    shear = np.cumsum(force[::-1])[::-1]
+    drift = np.diff(np.array([centre[0, 0], centre[1, 1]]), axis=1, prepend=0.0)
+    return FloorStiffness(
+        e_0=np.abs(e),
+        r=torsional_radius(1.0 / theta_M, 1.0 / without_turning),
+        l_s=np.sqrt(np.bincount(level, share * distance, minlength=n + 1)[1:]),
+        storey=shear / drift,
+    )
+
+
+def _binding(rules: Iterable[Criterion], regular: bool) -> list[Criterion]:
+    """Return rules as they are for what counts as regular; otherwise they only inform."""
+    if regular:
+        return list(rules)
+    return [replace(rule, passed=None, detail=f"{rule.detail}; counts as irregular".lstrip("; ")) for rule in rules]
+
+
+def _interrupted(frame: SpaceFrame) -> list[Criterion]:
+    """Return whether all braced frames go down to the foundation (4.2.3.3(2)); nothing without braces."""
+    storeys: dict[str, set[int]] = {}
+    for member in frame.members:
+        if member.kind == "brace":
+            storeys.setdefault(member.frame[0], set()).add(member.storey)
+    if not storeys:
+        return []
+    broken = [
+        f"frame {name} has none in storey {min(set(range(1, max(of))) - of)}"
+        for name, of in sorted(storeys.items())
+        if set(range(1, max(of))) - of
+    ]
+    text = "frames whose bracings do not run down to the foundation"
+    return [at_most("4.2.3.3(2)", text, 0.0, len(broken), "; ".join(broken))]

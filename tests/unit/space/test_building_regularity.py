@@ -1,0 +1,168 @@
+"""Regularity of buildings, found and claimed: closed forms and geometry by hand (EN 1998-1, 4.2.3)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.building.building_file import load_building
+from edesign.codes.ec8.criterion import Criterion
+from edesign.project.building.building import Building
+from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.geometry import space_frame
+from edesign.space.model import space_model
+from edesign.space.plan_outline import recess_areas
+from edesign.space.regularity import floor_stiffness
+
+BUILDING = """
+edesign_building: 1
+title: One storey, the frame on line 2 stiffer than that on line 1
+plan: {x: [6 m], y: [8 m]}
+storeys: [4 m]
+columns:
+  - {section: HEB300, material: S275, strong: x, group: C}
+beams:
+  - {along: x, frames: 1, section: IPE240, material: S275, ends: rigid, group: B1}
+  - {along: x, frames: 2, section: IPE600, material: S275, ends: rigid, group: B2}
+  - {along: y, section: IPE400, material: S275, ends: rigid, group: BY}
+materials: {S275: {fy: 275 MPa}}
+loads:
+  areas:
+    - {G: 5 kN/m^2, spans: y}
+  self_weight: false
+masses: {from_loads: {G: 1.0}}
+hazard: {code: ec8-2004, a_gR: 2.5 m/s^2, ground: B, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}
+design:
+  ductility_class: medium
+  systems:
+    x: {type: moment_frame, q: 4}
+    y: {type: moment_frame, q: 4}
+"""
+ALIKE = BUILDING.replace("section: IPE600", "section: IPE240")
+
+
+def building_of(folder: Path, text: str) -> Building:
+    path = folder / "building.yaml"
+    path.write_text(text, encoding="utf-8")
+    return load_building(path)
+
+
+def design_of(folder: Path, text: str = BUILDING) -> ElasticDesign:
+    return elastic_design(building_of(folder, text))
+
+
+def rules(found: ElasticDesign, clause: str) -> list[Criterion]:
+    return [rule for rule in found.criteria if rule.clause == clause]
+
+
+def test_frequencies_of_an_eccentric_storey(tmp_path: Path) -> None:
+    """A storey with the eccentricity e: omega2 / omega_x2 = (1 + Om2 -+ sqrt((1 - Om2)2 + 4 (e / rho)2)) / 2.
+
+    rho is the radius of gyration and Om2 = (r2 + e2) / rho2. The ratio of the two frequencies that follows from e, r
+    and rho is that of the natural modes (1e-9): both are exact for one rigid floor.
+    """
+    found = design_of(tmp_path)
+    eccentricity, radius = rules(found, "4.2.3.2(6)")[:2]
+    R = radius.value
+    assert R is not None and eccentricity.value is not None
+    e = eccentricity.value * R  # over rho
+    Om2 = R**2 + e**2
+    root = np.sqrt((1.0 - Om2) ** 2 + 4.0 * e**2)
+    coupled = found.modes.effective_mass_ratio[:, 0] > 1e-6
+    omega2 = np.sort(found.modes.omega[coupled] ** 2)
+    assert omega2.size == 2 and e > 0.1
+    assert omega2[1] / omega2[0] == pytest.approx((1.0 + Om2 + root) / (1.0 + Om2 - root), rel=1e-9)
+
+
+def test_centre_of_stiffness_of_two_frames(tmp_path: Path) -> None:
+    """e = 4 m (K_2 - K_1) / (K_2 + K_1), K of each frame from a symmetric building of two of them.
+
+    Columns twist and bend with the beams along y, which the plane frames do not have (0.5 %).
+    """
+    K = []
+    for section in ("IPE240", "IPE600"):
+        alike = design_of(tmp_path, BUILDING.replace("IPE240", section).replace("IPE600", section))
+        K.append(alike.modes.omega[alike.modes.effective_mass_ratio[:, 0].argmax()] ** 2)
+    building = building_of(tmp_path, BUILDING)
+    frame = space_frame(building)
+    of = floor_stiffness(frame, space_model(frame, building.materials))
+    assert of.e_0[0, 0] == pytest.approx(4.0 * (K[1] - K[0]) / (K[1] + K[0]), rel=5e-3)
+    assert of.e_0[1, 0] == 0.0
+    assert of.l_s[0] == pytest.approx(5.0, rel=1e-12)  # four equal masses at the corners of 6 x 8 m
+
+
+def test_a_claim_that_does_not_hold(tmp_path: Path) -> None:
+    """One frame of two is stiffer, e_0 > 0.3 r: the claim fails, without it the figures inform."""
+    regular = rules(design_of(tmp_path, BUILDING + "  regular_in_plan: true\n"), "4.2.3.2(6)")
+    assert [rule.passed for rule in regular if rule.text == "e_0 / r, direction x"] == [False]
+    assert rules(design_of(tmp_path, ALIKE + "  regular_in_plan: true\n"), "4.2.3.2(6)")[0].passed is True
+    told = rules(design_of(tmp_path, BUILDING + "  regular_in_plan: false\n"), "4.2.3.2(6)")
+    assert {rule.passed for rule in told} == {None}
+    assert all("counts as irregular" in rule.detail for rule in told)
+    assert rules(design_of(tmp_path), "4.2.3.2(6)") == told
+
+
+def test_setbacks_and_interrupted_bracings(tmp_path: Path) -> None:
+    """Three bays, of which the top floor covers one: two bays of three set back, 0.67 > 0.20, 0.30 and 0.10."""
+    tall = (
+        BUILDING.replace("plan: {x: [6 m]", "plan: {x: [6 m, 6 m, 6 m]")
+        .replace("storeys: [4 m]\n", "storeys: [4 m, 4 m, 4 m]\nsetbacks: [{floors: 3, bays: {x: 1, y: 1}}]\n")
+        .replace("y: {type: moment_frame, q: 4}", "y: {type: concentric_diagonal, q: 4}")
+        .replace(
+            "materials:",
+            "braces:\n"
+            "  - {along: y, frames: A, bays: 1, storeys: [1, 3], kind: cross, section: SHS100x6, material: S275}\n"
+            "  - {along: y, frames: D, bays: 1, storeys: 1-2, kind: cross, section: SHS100x6, material: S275}\n"
+            "materials:",
+        )
+    )
+    found = design_of(tmp_path, tall + "  regular_in_elevation: true\n")
+    steps = [rule for rule in found.criteria if rule.clause.startswith("4.2.3.3(5)")]
+    assert [rule.clause for rule in steps] == ["4.2.3.3(5)c", "4.2.3.3(5)c"]
+    assert [rule.value for rule in steps] == [pytest.approx(2.0 / 3.0)] * 2
+    assert all(rule.passed is False and rule.text.endswith("direction x") for rule in steps)
+    (bracing,) = rules(found, "4.2.3.3(2)")
+    assert bracing.passed is False and bracing.detail == "frame YA has none in storey 2"
+    irregular = design_of(tmp_path, tall)
+    assert {rule.passed for rule in irregular.criteria if rule.clause.startswith("4.2.3.3")} == {None}
+
+
+def test_floors_that_are_not_rigid_have_no_centre_of_stiffness(tmp_path: Path) -> None:
+    soft = design_of(tmp_path, BUILDING.replace("columns:", "diaphragms: none\ncolumns:", 1))
+    (rule,) = rules(soft, "4.2.3.2(4)")
+    assert rule.passed is None and not rules(soft, "4.2.3.2(6)")
+
+
+@pytest.mark.parametrize(
+    ("bays", "areas"),
+    [
+        (".#\n##", [0.5]),  # an L: a triangle of half a bay
+        ("#.#\n###", [1.0]),  # a U
+        (".#.\n###\n.#.", [0.5, 0.5, 0.5, 0.5]),  # a cross
+        ("###\n#.#\n###", []),  # a court is no set-back of the outline
+        ("##\n##", []),
+        ("..#\n###\n#..", [1.0, 1.0]),  # a Z: triangles of 1 x 2
+        ("#.#.#\n#####", [1.0, 1.0]),  # teeth on one side of the hull
+    ],
+)
+def test_areas_of_recesses(bays: str, areas: list[float]) -> None:
+    """Plans of square bays of 1 m, drawn from the north; areas by hand."""
+    rows = bays.split("\n")[::-1]
+    covered = {(i + 1, j + 1) for j, row in enumerate(rows) for i, sign in enumerate(row) if sign == "#"}
+    lines = list(range(8))
+    found, whole = recess_areas(covered, lines, lines)
+    assert sorted(found) == pytest.approx(areas) and whole == len(covered)
+
+
+def test_q_follows_what_is_found(tmp_path: Path) -> None:
+    """Table 6.2 in class high: 5 x 1.1 of one storey; irregular in plan 5 x (1 + 1.1) / 2 (6.3.2(4)); 0.8 of it."""
+    high = BUILDING.replace("class: medium", "class: high").replace("q: 4", "q: table")
+    alike = high.replace("section: IPE600", "section: IPE240")
+    for text, q in (
+        (alike + "  regular_in_plan: true\n", 5.5),
+        (high, 5.25),
+        (high + "  regular_in_elevation: false\n", 0.8 * 5.25),
+    ):
+        assert design_of(tmp_path, text).q["x"] == pytest.approx(q)
