@@ -7,6 +7,7 @@ from pathlib import Path
 from edesign.archive.reader import Archive
 from edesign.building.building_sections import BuildingSections
 from edesign.errors import ArchiveError
+from edesign.project.building import Building, parse_building
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.study import Study
@@ -37,6 +38,19 @@ def archived_project(archive: Archive) -> Project | None:
         return None
     path = Path(str(archive.attributes.get("project_file") or "project.yaml"))
     return parse_project(str(text.values), path, BuildingSections(), files=False)
+
+
+def archived_building(archive: Archive) -> Building | None:
+    """Return the building whose design an archive has; None if it does not have the text of it.
+
+    Raises:
+        InputError: the text is not that of a building of this version.
+    """
+    text = archive.group().variables.get("building_text")
+    if text is None:
+        return None
+    path = Path(str(archive.attributes.get("building_file") or "building.yaml"))
+    return parse_building(str(text.values), path, BuildingSections())
 
 
 def archived_study(archive: Archive) -> Study | None:

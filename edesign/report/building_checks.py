@@ -13,7 +13,8 @@ from edesign.project.problems import did_you_mean
 from edesign.report.building_results import BuildingResults, finite
 from edesign.report.building_tables import Worst, worst_of_groups
 from edesign.report.table import Table, number
-from edesign.space.written_checks import ForcesAlong, Step, written_check
+from edesign.space.written_checks import written_check
+from edesign.space.written_steps import ForcesAlong, Step
 
 _UNITS = {  # unit of the archive: the one that is shown, and how much it is
     "N": ("kN", 1e3),
@@ -27,8 +28,8 @@ _UNITS = {  # unit of the archive: the one that is shown, and how much it is
 }
 
 
-NOTHING = 0.5
-"""N and N m: what is less is shown as 0, as no digit of the others depends on it."""
+NOTHING = 1e-5
+"""Of the largest force or moment of a table: what is less is shown as 0."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +101,7 @@ def written_table(found: WrittenCheck) -> Table:
         f"{found.group}: {found.member}, {found.kind} {found.section} of {found.material}, "
         f"{found.length:.4g} m: {found.check}"
     )
-    table = Table(title, ("quantity", "from", "clause", "value"), left=3, sentences=1, formulas=(0, 1))
+    table = Table(title, ("quantity", "from", "clause", "value"), left=3, sentences=1, formulas=(0, 1, 3))
     for step in found.steps:
         table.rows.append([step.symbol, step.expression, step.clause, _shown(step)])
     if not found.number:
@@ -173,12 +174,17 @@ def effects_table(results: BuildingResults, member: int, check: int) -> Table:
     units = [("kN*m" if of.startswith(("M", "T")) else "kN") for of in forces]
     columns = [f"{of} [{unit}]" for of, unit in zip(forces, units, strict=True)]
     table = Table(f"{name}: internal forces of each action at x = {place:.3g} L", ("action", *columns))
+    table.formulas = tuple(range(len(columns) + 1))
+    every = np.concatenate([results.values("forces", name)[:, member, station] for name in ("static", "seismic")])
+    moments = np.array([unit != "kN" for unit in units])
+    top = np.where(moments, np.abs(every[:, moments]).max(), np.abs(every[:, ~moments]).max())
+    least = np.maximum(NOTHING * top, np.finfo(float).tiny)
     for names, values, sign in (
         (results.values("forces", "case"), results.values("forces", "static"), ""),
         ([f"E_{axis}" for axis in results.values("forces", "axis")], results.values("forces", "seismic"), "+-"),
     ):
         for action, of in zip(names, values[:, member, station], strict=True):
-            cells = [number(float(value), 4, 1e3, negligible=NOTHING) for value in of]
+            cells = [number(float(value), 4, 1e3, small) for value, small in zip(of, least, strict=True)]
             table.rows.append([str(action), *(f"{sign}{cell}" if cell != "0" else cell for cell in cells)])
     table.notes.append("E with accidental torsion and second order; N positive in tension")
     return table

@@ -1,4 +1,4 @@
-"""Plans and elevations of a building with its members coloured by their utilisation, and its modes."""
+"""Elevations of a building with its members coloured by their utilisation."""
 
 from __future__ import annotations
 
@@ -7,11 +7,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.report.captions import plain
-from edesign.report.figures import VARIANTS, new_figure, styled
-from edesign.space.archived import PLACE
+from edesign.report.building_results import BuildingResults
+from edesign.report.figures import new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -24,105 +22,138 @@ BANDS = (
     (np.inf, "#c0392b", "above 1.0"),
 )
 """Upper end of each band of utilisation, its colour, and what the legend says."""
-MODES_DRAWN = 3
-_PLAN, _X, _Z = (0, 1), 0, 2
+INK = "#1c2430"
+_X, _Z = 0, 2
+_PIN = 0.07  # place of a hinge in drawings, by the length of the member
+_WIDTH, _HEIGHT = 6.0, 7.0  # inches at most
 
 
-def building_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Give the figures of a building: name of the file, caption, figure; none of other archives."""
-    if PLACE not in archive.names():
-        return
-    members = archive.group(f"{PLACE}/members")
-    for frame in _different_frames(members):
+def elevations(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """Give an elevation of each kind of plane frame: name of the file, caption, figure."""
+    results = BuildingResults(archive)
+    for frame, alike in _different_frames(results):
+        others = f" {', '.join(alike)}: the same members, used less." if alike else ""
         caption = (
-            f"Frame {frame}, members by their largest utilisation. "
-            "Each line is a member, with its section where the section first stands."
+            f"Frame {frame}, members by their largest utilisation. Section and largest utilisation stand where a "
+            f"section is used most; circles are pinned ends of beams.{others}"
         )
-        yield f"elevation_{frame}", caption, _elevation(members, frame)
-    modes = archive.group(f"{PLACE}/modes")
-    periods = ", ".join(plain(float(T)) for T in modes.variables["period"].values[:MODES_DRAWN])
-    caption = f"The first modes: {periods} s. Displacements of the floors, and rotation times half the plan's diagonal."
-    yield "building_modes", caption, _modes(modes, members)
+        yield f"elevation_{frame}", caption, _elevation(results, frame)
 
 
-def _different_frames(members: Group) -> list[str]:
-    """Return the plane frames that differ in sections, utilisation or shape, the worst of each kind."""
-    of = members.variables
-    worst = np.nan_to_num(np.nanmax(np.nan_to_num(of["utilisation"].values, nan=0.0), axis=1))
-    found: dict[tuple[str, ...], tuple[float, str]] = {}
-    for frame in sorted({name for names in of["frame"].values for name in str(names).split(", ") if name}):
-        chosen = _of_frame(members, frame)
-        kind = (frame[0], *sorted(f"{of['kind'].values[n]} {of['section'].values[n]}" for n in chosen))
-        largest = float(worst[chosen].max())
-        if kind not in found or largest > found[kind][0] + 1e-9:
-            found[kind] = (largest, frame)
-    return [frame for _, frame in found.values()]
+def hinges(results: BuildingResults, members: np.ndarray) -> np.ndarray:
+    """Return the places of the pinned ends of beams, (n, 3) m."""
+    start, end = (results.values("members", name)[members] for name in ("start", "end"))
+    stiffness = results.values("members", "ends")[members]
+    bends = results.values("members", "kind")[members] == "beam"
+    at_start, at_end = bends & (stiffness[:, 0] == 0.0), bends & (stiffness[:, 2] == 0.0)
+    near_start, near_end = start + _PIN * (end - start), end - _PIN * (end - start)
+    return np.concatenate([near_start[at_start], near_end[at_end]])
 
 
-def _of_frame(members: Group, frame: str) -> np.ndarray:
-    names = members.variables["frame"].values
-    return np.array([n for n, text in enumerate(names) if frame in str(text).split(", ")])
+def _different_frames(results: BuildingResults) -> list[tuple[str, list[str]]]:
+    """Return the plane frames that differ in sections, each the one that is used most, with those alike."""
+    kind, section = (results.values("members", name) for name in ("kind", "section"))
+    worst = _use(results)
+    found: dict[tuple[str, ...], list[tuple[float, str]]] = {}
+    for frame, chosen in _of_frames(results).items():
+        alike = (frame[0], *sorted(f"{kind[n]} {section[n]}" for n in chosen))
+        found.setdefault(alike, []).append((-float(worst[chosen].max().round(9)), frame))
+    ordered = [[frame for _, frame in sorted(frames)] for frames in found.values()]
+    return [(frames[0], sorted(frames[1:])) for frames in ordered]
+
+
+def _of_frames(results: BuildingResults) -> dict[str, list[int]]:
+    """Numbers of the members of each plane frame."""
+    found: dict[str, list[int]] = {}
+    for number, names in enumerate(results.values("members", "frame")):
+        for name in filter(None, str(names).split(", ")):
+            found.setdefault(name, []).append(number)
+    return {name: found[name] for name in sorted(found)}
+
+
+def _use(results: BuildingResults) -> np.ndarray:
+    """The largest utilisation of each member."""
+    return np.asarray(np.nan_to_num(results.values("members", "utilisation"), nan=0.0).max(axis=1))
 
 
 @styled
-def _elevation(members: Group, frame: str) -> Figure:
-    of = members.variables
-    chosen = _of_frame(members, frame)
+def _elevation(results: BuildingResults, frame: str) -> Figure:
+    chosen = np.array(_of_frames(results)[frame])
     along = 0 if frame.startswith("X") else 1
-    starts, ends = of["start"].values[chosen], of["end"].values[chosen]
-    use = np.max(np.nan_to_num(of["utilisation"].values[chosen], nan=0.0), axis=1)
-    height = max(2.6, min(7.0, 0.14 * float(ends[:, _Z].max()) + 1.2))
-    figure, [[axes]] = new_figure(1, 1, 6.0, height)
-    told: set[tuple[str, str]] = set()
-    for n, start, end, u in zip(chosen, starts, ends, use, strict=True):
-        (x0, z0), (x1, z1) = (start[along], start[_Z]), (end[along], end[_Z])
-        axes.plot([x0, x1], [z0, z1], color=_colour(float(u)), linewidth=1.6, solid_capstyle="round")
-        kind, section = str(of["kind"].values[n]), str(of["section"].values[n])
-        if (kind, section) not in told:
-            told.add((kind, section))
-            upright = kind == "column"
-            axes.annotate(
-                f"{section} {u:.2f}",
-                (0.5 * (x0 + x1), 0.5 * (z0 + z1)),
-                rotation=90 if upright else 0,
-                ha="right" if upright else "center",
-                va="center" if upright else "bottom",
-                fontsize=6.0,
-            )
+    starts, ends = (results.values("members", name)[chosen] for name in ("start", "end"))
+    use = _use(results)[chosen]
+    wide, high = float(np.ptp(ends[:, along])), float(ends[:, _Z].max())
+    scale = min(_WIDTH / max(wide, 0.5 * high), (_HEIGHT - 1.2) / high)
+    figure, [[axes]] = new_figure(1, 1, _WIDTH, scale * high + 1.2)
+    lower = 0.0
+    for upper, colour, _ in BANDS:
+        within = (use <= upper) & ((use > lower) | (lower == 0.0))
+        strokes(axes, starts[within][:, [along, _Z]], ends[within][:, [along, _Z]], colour, 1.6)
+        lower = upper
+    _supports(axes, results, chosen, along)
+    pins = hinges(results, chosen)
+    axes.plot(pins[:, along], pins[:, _Z], "o", markersize=2.6, mec=INK, mfc="white", mew=0.6)
+    _names(axes, results, chosen, along)
+    axes.set_aspect("equal")
+    axes.margins(0.05, 0.04)
     _dress(axes, f"{'x' if along == 0 else 'y'} [m]")
     return figure
 
 
-@styled
-def _modes(modes: Group, members: Group) -> Figure:
-    of = modes.variables
-    levels = np.unique(members.variables["end"].values[:, _Z].round(6))
-    shape = of["floor_shape"].values[:MODES_DRAWN]
-    z = np.concatenate([[0.0], levels[levels > 0.0][: shape.shape[1]]])
-    radius = 0.5 * float(np.hypot(*np.ptp(members.variables["end"].values[:, _PLAN], axis=0)))
-    figure, [row] = new_figure(1, len(shape), 6.0, 2.8)
-    for k, each in enumerate(row):
-        motion = shape[k] * np.array([1.0, 1.0, radius])
-        motion /= np.abs(motion).max()
-        for degree, name in enumerate(("ux", "uy", "rz")):
-            each.plot(np.concatenate([[0.0], motion[:, degree]]), z, color=VARIANTS[degree], label=name)
-        each.set_title(f"mode {k + 1}, {plain(float(of['period'].values[k]))} s")
-        each.set_xlabel("displacement by the largest")
-        each.set_ylabel("level [m]" if k == 0 else "")
-        each.legend(loc="lower right")
-    return figure
+def _names(axes: Axes, results: BuildingResults, chosen: np.ndarray, along: int) -> None:
+    """The section of each kind of members where it is used most."""
+    kind, section = (results.values("members", name)[chosen] for name in ("kind", "section"))
+    start, end = (results.values("members", name)[chosen] for name in ("start", "end"))
+    use = _use(results)[chosen]
+    taken: list[np.ndarray] = []
+    for pair in dict.fromkeys(zip(kind.tolist(), section.tolist(), strict=True)):
+        alike = np.flatnonzero((kind == pair[0]) & (section == pair[1]))
+        middle = 0.5 * (start + end)[alike][:, [along, _Z]]
+        order = np.argsort(-use[alike].round(3), kind="stable")
+        room = [all(np.abs(middle[k] - at).max() > 1.5 for at in taken) for k in order]  # m, of one label
+        place = int(order[room.index(True)] if True in room else order[0])
+        taken.append(middle[place])
+        way = (end - start)[alike[place]]
+        turned = float(np.degrees(np.arctan2(way[_Z], way[along])))
+        axes.annotate(
+            f"{pair[1]} {use[alike[place]]:.2f}",
+            tuple(middle[place]),
+            rotation=turned if abs(turned) <= 90.0 else turned - 180.0,
+            rotation_mode="anchor",
+            ha="center",
+            va="center",
+            fontsize=6.0,
+            bbox={"facecolor": "white", "edgecolor": "none", "pad": 0.6},
+            transform_rotates_text=True,
+        )
 
 
-def _colour(use: float) -> str:
-    return next(colour for limit, colour, _ in BANDS if use <= limit)
+def _supports(axes: Axes, results: BuildingResults, chosen: np.ndarray, along: int) -> None:
+    """Squares where a foot is fixed against turning in the frame, triangles where it is not."""
+    nodes = {str(name): number for number, name in enumerate(results.values("nodes", "node"))}
+    ends = [nodes[str(results.values("members", name)[n])] for n in chosen for name in ("start_node", "end_node")]
+    at = np.unique(ends)
+    fixed, place = results.values("nodes", "fixed")[at] > 0, results.values("nodes", "position")[at]
+    turns = ~fixed[:, 4 if along == 0 else 3]
+    for which, marker in ((fixed[:, 2] & ~turns, "s"), (fixed[:, 2] & turns, "^")):
+        axes.plot(place[which, along], place[which, _Z], marker, color=INK, markersize=3.4)
+
+
+def strokes(axes: Axes, starts: np.ndarray, ends: np.ndarray, colour: str, width: float) -> None:
+    """Draw lines from (n, 2) to (n, 2) as one path, which is small and quick."""
+    path = np.stack([starts, ends, np.full_like(starts, np.nan)], axis=1).reshape(-1, 2)
+    axes.plot(path[:, 0], path[:, 1], color=colour, linewidth=width, solid_capstyle="round")
 
 
 def _dress(axes: Axes, label: str) -> None:
     from matplotlib.lines import Line2D
 
     handles = [Line2D([], [], color=colour, linewidth=2.0, label=text) for _, colour, text in BANDS]
-    axes.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=4, title="utilisation")
-    axes.set_aspect("equal", adjustable="datalim")
+    figure = axes.get_figure()
+    assert figure is not None
+    figure.legend(handles=handles, loc="outside lower center", ncols=4, title="utilisation")
     axes.set_xlabel(label)
     axes.set_ylabel("level [m]")
     axes.grid(False)
+    for side in ("top", "right"):
+        axes.spines[side].set_visible(False)

@@ -107,6 +107,7 @@ def modes_table(results: BuildingResults) -> Table:
     table = Table(
         "Natural modes", ("mode", "T [s]", "mass x [%]", "mass y [%]", "mass rz [%]", "S_d x", "S_d y [m/s2]")
     )
+    table.formulas = ()
     for k in range(min(MODES_SHOWN, period.size)):
         table.rows.append(
             [
@@ -125,6 +126,7 @@ def base_shear_table(results: BuildingResults) -> Table:
     """Return base shear and overstrength of both directions."""
     mass = results.number("mass_kg")
     table = Table("Seismic action", ("direction", "q", "base shear [kN]", "by weight", "without beta", "Omega", "of"))
+    table.formulas = ()
     for axis in AXES:
         shear = results.number(f"base_shear_{axis}_N")
         table.rows.append(
@@ -155,7 +157,7 @@ def storeys_table(results: BuildingResults, axis: str) -> Table:
         ("factor", "amplification", 3, 1.0),
         ("nu d_r/h", "reduced", 3, 1.0),
     )
-    table = Table(f"Storeys, direction {axis}", ("storey", *(header for header, *_ in columns)))
+    table = Table(f"Storeys, direction {axis}", ("storey", *(header for header, *_ in columns)), formulas=())
     found = [(results.values(name, variable), digits, unit) for _, variable, digits, unit in columns]
     for k in reversed(range(found[0][0].size)):
         table.rows.append([str(k + 1), *(number(of[k], digits, unit) for of, digits, unit in found)])
@@ -171,8 +173,8 @@ def criteria_table(results: BuildingResults) -> Table:
         "Rules for the building, clauses of EN 1998-1 where no other code is named",
         ("clause", "rule", "value", "limit", ""),
         left=2,
-        sentences=1,
     )
+    table.sentences, table.formulas = 1, (1,)
     columns = [results.values("criteria", of) for of in ("clause", "text", "detail", "value", "required", "passed")]
     for clause, text, detail, value, limit, passed in zip(*columns, strict=True):
         rule = f"{text}: {detail}" if detail else str(text)
@@ -200,7 +202,8 @@ def groups_table(results: BuildingResults) -> Table:
 
 def combinations_table(results: BuildingResults) -> Table:
     """Return the combinations of actions; those that differ in signs of horizontal actions stand in one row."""
-    table = Table("Combinations of actions", ("no.", "combination", "situation", "EN 1990"), left=4, sentences=1)
+    table = Table("Combinations of actions", ("no.", "combination", "situation", "EN 1990"), left=4)
+    table.sentences, table.formulas = 1, (1, 2)
     columns = [results.values("combinations", of) for of in ("name", "set", "equation", "static", "seismic")]
     alike: dict[tuple[object, ...], list[int]] = {}
     for k, (_, kind, equation, static, seismic) in enumerate(zip(*columns, strict=True)):
@@ -223,17 +226,23 @@ def _numbers(places: list[int]) -> str:
 
 def verdict_table(results: BuildingResults) -> Table:
     """Return what is not met, and what an engineer should know; no columns."""
-    met = bool(results.number("passed"))
+    broken = failures(results)
+    verdict = [f"not met: {text}" for text in broken] or ["all checks and rules are met"]
+    return Table("Verdict", notes=[*verdict, *remarks(results)])
+
+
+def remarks(results: BuildingResults) -> list[str]:
+    """Return what an engineer should know, a sentence each."""
     notes = results.group().attributes.get("notes")
-    verdict = ["all checks and rules are met"] if met else _failures(results)
-    return Table("Verdict", notes=[*verdict, *map(str, notes if isinstance(notes, list) else [])])
+    return [str(note) for note in notes] if isinstance(notes, list) else []
 
 
-def _failures(results: BuildingResults) -> list[str]:
+def failures(results: BuildingResults) -> list[str]:
+    """Return what is not met: checks of groups, then rules."""
     over = [worst for worst in worst_of_groups(results) if worst.utilisation > 1.0]
     rules = zip(*(results.values("criteria", name) for name in ("text", "passed")), strict=True)
-    found = [f"not met: {worst.group} {worst.section}: {worst.name} {worst.utilisation:.3f}" for worst in over]
-    return found + [f"not met: {text}" for text, passed in rules if passed == 0]
+    found = [f"{worst.group} {worst.section}: {worst.name} {worst.utilisation:.3f}" for worst in over]
+    return found + [str(text) for text, passed in rules if passed == 0]
 
 
 TABLES: tuple[Make, ...] = (

@@ -19,7 +19,8 @@ class Table:
         notes: lines below.
         left: number of columns, from the first, that hold text and are aligned left.
         sentences: number of the column, from 0, whose cells may be broken into lines where the table is too wide.
-        formulas: numbers of the columns, from 0, whose cells are formulas: `N_b,y,Rd / gamma_M1`.
+        formulas: numbers of the columns, from 0, whose cells are formulas: `N_b,y,Rd / gamma_M1`; headers and notes of
+            the table are so too. None: there are no formulas in it.
     """
 
     title: str
@@ -28,7 +29,7 @@ class Table:
     notes: list[str] = field(default_factory=list)
     left: int = 1
     sentences: int | None = None
-    formulas: tuple[int, ...] = ()
+    formulas: tuple[int, ...] | None = None
 
 
 def number(value: float | None, digits: int = 4, scale: float = 1.0, negligible: float = 0.0) -> str:

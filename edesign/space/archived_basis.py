@@ -11,6 +11,7 @@ from edesign.archive.dataset import Group, Variable
 from edesign.building.section_class import section_class
 from edesign.building.steel_member import Stability
 from edesign.building.steel_section import steel_section
+from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.space.effects import largest
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.load_cases import on_nodes
@@ -18,6 +19,8 @@ from edesign.space.masses import floor_masses
 from edesign.space.response import AXES
 
 MODES_DRAWN = 6
+LONGEST = 4.0  # s, EN 1998-1, 3.2.2.2
+POINTS = 201
 _LENGTHS = {"L_cr_y", "L_cr_z", "L_LT", "z_g"}
 
 
@@ -26,6 +29,7 @@ def basis(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
     yield "materials", _materials(design)
     yield "floors", _floors(design)
     yield "nodes", _nodes(design)
+    yield "spectrum", _spectrum(design)
     for axis in AXES:
         yield f"overstrength_{axis}", _overstrength(design, axis)
 
@@ -110,8 +114,28 @@ def _nodes(design: ElasticDesign) -> Group:
     group.coords["mode"] = Variable(("mode",), np.arange(1, count + 1), "1", "number of the mode")
     group.add("position", ("node", "coordinate"), frame.coordinates, "m", "place of the node")
     group.add("mass", ("node",), frame.node_mass, "kg", "mass at the node, horizontally")
+    group.coords["degree"] = Variable(("degree",), np.array(["ux", "uy", "uz", "rx", "ry", "rz"]), "", "degree")
+    group.add("fixed", ("node", "degree"), frame.fixed.astype(int), "1", "1: held by a support")
     shape = modes.displacements[:count, :, :3].astype(np.float32)  # for drawings
     group.add("mode_shape", ("mode", "node", "coordinate"), shape, "kg^-1/2", "shape, generalised mass 1")
+    return group
+
+
+def _spectrum(design: ElasticDesign) -> Group:
+    """The spectra up to 4 s, where EN 1998-1 ends them, or beyond the longest period; corners are among the periods."""
+    building = design.building
+    of = {axis: design.response[axis].spectrum for axis in AXES}
+    longest = max(LONGEST, 1.1 * float(design.modes.period.max()))
+    period = np.unique(np.concatenate([np.linspace(0.0, longest, POINTS), of["x"].corners]))
+    group = Group(coords={"period": Variable(("period",), period, "s", "period")})
+    if building.hazard is not None and building.design is not None:
+        level = building.design.level or next(iter(building.hazard.levels), None)
+        elastic = elastic_spectrum(building.hazard, level)
+        group.attributes["label"] = elastic.label
+        group.add("elastic", ("period",), elastic.acceleration(period), "m/s^2", "elastic response spectrum S_e")
+    for axis in AXES:
+        text = f"design spectrum S_d, direction {axis}"
+        group.add(f"design_{axis}", ("period",), of[axis].acceleration(period), "m/s^2", text)
     return group
 
 

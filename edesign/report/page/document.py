@@ -14,7 +14,7 @@ from edesign.errors import ArchiveError, InputError
 from edesign.report.archived import is_building_archive
 from edesign.report.page.render import Cover, render
 from edesign.report.page.section import Section
-from edesign.report.page.sections.building import building
+from edesign.report.page.sections.building import building_sections
 from edesign.report.page.sections.dampers import dampers
 from edesign.report.page.sections.design import design
 from edesign.report.page.sections.ground_motion import ground_motion
@@ -34,7 +34,6 @@ from edesign.report.page.source import Source
 SECTIONS: tuple[Callable[[Source], Section], ...] = (
     summary,
     inputs,
-    building,
     ground_motion,
     modes,
     design,
@@ -95,7 +94,7 @@ def page_text(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], N
         with open_archive(archive) as opened:
             return page_text(opened, tell)
     source = Source(archive, tell)
-    made = [section for make in SECTIONS if (section := make(source))]
+    made = [*building_sections(source), *(section for make in SECTIONS if (section := make(source)))]
     return render(_cover(source), made)
 
 

@@ -22,6 +22,25 @@ LONG = 34  # characters, from which a cell is broken into lines
 
 _NUMERIC = re.compile(r"(?:[-+−–<>≤≥~±*†\s\d.,%/()]|->|→|e[-+]\d+|nan|inf|of)*")
 _SIGNS = ((" -&gt; ", " → "), ("m/s2", "m/s²"), ("degC", "°C"), ("N*m", "N·m"))
+_OPERATORS = (("+- ", "± "), ("+-", "±"), ("&lt;=", "≤"), ("&gt;=", "≥"), (" - ", " \N{MINUS SIGN} "))
+_GREEK = {
+    **{
+        "alpha": "α",
+        "beta": "β",
+        "gamma": "γ",
+        "chi": "χ",
+        "lambda": "λ\N{COMBINING MACRON}",
+        "rho": "ρ",
+        "theta": "θ",
+    },
+    **{"nu": "ν", "psi": "ψ", "pi": "π", "Phi": "Φ", "Omega": "Ω", "sum": "Σ"},
+}
+_ROOT = re.compile(r"\bsqrt(?=\()")
+_TIMES = re.compile(r"(?<=[0-9)]) x (?=[0-9(])")
+_UNIT = re.compile(r"(?<![A-Za-z])(cm)([2346])(?![A-Za-z0-9])")
+_POWER = re.compile(r"\^([0-9.]+)")
+_INDEX = r"(?:_([A-Za-z0-9]+(?:,[A-Za-z0-9]+)*))?"
+_INDEXED = re.compile(rf"(?<![A-Za-z0-9_&#])({'|'.join(_GREEK)}|[A-Za-z]){_INDEX}(?![A-Za-z0-9_])")
 _SYMBOL = re.compile(r"(?<![A-Za-z0-9_])(a_gR|a_g|gamma_I|T_[BCD1]|G_eq|P_CL)(?![A-Za-z0-9_])")
 
 
@@ -55,7 +74,13 @@ def render(cover: Cover, sections: Sequence[Section]) -> str:
 
     loader = PackageLoader("edesign.report.page", ".")
     environment = Environment(loader=loader, autoescape=True, undefined=StrictUndefined, trim_blocks=True)
-    environment.filters |= {"typeset": typeset, "alignments": alignments, "state": state, "runs": runs}
+    environment.filters |= {
+        "typeset": typeset,
+        "formula": formula,
+        "alignments": alignments,
+        "state": state,
+        "runs": runs,
+    }
     css = resources.files("edesign.report.page").joinpath("page.css").read_text(encoding="utf-8")
     page = environment.get_template("page.html")
     return visible(page.render(**vars(cover), sections=sections, css=css, version=__version__)) + "\n"
@@ -69,6 +94,24 @@ def typeset(text: str) -> Markup:
     for plain, printed in _SIGNS:
         found = found.replace(plain, printed)
     return Markup(_SYMBOL.sub(_with_index, found))
+
+
+def formula(text: str) -> Markup:
+    """Return a formula in the symbols of the codes, escaped, with Greek letters, indices and powers."""
+    found = str(typeset(text))
+    if found == "–":
+        return Markup(found)
+    for plain, printed in _OPERATORS:
+        found = found.replace(plain, printed)
+    found = _UNIT.sub(r"\1<sup>\2</sup>", _TIMES.sub(" × ", _ROOT.sub("√", found)))
+    found = _POWER.sub(r"<sup>\1</sup>", found)
+    return Markup(_INDEXED.sub(_indexed, found))
+
+
+def _indexed(found: re.Match[str]) -> str:
+    name, index = found[1], found[2]
+    name = _GREEK.get(name, name)
+    return f"{name}<sub>{index}</sub>" if index else name
 
 
 def _with_index(found: re.Match[str]) -> str:

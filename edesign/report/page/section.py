@@ -41,9 +41,15 @@ class Folded:
 
 @dataclass(frozen=True)
 class Facts:
-    """Names and what they stand for, one below the other."""
+    """Names and what they stand for, one below the other.
+
+    Attributes:
+        rows: name and text.
+        formulas: whether the texts have symbols of the codes.
+    """
 
     rows: tuple[tuple[str, str], ...]
+    formulas: bool = False
 
 
 @dataclass(frozen=True)

@@ -13,9 +13,10 @@ from edesign.archive.reader import Archive
 from edesign.assess.sets import HistorySet, history_sets, measure_statistics
 from edesign.assess.statistics import Statistics
 from edesign.errors import EdesignError
+from edesign.project.building.building import Building
 from edesign.project.project import Project
 from edesign.project.study import Study
-from edesign.report.archived import archived_project, archived_study
+from edesign.report.archived import archived_building, archived_project, archived_study
 from edesign.report.assessment_tables import read_histories
 from edesign.report.captions import UniqueNames, file_name
 from edesign.report.page.inline_svg import inline_svg
@@ -94,6 +95,15 @@ class Source:
             return archived_project(self.archive)
         except EdesignError as error:
             self.left_out.append(f"the project in words: {error}")
+            return None
+
+    @cached_property
+    def building(self) -> Building | None:
+        """The building, None without one, or if this version cannot read it."""
+        try:
+            return archived_building(self.archive)
+        except EdesignError as error:
+            self.left_out.append(f"the building in words: {error}")
             return None
 
     @cached_property

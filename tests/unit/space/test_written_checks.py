@@ -15,7 +15,8 @@ from edesign.building.steel_section import steel_section
 from edesign.core.member_checks import Check, MemberTable, mask, member_checks
 from edesign.report.building_checks import written
 from edesign.report.building_results import BuildingResults
-from edesign.space.written_checks import ForcesAlong, written_check
+from edesign.space.written_checks import written_check
+from edesign.space.written_steps import ForcesAlong
 from edesign.study.building import run_building
 
 SAME = 1e-9
@@ -85,8 +86,8 @@ beams:
   - {along: y, section: IPE270, material: S355, ends: pinned, group: BY}
 braces:
   - {along: y, frames: [A], bays: 1, kind: cross, section: CHS101.6x5, material: S355, group: CHS}
-  - {along: y, frames: [D], bays: 1-2, kind: alternating, compression: true, section: SHS140x8, material: S355,
-     group: SHS}
+  - {along: y, frames: [D], bays: 1-2, kind: alternating, compression: true,
+     section: SHS140x8, material: S355, group: SHS}
 materials: {S355: {fy: 355 MPa}}
 loads:
   areas: [{G: 9 kN/m^2, Q: 3 kN/m^2, category: B, spans: x}]

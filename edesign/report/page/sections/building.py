@@ -1,17 +1,143 @@
-"""The elastic design of a building: verdict, drawings, modes, storeys, rules, members, combinations."""
+"""The sections of a building: verdict, structure, action, modes, storeys, members, capacity design, combinations."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
+from functools import partial
+
+from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.archived import is_building_archive
-from edesign.report.building_figures import building_figures
-from edesign.report.building_tables import building_tables
-from edesign.report.page.section import Section
+from edesign.report.building_basis_tables import floors_table, joints_table, materials_table, overstrength_table
+from edesign.report.building_checks import effects_table, written_table, written_worst
+from edesign.report.building_curves import mode_shapes, spectra, storey_curves
+from edesign.report.building_facts import building_rows, design_rows
+from edesign.report.building_figures import elevations
+from edesign.report.building_plans import plans
+from edesign.report.building_results import BuildingResults
+from edesign.report.building_tables import (
+    base_shear_table,
+    combinations_table,
+    criteria_table,
+    failures,
+    groups_table,
+    modes_table,
+    or_missing,
+    remarks,
+    storeys_table,
+    worst_of_groups,
+)
+from edesign.report.captions import plain
+from edesign.report.page.project_facts import hazard_rows
+from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.source import Source
+from edesign.report.table import Table
+from edesign.space.response import AXES
+
+Parts = Callable[[Source, BuildingResults], Iterable[Part]]
 
 
-def building(source: Source) -> Section:
-    """Return the section of a building; empty for other archives."""
+def building_sections(source: Source) -> list[Section]:
+    """Return the sections of a building; none for other archives. What cannot be read of it is named in the first."""
     if not is_building_archive(source.archive):
-        return Section("building", "Elastic design", (), ())
-    *tables, verdict = building_tables(source.archive)
-    return Section("building", "Elastic design", (), (verdict, *source.pictures(building_figures), *tables))
+        return []
+    results = BuildingResults(source.archive)
+    results.group()
+    missing = Table("Missing")
+    sections = [_section(source, results, missing, *which) for which in _SECTIONS]
+    first, *others = sections
+    lost = [Warnings("What cannot be read of the archive", tuple(missing.notes))] if missing.notes else []
+    first = Section(first.id, first.title, first.intro, (*lost, *first.parts), tuple(remarks(results)))
+    return [section for section in (first, *others) if section]
+
+
+def _section(
+    source: Source, results: BuildingResults, missing: Table, anchor: str, title: str, makers: tuple[Parts, ...]
+) -> Section:
+    parts: list[Part] = []
+    for make in makers:
+        parts += or_missing(lambda of, make=make: list(make(source, of)), results, missing)  # type: ignore[misc]
+    return Section(anchor, title, (), tuple(part for part in parts if not isinstance(part, Table) or _filled(part)))
+
+
+def _filled(table: Table) -> bool:
+    return bool(table.rows) or not table.columns and bool(table.notes)
+
+
+def _verdict(source: Source, results: BuildingResults) -> Iterable[Part]:
+    worst = max(worst_of_groups(results), key=lambda of: of.utilisation)
+    mass, broken = results.number("mass_kg"), failures(results)
+    period = plain(float(results.values("modes", "period")[0]))
+    tiles = [
+        Headline(
+            "not met" if broken else "met",
+            "Checks and rules",
+            f"{len(broken)} not met" if broken else "",
+            _state(not broken),
+        ),
+        Headline(
+            f"{worst.utilisation:.2f}",
+            "Largest utilisation",
+            f"{worst.member}, {worst.section}, {worst.name}",
+            _state(worst.utilisation <= 1.0),
+        ),
+        Headline(f"{period}\N{NO-BREAK SPACE}s", "First period", f"mass {plain(mass / 1e3, 4)} t"),
+    ]
+    for axis in AXES:
+        shear = results.number(f"base_shear_{axis}_N")
+        detail = f"{100 * shear / (mass * STANDARD_GRAVITY):.1f} % of the weight, q = {results.number(f'q_{axis}'):g}"
+        value = f"{shear / 1e3:.0f}\N{NO-BREAK SPACE}kN"
+        tiles.append(Headline(value, f"Base shear along {axis}", detail))
+    parts: list[Part] = [Headlines(tuple(tiles))]
+    parts += [Warnings("Not met", tuple(broken))] if broken else []
+    return parts
+
+
+def _state(met: bool) -> str:
+    return "good" if met else "bad"
+
+
+def _structure(source: Source, results: BuildingResults) -> Iterable[Part]:
+    building = source.building
+    if building is not None:
+        yield Facts(tuple(building_rows(building)), formulas=True)
+        if building.design is not None:
+            yield Facts(tuple(design_rows(building.design)), formulas=True)
+
+
+def _action(source: Source, results: BuildingResults) -> Iterable[Part]:
+    building = source.building
+    if building is not None and building.hazard is not None:
+        yield Facts(tuple(hazard_rows(building.hazard)))
+    yield base_shear_table(results)
+
+
+def _written(source: Source, results: BuildingResults) -> Iterable[Part]:
+    """The governing check of each group; nothing of those to which no check applies."""
+    for worst, found in written_worst(results):
+        state = "" if worst.utilisation <= 1.0 else ", NOT MET"
+        summary = f"{worst.group} {worst.section}: {worst.name} {worst.utilisation:.3f}{state} ({worst.member})"
+        yield Folded(summary, (effects_table(results, worst.number, worst.check), written_table(found)))
+
+
+def _pictures(maker: Callable[..., object]) -> Parts:
+    return lambda source, results: source.pictures(maker)  # type: ignore[arg-type]
+
+
+def _table(make: Callable[[BuildingResults], Table]) -> Parts:
+    return lambda source, results: [make(results)]
+
+
+_SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
+    ("building", "Verdict", (_verdict,)),
+    ("structure", "Structure and loads", (_structure, _pictures(plans), _table(materials_table), _table(floors_table))),
+    ("action", "Seismic action", (_action, _pictures(spectra))),
+    ("natural-modes", "Natural modes", (_pictures(mode_shapes), _table(modes_table))),
+    (
+        "storeys",
+        "Storeys",
+        (_pictures(storey_curves), *(_table(partial(storeys_table, axis=axis)) for axis in AXES)),
+    ),
+    ("members", "Members", (_pictures(elevations), _table(groups_table), _written)),
+    ("capacity", "Rules and capacity design", tuple(map(_table, (criteria_table, overstrength_table, joints_table)))),
+    ("combinations", "Combinations of actions", (_table(combinations_table),)),
+)

@@ -1,0 +1,282 @@
+"""The steps of a calculation of a member: its forces, the resistances of its section, and its stability.
+
+The steps use the clause functions of `edesign.codes.ec3`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from edesign.building.steel_member import SteelMember
+from edesign.building.steel_section import SteelSection
+from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
+
+N, V_Y, V_Z, _, M_Y, M_Z = range(6)
+_SYMBOL = {N: "N_Ed", V_Y: "V_y,Ed", V_Z: "V_z,Ed", M_Y: "M_y,Ed", M_Z: "M_z,Ed"}
+
+
+@dataclass(frozen=True)
+class Step:
+    """A quantity of a calculation.
+
+    Attributes:
+        symbol: as the code has it: `chi_LT`.
+        value: in SI; or a word, such as the name of a buckling curve.
+        unit: SI unit, "1" of a ratio, "" of a word.
+        expression: what it follows from.
+        clause: of EN 1993-1-1 unless another standard is named.
+    """
+
+    symbol: str
+    value: float | str
+    unit: str
+    expression: str = ""
+    clause: str = ""
+
+
+@dataclass(frozen=True)
+class ForcesAlong:
+    """Internal forces N, V_y, V_z, T, M_y, M_z of a member under a combination; N is positive in tension.
+
+    Attributes:
+        stations: (n,) fractions of the length.
+        steady: (n, 6) of the static actions, with sign, N and N m.
+        swing: (n, 6) magnitudes of the seismic action.
+    """
+
+    stations: np.ndarray
+    steady: np.ndarray
+    swing: np.ndarray
+
+    @property
+    def size(self) -> np.ndarray:
+        """(n, 6) largest magnitudes."""
+        return np.asarray(np.abs(self.steady) + self.swing)
+
+
+@dataclass
+class Calculation:
+    """The steps that are written so far; each method adds those of one quantity and returns its value.
+
+    Attributes:
+        member: as its checks see it.
+        forces: of the combination.
+        steps: in their order.
+    """
+
+    member: SteelMember
+    forces: ForcesAlong
+    steps: list[Step] = field(default_factory=list)
+
+    @property
+    def section(self) -> SteelSection:
+        return self.member.section
+
+    @property
+    def plastic(self) -> bool:
+        return self.member.section_class < 3
+
+    def add(self, symbol: str, value: float, unit: str, expression: str = "", clause: str = "") -> float:
+        step = Step(symbol, float(value), unit, expression, clause)
+        if step not in self.steps:
+            self.steps.append(step)
+        return float(value)
+
+    def word(self, symbol: str, value: str, expression: str = "", clause: str = "") -> str:
+        self.steps.append(Step(symbol, value, "", expression, clause))
+        return value
+
+    def use(self, value: float, expression: str, clause: str) -> None:
+        """The utilisation."""
+        self.add("utilisation", value, "1", expression, clause)
+
+    # ---- effects ----------------------------------------------------------------------------------------------------
+
+    def force(self, of: int, station: int) -> float:
+        """The magnitude of a force at a station."""
+        steady, swing = (float(part[station, of]) for part in (self.forces.steady, self.forces.swing))
+        at = f"at x = {self.forces.stations[station]:.3g} L"
+        return self.add(_SYMBOL[of], abs(steady) + swing, _unit(of), f"{_parts(steady, swing, of)} {at}")
+
+    def largest(self, of: int) -> float:
+        """The largest magnitude of a force along the member."""
+        return self.force(of, int(self.forces.size[:, of].argmax()))
+
+    def compression(self) -> float:
+        """The largest compression along the member, at least 0."""
+        along = self.forces.swing[:, N] - self.forces.steady[:, N]
+        station = int(along.argmax())
+        steady, swing = float(self.forces.steady[station, N]), float(self.forces.swing[station, N])
+        at = f"at x = {self.forces.stations[station]:.3g} L"
+        return self.add("N_Ed", max(swing - steady, 0.0), "N", f"compression, {_parts(steady, swing, N)} {at}")
+
+    # ---- resistances of the section ---------------------------------------------------------------------------------
+
+    def steel(self, stability: bool = False) -> None:
+        """Strength and partial factor; of checks of stability the moduli and the factor of these."""
+        self.add("f_y", self.member.fy, "Pa")
+        if stability:
+            self.add("E", self.member.E, "Pa")
+            self.add("gamma_M1", self.member.gamma_M1, "1", "", "6.1(1)")
+        else:
+            self.add("gamma_M0", self.member.gamma_M0, "1", "", "6.1(1)")
+
+    def area(self) -> float:
+        return self.add("A", self.section.A, "m2")
+
+    def N_pl_Rd(self) -> float:
+        self.area()
+        value = cross_section.axial_resistance(self.section.A, self.member.fy, self.member.gamma_M0)
+        return self.add("N_pl,Rd", value, "N", "A f_y / gamma_M0", "6.2.4(2), Eq. 6.10")
+
+    def V_pl_Rd(self, along: int) -> float:
+        axis = "y" if along == V_Y else "z"
+        area = self.add(f"A_v,{axis}", self.section.A_vy if along == V_Y else self.section.A_vz, "m2", "", "6.2.6(3)")
+        value = cross_section.shear_resistance(area, self.member.fy, self.member.gamma_M0)
+        return self.add(f"V_pl,{axis},Rd", value, "N", f"A_v,{axis} f_y / (sqrt(3) gamma_M0)", "6.2.6(2), Eq. 6.18")
+
+    @property
+    def theory(self) -> str:
+        return "pl" if self.plastic else "el"
+
+    def modulus(self, axis: str) -> float:
+        return self.add(f"W_{self.theory},{axis}", getattr(self.section, f"W_{self.theory}_{axis}"), "m3")
+
+    def M_Rd(self, axis: str) -> float:
+        modulus = self.modulus(axis)
+        value = cross_section.moment_resistance(modulus, self.member.fy, self.member.gamma_M0)
+        clause = "6.2.5(2), Eq. 6.13" if self.plastic else "6.2.5(2), Eq. 6.14"
+        expression = f"W_{self.theory},{axis} f_y / gamma_M0"
+        return self.add(f"M_{self.theory},{axis},Rd", value, "N*m", expression, clause)
+
+    def section_class(self) -> None:
+        self.word("class", str(self.member.section_class), "plastic" if self.plastic else "elastic", "5.5.2, Table 5.2")
+
+    # ---- stability --------------------------------------------------------------------------------------------------
+
+    def flexural(self, axis: str) -> tuple[float, float]:
+        """lambda and N_b,Rd about an axis."""
+        s, member = self.section, self.member
+        length = getattr(member.stability, f"L_cr_{axis}")
+        self.add(f"L_cr,{axis}", length, "m", "" if length > 0.0 else "held all along")
+        slenderness = 0.0
+        if length > 0.0:
+            inertia = self.add(f"I_{axis}", getattr(s, f"I_{axis}"), "m4")
+            critical = buckling.critical_force(member.E, inertia, length)
+            self.add(f"N_cr,{axis}", critical, "N", f"pi^2 E I_{axis} / L_cr,{axis}^2", "6.3.1.2(1)")
+            slenderness = buckling.slenderness(s.A, member.fy, critical)
+            self.add(f"lambda_{axis}", slenderness, "1", f"sqrt(A f_y / N_cr,{axis})", "6.3.1.3(1), Eq. 6.50")
+        curve = self.buckling_curve(axis)
+        chi = buckling.reduction_factor(slenderness, curve)
+        formula = _reduction_formula(f"lambda_{axis}", slenderness, curve, buckling.NO_BUCKLING, 1.0)
+        if axis == "z" and s.kind == "I" and member.stability.L_LT > 0.0:
+            self.add("chi by bending", chi, "1", formula, "6.3.1.2(1), Eq. 6.49")
+            chi = self.torsional(chi, curve)
+        else:
+            self.add(f"chi_{axis}", chi, "1", formula, "6.3.1.2(1), Eq. 6.49")
+        value = buckling.buckling_resistance(s.A, member.fy, chi, member.gamma_M1)
+        resistance = self.add(f"N_b,{axis},Rd", value, "N", f"chi_{axis} A f_y / gamma_M1", "6.3.1.1(3), Eq. 6.47")
+        return slenderness, resistance
+
+    def torsional(self, chi: float, curve: str) -> float:
+        """chi_z, by torsional buckling where that is less."""
+        s, member = self.section, self.member
+        length = self.add("L_T", member.stability.L_LT, "m", "between restraints of twisting")
+        self.torsion()
+        critical = buckling.torsional_critical_force(member.E, member.G, s.A, s.I_y + s.I_z, s.I_t, s.I_w, length)
+        self.add("N_cr,T", critical, "N", "A / (I_y + I_z) (G I_t + pi^2 E I_w / L_T^2)", "6.3.1.4, SN001")
+        slenderness = buckling.slenderness(s.A, member.fy, critical)
+        self.add("lambda_T", slenderness, "1", "sqrt(A f_y / N_cr,T)", "6.3.1.4(2), Eq. 6.52")
+        twisting = buckling.reduction_factor(slenderness, curve)
+        formula = _reduction_formula("lambda_T", slenderness, curve, buckling.NO_BUCKLING, 1.0)
+        self.add("chi by torsion", twisting, "1", formula, "6.3.1.4(3), Eq. 6.49")
+        return self.add("chi_z", min(chi, twisting), "1", "the smaller one", "6.3.1.4(1)")
+
+    def torsion(self) -> None:
+        """The constants of the section that resist twisting."""
+        self.add("G", self.member.G, "Pa")
+        self.add("I_y", self.section.I_y, "m4")
+        self.add("I_z", self.section.I_z, "m4")
+        self.add("I_t", self.section.I_t, "m4")
+        self.add("I_w", self.section.I_w, "m6")
+
+    def buckling_curve(self, axis: str) -> str:
+        s = self.section
+        if s.kind == "I":
+            which = "y" if axis == "y" else "z"
+            curve = buckling.rolled_i_curve(s.h, s.b, s.tf, which, self.member.fy)  # type: ignore[arg-type]
+            expression = f"h/b = {s.h / s.b:.3g}, t_f = {1e3 * s.tf:.3g} mm, about {axis}"
+        else:
+            curve = buckling.hollow_curve(self.member.fy, s.cold_formed)
+            expression = "cold formed" if s.cold_formed else "hot finished"
+        return self.word(f"curve {axis}", curve, expression, "6.3.1.2(2), Table 6.2")
+
+    def M_b_Rd(self) -> float:
+        """chi_LT M_y,Rk / gamma_M1."""
+        s, member, held = self.section, self.member, self.member.stability
+        modulus, W = self.modulus("y"), f"W_{self.theory},y"
+        if s.kind != "I" or held.L_LT == 0.0:
+            why = "hollow section" if s.kind != "I" else "compressed flange held all along"
+            chi = self.add("chi_LT", 1.0, "1", why, "6.3.2.1(2)")
+        else:
+            length = self.add("L_LT", held.L_LT, "m", "between restraints of the compressed flange")
+            self.torsion()
+            self.add("C_1", held.C1, "1", "", "SN003")
+            shape = held.C1, held.C2, held.z_g
+            critical = lateral_torsional.critical_moment(member.E, member.G, s.I_z, s.I_t, s.I_w, length, *shape)
+            load = ", C_2 and z_g of the load" if held.z_g else ""
+            expression = f"C_1 pi^2 E I_z / L_LT^2 sqrt(I_w / I_z + L_LT^2 G I_t / (pi^2 E I_z)){load}"
+            self.add("M_cr", critical, "N*m", expression, "SN003")
+            slenderness = lateral_torsional.slenderness(modulus, member.fy, critical)
+            self.add("lambda_LT", slenderness, "1", f"sqrt({W} f_y / M_cr)", "6.3.2.2(1)")
+            chi = self.chi_LT(slenderness)
+        value = lateral_torsional.buckling_moment(chi, modulus, member.fy, member.gamma_M1)
+        return self.add("M_b,Rd", value, "N*m", f"chi_LT {W} f_y / gamma_M1", "6.3.2.1(3), Eq. 6.55")
+
+    def chi_LT(self, slenderness: float) -> float:
+        s, held = self.section, self.member.stability
+        if held.general:
+            curve = self.word("curve LT", lateral_torsional.general_curve(s.h, s.b), f"h/b = {s.h / s.b:.3g}")
+            chi = lateral_torsional.reduction_factor_general(slenderness, curve)
+            formula = _reduction_formula("lambda_LT", slenderness, curve, 0.2, 1.0)
+            return self.add("chi_LT", chi, "1", formula, "6.3.2.2(1), Eq. 6.56")
+        expression = f"h/b = {s.h / s.b:.3g}"
+        curve = self.word("curve LT", lateral_torsional.rolled_curve(s.h, s.b), expression, "Table 6.5")
+        chi = lateral_torsional.reduction_factor(slenderness, curve)
+        plateau, beta = lateral_torsional.LAMBDA_LT_0, lateral_torsional.BETA
+        formula = _reduction_formula("lambda_LT", slenderness, curve, plateau, beta)
+        k_c = lateral_torsional.correction_of_factor(held.C1)
+        if k_c == 1.0:
+            return self.add("chi_LT", chi, "1", formula, "6.3.2.3(1), Eq. 6.57")
+        self.add("chi_LT", chi, "1", formula, "6.3.2.3(1), Eq. 6.57")
+        chi = lateral_torsional.modified_reduction_factor(chi, slenderness, k_c)
+        f = f"f = 1 - 0.5 (1 - {k_c:.3g}) (1 - 2 (lambda_LT - 0.8)^2)"
+        return self.add("chi_LT,mod", chi, "1", f"chi_LT / f, {f}", "6.3.2.3(2), Eq. 6.58")
+
+
+def _reduction_formula(symbol: str, slenderness: float, curve: str, plateau: float, beta: float) -> str:
+    """chi by its slenderness, in symbols."""
+    if slenderness <= plateau:
+        return f"no buckling up to {symbol} = {plateau:g}"
+    square = f"{symbol}^2" if beta == 1.0 else f"{beta:g} {symbol}^2"
+    alpha = buckling.IMPERFECTION[curve]
+    phi = f"Phi = 0.5 (1 + {alpha:g} ({symbol} - {plateau:g}) + {square})"
+    bound = f" <= 1/{symbol}^2" if beta != 1.0 else ""
+    return f"1 / (Phi + sqrt(Phi^2 - {square})){bound}, {phi}"
+
+
+def _parts(steady: float, swing: float, of: int) -> str:
+    unit = "kN" if of < M_Y else "kN*m"
+    if swing == 0.0:
+        return f"{_digits(steady / 1e3)} {unit}"
+    return f"{_digits(steady / 1e3)} +- {_digits(swing / 1e3)} {unit}"
+
+
+def _digits(value: float) -> str:
+    return f"{value:#.4g}".rstrip(".") if abs(value) < 1e4 else f"{value:.0f}"
+
+
+def _unit(of: int) -> str:
+    return "N" if of < M_Y else "N*m"

@@ -1,0 +1,125 @@
+"""The report of a building: its sections, its figures, and how formulas are set."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from pathlib import Path
+
+import numpy as np
+import pytest
+from building_examples import SMALL
+
+from edesign.archive.reader import open_archive
+from edesign.building.building_file import load_building
+from edesign.report.building_basis_tables import floors_table, joints_table, overstrength_table
+from edesign.report.building_checks import member_tables, written_worst
+from edesign.report.building_curves import mode_shapes
+from edesign.report.building_plans import _different_storeys, _runs
+from edesign.report.building_results import BuildingResults
+from edesign.report.building_tables import remarks
+from edesign.report.page.document import page_text
+from edesign.report.page.render import formula
+from edesign.space.elastic_design import ElasticDesign
+from edesign.study.building import run_building
+
+OPEN = SMALL.replace("storeys: [4 m, 3 m]", "storeys: [4 m, 3 m]\ndiaphragms: none")
+
+
+@pytest.fixture(scope="module")
+def ran(tmp_path_factory: pytest.TempPathFactory) -> tuple[Path, ElasticDesign]:
+    folder = tmp_path_factory.mktemp("page")
+    (folder / "small.yaml").write_text(SMALL, encoding="utf-8")
+    found = run_building(load_building(folder / "small.yaml"))
+    (folder / "small.yaml").unlink()  # the archive is enough
+    return found
+
+
+@pytest.fixture
+def results(ran: tuple[Path, ElasticDesign]) -> Iterator[BuildingResults]:
+    with open_archive(ran[0]) as archive:
+        yield BuildingResults(archive)
+
+
+def test_the_page_has_all_sections_and_figures(ran: tuple[Path, ElasticDesign]) -> None:
+    page = page_text(ran[0])
+    anchors = re.findall(r'<section id="([a-z-]+)"', page)
+    expected = "building structure action natural-modes storeys members capacity combinations provenance"
+    assert anchors == expected.split()
+    figures = re.findall(r'<figure class="picture" id="figure-([A-Za-z0-9_]+)"', page)
+    assert {"plan_1", "building_spectra", "building_modes", "building_storeys", "elevation_X2"} <= set(figures)
+    assert page.count("<details>") >= len(set(member.group for member in ran[1].frame.members))
+    assert "<sub>b,y,Rd</sub>" in page and "could not be drawn" not in page
+
+
+def test_a_building_without_rigid_floors_has_its_modes_drawn(tmp_path: Path) -> None:
+    (tmp_path / "open.yaml").write_text(OPEN, encoding="utf-8")
+    with open_archive(run_building(load_building(tmp_path / "open.yaml"))[0]) as archive:
+        assert [name for name, _, _ in mode_shapes(archive)] == ["building_modes"]
+        assert any("accidental torsion is left out" in text for text in remarks(BuildingResults(archive)))
+
+
+def test_loads_of_the_floors_are_those_of_the_file(results: BuildingResults) -> None:
+    """G of 4 kN/m2 on 100 m2 and the steel; Q of 2 kN/m2: what `edesign check` tells of this building."""
+    table = floors_table(results)
+    row = dict(zip(table.columns, table.rows[0], strict=True))
+    assert (row["floor"], row["Q [kN]"]) == ("2", "200.0") and float(row["G [kN]"]) == pytest.approx(430.9, abs=0.1)
+    assert float(table.rows[-1][2]) == pytest.approx(sum(float(row[2]) for row in table.rows[:-1]), abs=0.3)
+
+
+def test_the_least_overstrength_is_omega(results: BuildingResults, ran: tuple[Path, ElasticDesign]) -> None:
+    rows = overstrength_table(results).rows
+    for column, axis in ((1, "x"), (4, "y")):
+        least = min(float(row[column]) for row in rows if row[column] != "-")
+        assert least == pytest.approx(ran[1].overstrength[axis].Omega, rel=5e-3)  # type: ignore[index]  # 3 digits
+
+
+def test_the_weakest_joint_of_a_floor(results: BuildingResults, ran: tuple[Path, ElasticDesign]) -> None:
+    rows = {(row[0], row[1]): row for row in joints_table(results).rows}
+    asked = [joint for joint in ran[1].joints if not joint.exempt]
+    worst = min(asked, key=lambda joint: joint.ratio)
+    assert float(rows["1", "x"][5]) == pytest.approx(worst.ratio, rel=5e-3)  # 3 digits
+    assert rows["2", "x"][6] == "exempt"
+
+
+def test_a_written_check_ends_with_what_the_table_says(results: BuildingResults) -> None:
+    for worst, found in written_worst(results):
+        assert found.steps[-1].value == pytest.approx(worst.utilisation, rel=1e-9)
+        assert (found.member, found.check, found.number) == (worst.member, worst.name, worst.combination)
+    checks, effects, calculation = member_tables(results, "C_B2_1")
+    assert len(checks.rows) == len({row[0] for row in checks.rows}) > 8
+    assert [row[0] for row in effects.rows] == ["G", "Q", "E_x", "E_y"]
+    assert calculation.rows[-1][0] == "utilisation"
+
+
+def test_plans_of_storeys_that_are_alike_are_one(results: BuildingResults) -> None:
+    assert _different_storeys(results) == [[1, 2]]
+    assert _runs([1, 2, 3, 5, 7, 8]) == "1-3, 5, 7-8"
+
+
+def test_spectra_of_the_archive_are_those_of_the_design(
+    results: BuildingResults, ran: tuple[Path, ElasticDesign]
+) -> None:
+    period = results.values("spectrum", "period")
+    for axis in ("x", "y"):
+        own = ran[1].response[axis].spectrum.acceleration(period)
+        assert np.array_equal(results.values("spectrum", f"design_{axis}"), own)
+    assert {0.15, 0.5, 2.0} <= set(period.round(9))  # corners on ground B
+
+
+@pytest.mark.parametrize(
+    ("text", "html"),
+    [
+        ("chi_y A f_y / gamma_M1", "χ<sub>y</sub> A f<sub>y</sub> / γ<sub>M1</sub>"),
+        ("sqrt(A f_y / N_cr,T)", "√(A f<sub>y</sub> / N<sub>cr,T</sub>)"),
+        ("pi^2 E I_z / L_LT^2", "π<sup>2</sup> E I<sub>z</sub> / L<sub>LT</sub><sup>2</sup>"),
+        ("0.5 x 2 +- 3 <= 1", "0.5 × 2 ± 3 ≤ 1"),
+        ("mass x [%]", "mass x [%]"),
+        ("slenderness of DY_A_3_8_f, C_A4_1", "slenderness of DY_A_3_8_f, C_A4_1"),
+        ("12.5 cm4", "12.5 cm<sup>4</sup>"),
+        ("<b> & theta", "&lt;b&gt; &amp; θ"),
+        ("-", "–"),
+    ],
+)
+def test_formulas_are_set_in_the_symbols_of_the_codes(text: str, html: str) -> None:
+    assert formula(text) == html
