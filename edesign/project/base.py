@@ -15,7 +15,9 @@ TAG = "?"
 class Model(BaseModel):
     """A mapping of the project file; after reading, all its dimensional values are floats in SI."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, strict=True, allow_inf_nan=False, populate_by_name=True)
+    model_config = ConfigDict(
+        extra="forbid", frozen=True, strict=True, allow_inf_nan=False, populate_by_name=True, defer_build=True
+    )
 
 
 def _whole_number(value: Any) -> Any:

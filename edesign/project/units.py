@@ -128,9 +128,34 @@ def a(noun: str) -> str:
     return f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"
 
 
+_STRESSES = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9, "N/m^2": 1.0, "kN/m^2": 1e3, "kN/cm^2": 1e7, "N/mm^2": 1e6}
+_MOMENTS = {"N*m": 1.0, "kN*m": 1e3, "MN*m": 1e6}
+_FACTORS: dict[str, dict[str, float]] = {
+    "m": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3},
+    "m^2": {"m^2": 1.0, "mm^2": 1e-6, "cm^2": 1e-4},
+    "m^4": {"m^4": 1.0, "cm^4": 1e-8},
+    "N": {"N": 1.0, "kN": 1e3, "MN": 1e6},
+    "N/m": {"N/m": 1.0, "kN/m": 1e3, "N/mm": 1e3, "MN/m": 1e6},
+    "Pa": _STRESSES,
+    "N/m^2": _STRESSES,
+    "kg": {"kg": 1.0, "t": 1e3},
+    "kg/m^3": {"kg/m^3": 1.0},
+    "s": {"s": 1.0, "ms": 1e-3, "min": 60.0},
+    "m/s": {"m/s": 1.0, "mm/s": 1e-3},
+    "m/s^2": {"g": STANDARD_GRAVITY, "m/s^2": 1.0, "cm/s^2": 1e-2},
+    "1/s": {"Hz": 1.0},
+    "N*m": _MOMENTS,
+    "N*m/rad": {f"{unit}/rad": factor for unit, factor in _MOMENTS.items()},
+}
+"""Factors of what engineers write most, by the SI unit of the quantity: pint, which knows all others, loads slowly.
+
+In an acceleration g stands for gravity; everywhere else it is the gram.
+"""
+
+
 @cache
 def _registry() -> pint.UnitRegistry[float]:
-    import pint  # a third of a second: only when a project is really read
+    import pint  # a third of a second: only where a unit is a rare one
 
     return pint.UnitRegistry()
 
@@ -147,8 +172,8 @@ def _known_factor(unit: str, kind: Kind) -> float:
 
 def _factor(value: str, unit: str, kind: Kind) -> float:
     """Factor from `unit` to SI after checking that it measures `kind`."""
-    if kind is ACCELERATION and unit == "g":
-        return STANDARD_GRAVITY  # alone in an acceleration; everywhere else g is the gram
+    if (known := _FACTORS.get(kind.unit, {}).get(_with_powers(unit))) is not None:
+        return known
     if unit == "%":
         raise refuse(f"`{value}` is a ratio, but {a(kind.name)} is needed, for example `{kind.example}`")
     parsed = _parse_unit(value, unit, kind)
@@ -161,8 +186,7 @@ def _factor(value: str, unit: str, kind: Kind) -> float:
 
 
 def _parse_unit(value: str, unit: str, kind: Kind) -> Any:
-    # "mm2" and "m/s2" are how engineers write powers; pint wants a sign between
-    text = re.sub(r"([A-Za-z])([0-9])", r"\1^\2", unit.translate(_POWERS))
+    text = _with_powers(unit)
     if _UNIT.fullmatch(unit):
         registry = _registry()
         try:
@@ -174,6 +198,11 @@ def _parse_unit(value: str, unit: str, kind: Kind) -> Any:
     close = difflib.get_close_matches(text, _COMMON, n=1, cutoff=0.5)
     hint = f"; did you mean `{close[0]}`?" if close else ""
     raise refuse(f"`{value}`: unknown unit `{unit}`{hint} ({a(kind.name)} is written like `{kind.example}`)")
+
+
+def _with_powers(unit: str) -> str:
+    """`mm2` and `m/s2` are how engineers write powers; pint wants a sign between."""
+    return re.sub(r"([A-Za-z])([0-9])", r"\1^\2", unit.translate(_POWERS))
 
 
 def _name(dimensionality: Any) -> str:

@@ -91,6 +91,19 @@ def test_every_float_keeps_its_value(value: float) -> None:
     assert parse_quantity(f"{value!r} m", units.LENGTH) == value
 
 
-def test_pint_is_not_loaded_before_a_unit_is_read() -> None:
-    code = "import sys, edesign.project; sys.exit('pint' in sys.modules)"
+def test_pint_is_not_loaded_for_the_units_of_most_projects() -> None:
+    read = "units.parse_quantity('3.5 m', units.LENGTH); units.parse_quantity('275 N/mm2', units.STRESS)"
+    code = f"import sys; from edesign.project import units; {read}; sys.exit('pint' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_factors_at_hand_are_those_of_pint() -> None:
+    """To the last bit, so that a value does not depend on which of both reads it."""
+    registry = units._registry()
+    for base, factors in units._FACTORS.items():
+        for unit, factor in factors.items():
+            if (base, unit) == ("m/s^2", "g"):
+                continue  # the gram
+            found = registry.Quantity(1.0, registry.parse_units(unit)).to_base_units()
+            assert float(found.magnitude) == factor, unit
+            assert found.dimensionality == units._dimension(base), unit
