@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import numpy as np
 import scipy  # its stats are loaded when they are asked for: that takes half a second
 from numpy.typing import ArrayLike
-from scipy.special import log_ndtr, ndtr
 
 from edesign.assess.probit import NOT_RISING, check_overlap, log_likelihood, probit
 from edesign.errors import AnalysisError
@@ -48,7 +47,7 @@ class Fragility:
         """Return the probability that the limit is passed; 0 at intensity 0."""
         im = np.asarray(intensity, dtype=float)
         with np.errstate(divide="ignore"):
-            return np.asarray(ndtr(np.log(im / self.theta) / self.beta))
+            return np.asarray(scipy.special.ndtr(np.log(im / self.theta) / self.beta))
 
 
 def fit_counts(intensity: ArrayLike, analyses: ArrayLike, passed: ArrayLike) -> Fragility:
@@ -82,8 +81,10 @@ def fit_counts(intensity: ArrayLike, analyses: ArrayLike, passed: ArrayLike) -> 
     beta = spread / slope
     mu = centre - intercept * beta
     z = (x - mu) / beta
-    p = ndtr(z)
-    weight = n * np.exp(2.0 * scipy.stats.norm.logpdf(z) - log_ndtr(z) - log_ndtr(-z)) / beta**2
+    p = scipy.special.ndtr(z)
+    weight = (
+        n * np.exp(2.0 * scipy.stats.norm.logpdf(z) - scipy.special.log_ndtr(z) - scipy.special.log_ndtr(-z)) / beta**2
+    )
     information = np.array([[weight.sum(), (weight * z).sum()], [(weight * z).sum(), (weight * z**2).sum()]])
     variance = np.linalg.inv(information)
     deviance = 2.0 * (_saturated(n, k) - log_likelihood(z, n, k))
@@ -138,7 +139,7 @@ def fit_capacities(capacity: ArrayLike, last: ArrayLike = math.inf) -> Fragility
         mu, beta = (float(value) for value in scipy.stats.norm.fit(data))
         mu_se, beta_se = _censored_errors(x, beyond, mu, beta)
     passing = np.unique(x)
-    steps, p = scipy.stats.ecdf(data).cdf.evaluate(passing), ndtr((passing - mu) / beta)
+    steps, p = scipy.stats.ecdf(data).cdf.evaluate(passing), scipy.special.ndtr((passing - mu) / beta)
     difference = max(np.max(np.abs(steps - p)), np.max(np.abs(np.append(0.0, steps[:-1]) - p)))
     theta = math.exp(mu)
     return Fragility(theta, beta, theta * mu_se, beta_se, capacities.size, missing, float(difference))
@@ -161,7 +162,7 @@ def _saturated(n: np.ndarray, k: np.ndarray) -> float:
 def _censored_errors(x: np.ndarray, beyond: np.ndarray, mu: float, beta: float) -> tuple[float, float]:
     """Standard errors of mean and standard deviation from the observed information of censored normal data."""
     z, c = (x - mu) / beta, (beyond - mu) / beta
-    hazard = np.exp(scipy.stats.norm.logpdf(c) - log_ndtr(-c))
+    hazard = np.exp(scipy.stats.norm.logpdf(c) - scipy.special.log_ndtr(-c))
     slope = hazard * (hazard - c)
     information = (
         np.array(

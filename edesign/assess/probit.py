@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import scipy  # its stats are loaded when they are asked for: that takes half a second
-from scipy.special import log_ndtr
 
 from edesign.errors import AnalysisError
 
@@ -32,7 +31,7 @@ def probit(x: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float]:
     for _ in range(MOST_ITERATIONS):
         eta = design @ found
         density = scipy.stats.norm.logpdf(eta)
-        yes, no = np.exp(density - log_ndtr(eta)), np.exp(density - log_ndtr(-eta))
+        yes, no = np.exp(density - scipy.special.log_ndtr(eta)), np.exp(density - scipy.special.log_ndtr(-eta))
         curvature = k * yes * (yes + eta) + (n - k) * no * (no - eta)
         information = (design.T * curvature) @ design
         step = np.linalg.solve(information, design.T @ (k * yes - (n - k) * no))
@@ -66,4 +65,4 @@ def check_overlap(n: np.ndarray, k: np.ndarray) -> None:
 
 def log_likelihood(eta: np.ndarray, n: np.ndarray, k: np.ndarray) -> float:
     """Return the binomial log-likelihood of the probit eta (m,), without the coefficients."""
-    return float(np.sum(k * log_ndtr(eta) + (n - k) * log_ndtr(-eta)))
+    return float(np.sum(k * scipy.special.log_ndtr(eta) + (n - k) * scipy.special.log_ndtr(-eta)))

@@ -30,17 +30,22 @@ def show(
     from edesign.archive.files import check_folder
     from edesign.archive.reader import Archive, DamagedArchive, read_archive
     from edesign.report.archive_figures import check_format, draw_figures
-    from edesign.report.summary import of_member, summarise
-    from edesign.report.tables import details, details_of_member, overview
+    from edesign.report.summary import summarise
+    from edesign.report.tables import details, overview
     from edesign.report.text import print_tables
 
     def read(opened: Archive) -> Callable[[], None]:
+        if member is not None:
+            from edesign.report.building_checks import member_data, member_tables
+            from edesign.report.building_results import building_results
+
+            of_building = building_results(opened)
         if as_json:
-            found = of_member(opened, member) if member is not None else summarise(opened, analysis)
+            found = {"member": member_data(of_building, member)} if member is not None else summarise(opened, analysis)
             text = json.dumps(found, indent=2, allow_nan=False, ensure_ascii=False)
             return lambda: print(text)
         if member is not None:
-            tables = details_of_member(opened, member)
+            tables = member_tables(of_building, member)
         else:
             tables = details(opened, analysis) if analysis is not None else overview(opened)
         return lambda: print_tables(tables)

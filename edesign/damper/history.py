@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
-from scipy.interpolate import CubicSpline
 
 
 def spline_velocity(time: ArrayLike, deformation: ArrayLike) -> np.ndarray:
@@ -15,4 +15,4 @@ def spline_velocity(time: ArrayLike, deformation: ArrayLike) -> np.ndarray:
     t, u = np.asarray(time, dtype=float), np.asarray(deformation, dtype=float)
     if t.size < 2:
         return np.zeros_like(u)
-    return np.asarray(CubicSpline(t, u)(t, 1), dtype=float)
+    return np.asarray(scipy.interpolate.CubicSpline(t, u)(t, 1), dtype=float)

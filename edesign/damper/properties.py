@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+import scipy
 
 from edesign.damper.cycles import Block, find_blocks
 from edesign.damper.history import spline_velocity
@@ -162,7 +162,7 @@ class _Loops:
         self.strain_noise, self.stress_noise = noise(self.strain), noise(self.stress)
         # area of a loop: of the spline through stress times strain rate, so that cycles may begin between samples
         rate = spline_velocity(self.time, self.strain)
-        self.work = CubicSpline(self.time, self.stress * rate).antiderivative()
+        self.work = scipy.interpolate.CubicSpline(self.time, self.stress * rate).antiderivative()
 
     def of(self, block: Block) -> dict[str, np.ndarray]:
         """Columns of `CycleProperties` without block and cycle, of each cycle."""

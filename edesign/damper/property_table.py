@@ -9,8 +9,8 @@ from pathlib import Path
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
-from scipy.interpolate import RegularGridInterpolator
 
 from edesign.archive.csv_files import write_csv_file
 from edesign.damper.csv_table import read_csv_table
@@ -175,7 +175,9 @@ class PropertyTable:
         single = tuple(i + 1 for i, levels in enumerate(self.levels) if levels.size == 1)
         grid = np.moveaxis(np.squeeze(self._grid, axis=single), 0, -1)
         if axes:
-            found = RegularGridInterpolator(tuple(axes), grid)(np.stack(points, axis=-1)).reshape(*asked[0].shape, 3)
+            found = scipy.interpolate.RegularGridInterpolator(tuple(axes), grid)(np.stack(points, axis=-1)).reshape(
+                *asked[0].shape, 3
+            )
         else:
             found = np.broadcast_to(grid, (*asked[0].shape, 3))
         return Interpolated(found[..., 0], found[..., 1], found[..., 2], inside)

@@ -10,8 +10,8 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
-from scipy.interpolate import CubicSpline
 
 from edesign.errors import InputError
 
@@ -202,7 +202,7 @@ def from_record(
     duration = float(given[-1] - given[0])
     _possible(duration, sampling_rate)
     t = np.arange(math.floor(duration * sampling_rate * (1.0 + 1e-12)) + 1) / sampling_rate
-    sampled = np.asarray(CubicSpline(given - given[0], u)(np.minimum(t, duration)), dtype=float)
+    sampled = np.asarray(scipy.interpolate.CubicSpline(given - given[0], u)(np.minimum(t, duration)), dtype=float)
     if peak is not None:
         _positive(peak=peak)
         largest = float(np.max(np.abs(sampled)))

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
+import scipy
 
 from edesign.damper.independence import independent_errors
 
@@ -247,7 +247,9 @@ def _best(left: Callable[[float], float], reach: float, here: float, least: floa
     tried = [(left(value), value) for value in reach * _GRID]
     at = min(range(len(tried)), key=lambda i: tried[i])
     low, high = tried[max(at - 1, 0)][1], tried[min(at + 1, len(tried) - 1)][1]
-    finer = minimize_scalar(left, bounds=(low, high), method="bounded", options={"xatol": 1e-3 * high, "maxiter": 20})
+    finer = scipy.optimize.minimize_scalar(
+        left, bounds=(low, high), method="bounded", options={"xatol": 1e-3 * high, "maxiter": 20}
+    )
     best = min((least, here), tried[at], (float(finer.fun), float(finer.x)))
     return best[1], best[0]
 
@@ -258,7 +260,7 @@ def _least(left: Callable[[float], float], value: float, most: float) -> float:
         return 0.0
     if left(value) >= most:  # the other one has taken its share since
         return value
-    return float(brentq(lambda one: left(one) - most, 0.0, value, xtol=1e-3 * value))
+    return float(scipy.optimize.brentq(lambda one: left(one) - most, 0.0, value, xtol=1e-3 * value))
 
 
 def _jerked(test: Recorded) -> bool:

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import Literal, Protocol
 
 import numpy as np
-from scipy.special import expit
+import scipy
 
 from edesign.damper.law import Law
 from edesign.damper.laws import LAWS
@@ -152,7 +152,7 @@ def passed(temperature_C: float | np.ndarray, middle: float, width: float, refer
     """Share (n,) of a transition over a temperature (n,), degC, that lies beyond a reference: S(T) - S(T0), S(T) =
     1/(1 + exp(-(T - middle)/width)).
     """
-    return expit((temperature_C - middle) / width) - expit((reference_C - middle) / width)
+    return scipy.special.expit((temperature_C - middle) / width) - scipy.special.expit((reference_C - middle) / width)
 
 
 # what is multiplied by a_T to which power (1, or the parameter of that name) in laws with relaxation times

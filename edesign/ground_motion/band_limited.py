@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 import numpy as np
-import scipy.fft
+import scipy
 
 _MARGIN = 256  # samples beyond each end, over which the motion fades away
 

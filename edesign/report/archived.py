@@ -12,9 +12,7 @@ from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.project.study_loader import parse_study
-from edesign.study.building import BUILDING
-
-STUDY = "study"
+from edesign.study.kinds import BUILDING, STUDY
 
 
 def is_study_archive(archive: Archive) -> bool:

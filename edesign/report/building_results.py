@@ -8,7 +8,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.errors import ArchiveError
+from edesign.errors import ArchiveError, InputError
+from edesign.report.archived import is_building_archive
 from edesign.space.archived import PLACE
 
 
@@ -69,6 +70,17 @@ class BuildingResults:
             f"{self.archive.path}: {_place(name)} has no `{what}`: the archive is damaged, or of another version; "
             "`edesign run` makes it anew"
         )
+
+
+def building_results(archive: Archive) -> BuildingResults:
+    """Return the results of a building.
+
+    Raises:
+        InputError: the archive is not that of a building.
+    """
+    if not is_building_archive(archive):
+        raise InputError(f"{archive.path}: this is not the archive of a building, and has no members to show")
+    return BuildingResults(archive)
 
 
 def _place(name: str) -> str:

@@ -14,9 +14,6 @@ from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean, listed
 from edesign.report.archived import is_building_archive
-from edesign.report.building_checks import member_data
-from edesign.report.building_results import BuildingResults
-from edesign.report.building_summary import building_summary
 from edesign.study.plan import ANALYSES
 from edesign.study.record_results import RECORDS
 from edesign.study.warnings import ATTRIBUTE, warnings_of
@@ -51,25 +48,11 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
     about[ATTRIBUTE] = input_warnings(archive)
     damage = {"damage": archive.damage} if archive.damage_in_short() else {}
     if is_building_archive(archive):
+        from edesign.report.building_summary import building_summary
+
         return {"archive": finite(about | damage), "building": building_summary(archive)}
     found = {"archive": finite(about | damage), "analyses": [entry(name, results(archive, name)) for name in names]}
     return found if analysis is not None else {**found, "records": finite(record_entries(archive, RECORDS))}
-
-
-def of_member(archive: Archive, name: str) -> dict[str, Any]:
-    """Return the checks of a member of a building for JSON; errors as `building_results` and `member_data`."""
-    return {"member": member_data(building_results(archive), name)}
-
-
-def building_results(archive: Archive) -> BuildingResults:
-    """Return the results of a building.
-
-    Raises:
-        InputError: the archive is not that of a building.
-    """
-    if not is_building_archive(archive):
-        raise InputError(f"{archive.path}: this is not the archive of a building, and has no members to show")
-    return BuildingResults(archive)
 
 
 def record_entries(archive: Archive, place: str) -> list[dict[str, Any]]:

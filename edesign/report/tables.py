@@ -11,13 +11,11 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
 from edesign.errors import EdesignError
 from edesign.report.archived import is_building_archive, is_study_archive
-from edesign.report.building_checks import member_tables
-from edesign.report.building_tables import building_tables
 from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
 from edesign.report.measure_columns import FRAME_COLUMNS, ROUNDING
 from edesign.report.record_tables import tables_of
 from edesign.report.study_tables import study_tables
-from edesign.report.summary import all_results, building_results, entry, find, input_warnings, results
+from edesign.report.summary import all_results, entry, find, input_warnings, results
 from edesign.report.table import Table, number, seconds, whole
 from edesign.study.warnings import warning_lines, warnings_of
 
@@ -44,6 +42,8 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
         with open_archive(archive) as opened:
             return overview(opened)
     if is_building_archive(archive):
+        from edesign.report.building_tables import building_tables
+
         return [_heading(archive), *building_tables(archive)]
     if is_study_archive(archive):
         try:
@@ -82,16 +82,6 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]
     ]
     tables += [statistics_table(entries), fallbacks_table(name, group)]
     return [table for table in tables if table.rows or table.notes]
-
-
-def details_of_member(archive: Archive, name: str) -> list[Table]:
-    """Return the checks of a member of a building.
-
-    Raises:
-        ArchiveError: a group is missing.
-        InputError: there is no such member, or the archive is not that of a building.
-    """
-    return member_tables(building_results(archive), name)
 
 
 def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:

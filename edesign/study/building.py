@@ -13,10 +13,8 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.project.building.building import Building
 from edesign.space.archived import groups
 from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.study.kinds import BUILDING
 from edesign.study.provenance import circumstances, versions
-
-BUILDING = "building"
-"""Attribute `kind` of the archive of a building."""
 
 
 def run_building(

@@ -22,6 +22,7 @@ from edesign.damper.property_table import property_table_content
 from edesign.project.designs import FileProperties
 from edesign.project.project import Project
 from edesign.project.study import Study
+from edesign.study.kinds import STUDY
 
 IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_version", "code_checksum", "libraries")
 """Root attributes that decide whether results of an interrupted run may be reused: all that results depend on."""
@@ -60,7 +61,7 @@ def study_root_group(study: Study, planned: list[str], records: Mapping[str, str
         records: SHA-256 of the samples of each record that is used, by name.
     """
     group = root_group(study.base, planned, records)
-    group.attributes |= {"kind": "study", "title": study.title, "study_file": study.path.name}
+    group.attributes |= {"kind": STUDY, "title": study.title, "study_file": study.path.name}
     group.attributes["project_checksum"] = study.checksum
     tables = {
         name: (design.properties.file, property_table_content(study.base, study.folder / design.properties.file))

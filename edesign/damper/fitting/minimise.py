@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
-from scipy.optimize import least_squares
+import scipy
 
 from edesign.stopping import in_threads
 
@@ -105,7 +105,7 @@ def descend(
         at_x = seen.get(x.tobytes())
         return problem.jacobian(x, None if central else problem.residual(x) if at_x is None else at_x, workers)
 
-    found = least_squares(
+    found = scipy.optimize.least_squares(
         residual,
         np.clip(start, problem.lower, problem.upper),
         jac=jacobian,

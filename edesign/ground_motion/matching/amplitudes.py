@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.linalg import solve
+import scipy
 
 _ROUNDS, _CUTS = 2, 4
 _ENOUGH = 0.99
@@ -50,7 +50,7 @@ def amplitudes(matrix: np.ndarray, missing: np.ndarray, first: np.ndarray, dampi
             system = gram[np.ix_(at, at)]
             system[np.diag_indices_from(system)] += (damping / weight) ** 2
             change = -force
-            change[at] += solve(system, missing[at], assume_a="pos", overwrite_a=True, check_finite=False)
+            change[at] += scipy.linalg.solve(system, missing[at], assume_a="pos", overwrite_a=True, check_finite=False)
             moved = gram @ change
             known = int(np.count_nonzero(exceeding))
             exceeding |= error + moved > 0.0

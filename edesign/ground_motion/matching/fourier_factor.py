@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.fft import irfft, next_fast_len, rfft
-from scipy.sparse import csr_array
+import scipy
 
 TRANSITION = 0.4
 """Width of the smooth passage to 1 at either end, in log frequency (0.58 octaves)."""
@@ -31,7 +30,7 @@ class FourierFactor:
             highest: frequency below which it may, Hz; the Nyquist frequency at the most.
             spacing: of the nodes, in log frequency.
         """
-        self.length = next_fast_len(2 * samples, real=True)
+        self.length = scipy.fft.next_fast_len(2 * samples, real=True)
         frequency = np.fft.rfftfreq(self.length, time_step)
         highest = min(highest, 0.5 / time_step)
         count = max(3, round(np.log(highest / lowest) / spacing) + 1)
@@ -41,14 +40,14 @@ class FourierFactor:
         position = np.interp(np.log(self.frequency), np.log(self.nodes), np.arange(count))
         left = np.minimum(position.astype(int), count - 2)
         rise, row = position - left, np.arange(left.size)
-        self.hats = csr_array(
+        self.hats = scipy.sparse.csr_array(
             (np.concatenate((1.0 - rise, rise)), (np.concatenate((row, row)), np.concatenate((left, left + 1)))),
             shape=(left.size, count),
         )
 
     def transform(self, acceleration: np.ndarray) -> np.ndarray:
         """Return the Fourier spectrum of a motion at `frequency`, complex, shape (n_f,)."""
-        return np.asarray(rfft(acceleration, self.length))[self.index]
+        return np.asarray(scipy.fft.rfft(acceleration, self.length))[self.index]
 
     def added(self, acceleration: np.ndarray, theta: np.ndarray) -> np.ndarray:
         """Return what the factor adds to a motion, within its duration.
@@ -59,4 +58,4 @@ class FourierFactor:
         """
         change = np.zeros(self.length // 2 + 1, dtype=complex)
         change[self.index] = self.transform(acceleration) * np.expm1(self.hats @ theta)
-        return np.asarray(irfft(change, self.length))[: acceleration.size]
+        return np.asarray(scipy.fft.irfft(change, self.length))[: acceleration.size]

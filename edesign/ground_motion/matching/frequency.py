@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
-from scipy.sparse.linalg import lsmr
+import scipy
 
 from edesign.ground_motion.matching.closeness import Closeness, Closest
 from edesign.ground_motion.matching.drift import DriftCorrection
@@ -122,7 +122,9 @@ def _least_squares_step(
     # |inner theta - goal|^2 + damping |theta|^2 + small |whole + theta|^2, with the last two squares made one
     back = _SMALL / (damping + _SMALL) * whole[1:-1]
     # by iteration: a direct solution of this size would wake the threads of the linear algebra library, for nothing
-    moved = lsmr(inner, goal + inner @ back, damp=np.sqrt(damping + _SMALL), atol=1e-8, btol=1e-8, maxiter=500)[0]
+    moved = scipy.sparse.linalg.lsmr(
+        inner, goal + inner @ back, damp=np.sqrt(damping + _SMALL), atol=1e-8, btol=1e-8, maxiter=500
+    )[0]
     return np.concatenate(([0.0], moved - back, [0.0]))
 
 

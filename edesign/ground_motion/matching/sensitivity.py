@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.signal import lfilter
+import scipy
 
 from edesign.ground_motion.matching.fourier_factor import FourierFactor
 
@@ -43,7 +43,7 @@ class Sensitivity:
         Oscillators are driven by one impulse a sample: right for the time of the peak, up to a constant factor in size.
         """
         at = [int(np.argmax(np.abs(acceleration)))]
-        at += [int(np.argmax(np.abs(lfilter(b, a, acceleration)))) for b, a in self._recursion]
+        at += [int(np.argmax(np.abs(scipy.signal.lfilter(b, a, acceleration)))) for b, a in self._recursion]
         return np.array(at)
 
     def matrix(self, acceleration: np.ndarray) -> np.ndarray:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.special import wofz
+import scipy
 
 REACH = 4.0
 """Half of a wavelet's length, in widths: beyond it the envelope is below exp(-16), 1e-7 of its largest value."""
@@ -113,7 +113,7 @@ def _faddeeva(z: np.ndarray) -> np.ndarray:
     square = z * z
     far = np.abs(square) > 30.0
     value = np.empty(z.size, dtype=complex)
-    value[~far] = wofz(z[~far])
+    value[~far] = scipy.special.wofz(z[~far])
     z, square = z[far], square[far]
     value[far] = 1j / np.sqrt(np.pi) * (square * (square - 4.5) + 2.0) / (z * (square * (square - 5.0) + 3.75))
     return value

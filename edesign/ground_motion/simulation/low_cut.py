@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy import fft
+import scipy
 
 LOW_CUT = 0.05
 """Hz: corner of the filter; the records are meant for periods well below its inverse, 20 s."""
@@ -41,9 +41,11 @@ def between_rests(spectrum: np.ndarray, count: int, time_step: float, kept: slic
     Returns:
         The acceleration, m/s2, shape of `kept`.
     """
-    omega = 2.0 * math.pi * fft.rfftfreq(count, time_step)
+    omega = 2.0 * math.pi * scipy.fft.rfftfreq(count, time_step)
     omega[0] = 1.0  # any: there is no mean
-    acceleration, velocity, displacement = (fft.irfft(spectrum / (1j * omega) ** n, count)[kept] for n in range(3))
+    acceleration, velocity, displacement = (
+        scipy.fft.irfft(spectrum / (1j * omega) ** n, count)[kept] for n in range(3)
+    )
     rise = (np.arange(quiet) / quiet, 1.0 / (quiet * time_step))
     for end, (s, rate) in ((slice(0, quiet), rise), (slice(None, -quiet - 1, -1), (rise[0], -rise[1]))):
         # the lowest polynomial with zero slope and curvature at both ends

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy import fft
+import scipy
 
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
@@ -55,15 +55,15 @@ def simulate(
     strong = window_length(ground_motion_duration(magnitude, distance, crust))
     window = saragoni_hart(np.arange(math.ceil(strong / time_step)) * time_step, strong)
     pad, quiet = round(PAD / time_step), round(_QUIET / time_step)
-    count = fft.next_fast_len(window.size + 2 * pad, real=True)
+    count = scipy.fft.next_fast_len(window.size + 2 * pad, real=True)
 
     noise = np.zeros(count)
     noise[pad : pad + window.size] = window * np.random.Generator(np.random.PCG64(seed)).standard_normal(window.size)
-    spectrum = fft.rfft(noise)
+    spectrum = scipy.fft.rfft(noise)
     # by Parseval: the mean square of the two-sided spectrum becomes 1
     spectrum /= math.sqrt(count * np.mean(noise**2))
 
-    frequency = fft.rfftfreq(count, time_step)
+    frequency = scipy.fft.rfftfreq(count, time_step)
     amplitude = fourier_amplitude(frequency, magnitude, distance, v_s30, crust) * low_cut(frequency)
     spectrum *= amplitude / time_step
     kept = slice(pad - quiet, pad + window.size + quiet)

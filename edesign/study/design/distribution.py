@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from scipy.optimize import brentq
+import scipy
 
 from edesign.damper.sizing import stiffness_ratio
 from edesign.errors import AnalysisError, InputError
@@ -97,7 +97,7 @@ def _scale(
         found = excess(high)
         largest = max(largest, found)
         if found >= 0.0:
-            return float(brentq(excess, low, high, xtol=1e-14 * high, rtol=1e-14))
+            return float(scipy.optimize.brentq(excess, low, high, xtol=1e-14 * high, rtol=1e-14))
         low = high
     raise AnalysisError(
         f"these places and this distribution reach a damping of {100.0 * (largest + target):.4g} % in the first mode "

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.optimize import brentq, minimize
+import scipy
 
 from edesign.errors import AnalysisError
 from edesign.study.design.building import Building
@@ -69,8 +69,8 @@ def least_area(
                 f"dampers {_MOST:g} times as stiff as the storeys still leave an estimated drift of "
                 f"{100.0 * most:.4g} %; the limit is {100.0 * drift:.4g} %"
             )
-        x0 = first * brentq(lambda s: float(spare(s * first).min()), _LEAST, _MOST, xtol=1e-6)
-    found = minimize(
+        x0 = first * scipy.optimize.brentq(lambda s: float(spare(s * first).min()), _LEAST, _MOST, xtol=1e-6)
+    found = scipy.optimize.minimize(
         lambda x: float(weight @ x),
         x0,
         jac=lambda x: weight,
