@@ -125,11 +125,13 @@ def bracing(frame: SpaceFrame) -> Bracing:
 
 
 def _middles(frame: SpaceFrame) -> dict[int, tuple[int, int]]:
-    """Return the nodes in the middle of a beam, and the two members of that beam."""
+    """Return the nodes in the middle of a beam that braces meet, and the two members of that beam."""
     in_columns = {node for number in frame.columns for node in (frame.members[number].start, frame.members[number].end)}
-    before = {of.end: n for n, of in enumerate(frame.members) if of.kind == "beam" and of.end not in in_columns}
-    after = {of.start: n for n, of in enumerate(frame.members) if of.kind == "beam" and of.start not in in_columns}
-    return {node: (before[node], after[node]) for node in before if node in after}
+    ends = {(node, of.frame[0]) for of in frame.members if of.kind == "brace" for node in (of.start, of.end)}
+    beams = [(number, of) for number, of in enumerate(frame.members) if of.kind == "beam"]
+    before = {of.end: n for n, of in beams if of.end not in in_columns and (of.end, of.frame[0]) in ends}
+    after = {of.start: n for n, of in beams if (of.start, of.frame[0]) in ends}
+    return {node: (number, after[node]) for node, number in before.items() if node in after}
 
 
 def _to_columns(
@@ -161,7 +163,7 @@ def _collectors(frame: SpaceFrame, braces: np.ndarray, cosine: np.ndarray) -> tu
         ends.setdefault(member.end, []).append((column, -cosine[column]))
     collectors: list[int] = []
     rows: list[np.ndarray] = []
-    for run in _runs(frame):
+    for run in joined_beams(frame):
         beams = [frame.members[number] for number in run]
         nodes = [beams[0].start, *(beam.end for beam in beams)]
         pull = np.zeros((len(nodes), braces.size))
@@ -182,7 +184,7 @@ def _collectors(frame: SpaceFrame, braces: np.ndarray, cosine: np.ndarray) -> tu
     return np.array(collectors, dtype=int), stacked
 
 
-def _runs(frame: SpaceFrame) -> Iterator[list[int]]:
+def joined_beams(frame: SpaceFrame) -> Iterator[list[int]]:
     """Yield the beams of each frame and floor that are joined end to end, by their numbers."""
     lines: dict[tuple[str, int], list[tuple[int, Member]]] = {}
     for number, member in enumerate(frame.members):

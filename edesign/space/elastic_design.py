@@ -18,7 +18,7 @@ from edesign.core.errors import CoreError
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
-from edesign.ground_motion.hazard import elastic_spectrum, national_of
+from edesign.ground_motion.hazard import elastic_spectrum, national_of, vertical_spectrum
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
 from edesign.project.hazard import Hazard
@@ -63,6 +63,7 @@ from edesign.space.response import (
 from edesign.space.steel_by_thickness import steel_by_thickness, with_steel_by_thickness
 from edesign.space.storeys import Storeys, storeys
 from edesign.space.sway import SwayAnalysis, SwayStability, sway_criteria, sway_notes
+from edesign.space.vertical_component import vertical_combinations, vertical_component
 from edesign.space.web_panels import Panel, panel_criteria, web_panels
 from edesign.space.yielded_braces import with_yielded_braces, yielded_combinations
 
@@ -162,7 +163,8 @@ class ElasticAnalysis:
         bracing: what braces bring to columns and beams.
         supports: of the frame.
         members: checks of the members.
-        fundamental, seismic, yielded: combinations of actions; `yielded` of beams beside buckled braces.
+        fundamental, seismic, yielded, vertical: combinations of actions; `yielded` of beams beside buckled braces,
+            `vertical` of members that the vertical component concerns.
 
     Raises:
         InputError: a block is missing, a behaviour factor is out of its range, a direction has nothing that dissipates
@@ -201,9 +203,12 @@ class ElasticAnalysis:
         self.bracing = bracing(self.frame)
         self.supports = supports(self.frame, self.bracing)
         self._feet = {axis: hinged_feet(self.frame, axis) for axis in AXES}
-        self.members = MemberChecker(building, self.frame, self.dissipative, self.q, self.bracing)
+        level = self._design.level or next(iter(hazard.levels), None)
+        self._elastic = elastic_spectrum(hazard, level)
+        self._vertical = vertical_component(self.frame, vertical_spectrum(hazard, level), self._national.beta)
+        concerned = self._vertical.members if self._vertical else np.zeros(0, dtype=int)
+        self.members = MemberChecker(building, self.frame, self.dissipative, self.q, self.bracing, concerned)
         self._sway = SwayAnalysis(self.frame, self._design.imperfections == "sway")
-        self._elastic = elastic_spectrum(hazard, self._design.level or next(iter(hazard.levels), None))
         joined = _with_joined_cases(self.frame).cases
         cases = {name: case.category for name, case in joined.items()}
         psi = _psi(building, self._national)
@@ -213,6 +218,7 @@ class ElasticAnalysis:
         self.seismic = seismic(cases, psi, directions)
         self._characteristic = characteristic(cases, psi)
         self.yielded = yielded_combinations(self.seismic[0], self.bracing, self._design)
+        self.vertical = vertical_combinations(seismic(cases, psi, directions, vertical=True)) if self._vertical else ()
         wanted = building.loads.live_load_reduction
         self._reduction = LiveLoadReduction(building, self.frame, joined, psi) if wanted else None
         self._deflections = DeflectionAnalysis(self.frame, joined, "G", self._characteristic)
@@ -321,6 +327,8 @@ class ElasticAnalysis:
         if self.yielded:
             gamma_pb = self._national.gamma_pb
             acting = with_yielded_braces(acting, gravity_model, frame, self.bracing, building, gamma_pb)
+        if self._vertical:
+            acting = self._vertical.with_case(acting, self.seismic[0])
         in_earthquakes = largest(acting, self.seismic)
         steel, gamma_M0 = building.materials, design.partial_factors.M0
         kind = {axis: system_of(design, axis).type for axis in AXES}
@@ -329,7 +337,7 @@ class ElasticAnalysis:
             for axis in AXES
         }
         self._tell("checks of the members")
-        checked = self.members.results(frame, acting, persistent, self.seismic, Omega, self.yielded)
+        checked = self.members.results(frame, acting, persistent, self.seismic, Omega, self.yielded, self.vertical)
         of_joints = {
             axis: joints(frame, steel, in_earthquakes, self.dissipative[axis], axis, gamma_M0)
             for axis in AXES
@@ -394,8 +402,9 @@ class ElasticAnalysis:
         )
 
     def _limits(self, frame: SpaceFrame) -> list[str]:
-        """Return what the analysis leaves out of this building, a sentence each."""
-        found = [LIVE_LOADS_REDUCED] if self._reduction is not None else []
+        """Return what the analysis adds to this building or leaves out of it, a sentence each."""
+        found = [self._vertical.note] if self._vertical else []
+        found += [LIVE_LOADS_REDUCED] if self._reduction is not None else []
         if self._design.accidental_torsion and not diaphragm_floors(frame):
             found.append("accidental torsion is left out: no floor is rigid, and its moments act on rigid floors")
         return found

@@ -3,7 +3,8 @@
 Sets of combinations: persistent (6.10), seismic, and capacity, in which the seismic effects are those of members that
 yield: 1.1 gamma_ov Omega (EN 1998-1, 6.6.3(1)P and 6.7.4(1)). Members that dissipate energy are checked in the seismic
 set, all others in the capacity set; in ductility class low all in the seismic set. Beams that chevrons or V braces meet
-have a set of their own, in which a brace has buckled (6.7.4(2)).
+have a set of their own, in which a brace has buckled (6.7.4(2)), and members that the vertical component concerns one
+with it (4.3.3.5.2).
 """
 
 from __future__ import annotations
@@ -44,7 +45,7 @@ from edesign.space.effects import Effects, largest
 from edesign.space.frame import Member, SpaceFrame
 from edesign.space.response import AXES, STATIONS, Axis
 
-PERSISTENT, SEISMIC, CAPACITY, YIELDED = range(4)
+PERSISTENT, SEISMIC, CAPACITY, YIELDED, VERTICAL, VERTICAL_CAPACITY = range(6)
 LARGEST_PLASTIC_CLASS = 2
 LARGEST_CLASS = 3
 _SEISMIC_TERM = re.compile(r"(?:([0-9.]+) )?E_([xy])")
@@ -60,8 +61,9 @@ class MemberResults:
         utilisation: (n_members, n_checks); nan where the check does not apply.
         combination: (n_members, n_checks) number of the governing combination, from 1; 0 where it does not apply.
         station: (n_members, n_checks) governing place as a fraction of the length; nan where it does not apply.
-        rows: the combinations that the numbers mean: those of actions, the amplified ones, those with yielded braces.
-        counts: how many of them are persistent, seismic, amplified, and with yielded braces.
+        rows: the combinations that the numbers mean: those of actions, the amplified ones, those with yielded braces,
+            and those with the vertical component, amplified at the end.
+        counts: how many of them are in each of these sets.
         slender: numbers of the members of class 4, whose utilisations are infinite: effective sections (EN 1993-1-5)
             are not in the checks.
         members: what the checks take the members for: each kind of them once.
@@ -74,7 +76,7 @@ class MemberResults:
     combination: np.ndarray
     station: np.ndarray
     rows: tuple[Combination, ...]
-    counts: tuple[int, int, int, int]
+    counts: tuple[int, ...]
     slender: tuple[int, ...]
     members: tuple[SteelMember, ...]
     kinds: np.ndarray
@@ -95,6 +97,7 @@ class MemberChecker:
         dissipative: numbers of the dissipative members of both directions.
         q: behaviour factors.
         bracing: beams that braces meet.
+        vertical: numbers of the members that the vertical component concerns.
     """
 
     def __init__(
@@ -104,11 +107,12 @@ class MemberChecker:
         dissipative: Mapping[Axis, np.ndarray],
         q: Mapping[Axis, float],
         bracing: Bracing,
+        vertical: np.ndarray,
     ) -> None:
         self._building = building
         self._design = design_of(building)
         self._q = q
-        self._masks = _masks(frame, self._design, dissipative, bracing.halves)
+        self._masks = _masks(frame, self._design, dissipative, bracing.halves, vertical)
         roles = [_role(self._design, *of) for of in zip(frame.members, bracing.span.tolist(), strict=True)]
         self._roles = list(dict.fromkeys(roles))
         places = {role: place for place, role in enumerate(self._roles)}
@@ -123,6 +127,7 @@ class MemberChecker:
         seismic: Sequence[Combination],
         overstrength: Mapping[Axis, Overstrength],
         yielded: Sequence[Combination],
+        vertical: Sequence[Combination],
     ) -> MemberResults:
         """Check all members.
 
@@ -132,10 +137,14 @@ class MemberChecker:
             fundamental, seismic: combinations for persistent and for seismic design situations.
             overstrength: Omega of both directions.
             yielded: combinations for beams beside buckled braces.
+            vertical: seismic combinations with the vertical component.
         """
-        amplified = amplified_combinations(self._design, seismic, overstrength, self._q)
-        rows = (*fundamental, *seismic, *amplified, *yielded)
-        counts = len(fundamental), len(seismic), len(amplified), len(yielded)
+        raised, raised_vertical = (
+            amplified_combinations(self._design, rows, overstrength, self._q) for rows in (seismic, vertical)
+        )
+        sets = fundamental, seismic, raised, yielded, vertical, raised_vertical
+        rows = [row for of_set in sets for row in of_set]
+        counts = tuple(map(len, sets))
         members, kinds, slender = self._members(frame, effects, rows)
         found = self._checked(members, kinds, slender, effects, rows, counts)
         applies = found.combination >= 0
@@ -145,7 +154,7 @@ class MemberChecker:
             utilisation=np.where(applies, found.utilisation, np.nan),
             combination=np.where(applies, found.combination + 1, 0),
             station=np.where(applies, STATIONS[np.maximum(found.station, 0)], np.nan),
-            rows=rows,
+            rows=tuple(rows),
             counts=counts,
             slender=tuple(slender),
             members=tuple(members),
@@ -169,7 +178,7 @@ class MemberChecker:
         slender: Sequence[int],
         effects: Effects,
         rows: Sequence[Combination],
-        counts: tuple[int, int, int, int],
+        counts: tuple[int, ...],
     ) -> Utilisations:
         spectral, factors = _spectral(effects, rows)
         table = MemberTable.of([member.constants for member in members])
@@ -178,7 +187,7 @@ class MemberChecker:
             spectral=spectral,
             static_factors=np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows]),
             spectral_factors=factors,
-            combination_set=np.repeat([PERSISTENT, SEISMIC, CAPACITY, YIELDED], counts),
+            combination_set=np.repeat(np.arange(len(counts)), counts),
             gravity=np.ones(len(effects.cases), dtype=int),
             members=MemberTable(table.constants[kinds], table.kind[kinds]),
             masks=self._masks,
@@ -269,12 +278,14 @@ def amplified_combinations(
     return tuple(found)
 
 
-def _masks(frame: SpaceFrame, design: Design, of_axes: Mapping[Axis, np.ndarray], halves: np.ndarray) -> np.ndarray:
-    """Return the checks of each member in each set of combinations, as bits, (n_members, 4)."""
+def _masks(
+    frame: SpaceFrame, design: Design, of_axes: Mapping[Axis, np.ndarray], halves: np.ndarray, vertical: np.ndarray
+) -> np.ndarray:
+    """Return the checks of each member in each set of combinations, as bits, (n_members, n_sets)."""
     capacity = design.ductility_class != "low"
     usual = {kind: mask(*SECTION_CHECKS, *MEMBER_CHECKS) for kind in ("beam", "column")}
     usual["brace"] = mask(Check.N, Check.N_B)
-    masks = np.zeros((len(frame.members), 4), dtype=np.intc)
+    masks = np.zeros((len(frame.members), VERTICAL_CAPACITY + 1), dtype=np.intc)
     masks[halves, YIELDED] = usual["beam"]
     dissipative = {int(number) for axis in AXES for number in of_axes[axis]}
     frames = any(system_of(design, axis).type == MOMENT_FRAME for axis in AXES)
@@ -289,6 +300,7 @@ def _masks(frame: SpaceFrame, design: Design, of_axes: Mapping[Axis, np.ndarray]
             masks[number, SEISMIC] |= mask(*BEAM_CHECKS)
         if capacity and frames and member.kind == "column":
             masks[number, CAPACITY] |= mask(Check.COLUMN_V)
+    masks[vertical, VERTICAL], masks[vertical, VERTICAL_CAPACITY] = masks[vertical, SEISMIC], masks[vertical, CAPACITY]
     return masks
 
 

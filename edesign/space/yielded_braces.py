@@ -80,6 +80,6 @@ def with_yielded_braces(
     internal = np.zeros((len(CASES), *effects.static.shape[1:]))
     internal[:, bracing.halves] = static_cases(model, tuple(cases)).internal[:, bracing.halves]
     collected = np.zeros(internal.shape[:3])
-    collected[:, bracing.collectors] = np.reshape(axial, (len(CASES), bracing.collectors.size, -1))
+    collected[:, bracing.collectors] = np.reshape(axial, (len(CASES), bracing.collectors.size, internal.shape[2]))
     internal[..., 0][:, bracing.halves] += collected[:, bracing.halves]
     return Effects((*effects.cases, *CASES), np.concatenate([effects.static, internal]), effects.seismic)

@@ -180,7 +180,8 @@ def test_the_design_of_a_selection_is_that_of_its_file() -> None:
     assert found.mass == pytest.approx(steel, rel=1e-12)
     assert all(row.governing.utilisation <= 1.0 for row in found.groups)
     assert {row.group.name: row.held_by for row in found.groups}["BY"] == "the lightest of its list"
-    assert {rule.clause for rule in found.not_met} <= {"6.7.3(2)", "6.7.3(8)"}
+    # its plan is torsionally soft, r < l_s, which takes alpha_u / alpha_1 away: no section gives q = 6.5 back
+    assert {rule.clause for rule in found.not_met} <= {"6.3.2(1)", "6.7.3(2)", "6.7.3(8)"}
 
 
 def test_the_interior_frame_of_the_thesis_by_strength_is_no_heavier_than_an_independent_loop_finds_it() -> None:
