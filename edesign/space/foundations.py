@@ -12,7 +12,6 @@ from edesign.codes.ec8.capacity import overstrength as strength_over_demand
 from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import combine
 from edesign.project.building.building import Building
-from edesign.project.problems import listed
 from edesign.space.bracing import Bracing
 from edesign.space.capacity import Overstrength, bends_about_y, column_moments
 from edesign.space.column_feet import M_Y, M_Z, N, hinged_feet
@@ -93,12 +92,12 @@ class Foundations:
     def uplift(self) -> list[str]:
         """What an engineer should know of supports that are pulled upwards: a sentence, or none."""
         least = self.least[:, :, 2].min(axis=0)
-        lifted = [self.nodes[number] for number in np.flatnonzero(least < 0.0)]
+        lifted = int((least < 0.0).sum())
         if not lifted:
             return []
         return [
-            f"foundations of {listed(lifted)} are pulled upwards, by up to {-least.min() / 1e3:.0f} kN with gamma_Rd "
-            "Omega (EN 1998-1, 4.4.2.6(4))"
+            f"{lifted} of {least.size} foundations are pulled upwards with gamma_Rd Omega (EN 1998-1, 4.4.2.6(4)), "
+            f"most at {self.nodes[least.argmin()]}, by {-least.min() / 1e3:.0f} kN"
         ]
 
 

@@ -42,7 +42,7 @@ from edesign.space.bracing import Bracing
 from edesign.space.capacity import Overstrength, bends_about_y
 from edesign.space.criteria import MOMENT_FRAME, design_of, system_of
 from edesign.space.effects import Effects, largest
-from edesign.space.frame import Member, SpaceFrame
+from edesign.space.frame import NO_DIAPHRAGM, Member, SpaceFrame
 from edesign.space.response import AXES, STATIONS, Axis
 
 PERSISTENT, SEISMIC, CAPACITY, YIELDED, VERTICAL, VERTICAL_CAPACITY = range(6)
@@ -113,7 +113,8 @@ class MemberChecker:
         self._design = design_of(building)
         self._q = q
         self._masks = _masks(frame, self._design, dissipative, bracing.halves, vertical)
-        roles = [_role(self._design, *of) for of in zip(frame.members, bracing.span.tolist(), strict=True)]
+        compressed = _compressed(frame, bracing).tolist()
+        roles = [_role(self._design, *of) for of in zip(frame.members, bracing.span.tolist(), compressed, strict=True)]
         self._roles = list(dict.fromkeys(roles))
         places = {role: place for place, role in enumerate(self._roles)}
         self._role_of_members = np.array([places[role] for role in roles], dtype=int)
@@ -207,7 +208,8 @@ class MemberChecker:
         too_slender: list[int] = []
         for number, kind in enumerate(distinct):
             (name, material), role = pairs[kind // len(self._roles)], int(kind) % len(self._roles)
-            least, highest = _classes(name, self._building.materials[material].fy, self._roles[role].kind)
+            of = self._roles[role]
+            least, highest = _classes(name, self._building.materials[material].fy, of.kind != "brace", of.compressed)
             if least > LARGEST_CLASS:
                 too_slender.append(number)
             elif highest > LARGEST_PLASTIC_CLASS and least != highest:  # the force decides
@@ -215,16 +217,24 @@ class MemberChecker:
             found.append(self._of(name, material, least, role))
         slender = np.flatnonzero(np.isin(kind_of_members, too_slender)).tolist()
         if undecided:
-            force = -largest(effects, rows)[:, :, 0].max(axis=1)
-            for place in np.flatnonzero(np.isin(kind_of_members, undecided)):
-                member, role = frame.members[place], int(self._role_of_members[place])
-                fy, bent = self._building.materials[member.material].fy, member.kind != "brace"
-                of_class = section_class(steel_section(member.section), fy, float(force[place]), about_y=bent).number
-                if of_class > LARGEST_CLASS:
-                    slender.append(int(place))
-                kind_of_members[place] = len(found)
-                found.append(self._of(member.section, member.material, of_class, role))
+            force = largest(effects, rows)[:, :, 0].max(axis=1)
+            for number in undecided:
+                of_kind = np.flatnonzero(kind_of_members == number)
+                worst = self._class_of(frame.members[of_kind[0]], float(force[of_kind].max()))
+                if worst <= LARGEST_PLASTIC_CLASS:  # then that of all, as the class rises with the force
+                    continue
+                for place in of_kind:
+                    member, role = frame.members[place], int(self._role_of_members[place])
+                    of_class = self._class_of(member, float(force[place]))
+                    if of_class > LARGEST_CLASS:
+                        slender.append(int(place))
+                    kind_of_members[place] = len(found)
+                    found.append(self._of(member.section, member.material, of_class, role))
         return found, kind_of_members, slender
+
+    def _class_of(self, member: Member, compression: float) -> int:
+        fy, bent = self._building.materials[member.material].fy, member.kind != "brace"
+        return section_class(steel_section(member.section), fy, -compression, about_y=bent).number
 
     def _of(self, name: str, material: str, of_class: int, role: int) -> SteelMember:
         key = (name, material, of_class <= LARGEST_PLASTIC_CLASS, role)
@@ -313,6 +323,7 @@ class _Role:
         length: between supports, m; braces that meet a beam do not support it (EN 1998-1, 6.7.4(2)).
         hinges: at how many ends a beam passes moments on.
         sways_y, sways_z: a column that bends about this axis in a moment frame.
+        compressed: whether it may have an axial force.
     """
 
     kind: str
@@ -320,21 +331,31 @@ class _Role:
     hinges: int
     sways_y: bool
     sways_z: bool
+    compressed: bool
 
 
-def _role(design: Design, member: Member, length: float) -> _Role:
+def _compressed(frame: SpaceFrame, bracing: Bracing) -> np.ndarray:
+    """Return which members may have axial forces, (n_members,): all but beams of rigid floors without braces."""
+    start, end = frame.ends
+    found = np.array([member.kind != "beam" for member in frame.members])
+    found |= (frame.node_floor[start] == NO_DIAPHRAGM) | (frame.node_floor[end] == NO_DIAPHRAGM)
+    found[bracing.collectors] = True
+    return found
+
+
+def _role(design: Design, member: Member, length: float, compressed: bool) -> _Role:
     sway = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
     about = {bends_about_y(member, axis) for axis in sway} if member.kind == "column" else set()
     hinges = sum(stiffness > 0.0 for stiffness in (member.ends[0], member.ends[2])) if member.kind == "beam" else 0
-    return _Role(member.kind, length, hinges, True in about, False in about)
+    return _Role(member.kind, length, hinges, True in about, False in about, compressed)
 
 
 @cache
-def _classes(name: str, fy: float, kind: str) -> tuple[int, int]:
-    """Return the least and the highest class of a section under compression, with which it rises; beams have none."""
+def _classes(name: str, fy: float, bent: bool, compressed: bool) -> tuple[int, int]:
+    """Return the least and the highest class of a section, with which it rises, up to its whole area in compression."""
     section = steel_section(name)
-    forces = (0.0, 0.0) if kind == "beam" else (0.0, -section.A * fy)
-    least, highest = (section_class(section, fy, N, about_y=kind != "brace", about_z=False).number for N in forces)
+    forces = (0.0, -section.A * fy if compressed else 0.0)
+    least, highest = (section_class(section, fy, N, about_y=bent, about_z=False).number for N in forces)
     return least, highest
 
 

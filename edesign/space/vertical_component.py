@@ -17,12 +17,12 @@ from edesign.codes.ec8 import VerticalSpectrum
 from edesign.codes.ec8.design import vertical_design_spectrum
 from edesign.codes.ec8.directions import vertical_component_counts
 from edesign.codes.en1990.combinations import Combination
-from edesign.project.problems import listed
 from edesign.space.bracing import joined_beams
 from edesign.space.effects import Effects
 from edesign.space.frame import SpaceFrame
 
 CASE = "E_z"
+NAMED = 4  # spans in the note
 N, V_Z = 0, 2  # places in internal forces
 
 
@@ -54,9 +54,11 @@ class VerticalComponent:
     @property
     def note(self) -> str:
         """What an engineer should know of it."""
+        named = ", ".join(self.spans[:NAMED])
+        of = named if len(self.spans) <= NAMED else f"{named} and {len(self.spans) - NAMED} more"
         return (
-            f"the vertical component of the seismic action counts, a_vg = {self.a_vg / g:.2f} g: {listed(self.spans)}; "
-            f"E_z is {self.S_vd / g:.2f} of their gravity (EN 1998-1, 4.3.3.5.2)"
+            f"the vertical component of the seismic action counts, a_vg = {self.a_vg / g:.2f} g, for {of}; E_z is "
+            f"{self.S_vd / g:.2f} of their gravity (EN 1998-1, 4.3.3.5.2)"
         )
 
     def with_case(self, effects: Effects, gravity: Combination) -> Effects:
