@@ -23,7 +23,7 @@ def design(
     workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Processes.")] = 2,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
-    """Choose the lightest sections that meet all checks, and write the building file with them.
+    """Choose the lightest sections that meet all checks, and write the building file with them, and its archive.
 
     The lists of sections are those of `design: select` in the file.
     """
@@ -32,7 +32,9 @@ def design(
     from edesign.report.selection_tables import selection_tables
     from edesign.report.text import print_tables
     from edesign.report.visible import visible_line
+    from edesign.space.selection.archived import selection_group
     from edesign.space.selection.select import select_sections
+    from edesign.study.building import check_building_archive, write_building
 
     def tell(line: str) -> None:
         if not quiet:
@@ -40,10 +42,13 @@ def design(
 
     path = building.with_name(NAME) if output is None else output
     read = load_building(building)
+    archive = path.with_suffix(".h5")
     check_own_yaml(path, building, overwrite)
+    check_building_archive(read, path, archive, overwrite)
     found = select_sections(read, tell, workers)
     said = f"# Sections chosen: {found.mass / 1e3:.1f} t of steel, {found.evaluations} designs analysed.\n"
     write_yaml(said + found.building.text, path, building)
+    write_building(load_building(path), found.design, archive, selection_group(found))
     if not quiet:
         print_tables(selection_tables(found))
-        print(f"{path} written. Next: edesign run {path}")
+        print(f"{path} and {archive} written. Next: edesign report {archive}")

@@ -8,6 +8,7 @@ from edesign.codes.ec8.criterion import ROUNDING
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.report.building_results import BuildingResults, finite
 from edesign.report.table import Table, number
+from edesign.space.archived import SELECTION
 from edesign.space.response import AXES
 
 
@@ -67,6 +68,22 @@ def overstrength_table(results: BuildingResults) -> Table:
     title = "Overstrength of the dissipative members: resistance over effect in the seismic design situation"
     table = Table(title, ("storey", *columns), [[str(k), *cells[k]] for k in storeys], formulas=())
     table.notes.append("the least ratio of a direction is its Omega (EN 1998-1, 6.6.3(1)P, 6.7.4(1))")
+    return table
+
+
+def selection_table(results: BuildingResults) -> Table:
+    """Return what `edesign design` chose for each group of members and what holds it up; no rows without a choice."""
+    table = Table("Sections chosen", ("group", "before", "chosen", "mass [t]", "its next lighter section would break"))
+    table.left, table.sentences = 3, 4
+    if not results.has(SELECTION):
+        return table
+    columns = [results.values(SELECTION, name) for name in ("group", "before", "after", "mass", "held_by")]
+    for name, before, after, mass, held_by in zip(*columns, strict=True):
+        table.rows.append([str(name), str(before), str(after), number(float(mass), 4, 1e3), str(held_by)])
+    before, after = (results.number(name, SELECTION) for name in ("mass_before_kg", "mass_kg"))
+    table.notes.append(f"steel: {number(after, 4, 1e3)} t, with the sections before {number(before, 4, 1e3)} t")
+    certified = "no single and no double exchange of sections is lighter and meets all checks"
+    table.notes.append(certified if results.number("certified", SELECTION) else "the search was cut short")
     return table
 
 

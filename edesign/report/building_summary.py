@@ -7,6 +7,7 @@ from edesign.report.building_checks import written_data, written_worst
 from edesign.report.building_results import BuildingResults, finite
 from edesign.report.deflection_table import worst_beams
 from edesign.report.foundation_table import foundation_summary
+from edesign.space.archived import SELECTION
 from edesign.space.response import AXES
 
 
@@ -72,4 +73,32 @@ def building_summary(archive: Archive) -> dict[str, object]:
         for worst in worst_beams(results.group("deflections"))
     ]
     found["foundations"] = foundation_summary(results.group("foundations"))
+    found |= _basis(results)
     return found
+
+
+def _basis(results: BuildingResults) -> dict[str, object]:
+    """Steels, floors, overstrength, joints, and how the sections were chosen."""
+    steels = _rows(results, "materials", "material", ("fy", "E", "nu", "density"))
+    floors = _rows(results, "floors", "floor", ("level", "mass", "x", "y", "gyration"))
+    cases = [str(case) for case in results.values("floors", "case")]
+    for floor, loads in zip(floors, results.values("floors", "load").T.tolist(), strict=True):
+        floor["load"] = dict(zip(cases, loads, strict=True))
+    found: dict[str, object] = {"materials": steels, "floors": floors}
+    for axis in AXES:
+        found[f"overstrength_{axis}"] = _rows(results, f"overstrength_{axis}", "member", ("storey", "ratio"))
+    if results.has("joints"):
+        found["joints"] = _rows(results, "joints", "joint", ("node", "axis", "M_Rc", "M_Rb", "ratio", "exempt"))
+    if results.has(SELECTION):
+        rows = _rows(results, SELECTION, "group", ("before", "after", "mass", "held_by"))
+        found["selection"] = dict(results.group(SELECTION).attributes) | {"groups": rows}
+    return found
+
+
+def _rows(results: BuildingResults, group: str, key: str, names: tuple[str, ...]) -> list[dict[str, object]]:
+    """The values along a dimension, a mapping each."""
+    columns = {name: results.values(group, name).tolist() for name in (key, *names)}
+    return [
+        {name: finite(value) if isinstance(value, float) else value for name, value in zip(columns, row, strict=True)}
+        for row in zip(*columns.values(), strict=True)
+    ]

@@ -14,6 +14,8 @@ from edesign.space.foundations import COMPONENTS
 from edesign.space.response import AXES, STATIONS
 
 PLACE = "building"
+SELECTION = "selection"
+"""Of how `edesign design` chose the sections, below `PLACE`; other designs have none."""
 FORCES = ("N", "V_y", "V_z", "T", "M_y", "M_z")
 _UNITS = "N, moments N*m"
 

@@ -9,9 +9,11 @@ from pathlib import Path
 from edesign.archive.dataset import Group
 from edesign.archive.files import source_file
 from edesign.archive.owner import check_owner
+from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
+from edesign.errors import ArchiveError
 from edesign.project.building.building import Building
-from edesign.space.archived import groups
+from edesign.space.archived import PLACE, SELECTION, groups
 from edesign.space.elastic_design import ElasticDesign, elastic_design
 from edesign.study.kinds import BUILDING
 from edesign.study.provenance import circumstances, versions
@@ -41,24 +43,72 @@ def run_building(
     """
     building.check_unchanged()
     path = Path(archive_path) if archive_path is not None else building.archive_path
+    check_owner(path, _root(building, building.path, path), overwrite)
+    selection = _kept_selection(building, path)
+    design = elastic_design(building, tell)
+    tell(f"writing {path}")
+    write_building(building, design, path, selection)
+    return path, design
+
+
+def check_building_archive(building: Building, file: Path, path: Path, overwrite: bool) -> None:
+    """Refuse an archive of something else at a path, where that of the building is to be written.
+
+    Args:
+        building: with the title.
+        file: the building file that the archive will be of.
+        path: of the archive.
+        overwrite: True replaces the archive of something else too.
+
+    Raises:
+        ArchiveError: the archive is that of something else.
+    """
+    check_owner(path, _root(building, file, path), overwrite)
+
+
+def write_building(building: Building, design: ElasticDesign, path: Path, selection: Group | None = None) -> None:
+    """Write the archive of a design.
+
+    Args:
+        building: the file that was designed.
+        design: its results.
+        path: of the archive.
+        selection: how its sections were chosen, if `edesign design` did so.
+
+    Raises:
+        ArchiveError: the archive cannot be written.
+    """
+    with ArchiveWriter(path, _root(building, building.path, path), extra={"provenance": circumstances()}) as writer:
+        for place, group in groups(design):
+            writer.write(place, group)
+        if selection is not None:
+            writer.write(f"{PLACE}/{SELECTION}", selection)
+        writer.finish({"status": "completed"})
+
+
+def _root(building: Building, file: Path, path: Path) -> Group:
     root = Group(
         attributes={
             "title": building.title,
             "kind": BUILDING,
-            "building_file": building.path.name,
+            "building_file": file.name,
             "building_checksum": building.checksum,
-            "source_file": source_file(building.path, path),
+            "source_file": source_file(file, path),
             **versions(),
             "planned": [],
             "status": "running",
         }
     )
     root.add("building_text", (), building.text, "", "text of the building file")
-    check_owner(path, root, overwrite)
-    design = elastic_design(building, tell)
-    tell(f"writing {path}")
-    with ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
-        for place, group in groups(design):
-            writer.write(place, group)
-        writer.finish({"status": "completed"})
-    return path, design
+    return root
+
+
+def _kept_selection(building: Building, path: Path) -> Group | None:
+    """How the sections were chosen, from an earlier archive of the same text; None without one."""
+    place = f"{PLACE}/{SELECTION}"
+    try:
+        with open_archive(path) as archive:
+            same = archive.attributes.get("building_checksum") == building.checksum
+            return archive.group(place) if same and archive.has(place) else None
+    except ArchiveError:
+        return None

@@ -9,6 +9,8 @@ import pytest
 from building_examples import building as changed
 from selection_examples import FRAMES, INTERIOR, enumerated, random_frames
 
+from edesign.archive.reader import open_archive
+from edesign.building.building_file import load_building
 from edesign.building.building_sections import BuildingSections
 from edesign.building.steel_section import steel_section
 from edesign.cli.main import main
@@ -16,6 +18,8 @@ from edesign.errors import InputError
 from edesign.one_thread import one_thread
 from edesign.project.building import parse_building
 from edesign.project.problems import FileProblems
+from edesign.report.building_basis_tables import selection_table
+from edesign.report.building_results import BuildingResults
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.selection.evaluate import Evaluator, utilisations
 from edesign.space.selection.groups import groups_of
@@ -282,13 +286,25 @@ def test_design_writes_a_file_that_runs_and_passes(file: Path, capsys: pytest.Ca
     assert "start 1: all checks met with" in said.err
     assert "What holds each group up" in said.out
     assert "certificate: no single and no double exchange of sections is lighter and meets all checks" in said.out
-    assert said.out.splitlines()[-1] == "new.yaml written. Next: edesign run new.yaml"
+    assert said.out.splitlines()[-1] == "new.yaml and new.h5 written. Next: edesign report new.h5"
     lines = Path("new.yaml").read_text().splitlines()
     assert lines[0].startswith("# Written by edesign ") and ' from "building.yaml"; ' in lines[0]
     assert lines[1].startswith("# Sections chosen: ") and lines[1].endswith(" designs analysed.")
     for old, new in zip(TEXT.splitlines(), lines[2:], strict=True):
         assert old == new or ("section: " in old and old.split("section: ")[0] == new.split("section: ")[0])
     assert main(["check", "new.yaml"]) == 0
+    with open_archive("new.h5") as archive:
+        chosen = archive.group("building/selection").variables
+        assert archive.attributes["building_checksum"] == load_building("new.yaml").checksum
+    assert main(["run", "new.yaml", "--quiet"]) == 0  # the same archive, which keeps what is known
+    with open_archive("new.h5") as archive:
+        assert (archive.group("building/selection").variables["held_by"].values == chosen["held_by"].values).all()
+        table = selection_table(BuildingResults(archive))
+    assert [row[2] for row in table.rows] == chosen["after"].values.tolist()
+    Path("new.yaml").write_text("\n".join([*lines, "# changed", ""]))
+    assert main(["run", "new.yaml", "--quiet"]) == 0  # another text: how its sections came is not known
+    with open_archive("new.h5") as archive:
+        assert not archive.has("building/selection")
 
 
 def test_design_writes_nothing_where_it_fails(file: Path, capsys: pytest.CaptureFixture[str]) -> None:

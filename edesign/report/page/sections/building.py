@@ -7,7 +7,13 @@ from functools import partial
 
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.archived import is_building_archive
-from edesign.report.building_basis_tables import floors_table, joints_table, materials_table, overstrength_table
+from edesign.report.building_basis_tables import (
+    floors_table,
+    joints_table,
+    materials_table,
+    overstrength_table,
+    selection_table,
+)
 from edesign.report.building_checks import effects_table, written_table, written_worst
 from edesign.report.building_curves import mode_shapes, spectra, storey_curves
 from edesign.report.building_facts import building_rows, design_rows
@@ -137,7 +143,7 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
         "Storeys",
         (_pictures(storey_curves), *(_table(partial(storeys_table, axis=axis)) for axis in AXES)),
     ),
-    ("members", "Members", (_pictures(elevations), _table(groups_table), _written)),
+    ("members", "Members", (_pictures(elevations), _table(groups_table), _table(selection_table), _written)),
     ("capacity", "Rules and capacity design", tuple(map(_table, (criteria_table, overstrength_table, joints_table)))),
     ("combinations", "Combinations of actions", (_table(combinations_table),)),
 )
