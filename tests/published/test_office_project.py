@@ -61,7 +61,7 @@ def test_the_design_is_the_building_with_other_sections() -> None:
     assert sections.sub("section:", building) == sections.sub("section:", start)
 
 
-def test_the_elastic_design_meets_all_checks_and_has_its_kept_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_design_meets_all_checks_and_has_its_kept_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     folder = copy(tmp_path, "designed.yaml", "reference.yaml")
     assert "all checks and rules are met" in edesign(folder, CHAIN[1], monkeypatch)
     compared = edesign(folder, "edesign compare designed.h5 reference.yaml", monkeypatch)
