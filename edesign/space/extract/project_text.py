@@ -19,7 +19,7 @@ from edesign.space.load_cases import PERMANENT, SELF_WEIGHT
 from edesign.space.masses import psi_2
 
 LEANING = "leaning"
-"""Section of the line of columns that stands for what leans on the frame."""
+"""Section of the line of columns that stands for what leans on the frame, and its elastic material."""
 
 
 def project_text(row: FrameRow, study: StudyNames | None = None) -> str:
@@ -56,6 +56,7 @@ class _ProjectText:
         self.lines = range(row.n_lines + self.leans)
         self.bays = range(1, len(self.lines))
         self.leaning_line = row.n_lines
+        self.leaning_steel = LEANING if LEANING not in self.building.materials else f"{LEANING}_columns"
         self.beams = row.merged(lambda frame: {(p.bay, p.floor): run for p, run in frame.beams.items()})
 
     @property
@@ -128,8 +129,7 @@ class _ProjectText:
             place: (run.section, run.material, "" if run.strong == row.along else ", axis: weak")
             for place, run in row.merged(lambda frame: frame.columns).items()
         }
-        first = next(iter(row.frames[0].columns.values())).material
-        columns |= {(self.leaning_line, s): (LEANING, first, "") for s in range(1, self.leaning_top + 1)}
+        columns |= {(self.leaning_line, s): (LEANING, self.leaning_steel, "") for s in range(1, self.leaning_top + 1)}
         beams = {place: (run.section, run.material) for place, run in self.beams.items()}
         braces = row.merged(
             lambda frame: {
@@ -206,6 +206,9 @@ class _ProjectText:
             steel = self.building.materials[name]
             moduli = f"E: {value(steel.E / 1e9, 'GPa')}, fy: {value(steel.fy / 1e6, 'MPa')}"
             text.append(f"  {yaml_text(name)}: {{law: bilinear, {moduli}, hardening: 0}}")
+        if self.leans:
+            modulus = self.building.materials[used[0]].E
+            text.append(f"  {self.leaning_steel}: {{law: elastic, E: {value(modulus / 1e9, 'GPa')}}}")
         return [*text, ""]
 
     def loads(self) -> list[str]:

@@ -96,6 +96,8 @@ def test_a_frame_that_leans_and_the_lever_rule() -> None:
     assert mass == pytest.approx(frame.node_mass.sum(), rel=DIGITS)
     with pytest.raises(InputError, match="frame YB: it leans on others, .* extract `YA`, `YC`"):
         project_text(frame_row(whole, frame, "YB"))
+    named = building(SMALL.replace("S275", "leaning"))
+    assert extracted(named, "YA").frame.column_at["D", 1].material == "leaning_columns"
     loose = building(SMALL, ("columns: [", "diaphragms: none\ncolumns: ["))
     assert "Not all floors are diaphragms" in project_text(frame_row(loose, space_frame(loose), "YA"))
 
