@@ -113,3 +113,13 @@ def test_braces_need_the_beam_that_they_meet(small: str, braces: str, said: str)
     text = small.replace("sections:\n", f"  braces: [{braces}, section: rod, material: S275}}]\nsections:\n")
     with pytest.raises(ProjectError, match=said):
         parse_project(text)
+
+
+def test_only_sections_with_two_axes_bend_about_the_weak_one(small: str) -> None:
+    column = "{storeys: all, section: HEB260, material: S275}"
+    weak = small.replace(column, column.replace("HEB260", "girder").replace("}", ", axis: weak}"))
+    assert parse_project(weak).frame.column_at["A", 1].axis == "weak"
+    solid = weak.replace("section: girder, material: S275, axis", "section: solid, material: S275, axis")
+    rectangles = "sections:\n  solid: {rectangles: [{width: 0.1 m, depth: 0.2 m, centre: 0 m}]}\n"
+    with pytest.raises(ProjectError, match=r"columns\[0\].axis: the own section `solid` has one axis"):
+        parse_project(solid.replace("sections:\n", rectangles))
