@@ -207,11 +207,11 @@ def test_the_interior_frame_of_the_thesis_by_strength_is_no_heavier_than_an_inde
 def test_the_interior_frame_of_the_thesis_by_all_of_ec8() -> None:
     """54.4 t a frame by the independent loop, whose sections miss sum M_Rc / sum M_Rb here: 1.28 for 1.3.
 
-    The lightest of 8790 choices around them that meet all checks, by enumeration, weighs 54.450 t.
+    Of the 9000 choices next below it in mass, each group within three sizes, down to 52.4 t, none meets all checks.
     """
     found = select_sections(parse_building(INTERIOR, "building.yaml", BuildingSections()))
     frame = sum(row.mass for row in found.groups if len(row.group.sections) > 1) / 2.0
-    assert frame == pytest.approx(54.450e3, abs=1.0)
+    assert frame == pytest.approx(54.440e3, abs=1.0)
 
 
 # --- what is told
