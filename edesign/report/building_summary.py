@@ -20,7 +20,9 @@ def building_summary(archive: Archive) -> dict[str, object]:
     results = BuildingResults(archive)
     summary = results.group()
     modes = results.group("modes")
-    found: dict[str, object] = dict(summary.attributes) | {"passed": bool(results.number("passed"))}
+    found: dict[str, object] = {
+        name: finite(value) if isinstance(value, float) else value for name, value in summary.attributes.items()
+    } | {"passed": bool(results.number("passed"))}
     found["modes"] = [
         {
             "period_s": float(results.values("modes", "period")[k]),

@@ -54,9 +54,13 @@ def simple(P: float, w: float) -> float:
 
 
 def test_simply_supported_with_loads_at_thirds() -> None:
-    total, live = of_beam(elastic_design(building(HALL)), "BX_1_1_1")
+    design = elastic_design(building(HALL))
+    total, live = of_beam(design, "BX_1_1_1")
     assert total == pytest.approx(simple(P_G + P_Q, 1e3), rel=1e-9)
     assert live == pytest.approx(simple(P_Q, 0.0), rel=1e-9)
+    of, w = steel_section("IPE300"), 2e3 * 1.5  # half of a strip of 3 m on the beams along y
+    across = 5.0 * w * 6.0**4 / (384.0 * E * of.I_y) + w * 6.0**2 / (8.0 * G * of.A_z)
+    assert of_beam(design, "BY_A_1_1")[1] == pytest.approx(across, rel=1e-9)
 
 
 def test_ends_that_are_held() -> None:
