@@ -148,6 +148,21 @@ class Evaluator:
         """Return the rules for the building that a design does not meet and that the selection looks at."""
         return [rule for rule in design.criteria if rule.passed is False and rule.clause in self.searched]
 
+    def weak_columns(self, design: ElasticDesign) -> set[int]:
+        """Return the groups of columns below joints where columns or web panels are too weak for the beams."""
+        nodes: set[str] = set()
+        if JOINTS in self.searched:
+            nodes |= {joint.node for joint in design.joints if not joint.passed}
+        if PANELS in self.searched:
+            plates = design_of(design.building).members.doubler_plates
+            nodes |= {panel.node for panel in design.panels if panel.utilisation(plates) > 1.0}
+        names = design.frame.node_names
+        return {
+            int(self._group_of_members[number])
+            for number, member in enumerate(design.frame.members)
+            if member.kind == "column" and names[member.end] in nodes
+        }
+
     def _count(self, choice: Choice) -> None:
         if choice not in self._asked and self.budget is not None and self.count >= self.budget:
             raise OutOfEvaluations

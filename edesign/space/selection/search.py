@@ -108,8 +108,8 @@ class Search:
         return f" ({self._evaluate.count} evaluations)"
 
     def _points(self, starts: int, given: Choice | None) -> Iterator[Evaluation]:
-        """What to climb from, each once: what members need, from the lightest sections; then columns above that."""
-        sized = self._sized(self.lightest())
+        """What to climb from, each once: what members and joints need, from the lightest sections; then columns above."""
+        sized = self._strengthened(self._sized(self.lightest()))
         seen: set[Choice] = set()
         for k in range(starts):
             numbers = [
@@ -233,6 +233,25 @@ class Search:
             if sized is None:
                 return best
             point = sized
+
+    def _strengthened(self, point: Evaluation) -> Evaluation:
+        """Raise columns below weak joints, and what then fails under the forces found, until no joint is weak.
+
+        Without this the climb would weaken beams, which many joints at once ask for, and come back a long way.
+        """
+        best = point
+        while weak := self._evaluate.weak_columns(self._evaluate.design(point.choice)):
+            numbers = list(point.choice)
+            for group in weak:
+                numbers[group] = next(iter(self._groups[group].stiffer[numbers[group]]), numbers[group])
+            raised = self._repaired(numbers)
+            if raised is None or raised == point.choice:
+                break
+            grown = self._repaired(self._grown(self._evaluate.design(raised), raised))
+            point = self._evaluate(raised if grown is None else grown)
+            if (point.excess, point.cost) < (best.excess, best.cost):
+                best = point
+        return best
 
     def _lightest(self, design: ElasticDesign, point: Choice) -> list[int]:
         """Return for each group the lightest section, next to that of a choice, that passes under frozen forces."""
