@@ -108,7 +108,7 @@ class Search:
         return f" ({self._evaluate.count} evaluations)"
 
     def _points(self, starts: int, given: Choice | None) -> Iterator[Evaluation]:
-        """What to climb from, each once: what members and joints need, from the lightest sections; then columns above."""
+        """What to climb from, each once: what members and joints need, from the lightest; then columns above that."""
         sized = self._strengthened(self._sized(self.lightest()))
         seen: set[Choice] = set()
         for k in range(starts):
