@@ -72,7 +72,8 @@ class Bracing:
         found = internal.copy()
         force = axial[:, self.braces]
         if self.collectors.size:
-            each = [combine(self.to_collectors @ (force * share).T, rho) for share in self.share]
+            shares = self.share if (self.share != 1.0).any() else self.share[:1]
+            each = [combine(self.to_collectors @ (force * share).T, rho) for share in shares]
             found[self.collectors, :, _N] = np.max(each, axis=0).reshape(self.collectors.size, -1)
         if (self.share != 1.0).any():
             model = axial[:, self.columns].T

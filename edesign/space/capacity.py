@@ -157,7 +157,7 @@ def joints(
     start, end = frame.ends
     force = acting[:, :, N].max(axis=1)
     M_Rc, M_Rb, columns_at, beams_at = np.zeros((4, len(frame.node_names)))
-    of_columns = column_moments(frame, materials, axis, force, gamma_M0)
+    of_columns = column_moments(frame, materials, frame.columns, axis, force, gamma_M0)
     M_pl = by_section(frame, materials, lambda of, steel: moment_resistance(of.W_pl_y, steel.fy, gamma_M0))[beams]
     rigid = frame.passes_moment[beams]
     for side, nodes in enumerate((start, end)):
@@ -179,25 +179,41 @@ def bends_about_y(member: Member, axis: Axis) -> bool:
     return abs(member.web[AXES.index(axis)]) > _DIAGONAL
 
 
+def bend_about_y(frame: SpaceFrame, columns: np.ndarray, axis: Axis) -> np.ndarray:
+    """Return which columns bend about their strong axis under horizontal forces along an axis, (n_columns,).
+
+    Args:
+        frame: of the building.
+        columns: (n_columns,) numbers.
+        axis: of the forces.
+    """
+    return np.asarray(np.abs(frame.webs[columns, AXES.index(axis)]) > _DIAGONAL)
+
+
 def column_moments(
-    frame: SpaceFrame, materials: Mapping[str, Steel], axis: Axis, force: np.ndarray, gamma_M0: float
+    frame: SpaceFrame,
+    materials: Mapping[str, Steel],
+    columns: np.ndarray,
+    axis: Axis,
+    force: np.ndarray,
+    gamma_M0: float,
 ) -> np.ndarray:
-    """Return M_N,Rd of the columns about the axis that horizontal forces bend them about, (n_columns,) N m.
+    """Return M_N,Rd of columns about the axis that horizontal forces bend them about, (n_columns,) N m.
 
     Args:
         frame, materials: of the building.
+        columns: (n_columns,) numbers.
         axis: of the horizontal forces.
         force: (n_members,) largest axial forces, N, without sign.
         gamma_M0: partial factor.
     """
     pairs, of_members = frame.sections
-    strong = np.array([bends_about_y(frame.members[number], axis) for number in frame.columns], dtype=bool)
-    kinds, found = 2 * of_members[frame.columns] + strong, np.zeros(frame.columns.size)
+    kinds, found = 2 * of_members[columns] + bend_about_y(frame, columns, axis), np.zeros(columns.size)
     for kind in np.unique(kinds):
         (name, material), about_y = pairs[kind // 2], bool(kind % 2)
         section, steel = steel_section(name), materials[material]
         which = kinds == kind
-        n = np.minimum(force[frame.columns[which]] / axial_resistance(section.A, steel.fy, gamma_M0), 1.0).tolist()
+        n = np.minimum(force[columns[which]] / axial_resistance(section.A, steel.fy, gamma_M0), 1.0).tolist()
         M_Rd = moment_resistance(section.W_pl_y if about_y else section.W_pl_z, steel.fy, gamma_M0)
         if section.kind == "CHS":
             reduced = [moment_resistance_with_axial_force_round(M_Rd, of) for of in n]

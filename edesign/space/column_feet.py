@@ -13,7 +13,7 @@ from edesign.codes.ec8.criterion import Criterion, at_most
 from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear
 from edesign.codes.en1990.combinations import Combination
 from edesign.project.building.building import Steel
-from edesign.space.capacity import bends_about_y, by_section
+from edesign.space.capacity import bend_about_y, by_section
 from edesign.space.effects import Effects, largest
 from edesign.space.frame import SpaceFrame
 from edesign.space.response import Axis
@@ -73,7 +73,7 @@ def feet_criteria(
         if of > worst:
             worst, where = of, name
     yield at_most("6.5.3(2)", f"class of columns at hinges at their feet, direction {axis}", highest, worst, where)
-    about_y = np.array([bends_about_y(frame.members[number], axis) for number in feet], dtype=bool)
+    about_y = bend_about_y(frame, feet, axis)
     head = np.where(about_y, acting[:, -1, M_Y], acting[:, -1, M_Z])
     resistances = np.array(
         [

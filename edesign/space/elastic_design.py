@@ -352,7 +352,6 @@ class ElasticAnalysis:
                 steel,
                 acting.seismic[number],
                 self.dissipative[axis],
-                of_joints[axis],
                 Omega[axis].Omega,
                 axis,
                 gamma_M0,

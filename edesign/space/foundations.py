@@ -13,7 +13,7 @@ from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import combine
 from edesign.project.building.building import Building
 from edesign.space.bracing import Bracing
-from edesign.space.capacity import Overstrength, bends_about_y, column_moments
+from edesign.space.capacity import Overstrength, bend_about_y, column_moments
 from edesign.space.column_feet import M_Y, M_Z, N, hinged_feet
 from edesign.space.criteria import MOMENT_FRAME, design_of, system_of
 from edesign.space.frame import SpaceFrame
@@ -119,7 +119,7 @@ def supports(frame: SpaceFrame, bracing: Bracing) -> Supports:
     member, at_end, support = (np.array(values) for values in zip(*ends, strict=True))
     start, end = frame.ends
     x = (frame.coordinates[end] - frame.coordinates[start]) / frame.length[:, None]
-    z = np.array([frame.members[number].web for number in member])
+    z = frame.webs[member]
     to_reactions = np.zeros((nodes.size, 6, bracing.braces.size))
     for row, number in enumerate(bracing.columns):
         if start[number] in place:
@@ -160,10 +160,8 @@ def foundation_factors(
     force = acting[:, :, N].max(axis=1)
     for axis in frames:
         feet = hinged_feet(frame, axis)
-        M_Rd = column_moments(frame, building.materials, axis, force, design.partial_factors.M0)
-        M_Rd = M_Rd[np.searchsorted(frame.columns, feet)]
-        about_y = np.array([bends_about_y(frame.members[number], axis) for number in feet], dtype=bool)
-        M_Ed = np.where(about_y, acting[feet, 0, M_Y], acting[feet, 0, M_Z])
+        M_Rd = column_moments(frame, building.materials, feet, axis, force, design.partial_factors.M0)
+        M_Ed = np.where(bend_about_y(frame, feet, axis), acting[feet, 0, M_Y], acting[feet, 0, M_Z])
         Omega = np.where(M_Rd > 0.0, strength_over_demand(np.maximum(M_Rd, 1.0), M_Ed), 1.0)
         np.minimum.at(at_foot, frame.ends[0][feet], Omega)
     found = []

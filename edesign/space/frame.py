@@ -19,7 +19,7 @@ RIGID = float("inf")
 NO_DIAPHRAGM = -1
 
 
-PLACES = ("ends", "length", "columns", "storey", "in_compression", "passes_moment", "level_of_nodes")
+PLACES = ("ends", "length", "columns", "webs", "storey", "in_compression", "passes_moment", "level_of_nodes")
 """What a `SpaceFrame` derives from its nodes and the places of its members."""
 
 
@@ -134,6 +134,11 @@ class SpaceFrame:
     def columns(self) -> np.ndarray:
         """Numbers of the columns."""
         return np.array([number for number, member in enumerate(self.members) if member.kind == "column"], dtype=int)
+
+    @cached_property
+    def webs(self) -> np.ndarray:
+        """(n_members, 3) directions of local z."""
+        return np.array([member.web for member in self.members]).reshape(-1, 3)
 
     @cached_property
     def storey(self) -> np.ndarray:

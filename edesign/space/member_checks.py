@@ -217,9 +217,12 @@ class MemberChecker:
             found.append(self._of(name, material, least, role))
         slender = np.flatnonzero(np.isin(kind_of_members, too_slender)).tolist()
         if undecided:
-            force = largest(effects, rows)[:, :, 0].max(axis=1)
+            open_ones = np.flatnonzero(np.isin(kind_of_members, undecided))
+            of_them = Effects(effects.cases, effects.static[:, open_ones], effects.seismic[:, open_ones])
+            force = np.zeros(len(frame.members))
+            force[open_ones] = largest(of_them, rows)[:, :, 0].max(axis=1)
             for number in undecided:
-                of_kind = np.flatnonzero(kind_of_members == number)
+                of_kind = open_ones[kind_of_members[open_ones] == number]
                 worst = self._class_of(frame.members[of_kind[0]], float(force[of_kind].max()))
                 if worst <= LARGEST_PLASTIC_CLASS:  # then that of all, as the class rises with the force
                     continue

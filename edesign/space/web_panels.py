@@ -16,7 +16,7 @@ from edesign.codes.ec8.moment_frames import (
     web_panel_slenderness,
 )
 from edesign.project.building.building import Steel
-from edesign.space.capacity import Joint, bends_about_y, by_section
+from edesign.space.capacity import bend_about_y, by_section
 from edesign.space.frame import SpaceFrame
 from edesign.space.response import Axis
 
@@ -54,7 +54,6 @@ def web_panels(
     materials: Mapping[str, Steel],
     seismic: np.ndarray,
     beams: np.ndarray,
-    joints: Sequence[Joint],
     Omega: float,
     axis: Axis,
     gamma_M0: float,
@@ -70,7 +69,6 @@ def web_panels(
         frame, materials: of the building.
         seismic: (n_members, n_stations, 6) effects of the seismic action along the axis.
         beams: numbers of the beams with hinges in this direction.
-        joints: of this direction, one a node.
         Omega: overstrength of the beams.
         axis: direction.
         gamma_M0: partial factor.
@@ -82,8 +80,7 @@ def web_panels(
     rigid = frame.passes_moment[beams]
     M_b, M_over_z, M_c, shear = np.zeros((4, n))
     below = np.full(n, -1)
-    strong = np.array([bends_about_y(frame.members[number], axis) for number in frame.columns], dtype=bool)
-    columns = frame.columns[strong]
+    columns = frame.columns[bend_about_y(frame, frame.columns, axis)]
     for side, nodes in enumerate((start, end)):
         np.add.at(M_b, nodes[beams], np.where(rigid[:, side], M_pl[beams], 0.0))
         np.add.at(M_over_z, nodes[beams], np.where(rigid[:, side], M_pl[beams] / arm[beams], 0.0))
@@ -103,9 +100,8 @@ def web_panels(
         "t_w": by_section(frame, materials, lambda of, steel: of.tw),
         "f_y": by_section(frame, materials, lambda of, steel: steel.fy),
     }
-    named = {joint.node for joint in joints}
-    nodes = np.array([k for k in range(n) if below[k] >= 0 and frame.node_names[k] in named], dtype=int)
-    nodes = nodes[(sections["A"][below[nodes]] > 0.0) & (M_b[nodes] > 0.0)]
+    nodes = np.flatnonzero((below >= 0) & (M_b > 0.0))
+    nodes = nodes[sections["A"][below[nodes]] > 0.0]
     if not nodes.size:
         return []
     A, doubled, d, t_w, f_y = (values[below[nodes]] for values in sections.values())
