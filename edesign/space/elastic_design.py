@@ -23,6 +23,7 @@ from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
 from edesign.project.hazard import Hazard
 from edesign.space.bracing import bracing
+from edesign.space.buckled_diagonals import single_diagonals, with_buckled_diagonals
 from edesign.space.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
 from edesign.space.column_feet import feet_criteria, hinged_feet
 from edesign.space.criteria import (
@@ -201,6 +202,7 @@ class ElasticAnalysis:
         self.dissipative = {axis: dissipative_members(self.frame, axis, system[axis].type) for axis in AXES}
         self._refuse()
         self.bracing = bracing(self.frame)
+        self._single = single_diagonals(self.frame, self.bracing)
         self.supports = supports(self.frame, self.bracing)
         self._feet = {axis: hinged_feet(self.frame, axis) for axis in AXES}
         level = self._design.level or next(iter(hazard.levels), None)
@@ -327,6 +329,8 @@ class ElasticAnalysis:
         if self.yielded:
             gamma_pb = self._national.gamma_pb
             acting = with_yielded_braces(acting, gravity_model, frame, self.bracing, building, gamma_pb)
+        if self._single.any() and design.ductility_class != "low":
+            acting = with_buckled_diagonals(acting, frame, self.bracing, self._single, building)
         if self._vertical:
             acting = self._vertical.with_case(acting, self.seismic[0])
         in_earthquakes = largest(acting, self.seismic)

@@ -39,6 +39,8 @@ from edesign.core.member_checks import (
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
 from edesign.space.bracing import Bracing
+from edesign.space.buckled_diagonals import CASES as BUCKLING
+from edesign.space.buckled_diagonals import buckling_combinations
 from edesign.space.capacity import Overstrength, bends_about_y
 from edesign.space.criteria import MOMENT_FRAME, design_of, system_of
 from edesign.space.effects import Effects, largest
@@ -143,6 +145,8 @@ class MemberChecker:
         raised, raised_vertical = (
             amplified_combinations(self._design, rows, overstrength, self._q) for rows in (seismic, vertical)
         )
+        if BUCKLING[0] in effects.cases:
+            raised = (*raised, *buckling_combinations(raised))
         sets = fundamental, seismic, raised, yielded, vertical, raised_vertical
         rows = [row for of_set in sets for row in of_set]
         counts = tuple(map(len, sets))

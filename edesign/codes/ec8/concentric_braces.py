@@ -5,7 +5,6 @@ Columns and beams take the amplified effects of `capacity`, with the least overs
 
 from __future__ import annotations
 
-import math
 from typing import Literal
 
 import numpy as np
@@ -106,19 +105,6 @@ def post_buckling_forces(N_pl_Rd: ArrayLike, in_tension: ArrayLike, gamma_pb: fl
     check_positive(N_pl_Rd=N_pl_Rd)
     check_not_negative(gamma_pb=gamma_pb)
     return np.where(np.asarray(in_tension, dtype=bool), 1.0, -gamma_pb) * np.asarray(N_pl_Rd, dtype=float)
-
-
-def adjacent_column_force(N_b_Rd: float, slope: float) -> float:
-    """Return the vertical force, N, of a buckling diagonal on the column beside it, where diagonals do not cross.
-
-    Args:
-        N_b_Rd: design buckling resistance of the diagonal, N.
-        slope: its angle against the horizontal, rad.
-
-    Source: EN 1998-1:2004, 6.7.4(3).
-    """
-    check_positive(N_b_Rd=N_b_Rd, slope=slope)
-    return N_b_Rd * math.sin(slope)
 
 
 def _check_kind(kind: str) -> None:

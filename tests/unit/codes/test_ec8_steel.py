@@ -18,7 +18,6 @@ from edesign.codes.ec8.behaviour_factor import (
 )
 from edesign.codes.ec8.capacity import foundation_factor, overstrength
 from edesign.codes.ec8.concentric_braces import (
-    adjacent_column_force,
     asymmetry,
     homogeneity,
     post_buckling_forces,
@@ -186,7 +185,6 @@ def test_homogeneity_of_diagonals() -> None:
 def test_v_bracing() -> None:
     """6.7.4(2): N_pl,Rd in tension, 0.3 N_pl,Rd in compression; the recommended gamma_pb."""
     assert post_buckling_forces([1000.0, 1000.0, 500.0], [True, False, False]).tolist() == [1000.0, -300.0, -150.0]
-    assert adjacent_column_force(400e3, math.pi / 6) == pytest.approx(200e3)
     with pytest.raises(InputError, match="gamma_pb must be at least zero"):
         post_buckling_forces([1.0], [True], -0.3)
 

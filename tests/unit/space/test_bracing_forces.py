@@ -174,3 +174,36 @@ def test_the_class_of_a_beam_follows_its_axial_force(tmp_path: Path) -> None:
     elastic = steel_section("IPE400").W_el_y * 275e6
     bending = list(found.members.checks).index("M_B")
     assert found.members.utilisation[first, bending] == pytest.approx(M.max() / elastic, rel=1e-4)
+
+
+def test_columns_beside_single_diagonals_that_buckle(tmp_path: Path) -> None:
+    """EN 1998-1, 6.7.4(3), by joints: in bays 1 and 3 of three, mirrored; those in compression push with N_b,Rd.
+
+    SHS100x6 of 8.94 m, curve a: lambda = 2.70 and N_b,Rd = 0.127 N_pl,Rd (by hand, three digits). The floor moves
+    along y: the diagonal of bay 3, which falls, buckles. Its head is at line 3 and its foot at line 4.
+    """
+    text = (
+        BUILDING.replace("y: [8 m]", "y: [8 m, 8 m, 8 m]")
+        .replace("storeys: [4 m, 3 m]", "storeys: [4 m]")
+        .replace(
+            "  - {along: y, frames: all, bays: all, kind: cross,",
+            "  - {along: y, frames: all, bays: 1, kind: rising, section: SHS100x6, material: S275}\n"
+            "  - {along: y, frames: all, bays: 3, kind: falling,",
+        )
+    )
+    found = design_of(tmp_path, text)
+    length = np.hypot(8.0, 4.0)
+    section = steel_section("SHS100x6")
+    slenderness = length / section.i_z / (np.pi * np.sqrt(210e9 / 275e6))
+    phi = 0.5 * (1.0 + 0.21 * (slenderness - 0.2) + slenderness**2)
+    N_b = section.A * 275e6 / (phi + np.sqrt(phi**2 - slenderness**2))
+    assert slenderness == pytest.approx(2.70, abs=0.005) and N_b / (section.A * 275e6) == pytest.approx(0.127, abs=5e-4)
+    case = found.effects.cases.index("buckling+")
+    pushed = {
+        line: found.effects.static[case, number_of(found.frame, f"C_A{line}_1"), 0, 0] / (N_b * 4.0 / length)
+        for line in (1, 2, 3, 4)
+    }
+    assert pushed == pytest.approx({1: 0.0, 2: 0.0, 3: 1.0, 4: 0.0}, abs=1e-9)
+    names = [row.name for row in found.members.amplified]
+    assert len([name for name in names if name.endswith("buckling+")]) == 2
+    assert not any("buckling" in row.name for row in design_of(tmp_path, BUILDING).combinations)
