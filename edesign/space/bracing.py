@@ -6,7 +6,8 @@ force. What follows from both is made good here, for each sense of the earthquak
 - Of the braces that count in tension only those in tension act, with twice the force of the model. The vertical
   components of the differences go down the column lines.
 - The horizontal components of the braces above and below a floor go into the beams of their frame at its nodes. What
-  is left over comes from the floor, evenly along the length of these beams: they are its collectors.
+  is left over comes from the floor, evenly along the length of these beams: they are its collectors. Where the floor
+  is not rigid the model has their forces, but for those of the diagonals in tension alone.
 
 Source: EN 1998-1:2004, 6.7.2(2)P and 6.7.4(1).
 """
@@ -40,7 +41,8 @@ class Bracing:
             compression; of the others 2 in tension and 0 else.
         columns: (c,) numbers of the columns.
         to_columns: (c, b) axial force of a column by a unit of tension in a brace, whose ends load the column lines.
-        collectors: (h,) numbers of the beams of rigid floors in whose frame there are braces.
+        collectors: (h,) numbers of the beams in whose frame and floor braces meet.
+        in_model: (h,) whether the linear model has their axial force already: their floor is not rigid.
         to_collectors: (h n_stations, b) axial force of the beams at `STATIONS` by a unit of tension in a brace.
         halves: numbers of the beams that chevrons or V braces meet, each of which is two members.
         middles: numbers of the nodes between them.
@@ -54,6 +56,7 @@ class Bracing:
     columns: np.ndarray
     to_columns: np.ndarray
     collectors: np.ndarray
+    in_model: np.ndarray
     to_collectors: np.ndarray
     halves: np.ndarray
     middles: np.ndarray
@@ -72,8 +75,10 @@ class Bracing:
         found = internal.copy()
         force = axial[:, self.braces]
         if self.collectors.size:
+            there = np.repeat(axial[:, self.collectors].T, internal.shape[1], axis=0)
+            there -= np.repeat(self.in_model, internal.shape[1])[:, None] * (self.to_collectors @ force.T)
             shares = self.share if (self.share != 1.0).any() else self.share[:1]
-            each = [combine(self.to_collectors @ (force * share).T, rho) for share in shares]
+            each = [combine(there + self.to_collectors @ (force * share).T, rho) for share in shares]
             found[self.collectors, :, _N] = np.max(each, axis=0).reshape(self.collectors.size, -1)
         if (self.share != 1.0).any():
             model = axial[:, self.columns].T
@@ -118,6 +123,7 @@ def bracing(frame: SpaceFrame) -> Bracing:
         columns=frame.columns,
         to_columns=_to_columns(frame, braces, sine, middles),
         collectors=collectors,
+        in_model=frame.node_floor[frame.ends[0][collectors]] == NO_DIAPHRAGM,
         to_collectors=to_collectors,
         halves=np.array(halves, dtype=int),
         middles=np.array(sorted(middles), dtype=int),
@@ -172,7 +178,7 @@ def _collectors(frame: SpaceFrame, braces: np.ndarray, cosine: np.ndarray) -> tu
             for column, force in ends.get(node, ()):
                 if beams[0].frame[0] == frame.members[braces[column]].frame[0]:
                     pull[place, column] += force
-        if not pull.any() or (frame.node_floor[nodes] == NO_DIAPHRAGM).any():
+        if not pull.any():
             continue
         places = np.concatenate([[0.0], np.cumsum(frame.length[run])])
         from_floor = -pull.sum(axis=0) / places[-1]

@@ -326,13 +326,7 @@ class ElasticAnalysis:
         acting, persistent = sway.added(effects(frame, static, response, of_storeys)), sway.rows
         if self._reduction is not None:
             acting, persistent = self._reduction.added(acting), self._reduction.rows(persistent)
-        if self.yielded:
-            gamma_pb = self._national.gamma_pb
-            acting = with_yielded_braces(acting, gravity_model, frame, self.bracing, building, gamma_pb)
-        if self._single.any() and design.ductility_class != "low":
-            acting = with_buckled_diagonals(acting, frame, self.bracing, self._single, building)
-        if self._vertical:
-            acting = self._vertical.with_case(acting, self.seismic[0])
+        acting = self._with_local_actions(acting, building, frame, gravity_model)
         in_earthquakes = largest(acting, self.seismic)
         steel, gamma_M0 = building.materials, design.partial_factors.M0
         kind = {axis: system_of(design, axis).type for axis in AXES}
@@ -363,7 +357,6 @@ class ElasticAnalysis:
             for number, axis in enumerate(AXES)
             if axis in of_joints
         }
-        amplified = checked.amplified
         criteria = [*modal_criteria(modes), *self._shape, *stiffness_criteria(frame, model, self.regular)]
         criteria += sway_criteria(sway, design.imperfections == "sway")
         for axis in AXES:
@@ -377,7 +370,9 @@ class ElasticAnalysis:
                 highest = allowed_class(design, self.q[axis], self.q_limit[axis], self.regular)
                 criteria += connection_criteria(design, axis, self.q[axis])
                 criteria += joint_criteria(of_joints[axis], axis)
-                criteria += feet_criteria(frame, steel, acting, amplified, self._feet[axis], axis, highest, gamma_M0)
+                criteria += feet_criteria(
+                    frame, steel, acting, checked.amplified, self._feet[axis], axis, highest, gamma_M0
+                )
                 criteria += panel_criteria(of_panels[axis], len(of_joints[axis]), axis, design.members.doubler_plates)
             else:
                 criteria += bracing_criteria(building, frame, Omega[axis])
@@ -403,6 +398,17 @@ class ElasticAnalysis:
             criteria=tuple(criteria),
             notes=tuple([*_notes(response, of_storeys), *sway_notes(sway), *found.uplift, *self._limits(frame)]),
         )
+
+    def _with_local_actions(
+        self, acting: Effects, building: Building, frame: SpaceFrame, gravity_model: SpaceModel
+    ) -> Effects:
+        """Return the effects with static cases of buckled braces and of the vertical component, where they count."""
+        if self.yielded:
+            gamma_pb = self._national.gamma_pb
+            acting = with_yielded_braces(acting, gravity_model, frame, self.bracing, building, gamma_pb)
+        if self._single.any() and self._design.ductility_class != "low":
+            acting = with_buckled_diagonals(acting, frame, self.bracing, self._single, building)
+        return self._vertical.with_case(acting, self.seismic[0]) if self._vertical else acting
 
     def _limits(self, frame: SpaceFrame) -> list[str]:
         """Return what the analysis adds to this building or leaves out of it, a sentence each."""
