@@ -19,9 +19,8 @@ def beam_loads(project: Project, factors: Combination) -> dict[str, float]:
     """
     found: dict[str, float] = {}
     for load in project.loads.beams:
-        chosen = set(project.frame.standing_beams(load))
-        for name, beam in project.frame.beam_members.items():
-            if (beam.bay, beam.floor) in chosen:
+        for place in project.frame.standing_beams(load):
+            for name in dict.fromkeys(project.frame.ends_of_beam(*place)):
                 found[name] = found.get(name, 0.0) + combined(load, factors)
     return {name: value for name, value in found.items() if value != 0.0}
 

@@ -178,14 +178,20 @@ class Frame(Model):
         for bay, floor in self.beam_at:
             left, right = (names.node_name(line, floor) for line in self.bay_lines(bay))
             width = self.bay_widths[bay - 1]
-            whole = names.beam_name(bay, floor)
-            if (bay, floor) not in self.met_beams:
-                found[whole] = BeamMember(bay, floor, left, right, width)
+            first, last = self.ends_of_beam(bay, floor)
+            if first == last:
+                found[first] = BeamMember(bay, floor, left, right, width)
                 continue
-            first, second = names.beam_half_names(bay, floor)
-            found[first] = BeamMember(bay, floor, left, whole, 0.5 * width)
-            found[second] = BeamMember(bay, floor, whole, right, 0.5 * width)
+            middle = names.beam_name(bay, floor)
+            found[first] = BeamMember(bay, floor, left, middle, 0.5 * width)
+            found[last] = BeamMember(bay, floor, middle, right, 0.5 * width)
         return found
+
+    def ends_of_beam(self, bay: int, floor: int) -> tuple[str, str]:
+        """Names of the first and the last member of a beam: its halves if braces meet it, else the same one twice."""
+        if (bay, floor) in self.met_beams:
+            return names.beam_half_names(bay, floor)
+        return (names.beam_name(bay, floor),) * 2
 
     def brace_nodes(self, bay: int, storey: int, way: str) -> tuple[str, str]:
         """Names of the left and the right node of a brace."""
@@ -201,11 +207,12 @@ class Frame(Model):
         """Members with moment releases, by name: (released at the start, released at the end)."""
         found: dict[str, tuple[bool, bool]] = {}
         for release in self.releases:
-            at_start, at_end = release.ends != "end", release.ends != "start"
             for first, last in self._members_in(release):
-                found[first] = (found.get(first, (False, False))[0] or at_start, found.get(first, (False, False))[1])
-                found[last] = (found.get(last, (False, False))[0], found.get(last, (False, False))[1] or at_end)
-        return {name: ends for name, ends in found.items() if any(ends)}
+                if release.ends != "end":
+                    found[first] = (True, found.get(first, (False, False))[1])
+                if release.ends != "start":
+                    found[last] = (found.get(last, (False, False))[0], True)
+        return found
 
     @cached_property
     def nodes(self) -> dict[str, tuple[float, float]]:
@@ -264,9 +271,7 @@ class Frame(Model):
     def _members_in(self, release: Release) -> Iterator[tuple[str, str]]:
         """The first and the last member of each beam or column of a release; of most they are one."""
         if release.beams is not None:
-            for place in self.standing_beams(release.beams):
-                name = names.beam_name(*place)
-                yield names.beam_half_names(*place) if place in self.met_beams else (name, name)
+            yield from (self.ends_of_beam(*place) for place in self.standing_beams(release.beams))
         if release.columns is not None:
             for line, storey in self.column_places(release.columns):
                 if (line, storey) in self.column_at:
