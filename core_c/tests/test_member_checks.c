@@ -24,7 +24,7 @@ static void one(const double *constants, int kind, const double *force, const do
   const double f = 1.0, g = -1.0;
   const int set = 0, gravity = 1;
   int combination[ED_N_CHECKS], station[ED_N_CHECKS];
-  CHECK_STATUS(ed_member_checks(1, 1, 1, 1, 1, 1, force, response, &f, &g, &set, &gravity, constants, &kind, &mask, 0, u,
+  CHECK_STATUS(ed_member_checks(1, 1, 1, 1, 1, 1, force, response, &f, &g, &set, &gravity, constants, &kind, &mask, NULL, 0, u,
                                 combination, station), ED_OK);
   for (int i = 0; i < ED_N_CHECKS; i++) {
     CHECK_INT(combination[i], mask >> i & 1 ? 0 : -1);
@@ -124,6 +124,7 @@ static void check_bounds(void)
   static int combination[2][MEMBERS][ED_N_CHECKS], station[2][MEMBERS][ED_N_CHECKS];
   static const double scale[F] = {100.0, 50.0, 40.0, 1.0, 20.0, 10.0};
   double f[COMBINATIONS][CASES], g[COMBINATIONS][DIRECTIONS];
+  static double M_b[MEMBERS][COMBINATIONS];
   int set[COMBINATIONS], gravity[CASES] = {1, 0}, kind[MEMBERS], masks[MEMBERS][SETS];
   numbers random = {7};
   for (int trial = 0; trial < 200; trial++) {
@@ -147,10 +148,13 @@ static void check_bounds(void)
       for (int i = 0; i < DIRECTIONS; i++)
         g[k][i] = k % 5 == 4 ? -g[k - 1][i] : k % 3 ? next_number(&random, 0.0, 1.0) : 0.0;
       set[k] = k % 5 == 4 ? set[k - 1] : k % 2;
+      for (int m = 0; m < MEMBERS; m++)
+        M_b[m][k] = k % 5 == 4 ? M_b[m][k - 1] : SIMPLE[ED_M_B] * (1.0 + next_number(&random, 0.0, 1.0));
     }
     for (int every = 0; every < 2; every++)
       CHECK_STATUS(ed_member_checks(CASES, DIRECTIONS, MEMBERS, STATIONS, COMBINATIONS, SETS, statics[0][0][0], spectral[0][0][0],
-                                    f[0], g[0], set, gravity, constants[0], kind, masks[0], every, u[every][0],
+                                    f[0], g[0], set, gravity, constants[0], kind, masks[0],
+                                    trial % 3 ? NULL : M_b[0], every, u[every][0],
                                     combination[every][0], station[every][0]), ED_OK);
     CHECK_SAME(u[0][0], u[1][0], MEMBERS * ED_N_CHECKS);
     for (int m = 0; m < MEMBERS; m++)
@@ -169,7 +173,7 @@ static void check_arguments(void)
   int set = 0, gravity = 1, kind = ED_I, mask = 1, combination[ED_N_CHECKS], station[ED_N_CHECKS];
   memcpy(constants, SIMPLE, sizeof SIMPLE);
 #define CALL(force, response, stations, sets, kinds) \
-  ed_member_checks(1, 1, 1, stations, 1, sets, force, response, &f, &g, &set, &gravity, constants, kinds, &mask, 0, u, combination, \
+  ed_member_checks(1, 1, 1, stations, 1, sets, force, response, &f, &g, &set, &gravity, constants, kinds, &mask, NULL, 0, u, combination, \
                    station)
   CHECK_STATUS(CALL(force, response, 1, 1, &kind), ED_OK);
   CHECK_STATUS(CALL(wrong, response, 1, 1, &kind), ED_E_NOT_FINITE);
@@ -191,9 +195,18 @@ static void check_arguments(void)
     CHECK_STATUS(CALL(force, response, 1, 1, &kind), ED_E_NOT_FINITE);
     constants[i] = kept;
   }
+  const double less = 0.5 * SIMPLE[ED_M_B], infinite = INFINITY, more = 2.0 * SIMPLE[ED_M_B];
+#define WITH(M_b) ed_member_checks(1, 1, 1, 1, 1, 1, force, response, &f, &g, &set, &gravity, constants, &kind, &mask, M_b, 0, u, combination, station)
+  CHECK_STATUS(WITH(&less), ED_E_ARGUMENT);
+  CHECK_STATUS(WITH(&infinite), ED_E_ARGUMENT);
+  mask = 1 << ED_CHECK_M_B;
+  const double bent[F] = {[4] = 8.0}, none[F] = {0.0};
+  CHECK_STATUS(ed_member_checks(1, 1, 1, 1, 1, 1, bent, none, &f, &g, &set, &gravity, constants, &kind, &mask, &more, 0, u, combination,
+                                station), ED_OK);
+  CHECK_NEAR(u[ED_CHECK_M_B], 0.25, 1e-15);
   constants[ED_C_MLT] = 0.25;
   CHECK_STATUS(CALL(force, response, 1, 1, &kind), ED_E_ARGUMENT);
-  CHECK_STATUS(ed_member_checks(0, 0, 0, 1, 0, 1, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL, NULL), ED_OK);
+  CHECK_STATUS(ed_member_checks(0, 0, 0, 1, 0, 1, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, 0, NULL, NULL, NULL), ED_OK);
 }
 
 int main(void)

@@ -163,6 +163,10 @@ class MemberTable:
         constants = np.array([_numbers(member) for member in members], dtype=float).reshape(-1, lib.ED_N_CONSTANTS)
         return cls(constants, np.array([member.kind for member in members], dtype=np.intc))
 
+    def column(self, name: str) -> np.ndarray:
+        """Return one constant of all members, (n_members,), by its name; what is written there counts."""
+        return self.constants[:, [field.name for field in fields(MemberConstants)].index(name)]
+
 
 @dataclass(frozen=True)
 class Utilisations:
@@ -189,6 +193,7 @@ def member_checks(
     gravity: np.ndarray,
     members: MemberTable,
     masks: np.ndarray,
+    M_b: np.ndarray | None = None,
     every: bool = False,
 ) -> Utilisations:
     """Return the utilisations of all members under all combinations.
@@ -205,11 +210,13 @@ def member_checks(
         gravity: (c,) whether a case counts in V_Ed,G of EN 1998-1, 6.6.2(2).
         members: their constants.
         masks: (m, n_sets) checks of a member under the combinations of a set, by `mask`.
+        M_b: (m, k) M_b,Rd of members under combinations, not less than that of their constants; without it theirs.
         every: evaluate all combinations; otherwise those are left out that cannot govern, with the same results.
 
     Raises:
         ValueError: shapes do not fit together.
-        CoreError: a value is not finite, a resistance is not greater than zero, or a response is negative.
+        CoreError: a value is not finite, a resistance is not greater than zero, a response is negative, or
+            M_b is less than that of the constants.
     """
     arrays = [_doubles(x) for x in (statics, spectral, static_factors, spectral_factors)]
     of_sets, of_cases, of_members = (np.ascontiguousarray(x, dtype=np.intc) for x in (combination_set, gravity, masks))
@@ -222,6 +229,9 @@ def member_checks(
         raise ValueError(f"shapes do not fit together: {shapes}")
     if len(members.kind) != m or of_members.ndim != 2 or of_members.shape[0] != m:
         raise ValueError(f"{len(members.kind)} constants and masks {of_members.shape} of {m} members")
+    if M_b is not None and M_b.shape != (m, k):
+        raise ValueError(f"M_b has the shape {M_b.shape}, not {(m, k)}")
+    moments = None if M_b is None else _doubles(M_b)
     constants, kind = _doubles(members.constants), np.ascontiguousarray(members.kind, dtype=np.intc)
     utilisation = np.zeros((m, len(Check)))
     combination, station = np.full((2, m, len(Check)), -1, dtype=np.intc)
@@ -231,6 +241,7 @@ def member_checks(
         *(_c(a, "int[]") for a in (of_sets, of_cases)),
         _c(constants),
         *(_c(a, "int[]") for a in (kind, of_members)),
+        ffi.NULL if moments is None else _c(moments),
         int(every),
         _c(utilisation),
         *(_c(a, "int[]") for a in (combination, station)),

@@ -78,8 +78,16 @@ class LiveLoadReduction:
         )
 
 
+_ALPHA = "alpha "
+
+
 def _reduced(case: str) -> str:
-    return f"alpha {case}"
+    return _ALPHA + case
+
+
+def whole_case(case: str) -> str:
+    """Return the name of the load case that a reduced one is of, or its own name."""
+    return case.removeprefix(_ALPHA)
 
 
 def _factors(building: Building, frame: SpaceFrame, case: LoadCase, psi_0: float) -> np.ndarray:

@@ -20,7 +20,6 @@ from edesign.building.section_class import section_class
 from edesign.building.steel_member import Stability, SteelMember
 from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec3 import cross_section
-from edesign.codes.ec3.lateral_torsional import least_factor
 from edesign.codes.ec3.moment_factors import SWAY, linear_moment_factor_a
 from edesign.codes.ec8.capacity import OVERSTRENGTH
 from edesign.codes.ec8.moment_frames import hinge_shear
@@ -41,6 +40,7 @@ from edesign.project.building.design import Design
 from edesign.space.bracing import Bracing
 from edesign.space.buckled_diagonals import CASES as BUCKLING
 from edesign.space.buckled_diagonals import buckling_combinations
+from edesign.space.buckling_moments import FreeBeams
 from edesign.space.capacity import Overstrength, bends_about_y
 from edesign.space.criteria import MOMENT_FRAME, design_of, system_of
 from edesign.space.effects import Effects, largest
@@ -120,6 +120,9 @@ class MemberChecker:
         self._roles = list(dict.fromkeys(roles))
         places = {role: place for place, role in enumerate(self._roles)}
         self._role_of_members = np.array([places[role] for role in roles], dtype=int)
+        free = self._design.members.lateral_restraint.beams == "ends"
+        M1 = self._design.partial_factors.M1
+        self._free_beams = FreeBeams(frame, building.materials, M1) if free else None
         self._known: dict[tuple[str, str, bool, int], SteelMember] = {}
 
     def results(
@@ -151,7 +154,7 @@ class MemberChecker:
         rows = [row for of_set in sets for row in of_set]
         counts = tuple(map(len, sets))
         members, kinds, slender = self._members(frame, effects, rows)
-        found = self._checked(members, kinds, slender, effects, rows, counts)
+        found = self._checked(frame, members, kinds, slender, effects, rows, counts)
         applies = found.combination >= 0
         return MemberResults(
             checks=tuple(check.name for check in Check),
@@ -178,6 +181,7 @@ class MemberChecker:
 
     def _checked(
         self,
+        frame: SpaceFrame,
         members: Sequence[SteelMember],
         kinds: np.ndarray,
         slender: Sequence[int],
@@ -187,15 +191,24 @@ class MemberChecker:
     ) -> Utilisations:
         spectral, factors = _spectral(effects, rows)
         table = MemberTable.of([member.constants for member in members])
+        of_members = MemberTable(table.constants[kinds], table.kind[kinds])
+        static_factors = np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows])
+        M_b = None
+        if self._free_beams is not None:
+            free, M_b = self._free_beams, np.repeat(of_members.column("M_b_Rd")[:, None], len(rows), axis=1)
+            M_Rk = of_members.column("M_y_Rd")[free.members] * self._design.partial_factors.M0
+            M_b[free.members] = free.resistances(frame, effects, spectral, static_factors, factors, M_Rk)
+            of_members.column("M_b_Rd")[:] = M_b.min(axis=1)
         found = member_checks(
             statics=effects.static,
             spectral=spectral,
-            static_factors=np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows]),
+            static_factors=static_factors,
             spectral_factors=factors,
             combination_set=np.repeat(np.arange(len(counts)), counts),
             gravity=np.ones(len(effects.cases), dtype=int),
-            members=MemberTable(table.constants[kinds], table.kind[kinds]),
+            members=of_members,
             masks=self._masks,
+            M_b=M_b,
         )
         found.utilisation[slender] = np.where(found.combination[slender] >= 0, np.inf, found.utilisation[slender])
         return found
@@ -370,7 +383,7 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
     """Return a member as its checks see it; `plastic`: of class 1 or 2.
 
     Moment factors are those of a uniform moment, which is on the safe side, but for sway (Table B.3). So is M_cr, but
-    for beams without a slab to hold them, whose loads stand on the top flange.
+    that of beams without a slab is found in each combination.
     """
     checks, factors = design.members, design.partial_factors
     of_length = getattr(checks.buckling_length, f"{role.kind}s")
@@ -378,11 +391,6 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
         role.kind == "column" and checks.lateral_restraint.columns == "all_along"
     )
     M_pl = cross_section.moment_resistance(section.W_pl_y, steel.fy, factors.M0)
-    modulus, shear_modulus = steel.E, steel.E / (2.0 * (1.0 + steel.nu))
-    C1 = 1.0
-    if role.kind == "beam" and not restrained and section.kind == "I":
-        of_beam = modulus, shear_modulus, section.I_z, section.I_t, section.I_w, role.length
-        C1 = least_factor(*of_beam, z_g=0.5 * section.h, pinned=role.hinges == 0)
     annex_a = checks.interaction == "annex_a"
     uniform, slope = linear_moment_factor_a(1.0, 0.0, 1.0), linear_moment_factor_a(1.0, 1.0, 1.0)
     return SteelMember(
@@ -392,7 +400,6 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
             L_cr_y=of_length.y * role.length,
             L_cr_z=0.0 if role.kind == "beam" and restrained else of_length.z * role.length,
             L_LT=0.0 if restrained or role.kind == "brace" else role.length,
-            C1=C1,
             C_my=uniform if annex_a else SWAY if role.sways_y else 1.0,
             C_mz=uniform if annex_a else SWAY if role.sways_z else 1.0,
             C_mLT=1.0,
@@ -402,8 +409,8 @@ def _member(design: Design, section: SteelSection, steel: Steel, plastic: bool, 
         ),
         LARGEST_PLASTIC_CLASS if plastic else LARGEST_CLASS,
         V_M=0.5 * role.hinges * float(hinge_shear(M_pl, M_pl, role.length)),
-        E=modulus,
-        G=shear_modulus,
+        E=steel.E,
+        G=steel.E / (2.0 * (1.0 + steel.nu)),
         gamma_M0=factors.M0,
         gamma_M1=factors.M1,
         annex_a=annex_a,

@@ -25,6 +25,7 @@ typedef struct {
   const double *statics, *spectral; /* cases, directions x members x stations x FORCES */
   const double *f, *g;              /* combinations x cases, directions */
   const int *set, *gravity;
+  const double *M_b;                /* members x combinations, or NULL */
 } loads;
 
 typedef struct {
@@ -138,7 +139,8 @@ ED_CLONES static void evaluate(const loads *l, const member *b, int at, int k, c
     }
   }
   const double n_y = compressed * per[ED_N_B_Y], n_z = compressed * per[ED_N_B_Z];
-  const double m_y = top[M_Y] * per[ED_M_B], m_z = top[M_Z] * per[ED_M_Z_RK];
+  const double per_M_b = l->M_b ? 1.0 / l->M_b[(size_t)at * l->combinations + space->of[k]] : per[ED_M_B];
+  const double m_y = top[M_Y] * per_M_b, m_z = top[M_Z] * per[ED_M_Z_RK];
   const factors a = b->annex_a ? annex_a(b, compressed, top[M_Y], m_y, m_z) : annex_b(b, n_y, n_z);
   const double value[ED_N_CHECKS] = {
     [ED_CHECK_N] = top[N] * per[ED_N_RD],
@@ -394,6 +396,18 @@ static int valid_members(int members, const double *constants, const int *kind)
   return 1;
 }
 
+/* Bounds count on ED_M_B as the least. */
+static int valid_moments(const loads *l, const double *constants)
+{
+  for (int m = 0; l->M_b && m < l->members; m++)
+    for (int k = 0; k < l->combinations; k++) {
+      const double M_b = l->M_b[(size_t)m * l->combinations + k];
+      if (!(M_b >= constants[(size_t)m * ED_N_CONSTANTS + ED_M_B] && M_b < HUGE_VAL))
+        return 0;
+    }
+  return 1;
+}
+
 static int all_finite(const loads *l, const double *constants, double *least_response)
 {
   const size_t n = (size_t)l->members * l->stations * FORCES;
@@ -408,17 +422,18 @@ static int all_finite(const loads *l, const double *constants, double *least_res
 int ed_member_checks(int n_cases, int n_directions, int n_members, int n_stations, int n_combinations, int n_sets,
                      const double *statics, const double *spectral, const double *static_factors,
                      const double *spectral_factors, const int *set, const int *gravity, const double *constants,
-                     const int *kind, const int *masks, int every, double *utilisation, int *combination, int *station)
+                     const int *kind, const int *masks, const double *M_b, int every, double *utilisation, int *combination,
+                     int *station)
 {
   if (n_cases < 0 || n_directions < 0 || n_members < 0 || n_stations < 1 || n_combinations < 0 || n_sets < 1 ||
       n_cases + n_directions > ED_MAX_LOADS)
     return ED_E_ARGUMENT;
   const loads l = {n_cases, n_directions, n_members, n_stations, n_combinations, n_sets,
-                   statics, spectral,     static_factors, spectral_factors, set, gravity};
+                   statics, spectral,     static_factors, spectral_factors, set, gravity, M_b};
   double least_response;
   if (!all_finite(&l, constants, &least_response))
     return ED_E_NOT_FINITE;
-  if (least_response < 0.0 || !valid_members(n_members, constants, kind))
+  if (least_response < 0.0 || !valid_members(n_members, constants, kind) || !valid_moments(&l, constants))
     return ED_E_ARGUMENT;
   for (int i = 0; i < n_combinations; i++)
     if (set[i] < 0 || set[i] >= n_sets)

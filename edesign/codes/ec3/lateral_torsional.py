@@ -113,23 +113,46 @@ def critical_moment(
     return C1 * euler * (math.sqrt(inner) - tipping)
 
 
-def least_factor(
-    modulus: float, shear_modulus: float, I_z: float, I_t: float, I_w: float, length: float, z_g: float, pinned: bool
-) -> float:
-    """Return the least M_cr of a member under any of `TRANSVERSE_LOADS` by that of a uniform moment; at most 1.
+def buckling_moments(
+    M_Rk: np.ndarray,
+    M_max: np.ndarray,
+    M_quarters: np.ndarray,
+    tipping: np.ndarray,
+    euler: np.ndarray,
+    squared: np.ndarray,
+    imperfection: np.ndarray,
+    plateau: float = LAMBDA_LT_0,
+    beta: float = BETA,
+) -> np.ndarray:
+    """Return chi_LT,mod M_y,Rk of rolled sections under their moment diagrams, N m; all arguments of one shape.
 
-    It stands for C1 where the diagram is not known and loads stand above the shear centre, which makes M_cr less.
+    C1 is that of `diagram_factor`. Loads above the shear centre make M_cr less: of a member that buckles in a sine,
+    C2 z_g = C1 L / (pi2 M_max) times the sum of z_g P sin2(pi x / L), 0.46 z_g for a uniform load on hinges.
 
     Args:
-        modulus, shear_modulus, I_z, I_t, I_w, length, z_g: as for `critical_moment`.
-        pinned: both ends are free to turn about the strong axis; otherwise they are free, held or in between.
+        M_Rk: W_y f_y.
+        M_max: the largest moment along the member; magnitude.
+        M_quarters: (3, ...) at the quarter points; magnitudes.
+        tipping: L / pi2 times the sum of z_g P sin2(pi x / L), N m2; not negative.
+        euler, squared: pi2 E I_z / L2, N, and I_w / I_z + G I_t L2 / (pi2 E I_z), m2.
+        imperfection: alpha_LT.
+        plateau, beta: as for `reduction_factor`.
 
-    Source: NCCI SN003, Table 3.2.
+    Source: EN 1993-1-1:2005 + AC:2009, 6.3.2.3, Eqs. 6.57 and 6.58; k_c as `correction_of_factor`. M_cr: NCCI SN003,
+        Eq. 1; C2 by the energy of one half-wave (Timoshenko & Gere, Theory of Elastic Stability, 6.3).
     """
-    of_member = modulus, shear_modulus, I_z, I_t, I_w, length
-    rows = [of for name, of in TRANSVERSE_LOADS.items() if not pinned or name.endswith("_pinned")]
-    least = min(critical_moment(*of_member, C1, C2, z_g) for C1, C2, _ in rows)
-    return min(least / critical_moment(*of_member), 1.0)
+    weighted = M_max**2 + 9.0 * M_quarters[0] ** 2 + 16.0 * M_quarters[1] ** 2 + 9.0 * M_quarters[2] ** 2
+    bent = M_max > 0.0
+    C1 = np.sqrt(35.0 * np.divide(M_max**2, weighted, out=np.full_like(M_max, 1.0 / 35.0), where=bent))
+    C2_z_g = C1 * np.divide(tipping, M_max, out=np.zeros_like(M_max), where=bent)
+    M_cr = C1 * euler * (np.sqrt(squared + C2_z_g**2) - C2_z_g)
+    slender = np.sqrt(M_Rk / M_cr)
+    phi = 0.5 * (1.0 + imperfection * np.maximum(slender - plateau, 0.0) + beta * slender**2)
+    chi = 1.0 / (phi + np.sqrt(np.maximum(phi**2 - beta * slender**2, 0.0)))
+    k_c = np.minimum(1.0 / np.sqrt(C1), 1.0)
+    f = np.minimum(1.0 - 0.5 * (1.0 - k_c) * (1.0 - 2.0 * (slender - 0.8) ** 2), 1.0)
+    capped = np.where(slender > plateau, np.minimum(np.minimum(chi, 1.0), 1.0 / slender**2), 1.0)
+    return np.asarray(np.minimum(np.minimum(capped / f, 1.0), 1.0 / slender**2) * M_Rk)
 
 
 def slenderness(modulus: float, yield_stress: float, critical: float) -> float:

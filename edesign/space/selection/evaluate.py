@@ -139,6 +139,7 @@ class Evaluator:
             choice: of the sections.
         """
         frame = self.analysis.frame_with(self.sections(choice))
+        frame = frame.with_sections(frame.members, design.frame.cases, frame.node_mass)  # loads are frozen too
         of_members = self.analysis.members.under_frozen_forces(frame, design.effects, design.members)
         found = np.zeros(len(self.groups))
         np.maximum.at(found, self._group_of_members, of_members)

@@ -1,0 +1,114 @@
+"""M_b,Rd of beams that no slab holds, by their moment diagram in each combination, EN 1993-1-1:2005, 6.3.2.3.
+
+Loads stand on the top flange. A response to an earthquake has no sign: its magnitudes are added to those of the static
+moments at every place, which gives the least C1.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from edesign.building.steel_section import steel_section
+from edesign.codes.ec3.buckling import IMPERFECTION
+from edesign.codes.ec3.lateral_torsional import buckling_moments, rolled_curve
+from edesign.project.building.building import Steel
+from edesign.space.effects import Effects
+from edesign.space.frame import SpaceFrame
+from edesign.space.live_load_reduction import whole_case
+
+_M_Y = 4
+
+
+class FreeBeams:
+    """Finds M_b,Rd of beams that are held at their ends alone, whatever sections they have.
+
+    Args:
+        frame: nodes and members.
+        materials: of the building, by name.
+        gamma_M1: partial factor.
+
+    Attributes:
+        members: numbers of the beams.
+    """
+
+    def __init__(self, frame: SpaceFrame, materials: Mapping[str, Steel], gamma_M1: float) -> None:
+        self.members = np.array([k for k, member in enumerate(frame.members) if member.kind == "beam"], dtype=int)
+        self._materials, self._gamma_M1 = materials, gamma_M1
+        self._place = np.full(len(frame.members), -1)
+        self._place[self.members] = np.arange(self.members.size)
+        self._length = frame.length[self.members]
+
+    def resistances(
+        self,
+        frame: SpaceFrame,
+        effects: Effects,
+        spectral: np.ndarray,
+        static_factors: np.ndarray,
+        spectral_factors: np.ndarray,
+        M_Rk: np.ndarray,
+    ) -> np.ndarray:
+        """Return M_b,Rd of the beams under combinations, (n_beams, n_combinations), N m.
+
+        Args:
+            frame: with the sections of the members, and the load cases.
+            effects: of the actions.
+            spectral: (d, n_members, n_stations, 6) magnitudes of the responses.
+            static_factors, spectral_factors: (k, n_cases), (k, d) of k combinations.
+            M_Rk: (n_beams,) W_y f_y, N m.
+        """
+        steady = np.tensordot(static_factors, effects.static[..., _M_Y][:, self.members], 1)  # (k, beams, stations)
+        swing = np.tensordot(np.abs(spectral_factors), spectral[..., _M_Y][:, self.members], 1)
+        largest = (np.abs(steady) + swing).max(axis=2)
+        pairs, of_members = frame.sections
+        of = np.array([self._properties(*pair) for pair in pairs])[of_members[self.members]].T
+        euler, squared = of[0] / self._length**2, of[1] + of[2] * self._length**2
+        tipping = self._loads(frame, effects) * self._length * of[3] / math.pi**2  # (cases, beams)
+        found = buckling_moments(
+            np.broadcast_to(M_Rk, largest.shape),
+            largest,
+            np.stack(
+                [
+                    _quarter(steady, swing),
+                    np.abs(steady[:, :, 3]) + swing[:, :, 3],
+                    _quarter(steady[:, :, ::-1], swing[:, :, ::-1]),
+                ]
+            ),
+            np.maximum(static_factors @ tipping, 0.0),
+            euler,
+            squared,
+            of[4],
+        )
+        hollow = of[5] > 0.0  # they do not buckle sideways
+        return np.where(hollow, M_Rk, found).T / self._gamma_M1
+
+    def _properties(self, name: str, material: str) -> list[float]:
+        """pi2 E I_z; I_w / I_z; G I_t / (pi2 E I_z); z_g; alpha_LT; whether the section is hollow."""
+        s, steel = steel_section(name), self._materials[material]
+        bending = math.pi**2 * steel.E * s.I_z
+        torsion = steel.E / (2.0 * (1.0 + steel.nu)) * s.I_t
+        imperfection = IMPERFECTION[rolled_curve(s.h, s.b)]
+        return [bending, s.I_w / s.I_z, torsion / bending, 0.5 * s.h, imperfection, float(s.kind != "I")]
+
+    def _loads(self, frame: SpaceFrame, effects: Effects) -> np.ndarray:
+        """Return the sum of P sin2(pi x / L) on each beam, (n_cases, n_beams) N, downwards; half of a uniform load."""
+        found = np.zeros((len(effects.cases), self.members.size))
+        for number, name in enumerate(effects.cases):
+            case = frame.cases.get(whole_case(name))
+            if case is None:
+                continue  # of sway imperfections, without loads on beams
+            found[number] = -0.5 * case.uniform[self.members, 2] * self._length
+            of = self._place[case.point_member]
+            weight = -case.point_force[:, 2] * np.sin(math.pi * case.point_position) ** 2
+            np.add.at(found[number], of[of >= 0], weight[of >= 0])
+        return found
+
+
+def _quarter(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
+    """Return moments at the first quarter from those at sixths: by a parabola, and of responses by a line."""
+    return np.asarray(
+        np.abs(3.0 * steady[:, :, 1] + 6.0 * steady[:, :, 2] - steady[:, :, 3]) / 8.0
+        + 0.5 * (swing[:, :, 1] + swing[:, :, 2])
+    )
