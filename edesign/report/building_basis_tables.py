@@ -74,7 +74,7 @@ def overstrength_table(results: BuildingResults) -> Table:
 def selection_table(results: BuildingResults) -> Table:
     """Return what `edesign design` chose for each group of members and what holds it up; no rows without a choice."""
     table = Table("Sections chosen", ("group", "before", "chosen", "mass [t]", "its next lighter section would break"))
-    table.left, table.sentences = 3, 4
+    table.left, table.sentences, table.formulas = 3, 4, (4,)
     if not results.has(SELECTION):
         return table
     columns = [results.values(SELECTION, name) for name in ("group", "before", "after", "mass", "held_by")]

@@ -26,6 +26,7 @@ INK = "#1c2430"
 _X, _Z = 0, 2
 _PIN = 0.07  # place of a hinge in drawings, by the length of the member
 _WIDTH, _HEIGHT = 6.0, 7.0  # inches at most
+_LABEL = 0.6  # length of a label, inches
 
 
 def elevations(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
@@ -35,7 +36,7 @@ def elevations(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         others = f" {', '.join(alike)}: the same members, used less." if alike else ""
         caption = (
             f"Frame {frame}, members by their largest utilisation. Section and largest utilisation stand where a "
-            f"section is used most; circles are pinned ends of beams.{others}"
+            f"section is used most, if there is room; circles are pinned ends of beams.{others}"
         )
         yield f"elevation_{frame}", caption, _elevation(results, frame)
 
@@ -93,15 +94,15 @@ def _elevation(results: BuildingResults, frame: str) -> Figure:
     _supports(axes, results, chosen, along)
     pins = hinges(results, chosen)
     axes.plot(pins[:, along], pins[:, _Z], "o", markersize=2.6, mec=INK, mfc="white", mew=0.6)
-    _names(axes, results, chosen, along)
+    _names(axes, results, chosen, along, _LABEL / scale)
     axes.set_aspect("equal")
     axes.margins(0.05, 0.04)
     _dress(axes, f"{'x' if along == 0 else 'y'} [m]")
     return figure
 
 
-def _names(axes: Axes, results: BuildingResults, chosen: np.ndarray, along: int) -> None:
-    """The section of each kind of members where it is used most."""
+def _names(axes: Axes, results: BuildingResults, chosen: np.ndarray, along: int, room: float) -> None:
+    """The section of each kind of members where it is used most, but not within `room` (m) of another one."""
     kind, section = (results.values("members", name)[chosen] for name in ("kind", "section"))
     start, end = (results.values("members", name)[chosen] for name in ("start", "end"))
     use = _use(results)[chosen]
@@ -110,8 +111,10 @@ def _names(axes: Axes, results: BuildingResults, chosen: np.ndarray, along: int)
         alike = np.flatnonzero((kind == pair[0]) & (section == pair[1]))
         middle = 0.5 * (start + end)[alike][:, [along, _Z]]
         order = np.argsort(-use[alike].round(3), kind="stable")
-        room = [all(np.abs(middle[k] - at).max() > 1.5 for at in taken) for k in order]  # m, of one label
-        place = int(order[room.index(True)] if True in room else order[0])
+        free = [int(k) for k in order if all(np.abs(middle[k] - at).max() > room for at in taken)]
+        if not free:
+            continue
+        place = free[0]
         taken.append(middle[place])
         way = (end - start)[alike[place]]
         turned = float(np.degrees(np.arctan2(way[_Z], way[along])))

@@ -23,6 +23,8 @@ PANELS = 3
 _BEAM = "#7c8796"
 _COLUMN = 0.11  # size of a column in the drawing, by the narrowest bay
 _BRACE = 0.05  # how far a brace is drawn beside its beam, by the narrowest bay
+_SIZE, _MARGIN = 6.0, 0.62  # inches
+_LABEL = 0.45  # inches of the narrowest bay, from which sections are named in the drawing
 _NODE = re.compile(r"([A-Z]+)([0-9]+)\.[0-9]+")
 
 
@@ -33,7 +35,7 @@ def plans(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         which = f"storey {storeys[0]}" if len(storeys) == 1 else f"storeys {_runs(storeys)}"
         caption = (
             f"Plan of {which}, widths in m. Columns with the direction of their webs, the beams above them, circles at "
-            "pinned ends, dashes beside braced bays, a cross at the centre of mass."
+            f"pinned ends, dashes beside braced bays, a cross at the centre of mass. Sections: {_sections(results, storeys[0])}."
         )
         yield f"plan_{storeys[0]}", caption, _plan(results, storeys[0])
 
@@ -78,20 +80,21 @@ def _plan(results: BuildingResults, storey: int) -> Figure:
     kind = results.values("members", "kind")
     xs, ys = sorted(across_x.values()), sorted(across_y.values())
     narrow = float(min(np.diff(xs).min(initial=np.inf), np.diff(ys).min(initial=np.inf)))
-    wide, deep = xs[-1] - xs[0] + 2.0 * narrow, ys[-1] - ys[0] + 2.0 * narrow
-    scale = min(6.0 / wide, 6.0 / deep)
-    figure, [[axes]] = new_figure(1, 1, 6.0, scale * deep + 0.2)
-    _draw_grid(axes, across_x, across_y, narrow)
-    _draw_beams(
-        axes, results, np.flatnonzero(of_storey & (kind == "beam")), np.flatnonzero(of_storey & (kind == "brace"))
-    )
-    _draw_braces(axes, results, np.flatnonzero(of_storey & (kind == "brace")), narrow)
-    columns = np.flatnonzero(of_storey & (kind == "column"))
+    wide, deep = xs[-1] - xs[0], ys[-1] - ys[0]
+    scale = (_SIZE - 2.0 * _MARGIN) / max(wide, deep)  # inches a metre
+    figure, [[axes]] = new_figure(1, 1, _SIZE, scale * deep + 2.0 * _MARGIN)
+    _draw_grid(axes, across_x, across_y, scale)
+    columns, beams, braces = (np.flatnonzero(of_storey & (kind == name)) for name in ("column", "beam", "brace"))
+    named = narrow * scale > _LABEL
+    _draw_beams(axes, results, beams, braces, named)
+    _draw_braces(axes, results, braces, narrow, named)
     gap = np.full((1, 2), np.nan)
-    lines = [part for number in columns for part in _column_lines(results, int(number), _COLUMN * narrow)]
+    size = _COLUMN * min(narrow, 2.0 * _MARGIN / scale)
+    lines = [part for number in columns for part in _column_lines(results, int(number), size)]
     path = np.concatenate([part for line in lines for part in (line, gap)]) if lines else gap
     axes.plot(path[:, 0], path[:, 1], color=INK, linewidth=1.5, solid_capstyle="butt", zorder=3)
-    _name_columns(axes, results, columns, narrow)
+    if named:
+        _name_columns(axes, results, columns, 1.2 * size)
     floor = results.values("floors", "floor").tolist().index(storey)
     centre = [float(results.values("floors", name)[floor]) for name in ("x", "y")]
     axes.plot(*centre, "x", color=TARGET, markersize=5.0)
@@ -100,32 +103,41 @@ def _plan(results: BuildingResults, storey: int) -> Figure:
     return figure
 
 
-def _draw_grid(axes: Axes, across_x: dict[str, float], across_y: dict[str, float], narrow: float) -> None:
-    xs, ys = sorted(across_x.values()), sorted(across_y.values())
-    size = 7.0 if max(len(xs), len(ys)) <= 16 else 4.0
+def _draw_grid(axes: Axes, across_x: dict[str, float], across_y: dict[str, float], scale: float) -> None:
+    """Lines with their names, and the widths of the bays, where there is room for them."""
+    inch = 1.0 / scale
     bubble = {"boxstyle": "circle,pad=0.25", "facecolor": "white", "edgecolor": INK, "linewidth": 0.5}
-    for name, x in across_x.items():
-        axes.plot([x, x], [ys[0] - 0.45 * narrow, ys[-1] + 0.2 * narrow], color="#c9ced6", linewidth=0.5, zorder=0)
-        axes.text(x, ys[0] - 0.62 * narrow, name, fontsize=size, ha="center", va="center", bbox=bubble)
-    for name, y in across_y.items():
-        axes.plot([xs[0] - 0.45 * narrow, xs[-1] + 0.2 * narrow], [y, y], color="#c9ced6", linewidth=0.5, zorder=0)
-        axes.text(xs[0] - 0.62 * narrow, y, name, fontsize=size, ha="center", va="center", bbox=bubble)
-    for left, right in zip(xs[:-1], xs[1:], strict=True):
-        middle = 0.5 * (left + right)
-        axes.text(middle, ys[0] - 0.36 * narrow, f"{right - left:.4g}", fontsize=size - 1.0, ha="center", va="center")
-    for below, above in zip(ys[:-1], ys[1:], strict=True):
-        middle = 0.5 * (below + above)
-        text = f"{above - below:.4g}"
-        axes.text(xs[0] - 0.36 * narrow, middle, text, fontsize=size - 1.0, ha="center", va="center", rotation=90)
+    origin = min(across_x.values()), min(across_y.values())
+    for along, lines in ((0, across_x), (1, across_y)):
+        across = across_y if along == 0 else across_x
+        low, high = min(across.values()) - 0.4 * inch, max(across.values()) + 0.12 * inch
+        told = last = -np.inf
+
+        def point(place: float, beside: float, along: int = along) -> tuple[float, float]:
+            return (place, origin[1] - beside * inch) if along == 0 else (origin[0] - beside * inch, place)
+
+        for name, place in sorted(lines.items(), key=lambda line: line[1]):
+            ends = [(place, low), (place, high)] if along == 0 else [(low, place), (high, place)]
+            axes.plot(*zip(*ends, strict=True), color="#c9ced6", linewidth=0.5, zorder=0)
+            if place - told > 0.24 * inch:
+                axes.text(*point(place, 0.5), name, fontsize=7.0, ha="center", va="center", bbox=bubble)
+                told = place
+            if place - last > 0.3 * inch and np.isfinite(last):
+                text, turned = f"{place - last:.4g}", 90.0 * along
+                middle = point(0.5 * (place + last), 0.27)
+                axes.text(*middle, text, fontsize=6.0, ha="center", va="center", rotation=turned)
+            last = place
 
 
-def _draw_beams(axes: Axes, results: BuildingResults, beams: np.ndarray, braces: np.ndarray) -> None:
+def _draw_beams(axes: Axes, results: BuildingResults, beams: np.ndarray, braces: np.ndarray, named: bool) -> None:
     """Beams, and the section of each way and size beside one of them where nothing else is."""
     start, end = (results.values("members", name)[beams] for name in ("start", "end"))
     section = results.values("members", "section")[beams]
     strokes(axes, start[:, :2], end[:, :2], _BEAM, 1.3)
     pins = hinges(results, beams)
     axes.plot(pins[:, 0], pins[:, 1], "o", markersize=2.8, mec=INK, mfc="white", mew=0.6, zorder=2)
+    if not named:
+        return
     braced = {(str(frame), int(bay)) for frame, bay in _bays(results, braces)}
     free = np.array([place not in braced for place in _bays(results, beams)])
     along_x = np.abs((end - start)[:, 0]) > np.abs((end - start)[:, 1])
@@ -147,10 +159,10 @@ def _bays(results: BuildingResults, members: np.ndarray) -> list[tuple[str, int]
     return [(str(frame), round(1e3 * float(place))) for frame, place in zip(frames, places, strict=True)]
 
 
-def _draw_braces(axes: Axes, results: BuildingResults, braces: np.ndarray, narrow: float) -> None:
+def _draw_braces(axes: Axes, results: BuildingResults, braces: np.ndarray, narrow: float, named: bool) -> None:
     start, end = (results.values("members", name)[braces] for name in ("start", "end"))
     section = results.values("members", "section")[braces]
-    named: set[str] = set()
+    told: set[str] = set()
     for a, b, name in zip(start, end, section, strict=True):
         way = (b - a)[:2]
         length = float(np.hypot(*way))
@@ -159,8 +171,8 @@ def _draw_braces(axes: Axes, results: BuildingResults, braces: np.ndarray, narro
         side = _BRACE * narrow * np.array([-abs(way[1]), abs(way[0])]) / length
         (x0, y0), (x1, y1) = a[:2] + 0.12 * way + side, b[:2] - 0.12 * way + side
         axes.plot([x0, x1], [y0, y1], color=AFTER, linewidth=1.3, linestyle=(0, (4, 2)), zorder=2)
-        if name not in named:
-            named.add(str(name))
+        if named and name not in told:
+            told.add(str(name))
             along_x = abs(way[0]) > abs(way[1])
             x, y = np.array([0.5 * (x0 + x1), 0.5 * (y0 + y1)]) + side
             turned = {"rotation": 0, "ha": "center"} if along_x else {"rotation": 90, "ha": "right"}
@@ -184,10 +196,17 @@ def _column_lines(results: BuildingResults, number: int, size: float) -> list[np
     return [np.array(ends), *(np.array([of + size * flange, of - size * flange]) for of in ends)]
 
 
-def _name_columns(axes: Axes, results: BuildingResults, columns: np.ndarray, narrow: float) -> None:
+def _name_columns(axes: Axes, results: BuildingResults, columns: np.ndarray, shift: float) -> None:
     """The section of a column, beside the last one that has it."""
     section, start = results.values("members", "section")[columns], results.values("members", "start")[columns]
     for name in dict.fromkeys(section.tolist()):
         x, y = start[np.flatnonzero(section == name)[-1]][:2]
-        shift = 1.2 * _COLUMN * narrow
         axes.text(x + shift, y + shift, name, fontsize=6.0, ha="left", va="bottom", zorder=4)
+
+
+def _sections(results: BuildingResults, storey: int) -> str:
+    """The sections of a storey in words."""
+    of_storey = results.values("members", "storey") == storey
+    kind, section = (results.values("members", name)[of_storey] for name in ("kind", "section"))
+    kinds = [(name, dict.fromkeys(section[kind == name].tolist())) for name in ("column", "beam", "brace")]
+    return "; ".join(f"{name}s {', '.join(sections)}" for name, sections in kinds if sections)

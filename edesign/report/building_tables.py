@@ -195,7 +195,7 @@ def groups_table(results: BuildingResults) -> Table:
         cells = [worst.group, worst.section, str(worst.count), number(finite(worst.utilisation), 3)]
         table.rows.append([*cells, worst.name, worst.member, str(worst.combination)])
         clauses.setdefault(worst.name, worst.clause)
-    table.notes.append("use: effect over resistance; combination: its number below")
+    table.notes.append("use: effect over resistance; combination: its number among those below")
     table.notes += [f"{name}: {clause}" for name, clause in clauses.items()]
     return table
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 import textwrap
 from collections.abc import Iterable
+from dataclasses import replace
 from typing import TextIO
 
 from edesign.report.table import Table
@@ -31,7 +32,7 @@ def _visible(table: Table) -> Table:
     rows = [[visible_line(cell) for cell in row] for row in table.rows]
     columns = [visible_line(header) for header in table.columns]
     notes = [visible(note) for note in table.notes]
-    return Table(visible_line(table.title), columns, rows, notes, table.left, table.sentences)
+    return replace(table, title=visible_line(table.title), columns=columns, rows=rows, notes=notes)
 
 
 def broken(table: Table, width: int, gap: int) -> Table:
@@ -53,7 +54,7 @@ def broken(table: Table, width: int, gap: int) -> Table:
     for row in table.rows:
         for number, line in enumerate(textwrap.wrap(row[table.sentences], room) or [""]):
             rows.append([line if i == table.sentences else "" if number else cell for i, cell in enumerate(row)])
-    return Table(table.title, table.columns, rows, table.notes, table.left)
+    return replace(table, rows=rows)
 
 
 def plain(table: Table) -> str:
@@ -63,7 +64,7 @@ def plain(table: Table) -> str:
     widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))] if cells else []
     for position, row in enumerate(cells):
         aligned = [
-            cell.ljust(width) if i < table.left else cell.rjust(width)
+            cell.ljust(width) if i < table.left or i == table.sentences else cell.rjust(width)
             for i, (cell, width) in enumerate(zip(row, widths, strict=True))
         ]
         lines.append("  ".join(aligned).rstrip())
@@ -93,7 +94,8 @@ def folded(table: Table, width: int) -> list[Table]:
         notes = table.notes if number == len(parts) else []
         rows = [[row[i] for i in part] for row in table.rows]
         left = sum(i < table.left for i in part)
-        tables.append(Table(title, [table.columns[i] for i in part], rows, notes, left))
+        sentences = part.index(table.sentences) if table.sentences in part else None
+        tables.append(Table(title, [table.columns[i] for i in part], rows, notes, left, sentences))
     return tables
 
 
@@ -112,7 +114,8 @@ def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
             shown = RichTable(box=SIMPLE_HEAD, show_header=bool(table.columns), pad_edge=False)
             for i in range(len(table.rows[0])):
                 header = Text(table.columns[i]) if table.columns else ""
-                shown.add_column(header, justify="left" if i < table.left else "right", overflow="fold")
+                text = i < table.left or i == table.sentences
+                shown.add_column(header, justify="left" if text else "right", overflow="fold")
             for row in table.rows:
                 shown.add_row(*(Text(cell, style=_COLOURS.get(cell, "")) for cell in row))
             console.print(shown)
