@@ -47,9 +47,9 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
 
     context: Any = contextvars.copy_context()
     thread = threading.Thread(target=context.run, args=(run,), daemon=True)
-    thread.start()
     told = ""
     try:
+        thread.start()
         while thread.is_alive():
             thread.join(LOOK)
             stage, since = stages[-1] if stages else ("", 0.0)

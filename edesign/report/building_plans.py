@@ -33,9 +33,10 @@ def plans(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     results = BuildingResults(archive)
     for storeys in _different_storeys(results)[:PANELS]:
         which = f"storey {storeys[0]}" if len(storeys) == 1 else f"storeys {_runs(storeys)}"
+        sections = _sections(results, storeys[0])
         caption = (
             f"Plan of {which}, widths in m. Columns with the direction of their webs, the beams above them, circles at "
-            f"pinned ends, dashes beside braced bays, a cross at the centre of mass. Sections: {_sections(results, storeys[0])}."
+            f"pinned ends, dashes beside braced bays, a cross at the centre of mass. Sections: {sections}."
         )
         yield f"plan_{storeys[0]}", caption, _plan(results, storeys[0])
 
