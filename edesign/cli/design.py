@@ -8,6 +8,8 @@ from typing import Annotated
 
 import typer
 
+from edesign.errors import InputError
+
 NAME = "designed.yaml"
 
 
@@ -43,6 +45,8 @@ def design(
     path = building.with_name(NAME) if output is None else output
     read = load_building(building)
     archive = path.with_suffix(".h5")
+    if archive == path:
+        raise InputError(f"{path}: this is the name of an archive; a building file ends in .yaml")
     check_own_yaml(path, building, overwrite)
     check_building_archive(read, path, archive, overwrite)
     found = select_sections(read, tell, workers)

@@ -7,6 +7,7 @@ import sys
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any, TypeVar
 
 from edesign.report.visible import visible_line
@@ -56,7 +57,8 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
             if stage != told and thread.is_alive() and time.monotonic() - since >= LINE_AFTER:
                 told = stage
                 if not quiet:
-                    print(f"{visible_line(stage)} ...", file=sys.stderr, flush=True)
+                    with suppress(OSError):  # nobody reads on: no reason to stop
+                        print(f"{visible_line(stage)} ...", file=sys.stderr, flush=True)
     finally:
         ended.set()
     if errors:

@@ -216,19 +216,16 @@ def _member(results: BuildingResults, member: int) -> SteelMember:
     def of(name: str) -> float:
         return float(results.values("members", name)[member])
 
-    steels = [str(name) for name in results.values("materials", "material")]
-    steel = steels.index(str(results.values("members", "material")[member]))
-    E, nu, fy = (float(results.values("materials", name)[steel]) for name in ("E", "nu", "fy"))
     flags = {name: bool(of(name)) for name in ("twists", "general")}
     lengths = {part.name: of(part.name) for part in fields(Stability) if part.name not in flags}
     return SteelMember(
         section=steel_section(str(results.values("members", "section")[member])),
-        fy=fy,
+        fy=of("fy"),
         stability=Stability(**lengths, **flags),  # type: ignore[arg-type]
         section_class=min(int(of("class")), 3),
         V_M=of("V_M"),
-        E=E,
-        G=E / (2.0 * (1.0 + nu)),
+        E=of("E"),
+        G=of("G"),
         gamma_M0=results.number("gamma_M0"),
         gamma_M1=results.number("gamma_M1"),
     )

@@ -226,8 +226,9 @@ def _numbers(places: list[int]) -> str:
 
 def verdict_table(results: BuildingResults) -> Table:
     """Return what is not met, and what an engineer should know; no columns."""
-    broken = failures(results)
-    verdict = [f"not met: {text}" for text in broken] or ["all checks and rules are met"]
+    verdict = [f"not met: {text}" for text in failures(results)]
+    if results.number("passed"):
+        verdict = ["all checks and rules are met"]
     return Table("Verdict", notes=[*verdict, *remarks(results)])
 
 

@@ -10,7 +10,6 @@ import numpy as np
 from edesign.archive.dataset import Group, Variable
 from edesign.building.section_class import section_class
 from edesign.building.steel_member import Stability
-from edesign.building.steel_section import steel_section
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.space.effects import largest
 from edesign.space.elastic_design import ElasticDesign
@@ -42,10 +41,17 @@ def add_restraints(group: Group, design: ElasticDesign) -> None:
         values = np.array([float(getattr(member.stability, of.name)) for member in checks.members])
         unit = "m" if of.name in _LENGTHS else "1"
         group.add(of.name, ("member",), values[kinds], unit, f"{of.name} of the checks of stability")
-    V_M = np.array([member.V_M for member in checks.members])
-    group.add("V_M", ("member",), V_M[kinds], "N", "V_Ed,M of EN 1998-1, 6.6.2(2)")
-    text = "class of the section under the largest axial force of all combinations"
-    group.add("class", ("member",), _classes(design), "1", text)
+    for name, unit, text in (
+        ("fy", "Pa", "yield strength"),
+        ("E", "Pa", "modulus of elasticity"),
+        ("G", "Pa", "shear modulus"),
+        ("V_M", "N", "V_Ed,M of EN 1998-1, 6.6.2(2)"),
+    ):
+        values = np.array([getattr(member, name) for member in checks.members])
+        group.add(name, ("member",), values[kinds], unit, text)
+    used, found = np.array([member.section_class for member in checks.members])[kinds], _classes(design)
+    text = "class of the section in the checks, under the largest axial force of all combinations"
+    group.add("class", ("member",), np.where((found < 3) == (used < 3), found, used), "1", text)
     at = np.array(["y at start", "z at start", "y at end", "z at end"])
     group.coords["end_axis"] = Variable(("end_axis",), at, "", "axis of the section and end of the member")
     stiffness = np.array([member.ends for member in members])
@@ -59,16 +65,13 @@ def add_restraints(group: Group, design: ElasticDesign) -> None:
 
 def _classes(design: ElasticDesign) -> np.ndarray:
     force = largest(design.effects, design.members.rows)[:, :, 0].max(axis=1)
-    known: dict[tuple[str, str, float, bool], int] = {}
-    found = []
-    for member, N_Ed in zip(design.frame.members, force.tolist(), strict=True):
-        compression = 0.0 if member.kind == "beam" else N_Ed
-        key = member.section, member.material, compression, member.kind != "brace"
-        if key not in known:
-            fy = design.building.materials[member.material].fy
-            known[key] = section_class(steel_section(member.section), fy, -compression, about_y=key[3]).number
-        found.append(known[key])
-    return np.array(found)
+    checked = [design.members.members[kind] for kind in design.members.kinds]
+    return np.array(
+        [
+            section_class(of.section, of.fy, 0.0 if member.kind == "beam" else -N_Ed, member.kind != "brace").number
+            for member, of, N_Ed in zip(design.frame.members, checked, force.tolist(), strict=True)
+        ]
+    )
 
 
 def _materials(design: ElasticDesign) -> Group:
