@@ -177,7 +177,7 @@ class MemberChecker:
             effects, results: of the other sections.
         """
         checked = self._members(frame, effects, results.rows)
-        return self._checked(*checked, effects, results.rows, results.counts).utilisation.max(axis=1)
+        return self._checked(frame, *checked, effects, results.rows, results.counts).utilisation.max(axis=1)
 
     def _checked(
         self,
