@@ -29,7 +29,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 THESIS := projects/thesis_10_storey
 RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
 
-.PHONY: help run study causes blind setup test test-setup lint types layers ctest pytest format bench memcheck clean distclean
+.PHONY: help run study causes blind setup test slow test-setup lint types layers ctest pytest format bench memcheck clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
@@ -39,6 +39,7 @@ help:
 	@echo "make causes    what the damped frame's response depends on: ten variants beside Table 5.8"
 	@echo "make blind     calibration against data with hidden effects: CAMPAIGNS made by SEED, what was found, what was missed"
 	@echo "make test      set up, then lint, types, import layers, C tests with sanitizers, Python tests"
+	@echo "make slow      the tests that make test leaves out for their time; CI runs them too"
 	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio; cost of dampers"
 	@echo "make memcheck  C tests under valgrind, then random calls of the core under sanitizers"
 	@echo "make setup     only the set-up of run;  make test-setup: only that of the tests"
@@ -52,7 +53,7 @@ help:
 
 # What the system must offer depends on the goal; a goal hands it to its prerequisites.
 SYSTEM := run
-test test-setup lint types layers ctest pytest bench format: SYSTEM := test
+test slow test-setup lint types layers ctest pytest bench format: SYSTEM := test
 memcheck: SYSTEM := memcheck
 
 ifneq ($(VALID),yes)
@@ -145,6 +146,10 @@ pytest: $(STAMPS)/peers
 	$(SAY) Python tests
 	@# files whole, as what their tests share is made once, and the long ones (cases, peers, published) first
 	@$(PY) -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder $(ARGS)
+
+slow: $(STAMPS)/peers
+	$(SAY) slow Python tests
+	@$(PY) -m pytest -n $(WORKERS) --dist worksteal -m slow
 
 memcheck: $(STAMPS)/build
 	@tools/setup_system.sh memcheck >/dev/null

@@ -158,6 +158,7 @@ def test_a_work_that_kills_its_workers_fails_alone(backend: Backend, tmp_path: P
     check_mixed(found)
 
 
+@pytest.mark.slow
 def test_a_scheduler_elsewhere(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -236,6 +237,7 @@ if __name__ == "__main__":
 """
 
 
+@pytest.mark.slow
 def test_ctrl_c_in_a_terminal_reaches_all_processes_and_loses_nothing(tmp_path: Path) -> None:
     script = tmp_path / "script.py"
     script.write_text(INTERRUPTED, encoding="utf-8")

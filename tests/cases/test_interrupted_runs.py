@@ -32,7 +32,7 @@ def start(path: Path) -> subprocess.Popen[str]:
     raise AssertionError("the last analysis did not begin")
 
 
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("number", [signal.SIGINT, pytest.param(signal.SIGTERM, marks=pytest.mark.slow)])
 def test_an_interrupted_run_says_what_it_kept_and_goes_on_from_there(tmp_path: Path, number: signal.Signals) -> None:
     path = write(tmp_path, *LONG)
     process = start(path)
@@ -55,6 +55,7 @@ def test_an_interrupted_run_says_what_it_kept_and_goes_on_from_there(tmp_path: P
     assert json.loads(edesign("show", partial, "--json").stdout)["analyses"][1]["status"] == "completed"
 
 
+@pytest.mark.slow
 def test_a_second_run_of_the_same_archive_is_refused(tmp_path: Path) -> None:
     path = write(tmp_path, *LONG)
     process = start(path)
@@ -69,6 +70,7 @@ def test_a_second_run_of_the_same_archive_is_refused(tmp_path: Path) -> None:
     assert third.returncode == 0, third.stderr
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(sys.platform == "win32", reason="no resource limits")
 def test_a_disk_that_fills_up_is_told_with_what_was_kept(tmp_path: Path) -> None:
     """A limit on the size of files stands for the full disk: the history does not fit, what came before does."""

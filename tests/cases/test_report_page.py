@@ -87,7 +87,7 @@ def _outline(text: str) -> _Outline:
     return outline
 
 
-@pytest.mark.parametrize("width", [360, 1280])
+@pytest.mark.parametrize("width", [pytest.param(360, marks=pytest.mark.slow), 1280])
 def test_page_in_a_browser(made: Made, width: int, tmp_path: Path) -> None:
     browser = _browser()
     if browser is None:

@@ -264,7 +264,11 @@ run_study(load_study(sys.argv[1]), progress=listen)
 
 @pytest.mark.parametrize(
     ("event", "words", "finished", "rounds"),
-    [("note", "round 3", 0, 2), ("start", "added.2.DBE.set/third", 0, 1), ("end", "damped.MCE.second", 19, 0)],
+    [
+        ("note", "round 3", 0, 2),
+        pytest.param("start", "added.2.DBE.set/third", 0, 1, marks=pytest.mark.slow),
+        pytest.param("end", "damped.MCE.second", 19, 0, marks=pytest.mark.slow),
+    ],
 )
 def test_a_killed_run_goes_on_where_it_was(
     tmp_path: Path, undisturbed: dict[str, Any], call: Caller, event: str, words: str, finished: int, rounds: int
@@ -312,6 +316,7 @@ def test_ctrl_c_in_the_rounds_of_a_design_keeps_them(tmp_path: Path, call: Calle
     assert other.code == 0 and "not used (project checksum, input checksum differ)" in other.err
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("how", [("threads", 2), ("dask", 2)])
 def test_back_ends_give_the_same_bits(tmp_path: Path, undisturbed: dict[str, Any], how: tuple[str, int]) -> None:
     name, workers = how
@@ -354,6 +359,7 @@ def test_a_target_no_damper_can_reach_is_told_before_anything_is_run(tmp_path: P
     assert call("run", path, "--only", "bare.DBE", "--quiet").code == 0  # which needs no design
 
 
+@pytest.mark.slow
 def test_histories_that_collapse_are_missing_in_every_mean(tmp_path: Path, call: Caller) -> None:
     """The limit lies between the drifts of the bare frame at the MCE, so that some records end in collapse."""
     path = write(tmp_path, ("records: set, free_vibration: 1 s}", "records: set, collapse_drift: 5 %}"))
@@ -430,6 +436,7 @@ class Losing(SerialBackend):
             yield result
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("results", "finished", "error"),
     [
@@ -479,6 +486,7 @@ def test_a_history_that_fails_in_a_round_is_missing_there(tmp_path: Path, monkey
     assert design.attributes["failed_histories"] == {"1": ["added.1.DBE.set/second"]}
 
 
+@pytest.mark.slow
 def test_a_law_file_that_changed_makes_a_run_start_afresh(tmp_path: Path) -> None:
     """What an interrupted run left belongs to the other law."""
     own = (

@@ -74,6 +74,7 @@ def test_original_and_fitted_record_are_archived_with_their_origin(archive: Path
         assert group.attributes["misfit_after"]["rms"] < 0.1 * group.attributes["misfit_before"]["rms"]
 
 
+@pytest.mark.slow
 def test_show_draws_the_records_of_a_run(archive: Path, tmp_path: Path) -> None:
     assert main(["show", str(archive), "--figures", str(tmp_path), "--format", "png"]) == 0
     expected = {f"{name}.png" for name in ("set_before", "set_after", "set_mean", "first", "second", "third")}

@@ -38,6 +38,7 @@ def test_pushover_to_two_per_cent_of_roof_drift(frame: PeerFrame) -> None:
     assert np.max(theirs[1]) > 5e5  # the curve is not empty
 
 
+@pytest.mark.slow
 def test_el_centro() -> None:
     """Peaks within 0.3 %, residual displacement within 2 mm, over 25 s of the 1940 recording at 0.414 g.
 

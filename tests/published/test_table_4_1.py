@@ -76,6 +76,7 @@ def mean_nrms(
     return float(np.mean(found))
 
 
+@pytest.mark.slow
 def test_more_branches_make_no_difference(sweeps: list[DamperTest]) -> None:
     errors = []
     for count in (1, 4):  # docs/damper_fits.md has 2 and 3
@@ -87,6 +88,7 @@ def test_more_branches_make_no_difference(sweeps: list[DamperTest]) -> None:
     assert np.ptp(errors) < 0.0002
 
 
+@pytest.mark.slow
 def test_branches_alone_do_not_describe_the_material(sweeps: list[DamperTest]) -> None:
     """Section 4.3: the GMM is linear whatever the number of branches, and the damper is not (4.9 % to 2.8 % here)."""
     errors = [mean_nrms(fit_forces(GMM, sweeps, starts=1, branches=count), sweeps) for count in (1, 2, 4)]

@@ -45,10 +45,10 @@ def _offset(t: np.ndarray, u: np.ndarray, v: np.ndarray, a: np.ndarray, order: i
     ("hidden", "name", "kind", "parameter", "value"),
     [
         (_mass, "inertia", "instrument", "mass", 400.0),
-        (_friction, "friction", "rig", "F_c", 500.0),
+        pytest.param(_friction, "friction", "rig", "F_c", 500.0, marks=pytest.mark.slow),
         (_cubic, "hardening", "damper", "p", 3.0),
         (_ageing, "ageing", "damper", "rate", 0.02),
-        (_hum, "hum", "instrument", "frequency", 50.0),
+        pytest.param(_hum, "hum", "instrument", "frequency", 50.0, marks=pytest.mark.slow),
         (_offset, "offset", "instrument", "offset", 250.0),
     ],
 )
@@ -103,6 +103,7 @@ def test_another_law_is_refitted_and_nothing_is_added(tmp_path: Path) -> None:
     assert corrected["c"].value == pytest.approx(0.85 * C, abs=4.0 * corrected["c"].standard_error)
 
 
+@pytest.mark.slow
 def test_what_nothing_known_explains_is_told_as_that(tmp_path: Path) -> None:
     random = np.random.default_rng(8)
 

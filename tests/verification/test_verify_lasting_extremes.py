@@ -81,6 +81,7 @@ def test_lasting_extremes_are_those_of_one_history(tmp_path: Path) -> None:
     assert only == pytest.approx(forces[3], abs=1e-3 * peak)
 
 
+@pytest.mark.slow
 def test_what_predicts_the_tests_better_is_found(tmp_path: Path) -> None:
     fresh_forces = [Damper(MGMM, TABLE_4_2).force(T, u) for u in motions()]
     for name, forces, lasting in (("one", one_history(), True), ("each", fresh_forces, False)):
@@ -90,6 +91,7 @@ def test_what_predicts_the_tests_better_is_found(tmp_path: Path) -> None:
         assert [one.problem.lasting for one in found] == [lasting]  # and no doubt about it
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("share", "lasting"), [(0.1, [True]), (0.4, [True, False]), (0.7, [False, True]), (0.95, [False]), (3.0, [False])]
 )

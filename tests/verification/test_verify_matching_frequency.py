@@ -226,6 +226,7 @@ def test_without_the_peak_of_the_ground_nothing_above_the_transition_is_touched(
     assert np.sqrt(np.mean((ratio - 1.0) ** 2)) < 0.03
 
 
+@pytest.mark.slow
 @needs_recordings
 def test_all_thesis_recordings_reach_the_design_spectrum() -> None:
     ratios = []

@@ -279,6 +279,7 @@ def test_few_or_many_points_at_a_coarse_step(points: int) -> None:
     assert abs(match.after.end_velocity) < 1e-6
 
 
+@pytest.mark.slow
 @needs_recordings
 def test_real_records_are_matched_closely_and_keep_their_character() -> None:
     """At 300 periods that are not the matching ones within 2 % (rms), 9 % (largest) and but for one 6 %; in shape."""

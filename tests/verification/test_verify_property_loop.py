@@ -67,6 +67,7 @@ def test_power_of_the_velocity(tmp_path: Path) -> None:
         assert effects[0].parameters["alpha"].value == pytest.approx(0.3, abs=0.08)
 
 
+@pytest.mark.slow
 def test_peak_read_too_large(tmp_path: Path) -> None:
     """No law makes G_eq 8 % too large at one G' and loss factor; no part of the damper is made of it."""
     found = _calibrated(tmp_path, peak=0.08)

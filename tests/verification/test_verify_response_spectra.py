@@ -230,6 +230,7 @@ def test_synthetic_motion_against_scipy(step: float, damping: float) -> None:
         np.testing.assert_allclose(got[0], expected, rtol=tolerance)
 
 
+@pytest.mark.slow
 @needs_recordings
 def test_real_records_against_scipy() -> None:
     """Every real record, 5 % damping; 0.062, 0.16 and 0.048 % were measured, of 200 periods."""

@@ -151,6 +151,7 @@ def test_crafted_archives_are_refused(samples: dict[str, Path], tmp_path: Path, 
     assert codes <= ({4} if layout == "whole" else {0, 4}), [text for code, text in found if code not in (0, 4)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("layout", ["whole", "partial"])
 def test_a_page_of_zeros_is_noticed(samples: dict[str, Path], tmp_path: Path, layout: str) -> None:
     """Of a partial archive too: every page has something that is read, or was zero before."""
@@ -289,6 +290,7 @@ def test_the_mark_of_layout_1_does_not_spare_a_group_its_checksum(samples: dict[
         assert "the checksum differs" in archive.damage[""]
 
 
+@pytest.mark.slow
 def test_pages_of_two_states_of_a_file(tmp_path: Path) -> None:
     """What a power failure may leave of a partial file; of links in such a mixture HDF5 itself crashes."""
     path = tmp_path / "a.h5"

@@ -33,6 +33,7 @@ def _run(folder: Path, *more: str) -> int:
     return main(["calibrate", str(folder / "campaign.yaml"), "--workers", "1", *more])
 
 
+@pytest.mark.slow
 def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -59,6 +60,7 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     assert not (tmp_path / "none").exists()
 
 
+@pytest.mark.slow
 def test_look_alikes_that_were_not_asked_for_are_none(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

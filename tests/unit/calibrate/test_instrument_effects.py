@@ -372,6 +372,7 @@ def test_a_tone_that_hunts_goes_where_harmonics_of_a_fast_motion_are_too() -> No
     assert float(rest @ rest / (hunting @ hunting)) < 5e-5
 
 
+@pytest.mark.slow
 def test_of_a_tone_that_wanders_more_cosines_leave_less() -> None:
     # amplitude 1 + 0.3 z, z with the spectrum 2 T / (1 + (2 pi f T)^2), T = 4 s: above f_c, for f_c T far above 1, the
     # share 1 / (pi^2 f_c T) of its power is left (Rice 1944, Bell Syst. Tech. J. 23, section 2.7)

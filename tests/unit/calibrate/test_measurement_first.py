@@ -68,6 +68,7 @@ def test_a_search_that_comes_to_its_end_has_screened_all_forms() -> None:
     assert set(found.coverage.forms) == {"x.only", "y.only", "z.only"} and found.coverage.not_screened == ()
 
 
+@pytest.mark.slow
 def test_all_files_tell_what_was_not_searched(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -47,6 +47,7 @@ def texts(svg: str) -> str:
     return "\n".join(element.text or "" for element in root.iter() if element.tag.endswith("text"))
 
 
+@pytest.mark.slow
 @pytest.mark.filterwarnings("ignore:Glyph:UserWarning")  # what the command does with it is another test's
 def test_every_figure_is_drawn_and_says_the_names(tmp_path: Path) -> None:
     page = page_text(archive_with(tmp_path, VARIANTS))
