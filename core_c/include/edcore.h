@@ -463,9 +463,10 @@ int ed_recursion_peaks(int n, const double *samples, int n_recursions, const dou
  * moments and shears the one that adds. T is not checked.
  * set: n_combinations, number of the set of checks of a combination; masks: n_members x n_sets, the checks of a member under it, 1 <<
  * ED_CHECK_...; gravity: n_cases, whether a case counts in V_Ed,G. constants: n_members x ED_N_CONSTANTS; kind: n_members, shape,
- * | ED_CLASS_3, | ED_NO_TWIST, | ED_ANNEX_A where 6_61 and 6_62 follow it, and not Annex B. Member checks (N_B, M_B, 6_61, 6_62) count with the largest compression and moments along the member;
- * their station is that of the compression, of M_y elsewhere.
- * M_b: n_members x n_combinations, what M_y meets under a combination in the place of ED_M_B, and not less than it; may be NULL.
+ * | ED_CLASS_3, | ED_NO_TWIST, | ED_ANNEX_A where 6_61 and 6_62 follow Annex A and not B. Member checks (N_B, M_B, 6_61, 6_62) count
+ * with the largest compression and moments along the member; their station is that of the compression, of M_y elsewhere.
+ * M_b: n_members x n_combinations, what M_y meets under a combination in the place of ED_M_B, and not less than it; combinations with
+ * the same factors have the same. May be NULL.
  * Of each member and check: the largest utilisation (1 is the limit), the first combination and station that give it, or 0, -1, -1
  * where none applies: n_members x ED_N_CHECKS each. every: 1 evaluates all combinations, 0 leaves out those that cannot govern; the
  * results are the same. ED_E_ARGUMENT: a number or constant is out of range, ED_E_NOT_FINITE, ED_E_MEMORY; nothing is written then. */

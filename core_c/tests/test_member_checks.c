@@ -69,7 +69,8 @@ static void check_annex_a(void)
   const double force[F] = {-20.0, 0.0, 0.0, 0.0, -6.0, 2.0}, beyond[F] = {-120.0, 0.0, 0.0, 0.0, 0.0, 2.0}, none[F] = {0.0};
   const int mask = 1 << ED_CHECK_6_61 | 1 << ED_CHECK_6_62;
   const double m_y = 0.375, m_z = 0.2, mu_y = 0.92 / (1.0 - 0.8 * 0.08), mu_z = 0.8 / (1.0 - 0.5 * 0.2);
-  const double root = 0.75 * sqrt(6.0 / 20.0 * 4.0), C_my = 0.94 + 0.06 * root / (1.0 + root), C_mz = 0.7; /* 0.9 + 0.5 x 0.08, 0.8 - 0.5 x 0.2 */
+  const double root = 0.75 * sqrt(6.0 / 20.0 * 4.0);
+  const double C_my = 0.94 + 0.06 * root / (1.0 + root), C_mz = 0.7; /* 0.9 + 0.5 x 0.08, 0.8 - 0.5 x 0.2 */
   const double C_mLT = fmax(C_my * C_my * 0.75 / sqrt(0.8 * 0.9), 1.0), y = C_my * C_mLT / 0.92, z = C_mz / 0.8;
   double u[ED_N_CHECKS], constants[ED_N_CONSTANTS];
   one(SIMPLE, ED_I | ED_CLASS_3 | ED_ANNEX_A, force, none, mask, u);
@@ -196,7 +197,8 @@ static void check_arguments(void)
     constants[i] = kept;
   }
   const double less = 0.5 * SIMPLE[ED_M_B], infinite = INFINITY, more = 2.0 * SIMPLE[ED_M_B];
-#define WITH(M_b) ed_member_checks(1, 1, 1, 1, 1, 1, force, response, &f, &g, &set, &gravity, constants, &kind, &mask, M_b, 0, u, combination, station)
+#define WITH(M_b) \
+  ed_member_checks(1, 1, 1, 1, 1, 1, force, response, &f, &g, &set, &gravity, constants, &kind, &mask, M_b, 0, u, combination, station)
   CHECK_STATUS(WITH(&less), ED_E_ARGUMENT);
   CHECK_STATUS(WITH(&infinite), ED_E_ARGUMENT);
   mask = 1 << ED_CHECK_M_B;

@@ -10,11 +10,13 @@ static inline double times(double k, double m)
   return m > 0.0 ? k * m : 0.0;
 }
 
+/* C_yy, C_zz of Table A.1; less: b_LT, or e_LT n_pl */
 static inline double own_C(double w, double C, double most, double n_pl, double less, double elastic)
 {
   return larger(1.0 + (w - 1.0) * ((2.0 - 1.6 / w * C * C * (most + most * most)) * n_pl - less), elastic);
 }
 
+/* C_yz, C_zy; less: c_LT or d_LT */
 static inline double other_C(double w, double C, double most, double n_pl, double less, double least)
 {
   const double w5 = w * w * w * w * w;
@@ -47,8 +49,10 @@ static inline factors annex_a(const member *b, double N_Ed, double M_y_Ed, doubl
   const double c_LT = 10.0 * a_LT * l_0 * l_0 / (5.0 + l_z4) * m_y / C_my;
   const double d_LT = 2.0 * a_LT * l_0 / (0.1 + l_z4) * m_y / C_my * m_z / C_mz;
   const double e_LT = 1.7 * a_LT * l_0 / (0.1 + l_z4) * m_y / C_my;
-  return (factors){y * mu_y / own_C(w_y, C_my, most, n_pl, b_LT, e_y), z * mu_y / other_C(w_z, C_mz, most, n_pl, c_LT, turn * e_z) * turn,
-                   y * mu_z / other_C(w_y, C_my, most, n_pl, d_LT, back * e_y) * back, z * mu_z / own_C(w_z, C_mz, most, n_pl, e_LT * n_pl, e_z)};
+  return (factors){y * mu_y / own_C(w_y, C_my, most, n_pl, b_LT, e_y),
+                   z * mu_y / other_C(w_z, C_mz, most, n_pl, c_LT, turn * e_z) * turn,
+                   y * mu_z / other_C(w_y, C_my, most, n_pl, d_LT, back * e_y) * back,
+                   z * mu_z / own_C(w_z, C_mz, most, n_pl, e_LT * n_pl, e_z)};
 }
 
 /* What multiplies m_y and m_z at most, of any smaller forces: mu is at most 1, C_yy to C_zz at least what Table A.1 says. */

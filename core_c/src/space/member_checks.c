@@ -253,7 +253,8 @@ static void annex_a_bounds(const member *b, const workspace *w)
 {
   const size_t row = w->n;
   for (int k = 0; k < w->n; k++) {
-    const double N_Ed = w->force[N * row + k], m_y = w->force[M_Y * row + k] * b->per[ED_M_B], m_z = w->force[M_Z * row + k] * b->per[ED_M_Z_RK];
+    const double N_Ed = w->force[N * row + k];
+    const double m_y = w->force[M_Y * row + k] * b->per[ED_M_B], m_z = w->force[M_Z * row + k] * b->per[ED_M_Z_RK];
     double y, z;
     annex_a_bound(b, N_Ed * (1.0 + ROUNDING), &y, &z);
     const double moments = times(y, m_y) + times(z, m_z);
