@@ -145,7 +145,7 @@ def buckling_moments(
     bent = M_max > 0.0
     C1 = np.sqrt(35.0 * np.divide(M_max**2, weighted, out=np.full_like(M_max, 1.0 / 35.0), where=bent))
     C2_z_g = C1 * np.divide(tipping, M_max, out=np.zeros_like(M_max), where=bent)
-    M_cr = C1 * euler * (np.sqrt(squared + C2_z_g**2) - C2_z_g)
+    M_cr = C1 * euler * squared / (np.sqrt(squared + C2_z_g**2) + C2_z_g)  # sqrt(s + t2) - t without cancelling
     slender = np.sqrt(M_Rk / M_cr)
     phi = 0.5 * (1.0 + imperfection * np.maximum(slender - plateau, 0.0) + beta * slender**2)
     chi = 1.0 / (phi + np.sqrt(np.maximum(phi**2 - beta * slender**2, 0.0)))
