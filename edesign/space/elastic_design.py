@@ -28,6 +28,7 @@ from edesign.space.capacity import Joint, Overstrength, dissipative_members, joi
 from edesign.space.column_feet import feet_criteria, hinged_feet
 from edesign.space.criteria import (
     MOMENT_FRAME,
+    Regular,
     allowed_class,
     behaviour_criteria,
     bracing_criteria,
@@ -50,7 +51,7 @@ from edesign.space.load_cases import SELF_WEIGHT, self_weight
 from edesign.space.masses import node_masses, psi_2
 from edesign.space.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
 from edesign.space.model import diaphragm_floors, member_properties, space_model
-from edesign.space.regularity import found_regular, shape_criteria, stiffness_criteria
+from edesign.space.regularity import regularity, shape
 from edesign.space.response import (
     AXES,
     Axis,
@@ -158,7 +159,7 @@ class ElasticAnalysis:
     Attributes:
         frame: with the sections of the file; load cases as `space_frame` gives them.
         regular: whether the building counts as regular, with the sections of the file.
-        q: behaviour factors.
+        q: behaviour factors, with the sections of the file.
         q_limit: their upper limits, Table 6.2.
         dissipative: numbers of the dissipative members of both directions.
         bracing: what braces bring to columns and beams.
@@ -194,11 +195,9 @@ class ElasticAnalysis:
             raise InputError(f"{building.path}: {error}") from error
         self._properties = [member_properties(self.frame, building.materials, gravity) for gravity in (False, True)]
         system = {axis: system_of(self._design, axis) for axis in AXES}
-        low = self._national.low_ductility_q
-        self.regular = found_regular(building, self.frame, self._models[0])
-        self._shape = shape_criteria(building, self.frame, self.regular)
-        self.q_limit = {axis: largest_q(building, system[axis], axis, low, self.regular) for axis in AXES}
-        self.q = {axis: self.q_limit[axis] if (q := system[axis].q) == "table" else float(q) for axis in AXES}
+        self._shape = shape(building, self.frame)
+        self.regular, _ = regularity(building, self.frame, self._models[0], self._shape)
+        self.q, self.q_limit = self._behaviour_factors(self.regular)
         self.dissipative = {axis: dissipative_members(self.frame, axis, system[axis].type) for axis in AXES}
         self._refuse()
         self.bracing = bracing(self.frame)
@@ -209,7 +208,7 @@ class ElasticAnalysis:
         self._elastic = elastic_spectrum(hazard, level)
         self._vertical = vertical_component(self.frame, vertical_spectrum(hazard, level), self._national.beta)
         concerned = self._vertical.members if self._vertical else np.zeros(0, dtype=int)
-        self.members = MemberChecker(building, self.frame, self.dissipative, self.q, self.bracing, concerned)
+        self.members = MemberChecker(building, self.frame, self.dissipative, self.bracing, concerned)
         self._sway = SwayAnalysis(self.frame, self._design.imperfections == "sway")
         joined = _with_joined_cases(self.frame).cases
         cases = {name: case.category for name, case in joined.items()}
@@ -236,6 +235,12 @@ class ElasticAnalysis:
             if not self.dissipative[axis].size:
                 what = "beam along it has a stiff end" if kind == MOMENT_FRAME else "bay along it is braced"
                 raise InputError(f"{self.building.path}: design.systems.{axis}.type: `{kind}`, but no {what}")
+
+    def _behaviour_factors(self, regular: Regular) -> tuple[dict[Axis, float], dict[Axis, float]]:
+        """Return q of both directions, and their upper limits."""
+        system, low = {axis: system_of(self._design, axis) for axis in AXES}, self._national.low_ductility_q
+        limit = {axis: largest_q(self.building, system[axis], axis, low, regular) for axis in AXES}
+        return {axis: limit[axis] if (q := system[axis].q) == "table" else float(q) for axis in AXES}, limit
 
     def steel_mass(self) -> float:
         """Return the mass of the members of the file, kg."""
@@ -296,6 +301,8 @@ class ElasticAnalysis:
         frame = self.frame_with(sections) if sections else self.frame
         model, gravity_model = self._with_sections(frame)
         frame = _with_joined_cases(frame)
+        regular, of_regularity = regularity(building, frame, model, self._shape)
+        q, q_limit = self._behaviour_factors(regular)
         self._tell("natural modes")
         modes = every = model.modes(frame.node_mass)
         if design.modes != "auto":
@@ -310,7 +317,7 @@ class ElasticAnalysis:
                 modes,
                 axis,
                 self._elastic,
-                DesignSpectrum.of(self._elastic, self.q[axis], self._national.beta),
+                DesignSpectrum.of(self._elastic, q[axis], self._national.beta),
                 design.combination,
                 design.damping,
                 design.accidental_torsion,
@@ -335,14 +342,15 @@ class ElasticAnalysis:
             for axis in AXES
         }
         self._tell("checks of the members")
-        checked = self.members.results(frame, acting, persistent, self.seismic, Omega, self.yielded, self.vertical)
+        combinations = persistent, self.seismic, Omega, q, self.yielded, self.vertical
+        checked = self.members.results(frame, acting, *combinations)
         of_joints = {
             axis: joints(frame, steel, in_earthquakes, self.dissipative[axis], axis, gamma_M0)
             for axis in AXES
             if kind[axis] == MOMENT_FRAME
         }
         deflections = self._deflections.deflections(frame, self._properties[1], static)
-        factor = foundation_factors(building, frame, self.supports, in_earthquakes, Omega, self.q)
+        factor = foundation_factors(building, frame, self.supports, in_earthquakes, Omega, q)
         found = foundations(frame, self.supports, static, response, of_storeys, self.seismic, factor)
         of_panels = {
             axis: web_panels(
@@ -357,18 +365,16 @@ class ElasticAnalysis:
             for number, axis in enumerate(AXES)
             if axis in of_joints
         }
-        criteria = [*modal_criteria(modes), *self._shape, *stiffness_criteria(frame, model, self.regular)]
+        criteria = [*modal_criteria(modes), *of_regularity]
         criteria += sway_criteria(sway, design.imperfections == "sway")
         for axis in AXES:
-            criteria += behaviour_criteria(
-                building, frame, self.q, self.q_limit, axis, self.dissipative[axis], self.regular
-            )
+            criteria += behaviour_criteria(building, frame, q, q_limit, axis, self.dissipative[axis], regular)
             criteria += storey_criteria(of_storeys[axis])
             if self._design.ductility_class == "low":
                 continue  # no capacity design (EN 1998-1, 6.1.2(4))
             if axis in of_joints:
-                highest = allowed_class(design, self.q[axis], self.q_limit[axis], self.regular)
-                criteria += connection_criteria(design, axis, self.q[axis])
+                highest = allowed_class(design, q[axis], q_limit[axis], regular)
+                criteria += connection_criteria(design, axis, q[axis])
                 criteria += joint_criteria(of_joints[axis], axis)
                 criteria += feet_criteria(
                     frame, steel, acting, checked.amplified, self._feet[axis], axis, highest, gamma_M0
@@ -388,7 +394,7 @@ class ElasticAnalysis:
             sway=sway,
             effects=acting,
             combinations=(*checked.rows, *self._characteristic),
-            q=self.q,
+            q=q,
             overstrength=Omega,
             members=checked,
             deflections=deflections,

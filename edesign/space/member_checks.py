@@ -97,7 +97,6 @@ class MemberChecker:
         building: with the materials and the block `design`.
         frame: its members; their sections may change from check to check, their places may not.
         dissipative: numbers of the dissipative members of both directions.
-        q: behaviour factors.
         bracing: beams that braces meet.
         vertical: numbers of the members that the vertical component concerns.
     """
@@ -107,13 +106,11 @@ class MemberChecker:
         building: Building,
         frame: SpaceFrame,
         dissipative: Mapping[Axis, np.ndarray],
-        q: Mapping[Axis, float],
         bracing: Bracing,
         vertical: np.ndarray,
     ) -> None:
         self._building = building
         self._design = design_of(building)
-        self._q = q
         self._masks = _masks(frame, self._design, dissipative, bracing.halves, vertical)
         compressed = _compressed(frame, bracing).tolist()
         roles = [_role(self._design, *of) for of in zip(frame.members, bracing.span.tolist(), compressed, strict=True)]
@@ -132,6 +129,7 @@ class MemberChecker:
         fundamental: Sequence[Combination],
         seismic: Sequence[Combination],
         overstrength: Mapping[Axis, Overstrength],
+        q: Mapping[Axis, float],
         yielded: Sequence[Combination],
         vertical: Sequence[Combination],
     ) -> MemberResults:
@@ -141,12 +139,12 @@ class MemberChecker:
             frame: with the sections of the members.
             effects: of the actions.
             fundamental, seismic: combinations for persistent and for seismic design situations.
-            overstrength: Omega of both directions.
+            overstrength, q: Omega and behaviour factors of both directions.
             yielded: combinations for beams beside buckled braces.
             vertical: seismic combinations with the vertical component.
         """
         raised, raised_vertical = (
-            amplified_combinations(self._design, rows, overstrength, self._q) for rows in (seismic, vertical)
+            amplified_combinations(self._design, rows, overstrength, q) for rows in (seismic, vertical)
         )
         if BUCKLING[0] in effects.cases:
             raised = (*raised, *buckling_combinations(raised))

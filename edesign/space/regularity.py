@@ -51,50 +51,59 @@ class FloorStiffness:
     storey: np.ndarray
 
 
-def found_regular(building: Building, frame: SpaceFrame, model: SpaceModel) -> Regular:
-    """Return whether a building counts as regular: what its file says, or else what is found with its sections.
+@dataclass(frozen=True)
+class Shape:
+    """The rules for the shape of a building, in plan and in elevation; sections do not change them."""
 
-    Where a centre of stiffness cannot be found, as not all floors are rigid, it does not count as regular in plan.
+    plan: tuple[Criterion, ...]
+    elevation: tuple[Criterion, ...]
+
+
+def shape(building: Building, frame: SpaceFrame) -> Shape:
+    """Return the rules for the shape of a building."""
+    return Shape(tuple(_shape_of_plan(building, frame)), tuple(_shape_of_elevation(frame)))
+
+
+def regularity(
+    building: Building, frame: SpaceFrame, model: SpaceModel, of_shape: Shape
+) -> tuple[Regular, list[Criterion]]:
+    """Return whether a building counts as regular, and the rules that say so.
+
+    It is what its file says, or else what is found. A rule that does not hold fails where the file claims that it
+    does; otherwise it informs. Where a centre of stiffness cannot be found, as not all floors are rigid, the building
+    is not found to be regular in plan.
 
     Args:
         building: with its block `design`.
-        frame: of it.
-        model: for the seismic action.
-    """
-    design = design_of(building)
-    plan, elevation = design.regular_in_plan, design.regular_in_elevation
-    if plan == "auto":
-        rules = [*_shape_of_plan(building, frame), *_torsion(_floor_stiffness(frame, model))]
-        plan = all(rule.passed for rule in rules)
-    if elevation == "auto":
-        elevation = all(rule.passed is not False for rule in _shape_of_elevation(frame))
-    return Regular(plan, elevation)
-
-
-def shape_criteria(building: Building, frame: SpaceFrame, regular: Regular) -> list[Criterion]:
-    """Return the rules for the shape of a building, which no section changes.
-
-    Args:
-        building, frame: of the building.
-        regular: what it counts as; rules of what does not count as regular only inform.
-    """
-    plan, elevation = _shape_of_plan(building, frame), _shape_of_elevation(frame)
-    return [*_binding(plan, regular.plan), *_binding(elevation, regular.elevation)]
-
-
-def stiffness_criteria(frame: SpaceFrame, model: SpaceModel, regular: Regular) -> list[Criterion]:
-    """Return the rules for the stiffness and the masses of a building, which follow its sections.
-
-    Args:
         frame: with its sections.
         model: for the seismic action.
-        regular: what the building counts as; rules of what does not count as regular only inform.
+        of_shape: by `shape`.
     """
+    design = design_of(building)
     of = _floor_stiffness(frame, model)
-    found = _binding(_torsion(of), regular.plan)
+    plan, elevation = [*of_shape.plan, *_torsion(of)], list(of_shape.elevation)
+    asked = design.regular_in_plan, design.regular_in_elevation
+    holds = all(rule.passed for rule in plan), all(rule.passed is not False for rule in elevation)
+    regular = Regular(*(found if claim == "auto" else claim for claim, found in zip(asked, holds, strict=True)))
+    return regular, [*_told(plan, asked[0] is True), *_told(elevation, asked[1] is True), *_gradual(frame, of)]
+
+
+def _told(rules: Iterable[Criterion], claimed: bool) -> list[Criterion]:
+    """Return rules as they are where the file claims that they hold; otherwise none of them fails."""
+    if claimed:
+        return list(rules)
+    return [
+        rule
+        if rule.passed is not False
+        else replace(rule, passed=None, detail=f"{rule.detail}; counts as irregular".lstrip("; "))
+        for rule in rules
+    ]
+
+
+def _gradual(frame: SpaceFrame, of: FloorStiffness | None) -> list[Criterion]:
+    """Return the changes of mass and stiffness from storey to storey, for information."""
     mass = _floor_masses(frame)
-    if (mass > 0.0).all():
-        found.append(gradual_mass(mass))
+    found = [gradual_mass(mass)] if (mass > 0.0).all() else []
     if of is not None:
         for number, axis in enumerate(AXES):
             rules = gradual_stiffness(of.storey[number])
@@ -175,13 +184,6 @@ def floor_stiffness(frame: SpaceFrame, model: SpaceModel) -> FloorStiffness:
         l_s=np.sqrt(np.bincount(level, share * distance, minlength=n + 1)[1:]),
         storey=shear / drift,
     )
-
-
-def _binding(rules: Iterable[Criterion], regular: bool) -> list[Criterion]:
-    """Return rules as they are for what counts as regular; otherwise they only inform."""
-    if regular:
-        return list(rules)
-    return [replace(rule, passed=None, detail=f"{rule.detail}; counts as irregular".lstrip("; ")) for rule in rules]
 
 
 def _interrupted(frame: SpaceFrame) -> list[Criterion]:

@@ -132,7 +132,7 @@ def panel_criteria(panels: Sequence[Panel], joints: int, axis: Axis, doubler_pla
     plates = [panel.doubler for panel in panels if panel.doubler > 0.0]
     detail = worst.node
     if plates:
-        detail += f"; {'with' if doubler_plates else 'without'} doubler plates of {1e3 * max(plates):.3g} mm"
+        detail += f"; {'with' if doubler_plates else 'without'} doubler plates up to {1e3 * max(plates):.3g} mm"
         detail += f" at {len(plates)} of {joints} joints"
     if len(panels) < joints:
         detail += f"; {joints - len(panels)} joints to weak axes or hollow columns are not checked"

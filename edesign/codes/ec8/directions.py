@@ -5,9 +5,6 @@ from __future__ import annotations
 from itertools import product
 from typing import Literal
 
-import numpy as np
-from numpy.typing import ArrayLike
-
 from edesign.codes.names import unknown
 
 DirectionRule = Literal["30 %", "srss"]
@@ -51,29 +48,6 @@ def direction_factors(rule: str, vertical: bool = False) -> tuple[tuple[float, f
                 row[axis] *= sign
             rows.append((row[0], row[1], row[2]))
     return tuple(rows)
-
-
-def combined_effect(
-    effect_x: ArrayLike, effect_y: ArrayLike, effect_z: ArrayLike = 0.0, rule: str = "30 %"
-) -> np.ndarray:
-    """Return the largest effect of the seismic action, at least 0.
-
-    Args:
-        effect_x, effect_y, effect_z: effects of the components, any sign and unit, one shape.
-        rule: `30 %` or `srss`.
-
-    Raises:
-        InputError: there is no such rule.
-
-    Source: EN 1998-1:2004, 4.3.3.5.1(2) b (SRSS) and (3) (30 %), 4.3.3.5.2(4).
-    """
-    _checked(rule)
-    x, y, z = np.broadcast_arrays(
-        *(np.abs(np.asarray(effect, dtype=float)) for effect in (effect_x, effect_y, effect_z))
-    )
-    if rule == "srss":
-        return np.sqrt(x**2 + y**2 + z**2)
-    return SHARE * (x + y + z) + (1.0 - SHARE) * np.maximum(np.maximum(x, y), z)
 
 
 def vertical_component_counts(

@@ -78,7 +78,7 @@ def test_web_panels_by_hand(found: ElasticDesign) -> None:
         assert panel.doubler == (0.011 if expected > web else 0.0)
     (rule,) = [rule for rule in found.criteria if rule.clause == "6.6.3(6)" and rule.value is not None]
     assert rule.value == pytest.approx(max(panel.utilisation(True) for panel in found.panels), rel=1e-12)
-    assert "doubler plates of 11 mm at" in rule.detail
+    assert "doubler plates up to 11 mm at" in rule.detail
 
 
 def test_without_doubler_plates(tmp_path: Path, found: ElasticDesign) -> None:
