@@ -31,6 +31,7 @@ def design(
     """
     from edesign.archive.files import check_own_yaml, write_yaml
     from edesign.building.building_file import load_building
+    from edesign.cli.stages import in_stages
     from edesign.report.selection_tables import selection_tables
     from edesign.report.text import print_tables
     from edesign.report.visible import visible_line
@@ -49,7 +50,7 @@ def design(
         raise InputError(f"{path}: this is the name of an archive; a building file ends in .yaml")
     check_own_yaml(path, building, overwrite)
     check_building_archive(read, path, archive, overwrite)
-    found = select_sections(read, tell, workers)
+    found = in_stages(lambda stage: select_sections(read, tell, workers), quiet)
     said = f"# Sections chosen: {found.mass / 1e3:.1f} t of steel, {found.evaluations} designs analysed.\n"
     write_yaml(said + found.building.text, path, building)
     write_building(load_building(path), found.design, archive, selection_group(found))

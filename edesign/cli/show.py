@@ -22,7 +22,8 @@ def show(
         typer.Option("--member", "-m", metavar="NAME", help="Checks of one member of a building, written out."),
     ] = None,
     figures: Annotated[
-        Path | None, typer.Option("--figures", metavar="DIR", help="Draw records, their spectra, and loops of dampers.")
+        Path | None,
+        typer.Option("--figures", metavar="DIR", help="Draw records, their spectra, loops of dampers, and buildings."),
     ] = None,
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:

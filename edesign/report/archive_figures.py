@@ -12,7 +12,11 @@ from edesign.archive.files import make_folder
 from edesign.archive.reader import Archive, open_archive
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean
+from edesign.report.archived import is_building_archive
 from edesign.report.axial_figures import axial_figures
+from edesign.report.building_curves import mode_shapes, spectra, storey_curves
+from edesign.report.building_figures import elevations
+from edesign.report.building_plans import plans
 from edesign.report.captions import UniqueNames
 from edesign.report.damper_loops import damper_figures
 from edesign.report.design_figures import design_figures
@@ -30,7 +34,17 @@ from edesign.report.temperature_figures import temperature_figures
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
+BUILDING_FIGURES = (plans, spectra, mode_shapes, storey_curves, elevations)
+
+
+def building_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """Give all figures of a building; none of other archives."""
+    if is_building_archive(archive):
+        yield from chain.from_iterable(figures(archive) for figures in BUILDING_FIGURES)
+
+
 FIGURES = (
+    building_drawings,
     record_figures,
     mode_figures,
     design_figures,

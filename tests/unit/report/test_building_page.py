@@ -12,6 +12,7 @@ from building_examples import SMALL
 
 from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
+from edesign.report.archive_figures import all_figures
 from edesign.report.building_basis_tables import floors_table, joints_table, overstrength_table
 from edesign.report.building_checks import member_tables, written_worst
 from edesign.report.building_curves import mode_shapes
@@ -90,6 +91,12 @@ def test_a_written_check_ends_with_what_the_table_says(results: BuildingResults)
     assert len(checks.rows) == len({row[0] for row in checks.rows}) > 8
     assert [row[0] for row in effects.rows] == ["G", "Q", "S_x", "S_y", "E_x", "E_y"]
     assert calculation.rows[-1][0] == "utilisation"
+
+
+def test_figures_are_drawn_as_files(results: BuildingResults) -> None:
+    names = [name for name, _, _ in all_figures(results.archive)]
+    assert names[:4] == ["plan_1", "building_spectra", "building_modes", "building_storeys"]
+    assert {name.rpartition("_")[0] for name in names[4:]} == {"elevation"}
 
 
 def test_plans_of_storeys_that_are_alike_are_one(results: BuildingResults) -> None:
