@@ -16,12 +16,14 @@ from edesign.report.figures import BEFORE, TARGET, VARIANTS, new_figure, styled
 from edesign.space.response import AXES
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 MANY = 200
 """Members, from which only the outermost frames are drawn."""
 _COLOURS = dict(zip(AXES, (VARIANTS[0], VARIANTS[1]), strict=True))
 _SMALL = 0.05  # modal mass ratio up to which a mode is not marked; EN 1998-1, 4.3.3.3.1(3)
+_CLOSE = 0.12  # s between modes whose numbers would meet
 _TILT = 0.45  # of y in an oblique drawing
 
 
@@ -64,25 +66,25 @@ def _spectra(results: BuildingResults) -> Figure:
         large = np.flatnonzero(results.values("modes", f"effective_mass_ratio_{axis}") > _SMALL)
         value = results.values("modes", f"design_acceleration_{axis}")
         axes.plot(T[large], value[large], "o", color=_COLOURS[axis], markersize=4.0)
-        for k in large.tolist():
-            if k not in told:
-                told.add(k)
-                above = axis == AXES[-1]  # whose spectrum is mostly the upper one, so that labels do not meet
-                axes.annotate(
-                    str(k + 1),
-                    (T[k], value[k]),
-                    (0, 5 if above else -5),
-                    textcoords="offset points",
-                    fontsize=6.5,
-                    ha="center",
-                    va="bottom" if above else "top",
-                )
+        _number(axes, [(int(k), float(T[k]), float(value[k])) for k in large if k not in told], axis == AXES[-1])
+        told |= set(large.tolist())
     axes.set_xlim(0.0, float(period[-1]))
     axes.set_ylim(0.0, None)
     axes.set_xlabel("period T [s]")
     axes.set_ylabel("acceleration [m/s²]")
     axes.legend(loc="upper right")
     return figure
+
+
+def _number(axes: Axes, modes: list[tuple[int, float, float]], above: bool) -> None:
+    """The numbers of modes at (period, acceleration), above the marks in one direction and below them in the other."""
+    beside, last = 0.0, np.inf
+    for k, T, S_d in modes:  # from long periods to short ones
+        beside = beside + 7.0 if last - T < _CLOSE else 0.0
+        last = T
+        shift = (0.0, (5.0 + beside) * (1.0 if above else -1.0))
+        align = "bottom" if above else "top"
+        axes.annotate(str(k + 1), (T, S_d), shift, textcoords="offset points", fontsize=6.5, ha="center", va=align)
 
 
 @styled
