@@ -75,8 +75,8 @@ def test_every_check_is_that_of_the_core(name: str) -> None:
 def test_a_published_column() -> None:
     """UC152x152x30 of S275, 4 m, curve c: lambda_z 1.203, chi_z 0.4323, N_b,z,Rd 455 kN (steelcalculator.app).
 
-    Tables of sections print i_z = 3.83 cm, so that lambda_z has a bar of 0.13 %; chi_z changes by 1.3 times as much, and
-    N_b has the area of the tables, 38.3 cm2 to 0.13 %, in it too.
+    Tables of sections print i_z = 3.83 cm, so that lambda_z has a bar of 0.13 %; chi_z changes by 1.3 times as much,
+    and N_b has the area of the tables, 38.3 cm2 to 0.13 %, in it too.
     """
     member = SteelMember(steel_section("UC152x152x30"), 275e6, Stability(4.0, 4.0, 0.0), 1)
     forces = ForcesAlong(np.array([0.0]), np.array([[-200e3, 0.0, 0.0, 0.0, 0.0, 0.0]]), np.zeros((1, 6)))
