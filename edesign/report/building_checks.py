@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -28,6 +29,8 @@ _UNITS = {  # unit of the archive: the one that is shown, and how much it is
 }
 
 
+SAME = 1e-6
+"""Share by which a calculation may miss the utilisation: far above rounding, and far below the digits that are shown."""
 NOTHING = 1e-5
 """Of the largest force or moment of a table: what is less is shown as 0."""
 
@@ -42,7 +45,8 @@ class WrittenCheck:
         check, clause: name of the check and its clause.
         utilisation: of the archive.
         combination, number: name and number of the governing combination; "" and 0 if the check does not apply.
-        steps: of the calculation; none if the check does not apply, or has no calculation here.
+        steps: of the calculation; none if the check does not apply, has no calculation here, or one that does not lead
+            to the utilisation of the archive, as one of another version might.
     """
 
     member: str
@@ -78,12 +82,15 @@ def written(results: BuildingResults, member: int, check: int) -> WrittenCheck:
         place = results.values("members", "station")[member, check]
         station = int(np.abs(forces.stations - place).argmin())
         steps = written_check(_member(results, member), forces, name, station)
+    utilisation = float(results.values("members", "utilisation")[member, check])
+    if steps and not math.isclose(float(steps[-1].value), utilisation, rel_tol=SAME, abs_tol=SAME**2):
+        steps = ()
     return WrittenCheck(
         **{key: str(value) for key, value in of.items()},
         length=float(results.values("members", "length")[member]),
         check=name,
         clause=str(results.values("members", "clause")[check]),
-        utilisation=float(results.values("members", "utilisation")[member, check]),
+        utilisation=utilisation,
         combination=str(results.values("combinations", "name")[combination - 1]) if combination else "",
         number=combination,
         steps=steps,
@@ -109,6 +116,8 @@ def written_table(found: WrittenCheck) -> Table:
     else:
         table.notes.append(f"combination {found.number}: {found.combination}")
         met = "met" if found.utilisation <= 1.0 else "NOT MET"
+        if not found.steps:
+            table.notes.append("no calculation is written out here for this check as it was made")
         table.notes.append(f"utilisation {number(finite(found.utilisation), 4)}: {met} ({found.clause})")
     return table
 

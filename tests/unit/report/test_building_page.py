@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,7 @@ from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
 from edesign.report.archive_figures import all_figures
 from edesign.report.building_basis_tables import floors_table, joints_table, overstrength_table
-from edesign.report.building_checks import member_tables, written_worst
+from edesign.report.building_checks import member_tables, written_table, written_worst
 from edesign.report.building_curves import mode_shapes
 from edesign.report.building_plans import _different_storeys, _runs
 from edesign.report.building_results import BuildingResults
@@ -91,6 +92,14 @@ def test_a_written_check_ends_with_what_the_table_says(results: BuildingResults)
     assert len(checks.rows) == len({row[0] for row in checks.rows}) > 8
     assert [row[0] for row in effects.rows] == ["G", "Q", "S_x", "S_y", "E_x", "E_y"]
     assert calculation.rows[-1][0] == "utilisation"
+
+
+def test_a_calculation_that_misses_the_utilisation_is_not_shown(results: BuildingResults) -> None:
+    utilisation = results.group("members").variables["utilisation"]
+    results.group("members").variables["utilisation"] = replace(utilisation, values=1.001 * utilisation.values)
+    for _, found in written_worst(results):
+        assert not found.steps
+        assert "no calculation is written out here" in written_table(found).notes[1]
 
 
 def test_figures_are_drawn_as_files(results: BuildingResults) -> None:
