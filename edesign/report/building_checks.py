@@ -30,7 +30,7 @@ _UNITS = {  # unit of the archive: the one that is shown, and how much it is
 
 
 SAME = 1e-6
-"""Share by which a calculation may miss the utilisation: far above rounding, and far below the digits that are shown."""
+"""Share by which a calculation may miss the utilisation: above rounding, below the digits that are shown."""
 NOTHING = 1e-5
 """Of the largest force or moment of a table: what is less is shown as 0."""
 
