@@ -43,7 +43,7 @@ def extract(
     ] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file that is of something else.")] = False,
 ) -> None:
-    """Write a plane frame of a building as a project file, with the loads and masses that fall to it."""
+    """Write plane frames of a building as a project file, with the loads and masses that fall to them."""
     from edesign.archive.files import check_own_yaml, source_file, write_yaml
     from edesign.building.building_file import load_building
     from edesign.errors import InputError
@@ -53,6 +53,8 @@ def extract(
 
     if study is None and (recordings is not None or drift is not None):
         raise InputError("--recordings and --drift belong to a study; give --study FILE too")
+    if recordings is not None and not recordings.is_dir():
+        raise InputError(f"--recordings: there is no folder `{recordings}`")
     read = with_steel_by_thickness(load_building(building))
     found = frame_row(read, space_frame(read), frame)
     texts = {}

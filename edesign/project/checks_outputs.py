@@ -7,7 +7,7 @@ from edesign.project.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.outputs import FibreOutput, SectionOutput
 from edesign.project.problems import Keys, Problems, did_you_mean
 from edesign.project.project import Project
-from edesign.project.sections import ElasticSection, PlateSection
+from edesign.project.sections import ElasticSection, RectangleSection, is_hollow
 from edesign.project.selections import NumberSelection
 
 
@@ -34,13 +34,15 @@ def check_outputs(project: Project, problems: Problems) -> None:
 
 
 def layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> int | None:
-    """How many layers of fibres an I section of three plates has; None where the building decides.
+    """How many layers of fibres an I section has; None where the building decides.
 
-    It does with fillets, about a weak axis, and for stacks of rectangles and the sections of the catalogue.
+    It does with fillets, about a weak axis, and for stacks of rectangles and hollow sections.
     """
     fibres = project.fibres
     weak = isinstance(run, ColumnRun) and run.axis == "weak"
-    if fibres.fillets or weak or not isinstance(project.sections.get(run.section), PlateSection):
+    stack = isinstance(project.sections.get(run.section), RectangleSection)
+    hollow = run.section not in project.sections and is_hollow(run.section)
+    if fibres.fillets or weak or stack or hollow:
         return None
     return 2 * fibres.flange_thickness + fibres.web_height
 

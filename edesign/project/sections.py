@@ -83,6 +83,15 @@ class Catalogue(Collection[str], Protocol):
         """What the catalogue has near a name that it has not, as a clause."""
 
 
+HOLLOW_FAMILIES = ("SHS", "RHS", "CHS")
+"""Square, rectangular and circular hollow sections, hot finished; `CF` before it: cold formed."""
+
+
+def is_hollow(name: str) -> bool:
+    """Whether a name, as the catalogue writes it, is that of a hollow section."""
+    return name.removeprefix("CF").startswith(HOLLOW_FAMILIES)
+
+
 def no_section(name: str, own: Collection[str], catalogue: Catalogue) -> str:
     """The message on a name that is neither one of a project's own sections nor one of the catalogue."""
     hint = did_you_mean(name, own) or f"; {catalogue.near(name)}"

@@ -123,3 +123,11 @@ def test_only_sections_with_two_axes_bend_about_the_weak_one(small: str) -> None
     rectangles = "sections:\n  solid: {rectangles: [{width: 0.1 m, depth: 0.2 m, centre: 0 m}]}\n"
     with pytest.raises(ProjectError, match=r"columns\[0\].axis: the own section `solid` has one axis"):
         parse_project(solid.replace("sections:\n", rectangles))
+
+
+def test_layers_of_hollow_sections_are_counted_when_they_are_cut(small: str) -> None:
+    """A tube has more layers than an I section of the same cut, 24; what is asked for is checked by the run."""
+    fibres = "  fibres: [{member: C_A_1, points: 1, layers: 26}]\n"
+    with pytest.raises(ProjectError, match="there is no layer 26; layers are numbered 1 to 24"):
+        parse_project(small + fibres)
+    parse_project((small + fibres).replace("HEB260", "SHS260x10"))

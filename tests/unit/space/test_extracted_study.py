@@ -88,11 +88,12 @@ def test_what_a_study_needs(tmp_path: Path, old: str, new: str, said: str) -> No
 @pytest.mark.parametrize(
     ("more", "said"),
     [
+        (["--recordings", "nowhere"], "--recordings: there is no folder `nowhere`"),
         (["--drift", "0.5 m"], "--drift: `0.5 m` has the unit `m`"),
         (["--drift", "-1 %"], "--drift: `-1 %` is out of range"),
     ],
 )
-def test_a_drift_is_a_ratio(tmp_path: Path, more: list[str], said: str) -> None:
+def test_options_that_are_wrong(tmp_path: Path, more: list[str], said: str) -> None:
     assert said in extract(tmp_path, SMALL, *more)
 
 
