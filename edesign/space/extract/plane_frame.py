@@ -207,7 +207,9 @@ def plane_frame(building: Building, space: SpaceFrame, name: str) -> PlaneFrame:
             if name.strip().upper() == frame_name(along, number):
                 return PlaneFrame(building, space, along, number)
     known = " and ".join(f"{frame_name(a, 0)} to {frame_name(a, building.n_frames(a) - 1)}" for a in DIRECTIONS)
-    raise InputError(f"{building.path}: there is no frame `{name}`; the frames are {known}, X and Y all of one way")
+    raise InputError(
+        f"{building.path}: there is no frame `{name}`; the frames are {known}; X and Y are all of a direction"
+    )
 
 
 def parallel_frames(frame: PlaneFrame) -> list[PlaneFrame]:
