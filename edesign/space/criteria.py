@@ -10,7 +10,7 @@ from typing import TypeVar
 import numpy as np
 
 from edesign.building.section_class import SectionClass, section_class
-from edesign.building.steel_section import steel_section
+from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec3.buckling import critical_force
 from edesign.codes.ec3.buckling import slenderness as flexural_slenderness
 from edesign.codes.ec8.behaviour_factor import alpha_ratio, behaviour_factor, largest_section_class
@@ -25,10 +25,10 @@ from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import national_of
 from edesign.project.base import Model
-from edesign.project.building.building import Building
+from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design, System
 from edesign.space.capacity import Joint, Overstrength, by_section
-from edesign.space.frame import SpaceFrame
+from edesign.space.frame import Member, SpaceFrame
 from edesign.space.response import AXES, Axis
 from edesign.space.storeys import Storeys
 
@@ -220,12 +220,19 @@ def brace_slenderness(building: Building, frame: SpaceFrame, members: np.ndarray
         members: (n,) numbers of the diagonals.
     """
     factor = design_of(building).members.buckling_length.braces
-    of_one_metre = by_section(
-        frame,
-        building.materials,
-        lambda of, steel: flexural_slenderness(of.A, steel.fy, critical_force(steel.E, min(of.I_y, of.I_z), 1.0)),
-    )
+    of_one_metre = by_section(frame, building.materials, slenderness_of_one_metre)
     return of_one_metre[members] * frame.length[members] * max(factor.y, factor.z)
+
+
+def slenderness_of_one_metre(section: SteelSection, steel: Steel) -> float:
+    """Return the non-dimensional slenderness of a bar of one metre, about the axis with the smaller inertia."""
+    N_cr = critical_force(steel.E, min(section.I_y, section.I_z), 1.0)
+    return flexural_slenderness(section.A, steel.fy, N_cr)
+
+
+def pattern_of(member: Member) -> str:
+    """Return what EN 1998-1, 6.7.3 calls the bracing of a diagonal: `x`, `diagonal` or `v`."""
+    return _PATTERNS.get(member.bracing, "diagonal")
 
 
 def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overstrength) -> list[Criterion]:
@@ -241,7 +248,7 @@ def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overst
     members = [frame.members[n] for n in overstrength.members]
     slender = brace_slenderness(building, frame, overstrength.members)
     of_braces = [
-        slenderness(float(value), _PATTERNS.get(member.bracing, "diagonal"), frame.n_floors, member.name)
+        slenderness(float(value), pattern_of(member), frame.n_floors, member.name)
         for value, member in zip(slender, members, strict=True)
     ]
     found = [max(of_braces, key=lambda rule: (rule.passed is False, rule.value or 0.0))]

@@ -21,6 +21,7 @@ ASYMMETRY = 0.05
 """|A+ - A-| / (A+ + A-). Source: EN 1998-1:2004, 6.7.1(3), Eq. 6.11."""
 SLENDERNESS = {"x": (1.3, 2.0), "diagonal": (0.0, 2.0), "v": (0.0, 2.0)}
 """Lower limit, exclusive, and upper limit of the slenderness. Source: EN 1998-1:2004, 6.7.3(1)-(3)."""
+SLENDERNESS_CLAUSES = {"x": "6.7.3(1)", "diagonal": "6.7.3(2)", "v": "6.7.3(3)"}
 FEW_STOREYS = 2
 """Up to so many storeys there is no limit of slenderness. Source: EN 1998-1:2004, 6.7.3(4)."""
 HOMOGENEITY = 0.25
@@ -65,7 +66,7 @@ def slenderness(value: float, kind: str, storeys: int, member: str = "") -> Crit
     _check_kind(kind)
     check_positive(slenderness=value)
     low, high = SLENDERNESS[kind]
-    clause = {"x": "6.7.3(1)", "diagonal": "6.7.3(2)", "v": "6.7.3(3)"}[kind]
+    clause = SLENDERNESS_CLAUSES[kind]
     if storeys <= FEW_STOREYS:
         return Criterion("6.7.3(4)", "slenderness of a diagonal", None, value, "", None, member)
     if value <= low:

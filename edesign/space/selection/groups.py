@@ -7,11 +7,12 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from edesign.building.section_lists import efficient, family_of, sections_of
-from edesign.building.steel_section import steel_section
+from edesign.building.steel_section import SteelSection, steel_section
+from edesign.codes.ec8.concentric_braces import FEW_STOREYS, SLENDERNESS, SLENDERNESS_CLAUSES
 from edesign.errors import InputError
 from edesign.project.building.design import DEFAULT_PRICE
 from edesign.project.problems import keys_text, listed
-from edesign.space.criteria import allowed_class, design_of, dissipative_class
+from edesign.space.criteria import allowed_class, design_of, dissipative_class, pattern_of, slenderness_of_one_metre
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.member_checks import LARGEST_CLASS
 from edesign.space.response import AXES
@@ -65,7 +66,7 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
     asked = select.lists.groups.get(name) or getattr(select.lists, kinds)
     depth = min((select.largest_depth[key] for key in (kinds, name) if key in select.largest_depth), default=math.inf)
     highest = _allowed_class(analysis, numbers)
-    price = _prices(analysis)
+    price, slender = _prices(analysis), _slender(analysis, name, numbers)
     chosen, left_out = set[str](), list[str]()
     for place, text in enumerate(asked):
         try:
@@ -74,11 +75,12 @@ def _group(analysis: ElasticAnalysis, name: str) -> Group:
             where = building.where("design", "select", *keys, place)
             raise InputError(f"{where}: {keys_text(('design', 'select', *keys))}: {error}") from error
         bent = member.kind != "brace"
-        fit = [of for of in whole if _fits(analysis, name, of.name, bent, highest)]
+        fit = [of for of in whole if _fits(analysis, name, of.name, bent, highest) and slender(of)]
         left_out += [of.name for of in whole if of not in fit]
         chosen |= {of.name for of in (efficient(fit, lambda of: of.A * price(of.name)) if len(whole) > 1 else fit)}
     if not chosen:
-        why = f"; of a class above {highest}, or too thick, are {listed(left_out)}" if left_out else ""
+        why = f"; of a class above {highest}, too thick, or of a wrong slenderness are {listed(left_out)}"
+        why = why if left_out else ""
         why += f"; largest_depth is {1e3 * depth:g} mm" if depth < math.inf else ""
         where = building.where("design", "select", *keys)
         raise InputError(f"{where}: {keys_text(('design', 'select', *keys))}: group {name} has no section left{why}")
@@ -133,6 +135,28 @@ def _fits(analysis: ElasticAnalysis, group: str, section: str, bent: bool, highe
     except InputError:
         return False
     return dissipative_class(section, steel.fy, bent).number <= highest
+
+
+def _slender(analysis: ElasticAnalysis, group: str, members: Sequence[int]) -> Callable[[SteelSection], bool]:
+    """Whether diagonals of a section would have a slenderness that EN 1998-1, 6.7.3(1) to (4) allows."""
+    frame, design = analysis.frame, design_of(analysis.building)
+    factor = max(design.members.buckling_length.braces.y, design.members.buckling_length.braces.z)
+    ranges: list[tuple[float, float]] = []  # of the slenderness of one metre, the lower end excluded
+    if frame.n_floors > FEW_STOREYS and design.ductility_class != "low":
+        for number in members:
+            member, length = frame.members[number], factor * float(frame.length[number])
+            pattern = pattern_of(member)
+            if member.kind == "brace" and SLENDERNESS_CLAUSES[pattern] not in design.select.leave_out:
+                least, most = SLENDERNESS[pattern]
+                ranges.append((least / length, most / length))
+
+    def fits(section: SteelSection) -> bool:
+        if not ranges:
+            return True
+        of_one_metre = slenderness_of_one_metre(section, analysis.steel_of(group, section.name)[1])
+        return all(least < of_one_metre <= most for least, most in set(ranges))
+
+    return fits
 
 
 def _allowed_class(analysis: ElasticAnalysis, members: Sequence[int]) -> int:

@@ -109,7 +109,8 @@ def select_sections(building: Building, tell: Listener = lambda line: None, work
         groups = groups_of(analysis)
         for group in groups:
             if group.left_out:
-                tell(f"group {group.name}: left out for their class or thickness: {', '.join(group.left_out)}")
+                names = ", ".join(group.left_out)
+                tell(f"group {group.name}: left out for their class, thickness or slenderness: {names}")
         select = design_of(building).select
         evaluate = Evaluator(analysis, groups, workers)
         order = column_order(analysis.frame, groups) if select.columns_not_larger_above else []
