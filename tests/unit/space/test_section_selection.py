@@ -279,7 +279,7 @@ def test_beams_are_no_deeper_than_the_file_allows() -> None:
 
 def test_a_budget_of_evaluations_ends_the_search_with_what_it_has() -> None:
     whole = select_sections(parse_building(TEXT, "building.yaml", BuildingSections()))
-    found = select_sections(changed(TEXT, ("leave_out:", f"evaluations: {whole.evaluations - 1}\n    leave_out:")))
+    found = select_sections(changed(TEXT, ("leave_out:", f"evaluations: {whole.evaluations // 3}\n    leave_out:")))
     assert not found.certified and found.mass >= whole.mass
     with pytest.raises(InputError, match="its evaluations are used up; allow more by `evaluations`"):
         select_sections(changed(TEXT, ("leave_out:", "evaluations: 2\n    leave_out:")))
