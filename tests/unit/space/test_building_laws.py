@@ -111,7 +111,7 @@ def test_no_check_is_used_less_under_more_load(factor: float) -> None:
         of = design.effects
         acting = replace(of, static=of.static * static, seismic=of.seismic * spectral)
         persistent = design.members.rows[: design.members.counts[0]]
-        combinations = persistent, analysis.seismic, design.overstrength, analysis.yielded, analysis.vertical
+        combinations = persistent, analysis.seismic, design.overstrength, design.q, analysis.yielded, analysis.vertical
         found = analysis.members.results(design.frame, acting, *combinations)
         return np.nan_to_num(found.utilisation, nan=0.0)
 
