@@ -39,6 +39,7 @@ def test_errors_of_the_work_are_those_of_the_caller() -> None:
 
 
 def test_ctrl_c_ends_the_wait_and_the_work_at_its_next_stage() -> None:
+    before = signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell that starts tests behind may ignore it
     begun, goes_on, ended = threading.Event(), threading.Event(), threading.Event()
 
     def work(tell: Tell) -> None:
@@ -56,8 +57,11 @@ def test_ctrl_c_ends_the_wait_and_the_work_at_its_next_stage() -> None:
         os.kill(os.getpid(), signal.SIGINT)
 
     threading.Thread(target=interrupt, daemon=True).start()
-    with pytest.raises(KeyboardInterrupt):
-        in_stages(work)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            in_stages(work)
+    finally:
+        signal.signal(signal.SIGINT, before)
     assert not ended.is_set()
     goes_on.set()
     assert ended.wait(10.0)
