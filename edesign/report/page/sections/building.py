@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from functools import partial
 
@@ -70,7 +71,7 @@ def _filled(table: Table) -> bool:
 
 
 def _verdict(source: Source, results: BuildingResults) -> Iterable[Part]:
-    worst = max(worst_of_groups(results), key=lambda of: of.utilisation)
+    worst = max(worst_of_groups(results), key=lambda of: -1.0 if math.isnan(of.utilisation) else of.utilisation)
     mass, met, broken = results.number("mass_kg"), bool(results.number("passed")), failures(results)
     period = plain(float(results.values("modes", "period")[0]))
     tiles = [
