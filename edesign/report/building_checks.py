@@ -11,23 +11,11 @@ from edesign.building.steel_member import Stability, SteelMember
 from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean
-from edesign.report.building_results import BuildingResults, finite
+from edesign.report.building_results import UNITS, BuildingResults, finite
 from edesign.report.building_tables import Worst, worst_of_groups
 from edesign.report.table import Table, number
 from edesign.space.written_checks import written_check
 from edesign.space.written_steps import ForcesAlong, Step
-
-_UNITS = {  # unit of the archive: the one that is shown, and how much it is
-    "N": ("kN", 1e3),
-    "N*m": ("kN*m", 1e3),
-    "Pa": ("MPa", 1e6),
-    "m2": ("cm2", 1e-4),
-    "m3": ("cm3", 1e-6),
-    "m4": ("cm4", 1e-8),
-    "m6": ("cm6", 1e-12),
-    "1": ("", 1.0),
-}
-
 
 SAME = 1e-6
 """Share by which a calculation may miss the utilisation: above rounding, below the digits that are shown."""
@@ -257,5 +245,5 @@ def _forces(results: BuildingResults, member: int, combination: int) -> ForcesAl
 def _shown(step: Step) -> str:
     if isinstance(step.value, str):
         return step.value
-    unit, scale = _UNITS.get(step.unit, (step.unit, 1.0))
+    unit, scale = UNITS.get(step.unit, (step.unit, 1.0))
     return f"{number(finite(step.value), 4, scale)} {unit}".strip()

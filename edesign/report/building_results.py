@@ -12,6 +12,18 @@ from edesign.errors import ArchiveError, InputError
 from edesign.report.archived import is_building_archive
 from edesign.space.archived import PLACE
 
+UNITS = {
+    "N": ("kN", 1e3),
+    "N*m": ("kN*m", 1e3),
+    "Pa": ("MPa", 1e6),
+    "m2": ("cm2", 1e-4),
+    "m3": ("cm3", 1e-6),
+    "m4": ("cm4", 1e-8),
+    "m6": ("cm6", 1e-12),
+    "1": ("", 1.0),
+}
+"""Unit of the archive: the one that is shown, and how much it is."""
+
 
 class BuildingResults:
     """The groups of a building below its place in an archive, each read once.

@@ -11,12 +11,15 @@ import numpy as np
 import pytest
 from building_examples import SMALL
 
+from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter
 from edesign.building.building_file import load_building
 from edesign.report.archive_figures import all_figures
 from edesign.report.building_basis_tables import floors_table, joints_table, overstrength_table
 from edesign.report.building_checks import member_tables, written_table, written_worst
 from edesign.report.building_curves import mode_shapes
+from edesign.report.building_others import other_tables
 from edesign.report.building_plans import _different_storeys, _runs
 from edesign.report.building_results import BuildingResults
 from edesign.report.building_tables import remarks
@@ -100,6 +103,21 @@ def test_a_calculation_that_misses_the_utilisation_is_not_shown(results: Buildin
     for _, found in written_worst(results):
         assert not found.steps
         assert "no calculation is written out here" in written_table(found).notes[1]
+
+
+def test_groups_without_a_table_of_their_own_have_one(results: BuildingResults, tmp_path: Path) -> None:
+    assert other_tables(results) == []
+    group = Group(coords={"panel": Variable(("panel",), np.array(["A1.1", "A2.1"]), "", "panel")})
+    group.add("V_wp_Ed", ("panel",), np.array([2.0e5, np.inf]), "N", "shear of the panel")
+    group.add("field", ("panel", "panel"), np.zeros((2, 2)), "1", "some field")
+    with ArchiveWriter(tmp_path / "other.h5", Group(attributes={"kind": "building"})) as writer:
+        writer.write("building", Group())
+        writer.write("building/panels", group)
+        writer.finish({"status": "completed"})
+    with open_archive(tmp_path / "other.h5") as archive:
+        panels, more = other_tables(BuildingResults(archive))
+    assert panels.columns == ("panel", "V_wp_Ed [kN]") and panels.rows == [["A1.1", "200.0"], ["A2.1", "-"]]
+    assert more.notes == ["field, by panel, panel: some field"]
 
 
 def test_figures_are_drawn_as_files(results: BuildingResults) -> None:

@@ -19,6 +19,7 @@ from edesign.report.building_checks import effects_table, written_table, written
 from edesign.report.building_curves import mode_shapes, spectra, storey_curves
 from edesign.report.building_facts import building_rows, design_rows
 from edesign.report.building_figures import elevations
+from edesign.report.building_others import other_tables
 from edesign.report.building_plans import plans
 from edesign.report.building_results import BuildingResults
 from edesign.report.building_tables import (
@@ -121,6 +122,10 @@ def _written(source: Source, results: BuildingResults) -> Iterable[Part]:
         yield Folded(summary, (effects_table(results, worst.number, worst.check), written_table(found)))
 
 
+def _others(source: Source, results: BuildingResults) -> Iterable[Part]:
+    return [Folded(f"{table.title} ({len(table.rows)})", (table,)) for table in other_tables(results)]
+
+
 def _pictures(maker: Callable[..., object]) -> Parts:
     return lambda source, results: source.pictures(maker)  # type: ignore[arg-type]
 
@@ -141,5 +146,6 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
     ),
     ("members", "Members", (_pictures(elevations), _table(groups_table), _table(selection_table), _written)),
     ("capacity", "Rules and capacity design", tuple(map(_table, (criteria_table, overstrength_table, joints_table)))),
+    ("others", "Other results", (_others,)),
     ("combinations", "Combinations of actions", (_table(combinations_table),)),
 )
