@@ -12,6 +12,8 @@ KNOWN = {
     *("overstrength_x", "overstrength_y", "spectrum", "storeys_x", "storeys_y", SELECTION),
 }
 """Groups that the other tables and figures show."""
+ROWS = 100
+"""Rows of a table."""
 
 
 def other_tables(results: BuildingResults) -> list[Table]:
@@ -30,8 +32,10 @@ def _tables(results: BuildingResults, name: str) -> list[Table]:
         headers = [f"{key} [{_unit(of)[0]}]" if _unit(of)[0] else key for key, of in columns.items()]
         table = Table(f"{name.replace('_', ' ')}, each {along}", (along, *headers))
         cells = [_cells(of) for of in (coordinate, *columns.values())]
-        table.rows = [list(row) for row in zip(*cells, strict=True)]
+        table.rows = [list(row) for row in zip(*cells, strict=True)][:ROWS]
         table.notes = [f"{key}: {of.long_name}" for key, of in columns.items()]
+        if coordinate.values.size > ROWS:
+            table.notes.append(f"and {coordinate.values.size - ROWS} more, in the archive")
         tables.append(table)
     more = {key: of for key, of in group.variables.items() if len(of.dims) > 1}
     if more:
