@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.report.table import Table, number
-from edesign.space.criteria import design_of
+from edesign.space.design_block import design_of
 from edesign.space.selection.select import Selection
 
 

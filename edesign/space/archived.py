@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group, Variable
 from edesign.space.archived_basis import add_restraints, basis
-from edesign.space.criteria import design_of
+from edesign.space.design_block import design_of
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.foundations import COMPONENTS
 from edesign.space.response import AXES, STATIONS

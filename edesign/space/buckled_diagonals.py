@@ -18,7 +18,7 @@ from edesign.building.steel_section import steel_section
 from edesign.codes.en1990.combinations import Combination
 from edesign.project.building.building import Building, Steel
 from edesign.space.bracing import Bracing
-from edesign.space.criteria import design_of
+from edesign.space.design_block import design_of
 from edesign.space.effects import Effects
 from edesign.space.frame import SpaceFrame
 

@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
 from functools import cache
-from typing import TypeVar
 
 import numpy as np
 
@@ -22,70 +20,15 @@ from edesign.codes.ec8.regularity import IRREGULAR_Q
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.core.space_modes import SpaceModes
-from edesign.errors import InputError
-from edesign.ground_motion.hazard import national_of
-from edesign.project.base import Model
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design, System
 from edesign.space.capacity import Joint, Overstrength, by_section
+from edesign.space.design_block import MOMENT_FRAME, Regular, design_of, system_of
 from edesign.space.frame import Member, SpaceFrame
 from edesign.space.response import AXES, Axis
 from edesign.space.storeys import Storeys
 
-M = TypeVar("M", bound=Model)
-MOMENT_FRAME = "moment_frame"
-
-
-@dataclass(frozen=True)
-class Regular:
-    """Whether a building counts as regular, as the file says, or as it is found where the file leaves it open.
-
-    Attributes:
-        plan, elevation: EN 1998-1:2004, 4.2.3.2 and 4.2.3.3.
-    """
-
-    plan: bool
-    elevation: bool
-
-
 _PATTERNS = {"cross": "x", "chevron": "v", "v": "v"}  # words of EN 1998-1, 6.7.3, for those of the file
-
-
-def design_of(building: Building) -> Design:
-    """Return the block `design` of a building; what it leaves to the country has that value.
-
-    These are the partial factors, gamma_ov, and nu of the importance class of its level, II where it is of none.
-
-    Raises:
-        InputError: the file has none.
-    """
-    design, hazard = building.design, building.hazard
-    if design is None:
-        raise InputError(f"{building.path}: design: this block is missing; docs/building_file.md explains it")
-    if hazard is None:
-        return design
-    national = national_of(hazard)
-    level = hazard.levels.get(design.level or next(iter(hazard.levels), ""))
-    actions, of_class = national.action_factors, (level.importance_class if level is not None else None) or "II"
-    factors = {**national.gamma_M, "G": actions.G_sup, "Q": actions.Q}
-    return design.model_copy(
-        update={
-            "partial_factors": _completed(design.partial_factors, factors),
-            "overstrength": _completed(design, {"overstrength": national.gamma_ov}).overstrength,
-            "drift": _completed(design.drift, {"nu": national.nu(of_class)}),
-        }
-    )
-
-
-def _completed(block: M, values: Mapping[str, float]) -> M:
-    """A block with values in the place of defaults."""
-    fields = type(block).model_fields.keys() - block.model_fields_set
-    return block.model_copy(update={name: value for name, value in values.items() if name in fields})
-
-
-def system_of(design: Design, axis: Axis) -> System:
-    """Return the structural system of one direction."""
-    return design.systems.x if axis == "x" else design.systems.y
 
 
 def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: float, regular: Regular) -> float:

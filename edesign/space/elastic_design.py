@@ -27,20 +27,17 @@ from edesign.space.buckled_diagonals import single_diagonals, with_buckled_diago
 from edesign.space.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
 from edesign.space.column_feet import feet_criteria, hinged_feet
 from edesign.space.criteria import (
-    MOMENT_FRAME,
-    Regular,
     allowed_class,
     behaviour_criteria,
     bracing_criteria,
     connection_criteria,
-    design_of,
     joint_criteria,
     largest_q,
     modal_criteria,
     storey_criteria,
-    system_of,
 )
 from edesign.space.deflections import DeflectionAnalysis, Deflections, deflection_criteria
+from edesign.space.design_block import MOMENT_FRAME, Regular, design_of, system_of
 from edesign.space.effects import Effects, effects, largest
 from edesign.space.foundations import Foundations, foundation_factors, foundations, supports
 from edesign.space.frame import LoadCase, Member, SpaceFrame

@@ -15,7 +15,7 @@ from edesign.project.building.building import Building
 from edesign.space.bracing import Bracing
 from edesign.space.capacity import Overstrength, bend_about_y, column_moments
 from edesign.space.column_feet import M_Y, M_Z, N, hinged_feet
-from edesign.space.criteria import MOMENT_FRAME, design_of, system_of
+from edesign.space.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.frame import SpaceFrame
 from edesign.space.response import AXES, Axis, SeismicResponse, StaticResponse
 from edesign.space.storeys import Storeys

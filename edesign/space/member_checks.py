@@ -42,7 +42,7 @@ from edesign.space.buckled_diagonals import CASES as BUCKLING
 from edesign.space.buckled_diagonals import buckling_combinations
 from edesign.space.buckling_moments import FreeBeams
 from edesign.space.capacity import Overstrength, bends_about_y
-from edesign.space.criteria import MOMENT_FRAME, design_of, system_of
+from edesign.space.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.effects import Effects, largest
 from edesign.space.frame import NO_DIAPHRAGM, Member, SpaceFrame
 from edesign.space.response import AXES, STATIONS, Axis

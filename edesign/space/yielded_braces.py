@@ -20,7 +20,7 @@ from edesign.project.building.building import Building
 from edesign.project.building.design import Design
 from edesign.space.bracing import Bracing
 from edesign.space.capacity import by_section
-from edesign.space.criteria import design_of
+from edesign.space.design_block import design_of
 from edesign.space.effects import Effects
 from edesign.space.frame import SpaceFrame
 from edesign.space.response import nodal_case, static_cases

@@ -13,8 +13,9 @@ from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, SLENDE
 from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
-from edesign.space.criteria import MOMENT_FRAME, brace_slenderness, design_of, system_of
+from edesign.space.criteria import brace_slenderness
 from edesign.space.deflections import LIMITED
+from edesign.space.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.response import AXES
 from edesign.space.selection.ahead import Ahead
