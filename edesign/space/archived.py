@@ -11,7 +11,8 @@ from edesign.space.archived_basis import add_restraints, basis
 from edesign.space.design_block import design_of
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.foundations import COMPONENTS
-from edesign.space.response import AXES, STATIONS
+from edesign.space.frame import AXES
+from edesign.space.response import STATIONS
 
 PLACE = "building"
 SELECTION = "selection"

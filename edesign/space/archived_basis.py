@@ -13,9 +13,9 @@ from edesign.building.steel_member import Stability
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.space.effects import largest
 from edesign.space.elastic_design import ElasticDesign
+from edesign.space.frame import AXES
 from edesign.space.load_cases import on_nodes
 from edesign.space.masses import floor_masses
-from edesign.space.response import AXES
 
 MODES_DRAWN = 6
 LONGEST = 4.0  # s, EN 1998-1, 3.2.2.2

@@ -15,8 +15,7 @@ from edesign.codes.en1990.combinations import Combination
 from edesign.project.building.building import Steel
 from edesign.space.capacity import bend_about_y, by_section
 from edesign.space.effects import Effects, largest
-from edesign.space.frame import SpaceFrame
-from edesign.space.response import Axis
+from edesign.space.frame import Axis, SpaceFrame
 
 N, M_Y, M_Z = 0, 4, 5  # places in internal forces
 _TURNS = {"x": 4, "y": 3}  # degree of a support that turns under horizontal forces along an axis

@@ -24,8 +24,7 @@ from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design, System
 from edesign.space.capacity import Joint, Overstrength, by_section
 from edesign.space.design_block import MOMENT_FRAME, Regular, design_of, system_of
-from edesign.space.frame import Member, SpaceFrame
-from edesign.space.response import AXES, Axis
+from edesign.space.frame import AXES, Axis, Member, SpaceFrame
 from edesign.space.storeys import Storeys
 
 _PATTERNS = {"cross": "x", "chevron": "v", "v": "v"}  # words of EN 1998-1, 6.7.3, for those of the file

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.codes.en1990.combinations import Combination
-from edesign.space.frame import SpaceFrame
+from edesign.space.frame import AXES, Axis, SpaceFrame
 from edesign.space.model import TENSION_ONLY_SHARE
-from edesign.space.response import AXES, Axis, SeismicResponse, StaticResponse
+from edesign.space.response import SeismicResponse, StaticResponse
 from edesign.space.storeys import Storeys
 
 

@@ -40,7 +40,7 @@ from edesign.space.deflections import DeflectionAnalysis, Deflections, deflectio
 from edesign.space.design_block import MOMENT_FRAME, Regular, design_of, system_of
 from edesign.space.effects import Effects, effects, largest
 from edesign.space.foundations import Foundations, foundation_factors, foundations, supports
-from edesign.space.frame import LoadCase, Member, SpaceFrame
+from edesign.space.frame import AXES, Axis, LoadCase, Member, SpaceFrame
 from edesign.space.geometry import space_frame
 from edesign.space.live_load_reduction import NOTE as LIVE_LOADS_REDUCED
 from edesign.space.live_load_reduction import LiveLoadReduction
@@ -50,8 +50,6 @@ from edesign.space.member_checks import LARGEST_CLASS, MemberChecker, MemberResu
 from edesign.space.model import diaphragm_floors, member_properties, space_model
 from edesign.space.regularity import regularity, shape
 from edesign.space.response import (
-    AXES,
-    Axis,
     SeismicResponse,
     StaticResponse,
     gravity_above,

@@ -16,8 +16,8 @@ from edesign.space.bracing import Bracing
 from edesign.space.capacity import Overstrength, bend_about_y, column_moments
 from edesign.space.column_feet import M_Y, M_Z, N, hinged_feet
 from edesign.space.design_block import MOMENT_FRAME, design_of, system_of
-from edesign.space.frame import SpaceFrame
-from edesign.space.response import AXES, Axis, SeismicResponse, StaticResponse
+from edesign.space.frame import AXES, Axis, SpaceFrame
+from edesign.space.response import SeismicResponse, StaticResponse
 from edesign.space.storeys import Storeys
 
 COMPONENTS = ("F_x", "F_y", "F_z", "M_x", "M_y", "M_z")

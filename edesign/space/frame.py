@@ -22,6 +22,9 @@ NO_DIAPHRAGM = -1
 PLACES = ("ends", "length", "columns", "webs", "storey", "in_compression", "passes_moment", "level_of_nodes")
 """What a `SpaceFrame` derives from its nodes and the places of its members."""
 
+Axis = Literal["x", "y"]
+AXES: tuple[Axis, Axis] = ("x", "y")
+
 
 @dataclass(frozen=True)
 class Member:

@@ -44,8 +44,8 @@ from edesign.space.buckling_moments import FreeBeams
 from edesign.space.capacity import Overstrength, bends_about_y
 from edesign.space.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.effects import Effects, largest
-from edesign.space.frame import NO_DIAPHRAGM, Member, SpaceFrame
-from edesign.space.response import AXES, STATIONS, Axis
+from edesign.space.frame import AXES, NO_DIAPHRAGM, Axis, Member, SpaceFrame
+from edesign.space.response import STATIONS
 
 PERSISTENT, SEISMIC, CAPACITY, YIELDED, VERTICAL, VERTICAL_CAPACITY = range(6)
 LARGEST_PLASTIC_CLASS = 2

@@ -26,9 +26,8 @@ from edesign.codes.ec8.regularity import (
 from edesign.core.space import SpaceModel
 from edesign.project.building.building import Building
 from edesign.space.design_block import Regular, design_of
-from edesign.space.frame import NO_DIAPHRAGM, SpaceFrame
+from edesign.space.frame import AXES, NO_DIAPHRAGM, SpaceFrame
 from edesign.space.plan_outline import recess_areas
-from edesign.space.response import AXES
 
 ROUNDING = 1e-9
 """Eccentricities below this share of the plan are rounding of the solution."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -19,15 +19,13 @@ from edesign.codes.ec8.torsion import accidental_eccentricity, accidental_moment
 from edesign.core.space import Points, SpaceModel, combine, combine_internal
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
-from edesign.space.frame import LoadCase, SpaceFrame
+from edesign.space.frame import AXES, Axis, LoadCase, SpaceFrame
 from edesign.space.model import diaphragm_floors
 
 if TYPE_CHECKING:
     from edesign.space.bracing import Bracing
     from edesign.space.foundations import Supports
 
-Axis = Literal["x", "y"]
-AXES: tuple[Axis, Axis] = ("x", "y")
 STATIONS = np.array([0.0, 1.0 / 6.0, 1.0 / 3.0, 0.5, 2.0 / 3.0, 5.0 / 6.0, 1.0])
 """Places along a member as fractions of its length: loads of secondary beams at third points fall on them."""
 AXIAL_AT_END = 6  # place of N in end forces; braces and columns of modes have the same along their length

@@ -24,10 +24,10 @@ from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import PROPERTIES, SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.space.effects import Effects
-from edesign.space.frame import SpaceFrame
+from edesign.space.frame import AXES, Axis, SpaceFrame
 from edesign.space.load_cases import on_nodes
 from edesign.space.model import TENSION_ONLY_SHARE
-from edesign.space.response import AXES, STATIONS, Axis, StaticResponse
+from edesign.space.response import STATIONS, StaticResponse
 
 STABLE = "EN 1993-1-1, 5.2.2(6)"
 """Clause of the criterion on alpha_cr."""

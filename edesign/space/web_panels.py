@@ -17,8 +17,7 @@ from edesign.codes.ec8.moment_frames import (
 )
 from edesign.project.building.building import Steel
 from edesign.space.capacity import bend_about_y, by_section
-from edesign.space.frame import SpaceFrame
-from edesign.space.response import Axis
+from edesign.space.frame import Axis, SpaceFrame
 
 V_Z = 2  # place in internal forces
 

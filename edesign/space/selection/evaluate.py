@@ -17,7 +17,7 @@ from edesign.space.criteria import brace_slenderness
 from edesign.space.deflections import LIMITED
 from edesign.space.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
-from edesign.space.response import AXES
+from edesign.space.frame import AXES
 from edesign.space.selection.ahead import Ahead
 from edesign.space.selection.groups import Group
 from edesign.space.sway import STABLE

@@ -15,8 +15,8 @@ from edesign.project.problems import keys_text, listed
 from edesign.space.criteria import allowed_class, dissipative_class, pattern_of, slenderness_of_one_metre
 from edesign.space.design_block import design_of
 from edesign.space.elastic_design import ElasticAnalysis
+from edesign.space.frame import AXES
 from edesign.space.member_checks import LARGEST_CLASS
-from edesign.space.response import AXES
 
 
 @dataclass(frozen=True)
