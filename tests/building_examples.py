@@ -7,9 +7,9 @@ import numpy as np
 from edesign.building.building_sections import BuildingSections
 from edesign.core.space import PROPERTIES, SpaceModel
 from edesign.project.building import Building, parse_building
-from edesign.space.frame import SpaceFrame
-from edesign.space.geometry import space_frame
-from edesign.space.model import member_properties, space_model
+from edesign.space.structure.frame import SpaceFrame
+from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.model import member_properties, space_model
 
 SMALL = """\
 edesign_building: 1

@@ -48,8 +48,8 @@ def extract(
     from edesign.building.building_file import load_building
     from edesign.errors import InputError
     from edesign.space.extract import StudyNames, frame_row, project_text, study_text, suite_text
-    from edesign.space.geometry import space_frame
-    from edesign.space.steel_by_thickness import with_steel_by_thickness
+    from edesign.space.structure.geometry import space_frame
+    from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
     if study is None and (recordings is not None or drift is not None):
         raise InputError("--recordings and --drift belong to a study; give --study FILE too")

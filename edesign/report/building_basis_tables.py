@@ -9,7 +9,7 @@ from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.report.building_results import BuildingResults, finite
 from edesign.report.table import Table, number
 from edesign.space.archived import SELECTION
-from edesign.space.frame import AXES
+from edesign.space.structure.frame import AXES
 
 
 def materials_table(results: BuildingResults) -> Table:

@@ -14,8 +14,8 @@ from edesign.project.problems import did_you_mean
 from edesign.report.building_results import UNITS, BuildingResults, finite
 from edesign.report.building_tables import Worst, worst_of_groups
 from edesign.report.table import Table, number
-from edesign.space.written_checks import written_check
-from edesign.space.written_steps import ForcesAlong, Step
+from edesign.space.checks.written_checks import written_check
+from edesign.space.checks.written_steps import ForcesAlong, Step
 
 SAME = 1e-6
 """Share by which a calculation may miss the utilisation: above rounding, below the digits that are shown."""

@@ -13,7 +13,7 @@ from edesign.report.building_figures import strokes
 from edesign.report.building_results import BuildingResults
 from edesign.report.captions import plain
 from edesign.report.figures import BEFORE, TARGET, VARIANTS, new_figure, styled
-from edesign.space.frame import AXES
+from edesign.space.structure.frame import AXES
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

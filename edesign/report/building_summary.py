@@ -8,7 +8,7 @@ from edesign.report.building_results import BuildingResults, finite
 from edesign.report.deflection_table import worst_beams
 from edesign.report.foundation_table import foundation_summary
 from edesign.space.archived import SELECTION
-from edesign.space.frame import AXES
+from edesign.space.structure.frame import AXES
 
 
 def building_summary(archive: Archive) -> dict[str, object]:

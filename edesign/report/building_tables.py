@@ -15,7 +15,7 @@ from edesign.report.building_results import BuildingResults, finite
 from edesign.report.deflection_table import deflection_table
 from edesign.report.foundation_table import foundation_table
 from edesign.report.table import Table, number
-from edesign.space.frame import AXES
+from edesign.space.structure.frame import AXES
 
 MODES_SHOWN = 12
 _SIGN_OF_HORIZONTAL = re.compile(r"[+-] (?=(?:[0-9.]+ )?(?:E_[xyz]|S_[xy]|SRSS\())")

@@ -6,7 +6,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.report.table import Table, number
-from edesign.space.foundations import COMPONENTS
+from edesign.space.checks.foundations import COMPONENTS
 
 
 def foundation_table(of: Group) -> Table:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from edesign.report.table import Table, number
-from edesign.space.design_block import design_of
 from edesign.space.selection.select import Selection
+from edesign.space.structure.design_block import design_of
 
 
 def selection_tables(selection: Selection) -> list[Table]:

@@ -7,12 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
+from edesign.space.analysis.response import STATIONS
 from edesign.space.archived_basis import add_restraints, basis
-from edesign.space.design_block import design_of
+from edesign.space.checks.foundations import COMPONENTS
 from edesign.space.elastic_design import ElasticDesign
-from edesign.space.foundations import COMPONENTS
-from edesign.space.frame import AXES
-from edesign.space.response import STATIONS
+from edesign.space.structure.design_block import design_of
+from edesign.space.structure.frame import AXES
 
 PLACE = "building"
 SELECTION = "selection"

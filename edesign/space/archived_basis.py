@@ -11,11 +11,11 @@ from edesign.archive.dataset import Group, Variable
 from edesign.building.section_class import section_class
 from edesign.building.steel_member import Stability
 from edesign.ground_motion.hazard import elastic_spectrum
-from edesign.space.effects import largest
+from edesign.space.analysis.effects import largest
 from edesign.space.elastic_design import ElasticDesign
-from edesign.space.frame import AXES
-from edesign.space.load_cases import on_nodes
-from edesign.space.masses import floor_masses
+from edesign.space.structure.frame import AXES
+from edesign.space.structure.load_cases import on_nodes
+from edesign.space.structure.masses import floor_masses
 
 MODES_DRAWN = 6
 LONGEST = 4.0  # s, EN 1998-1, 3.2.2.2

@@ -14,11 +14,11 @@ from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import column_name
 from edesign.project.problems import listed
-from edesign.space.frame import SpaceFrame
-from edesign.space.geometry import space_frame
-from edesign.space.load_cases import on_nodes
-from edesign.space.masses import floor_masses
-from edesign.space.steel_by_thickness import with_steel_by_thickness
+from edesign.space.structure.frame import SpaceFrame
+from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.load_cases import on_nodes
+from edesign.space.structure.masses import floor_masses
+from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
 R = TypeVar("R")
 

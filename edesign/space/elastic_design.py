@@ -22,11 +22,27 @@ from edesign.ground_motion.hazard import elastic_spectrum, national_of, vertical
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
 from edesign.project.hazard import Hazard
-from edesign.space.bracing import bracing
-from edesign.space.buckled_diagonals import single_diagonals, with_buckled_diagonals
-from edesign.space.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
-from edesign.space.column_feet import feet_criteria, hinged_feet
-from edesign.space.criteria import (
+from edesign.space.analysis.bracing import bracing
+from edesign.space.analysis.buckled_diagonals import single_diagonals, with_buckled_diagonals
+from edesign.space.analysis.deflections import DeflectionAnalysis, Deflections, deflection_criteria
+from edesign.space.analysis.effects import Effects, effects, largest
+from edesign.space.analysis.live_load_reduction import NOTE as LIVE_LOADS_REDUCED
+from edesign.space.analysis.live_load_reduction import LiveLoadReduction
+from edesign.space.analysis.response import (
+    SeismicResponse,
+    StaticResponse,
+    gravity_above,
+    response_of_shifted_masses,
+    seismic_response,
+    static_response,
+)
+from edesign.space.analysis.storeys import Storeys, storeys
+from edesign.space.analysis.sway import SwayAnalysis, SwayStability, sway_criteria, sway_notes
+from edesign.space.analysis.vertical_component import vertical_combinations, vertical_component
+from edesign.space.analysis.yielded_braces import with_yielded_braces, yielded_combinations
+from edesign.space.checks.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
+from edesign.space.checks.column_feet import feet_criteria, hinged_feet
+from edesign.space.checks.criteria import (
     allowed_class,
     behaviour_criteria,
     bracing_criteria,
@@ -36,33 +52,17 @@ from edesign.space.criteria import (
     modal_criteria,
     storey_criteria,
 )
-from edesign.space.deflections import DeflectionAnalysis, Deflections, deflection_criteria
-from edesign.space.design_block import MOMENT_FRAME, Regular, design_of, system_of
-from edesign.space.effects import Effects, effects, largest
-from edesign.space.foundations import Foundations, foundation_factors, foundations, supports
-from edesign.space.frame import AXES, Axis, LoadCase, Member, SpaceFrame
-from edesign.space.geometry import space_frame
-from edesign.space.live_load_reduction import NOTE as LIVE_LOADS_REDUCED
-from edesign.space.live_load_reduction import LiveLoadReduction
-from edesign.space.load_cases import SELF_WEIGHT, self_weight
-from edesign.space.masses import node_masses, psi_2
-from edesign.space.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
-from edesign.space.model import diaphragm_floors, member_properties, space_model
-from edesign.space.regularity import regularity, shape
-from edesign.space.response import (
-    SeismicResponse,
-    StaticResponse,
-    gravity_above,
-    response_of_shifted_masses,
-    seismic_response,
-    static_response,
-)
-from edesign.space.steel_by_thickness import steel_by_thickness, with_steel_by_thickness
-from edesign.space.storeys import Storeys, storeys
-from edesign.space.sway import SwayAnalysis, SwayStability, sway_criteria, sway_notes
-from edesign.space.vertical_component import vertical_combinations, vertical_component
-from edesign.space.web_panels import Panel, panel_criteria, web_panels
-from edesign.space.yielded_braces import with_yielded_braces, yielded_combinations
+from edesign.space.checks.foundations import Foundations, foundation_factors, foundations, supports
+from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
+from edesign.space.checks.regularity import regularity, shape
+from edesign.space.checks.web_panels import Panel, panel_criteria, web_panels
+from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, system_of
+from edesign.space.structure.frame import AXES, Axis, LoadCase, Member, SpaceFrame
+from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.load_cases import SELF_WEIGHT, self_weight
+from edesign.space.structure.masses import node_masses, psi_2
+from edesign.space.structure.model import diaphragm_floors, member_properties, space_model
+from edesign.space.structure.steel_by_thickness import steel_by_thickness, with_steel_by_thickness
 
 PERMANENT = "permanent"  # category of load cases
 

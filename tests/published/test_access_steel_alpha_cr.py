@@ -9,8 +9,8 @@ from __future__ import annotations
 import pytest
 from building_examples import bending_only, building
 
+from edesign.space.analysis.sway import critical_factors, geometric_stiffness
 from edesign.space.elastic_design import elastic_design
-from edesign.space.sway import critical_factors, geometric_stiffness
 
 FRAME = """\
 edesign_building: 1

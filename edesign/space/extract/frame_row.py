@@ -12,7 +12,7 @@ from edesign.project.building.building import Building
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import Direction
 from edesign.space.extract.plane_frame import PlaneFrame, parallel_frames, plane_frame
-from edesign.space.frame import SpaceFrame
+from edesign.space.structure.frame import SpaceFrame
 
 V = TypeVar("V")
 

@@ -22,9 +22,9 @@ from edesign.project.building.names import (
     node_name,
 )
 from edesign.project.problems import listed
-from edesign.space.frame import SpaceFrame
-from edesign.space.geometry import half_names
-from edesign.space.load_cases import on_members, on_nodes
+from edesign.space.structure.frame import SpaceFrame
+from edesign.space.structure.geometry import half_names
+from edesign.space.structure.load_cases import on_members, on_nodes
 
 AtNodes = dict[tuple[int, int], float]
 """Values by number of the line, from 0, and floor."""

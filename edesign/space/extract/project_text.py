@@ -15,8 +15,8 @@ from edesign.space.extract.leaning import leaning, leaning_shares
 from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames
 from edesign.space.extract.selections import runs, selection, value
 from edesign.space.extract.study_text import StudyNames, study_blocks
-from edesign.space.load_cases import PERMANENT, SELF_WEIGHT
-from edesign.space.masses import psi_2
+from edesign.space.structure.load_cases import PERMANENT, SELF_WEIGHT
+from edesign.space.structure.masses import psi_2
 
 LEANING = "leaning"
 """Section of the line of columns that stands for what leans on the frame, and its elastic material."""

@@ -13,14 +13,14 @@ from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, SLENDE
 from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
-from edesign.space.criteria import brace_slenderness
-from edesign.space.deflections import LIMITED
-from edesign.space.design_block import MOMENT_FRAME, design_of, system_of
+from edesign.space.analysis.deflections import LIMITED
+from edesign.space.analysis.sway import STABLE
+from edesign.space.checks.criteria import brace_slenderness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
-from edesign.space.frame import AXES
 from edesign.space.selection.ahead import Ahead
 from edesign.space.selection.groups import Group
-from edesign.space.sway import STABLE
+from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
+from edesign.space.structure.frame import AXES
 
 THETA, DRIFT, JOINTS, HOMOGENEOUS, SYMMETRIC = "4.4.2.2(3)", "4.4.3.2(1)", "4.4.2.3(4)", "6.7.3(8)", "6.7.1(3)"
 SLENDER = ("6.7.3(1)", "6.7.3(2)", "6.7.3(3)")

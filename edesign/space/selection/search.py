@@ -14,9 +14,9 @@ from itertools import combinations, permutations, zip_longest
 
 from edesign.errors import InputError
 from edesign.space.elastic_design import ElasticDesign
-from edesign.space.frame import SpaceFrame
 from edesign.space.selection.evaluate import Choice, Evaluation, Evaluator, OutOfEvaluations
 from edesign.space.selection.groups import Group
+from edesign.space.structure.frame import SpaceFrame
 
 UP = (1, 2)
 """Sizes that a group goes up in one step, among the heavier sections that are stiffer."""

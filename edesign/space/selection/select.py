@@ -13,11 +13,11 @@ from edesign.errors import InputError
 from edesign.one_thread import one_thread
 from edesign.project.building.building import Building
 from edesign.project.values import KeyPath
-from edesign.space.design_block import design_of
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.selection.evaluate import Choice, Evaluator
 from edesign.space.selection.groups import Group, groups_of
 from edesign.space.selection.search import Found, Listener, Search, column_order
+from edesign.space.structure.design_block import design_of
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from edesign.ground_motion.hazard import checked_hazard, importance_factor, nati
 from edesign.project.building import parse_building
 from edesign.project.hazard import Hazard, Level
 from edesign.project.problems import FileProblems
-from edesign.space.design_block import design_of
+from edesign.space.structure.design_block import design_of
 
 GREECE = {"code": "ec8-2004", "country": "greece", "zone": "3", "ground": "B", "spectrum": 1}
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.space.area_loads import BayShares, BeamShare, bay_shares, trapezoid
+from edesign.space.structure.area_loads import BayShares, BeamShare, bay_shares, trapezoid
 
 EXACT = 1e-12  # rounding of a few operations
 

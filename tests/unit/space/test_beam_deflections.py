@@ -8,7 +8,7 @@ from building_examples import building
 
 from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
-from edesign.space.deflections import LIMITED, Deflections, under_point_loads
+from edesign.space.analysis.deflections import LIMITED, Deflections, under_point_loads
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.selection.evaluate import searched_clauses
 

@@ -9,9 +9,9 @@ import pytest
 
 from edesign.building.building_file import load_building
 from edesign.building.steel_section import steel_section
-from edesign.space.bracing import bracing
+from edesign.space.analysis.bracing import bracing
 from edesign.space.elastic_design import ElasticDesign, elastic_design
-from edesign.space.frame import SpaceFrame
+from edesign.space.structure.frame import SpaceFrame
 
 BUILDING = """
 edesign_building: 1

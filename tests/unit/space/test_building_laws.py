@@ -12,7 +12,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
-from edesign.space.frame import AXES
+from edesign.space.structure.frame import AXES
 
 LOPSIDED = """\
 edesign_building: 1

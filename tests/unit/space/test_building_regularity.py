@@ -10,11 +10,11 @@ import pytest
 from edesign.building.building_file import load_building
 from edesign.codes.ec8.criterion import Criterion
 from edesign.project.building.building import Building
+from edesign.space.checks.regularity import floor_stiffness
 from edesign.space.elastic_design import ElasticDesign, elastic_design
-from edesign.space.geometry import space_frame
-from edesign.space.model import space_model
-from edesign.space.plan_outline import recess_areas
-from edesign.space.regularity import floor_stiffness
+from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.model import space_model
+from edesign.space.structure.plan_outline import recess_areas
 
 BUILDING = """
 edesign_building: 1

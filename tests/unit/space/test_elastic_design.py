@@ -16,7 +16,7 @@ from edesign.codes.ec3 import lateral_torsional
 from edesign.errors import InputError
 from edesign.report.page.document import page_text
 from edesign.space.elastic_design import ElasticDesign, elastic_design
-from edesign.space.model import space_model
+from edesign.space.structure.model import space_model
 
 TABLE = """
 edesign_building: 1

@@ -19,7 +19,7 @@ from edesign.project.names import node_name
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.space.extract import frame_row, project_text
 from edesign.space.extract.selections import runs
-from edesign.space.geometry import space_frame
+from edesign.space.structure.geometry import space_frame
 from edesign.study.modal import fundamental_period
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_building"

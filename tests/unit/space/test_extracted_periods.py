@@ -23,10 +23,10 @@ from edesign.errors import InputError
 from edesign.project import Project, parse_project
 from edesign.project.analyses import GravityAnalysis, PushoverAnalysis
 from edesign.project.building import Building
-from edesign.space import model
 from edesign.space.extract import frame_row, project_text
-from edesign.space.geometry import space_frame
-from edesign.space.model import space_model
+from edesign.space.structure import model
+from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.model import space_model
 from edesign.study.gravity import run_gravity
 from edesign.study.pushover import run_pushover
 from edesign.study.structure import make_frame, make_structure

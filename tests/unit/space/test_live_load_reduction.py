@@ -7,8 +7,8 @@ import pytest
 from building_examples import building
 
 from edesign.building.steel_section import steel_section
+from edesign.space.analysis.live_load_reduction import loaded_areas
 from edesign.space.elastic_design import ElasticDesign, elastic_design
-from edesign.space.live_load_reduction import loaded_areas
 
 TOWER = """\
 edesign_building: 1

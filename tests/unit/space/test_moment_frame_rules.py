@@ -9,9 +9,9 @@ import pytest
 
 from edesign.building.building_file import load_building
 from edesign.building.steel_section import steel_section
-from edesign.space.bracing import bracing
+from edesign.space.analysis.bracing import bracing
+from edesign.space.checks.foundations import supports
 from edesign.space.elastic_design import ElasticDesign, elastic_design
-from edesign.space.foundations import supports
 
 FRAME = """
 edesign_building: 1

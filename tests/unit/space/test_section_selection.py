@@ -20,7 +20,7 @@ from edesign.project.building import parse_building
 from edesign.project.problems import FileProblems
 from edesign.report.building_basis_tables import selection_table
 from edesign.report.building_results import BuildingResults
-from edesign.space.criteria import brace_slenderness
+from edesign.space.checks.criteria import brace_slenderness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.selection.evaluate import Evaluator, utilisations
 from edesign.space.selection.groups import groups_of

@@ -13,9 +13,9 @@ from edesign.errors import InputError
 from edesign.project.building import Building
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.space.check import check_building, floor_loads
-from edesign.space.frame import NO_DIAPHRAGM, RIGID, Member, SpaceFrame
-from edesign.space.geometry import space_frame
-from edesign.space.load_cases import on_members, on_nodes
+from edesign.space.structure.frame import NO_DIAPHRAGM, RIGID, Member, SpaceFrame
+from edesign.space.structure.geometry import space_frame
+from edesign.space.structure.load_cases import on_members, on_nodes
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_building"
 ROUNDING = 1e-11  # relative, of sums over some hundred loads

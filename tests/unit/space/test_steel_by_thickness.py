@@ -10,7 +10,7 @@ from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.space.elastic_design import ElasticAnalysis, elastic_design
 from edesign.space.selection.groups import groups_of
-from edesign.space.steel_by_thickness import with_steel_by_thickness
+from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
 THICK = (
     SMALL.replace("columns: [{section: HEB200,", "columns: [{section: HEB450,")

@@ -11,9 +11,9 @@ from edesign.building.steel_section import steel_section
 from edesign.codes.ec3.imperfections import initial_sway
 from edesign.core.space import PROPERTIES
 from edesign.project.building import Building
+from edesign.space.analysis.sway import STABLE, critical_factors, geometric_stiffness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.selection.evaluate import searched_clauses
-from edesign.space.sway import STABLE, critical_factors, geometric_stiffness
 
 PORTAL = """\
 edesign_building: 1

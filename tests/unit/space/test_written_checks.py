@@ -15,8 +15,8 @@ from edesign.building.steel_section import steel_section
 from edesign.core.member_checks import Check, MemberTable, mask, member_checks
 from edesign.report.building_checks import written
 from edesign.report.building_results import BuildingResults
-from edesign.space.written_checks import written_check
-from edesign.space.written_steps import ForcesAlong
+from edesign.space.checks.written_checks import written_check
+from edesign.space.checks.written_steps import ForcesAlong
 from edesign.study.building import run_building
 
 SAME = 1e-9

@@ -39,7 +39,7 @@ from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.source import Source
 from edesign.report.table import Table
-from edesign.space.frame import AXES
+from edesign.space.structure.frame import AXES
 
 Parts = Callable[[Source, BuildingResults], Iterable[Part]]
 

@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.codes.en1990.combinations import Combination
-from edesign.space.frame import AXES, Axis, SpaceFrame
-from edesign.space.model import TENSION_ONLY_SHARE
-from edesign.space.response import SeismicResponse, StaticResponse
-from edesign.space.storeys import Storeys
+from edesign.space.analysis.response import SeismicResponse, StaticResponse
+from edesign.space.analysis.storeys import Storeys
+from edesign.space.structure.frame import AXES, Axis, SpaceFrame
+from edesign.space.structure.model import TENSION_ONLY_SHARE
 
 
 @dataclass(frozen=True)

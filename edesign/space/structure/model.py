@@ -9,7 +9,7 @@ import numpy as np
 from edesign.building.steel_section import steel_section
 from edesign.core.space import PROPERTIES, SpaceMembers, SpaceModel
 from edesign.project.building.building import Steel
-from edesign.space.frame import NO_DIAPHRAGM, SpaceFrame
+from edesign.space.structure.frame import NO_DIAPHRAGM, SpaceFrame
 
 TENSION_ONLY_SHARE = 0.5
 """Share of its area that a brace has in the model if it does not count in compression."""

@@ -15,9 +15,9 @@ from edesign.building.steel_section import steel_section
 from edesign.codes.ec3.buckling import IMPERFECTION
 from edesign.codes.ec3.lateral_torsional import buckling_moments, rolled_curve
 from edesign.project.building.building import Steel
-from edesign.space.effects import Effects
-from edesign.space.frame import SpaceFrame
-from edesign.space.live_load_reduction import whole_case
+from edesign.space.analysis.effects import Effects
+from edesign.space.analysis.live_load_reduction import whole_case
+from edesign.space.structure.frame import SpaceFrame
 
 _M_Y = 4
 

@@ -25,9 +25,9 @@ from edesign.codes.ec8.regularity import (
 )
 from edesign.core.space import SpaceModel
 from edesign.project.building.building import Building
-from edesign.space.design_block import Regular, design_of
-from edesign.space.frame import AXES, NO_DIAPHRAGM, SpaceFrame
-from edesign.space.plan_outline import recess_areas
+from edesign.space.structure.design_block import Regular, design_of
+from edesign.space.structure.frame import AXES, NO_DIAPHRAGM, SpaceFrame
+from edesign.space.structure.plan_outline import recess_areas
 
 ROUNDING = 1e-9
 """Eccentricities below this share of the plan are rounding of the solution."""

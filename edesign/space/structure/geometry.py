@@ -11,9 +11,9 @@ from edesign.project.building.building import Building
 from edesign.project.building.layout import Point, ways
 from edesign.project.building.members import BeamRun, BraceRun, End
 from edesign.project.building.names import BeamPlace, BracePlace, ColumnLine, column_name, frame_name, node_name
-from edesign.space.frame import NO_DIAPHRAGM, RIGID, Member, SpaceFrame
-from edesign.space.load_cases import load_cases
-from edesign.space.masses import node_masses
+from edesign.space.structure.frame import NO_DIAPHRAGM, RIGID, Member, SpaceFrame
+from edesign.space.structure.load_cases import load_cases
+from edesign.space.structure.masses import node_masses
 
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
 

@@ -13,7 +13,7 @@ import numpy as np
 from edesign.building.steel_member import SteelMember
 from edesign.codes.ec3 import cross_section, interaction
 from edesign.codes.ec8.moment_frames import AXIAL_LIMIT, SHEAR_LIMIT
-from edesign.space.written_steps import M_Y, M_Z, V_Y, V_Z, Calculation, ForcesAlong, N, Step
+from edesign.space.checks.written_steps import M_Y, M_Z, V_Y, V_Z, Calculation, ForcesAlong, N, Step
 
 
 def written_check(member: SteelMember, forces: ForcesAlong, check: str, station: int) -> tuple[Step, ...]:

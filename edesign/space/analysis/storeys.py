@@ -10,8 +10,8 @@ from edesign.codes.ec8.design_displacement import design_displacement
 from edesign.codes.ec8.drift import drift_limit, reduced_drift
 from edesign.codes.ec8.second_order import LARGEST, NEGLIGIBLE, drift_sensitivity
 from edesign.project.building.design import Design
-from edesign.space.frame import Axis
-from edesign.space.response import SeismicResponse
+from edesign.space.analysis.response import SeismicResponse
+from edesign.space.structure.frame import Axis
 
 
 @dataclass(frozen=True)

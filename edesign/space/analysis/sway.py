@@ -23,11 +23,11 @@ from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import PROPERTIES, SpaceModel
 from edesign.core.space_modes import SpaceModes
-from edesign.space.effects import Effects
-from edesign.space.frame import AXES, Axis, SpaceFrame
-from edesign.space.load_cases import on_nodes
-from edesign.space.model import TENSION_ONLY_SHARE
-from edesign.space.response import STATIONS, StaticResponse
+from edesign.space.analysis.effects import Effects
+from edesign.space.analysis.response import STATIONS, StaticResponse
+from edesign.space.structure.frame import AXES, Axis, SpaceFrame
+from edesign.space.structure.load_cases import on_nodes
+from edesign.space.structure.model import TENSION_ONLY_SHARE
 
 STABLE = "EN 1993-1-1, 5.2.2(6)"
 """Clause of the criterion on alpha_cr."""

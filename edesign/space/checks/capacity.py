@@ -22,7 +22,7 @@ from edesign.codes.ec3.cross_section import (
 from edesign.codes.ec8.capacity import overstrength as strength_over_demand
 from edesign.codes.ec8.strong_column import LEAST_RATIO, is_exempt, strength_ratio
 from edesign.project.building.building import Steel
-from edesign.space.frame import AXES, Axis, Member, SpaceFrame
+from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 
 N, M_Y = 0, 4  # places in internal forces
 _DIAGONAL = 0.7  # cosine: a web is along x or along y

@@ -17,10 +17,10 @@ from edesign.building.steel_member import Stability, member_constants
 from edesign.building.steel_section import steel_section
 from edesign.codes.en1990.combinations import Combination
 from edesign.project.building.building import Building, Steel
-from edesign.space.bracing import Bracing
-from edesign.space.design_block import design_of
-from edesign.space.effects import Effects
-from edesign.space.frame import SpaceFrame
+from edesign.space.analysis.bracing import Bracing
+from edesign.space.analysis.effects import Effects
+from edesign.space.structure.design_block import design_of
+from edesign.space.structure.frame import SpaceFrame
 
 CASES = ("buckling+", "buckling-")
 """Diagonals in compression at their buckling resistance, those that fall along the axis, and those that rise."""

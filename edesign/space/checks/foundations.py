@@ -12,13 +12,13 @@ from edesign.codes.ec8.capacity import overstrength as strength_over_demand
 from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import combine
 from edesign.project.building.building import Building
-from edesign.space.bracing import Bracing
-from edesign.space.capacity import Overstrength, bend_about_y, column_moments
-from edesign.space.column_feet import M_Y, M_Z, N, hinged_feet
-from edesign.space.design_block import MOMENT_FRAME, design_of, system_of
-from edesign.space.frame import AXES, Axis, SpaceFrame
-from edesign.space.response import SeismicResponse, StaticResponse
-from edesign.space.storeys import Storeys
+from edesign.space.analysis.bracing import Bracing
+from edesign.space.analysis.response import SeismicResponse, StaticResponse
+from edesign.space.analysis.storeys import Storeys
+from edesign.space.checks.capacity import Overstrength, bend_about_y, column_moments
+from edesign.space.checks.column_feet import M_Y, M_Z, N, hinged_feet
+from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
+from edesign.space.structure.frame import AXES, Axis, SpaceFrame
 
 COMPONENTS = ("F_x", "F_y", "F_z", "M_x", "M_y", "M_z")
 """Of a support on the frame, global; F_z is positive upwards."""

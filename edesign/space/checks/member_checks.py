@@ -37,15 +37,15 @@ from edesign.core.member_checks import (
 )
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design
-from edesign.space.bracing import Bracing
-from edesign.space.buckled_diagonals import CASES as BUCKLING
-from edesign.space.buckled_diagonals import buckling_combinations
-from edesign.space.buckling_moments import FreeBeams
-from edesign.space.capacity import Overstrength, bends_about_y
-from edesign.space.design_block import MOMENT_FRAME, design_of, system_of
-from edesign.space.effects import Effects, largest
-from edesign.space.frame import AXES, NO_DIAPHRAGM, Axis, Member, SpaceFrame
-from edesign.space.response import STATIONS
+from edesign.space.analysis.bracing import Bracing
+from edesign.space.analysis.buckled_diagonals import CASES as BUCKLING
+from edesign.space.analysis.buckled_diagonals import buckling_combinations
+from edesign.space.analysis.effects import Effects, largest
+from edesign.space.analysis.response import STATIONS
+from edesign.space.checks.buckling_moments import FreeBeams
+from edesign.space.checks.capacity import Overstrength, bends_about_y
+from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
+from edesign.space.structure.frame import AXES, NO_DIAPHRAGM, Axis, Member, SpaceFrame
 
 PERSISTENT, SEISMIC, CAPACITY, YIELDED, VERTICAL, VERTICAL_CAPACITY = range(6)
 LARGEST_PLASTIC_CLASS = 2

@@ -16,8 +16,8 @@ from edesign.codes.ec8.criterion import Criterion, at_most
 from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import PROPERTIES
 from edesign.project.building.design import BeamDeflections
-from edesign.space.frame import LoadCase, SpaceFrame
-from edesign.space.response import StaticResponse
+from edesign.space.analysis.response import StaticResponse
+from edesign.space.structure.frame import LoadCase, SpaceFrame
 
 LIMITED = "EN 1993-1-1, 7.2.1"
 """Clause of the criteria on deflections."""

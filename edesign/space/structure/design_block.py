@@ -11,7 +11,7 @@ from edesign.ground_motion.hazard import national_of
 from edesign.project.base import Model
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design, System
-from edesign.space.frame import Axis
+from edesign.space.structure.frame import Axis
 
 M = TypeVar("M", bound=Model)
 MOMENT_FRAME = "moment_frame"

@@ -16,8 +16,8 @@ from edesign.codes.ec8.moment_frames import (
     web_panel_slenderness,
 )
 from edesign.project.building.building import Steel
-from edesign.space.capacity import bend_about_y, by_section
-from edesign.space.frame import Axis, SpaceFrame
+from edesign.space.checks.capacity import bend_about_y, by_section
+from edesign.space.structure.frame import Axis, SpaceFrame
 
 V_Z = 2  # place in internal forces
 

@@ -18,12 +18,12 @@ from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import SpaceModel
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
-from edesign.space.bracing import Bracing
-from edesign.space.capacity import by_section
-from edesign.space.design_block import design_of
-from edesign.space.effects import Effects
-from edesign.space.frame import SpaceFrame
-from edesign.space.response import nodal_case, static_cases
+from edesign.space.analysis.bracing import Bracing
+from edesign.space.analysis.effects import Effects
+from edesign.space.analysis.response import nodal_case, static_cases
+from edesign.space.checks.capacity import by_section
+from edesign.space.structure.design_block import design_of
+from edesign.space.structure.frame import SpaceFrame
 
 CASES = ("braces+", "braces-")
 """Braces at N_pl,Rd and gamma_pb N_pl,Rd, those in tension that rise along the axis, and those that fall."""

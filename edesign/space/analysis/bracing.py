@@ -20,9 +20,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.core.space import combine
-from edesign.space.frame import AXES, NO_DIAPHRAGM, Member, SpaceFrame
-from edesign.space.model import TENSION_ONLY_SHARE
-from edesign.space.response import STATIONS
+from edesign.space.analysis.response import STATIONS
+from edesign.space.structure.frame import AXES, NO_DIAPHRAGM, Member, SpaceFrame
+from edesign.space.structure.model import TENSION_ONLY_SHARE
 
 SENSES = (1.0, -1.0)
 """Of an earthquake along an axis: with it, and against it."""

@@ -22,10 +22,10 @@ from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.core.space_modes import SpaceModes
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.design import Design, System
-from edesign.space.capacity import Joint, Overstrength, by_section
-from edesign.space.design_block import MOMENT_FRAME, Regular, design_of, system_of
-from edesign.space.frame import AXES, Axis, Member, SpaceFrame
-from edesign.space.storeys import Storeys
+from edesign.space.analysis.storeys import Storeys
+from edesign.space.checks.capacity import Joint, Overstrength, by_section
+from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, system_of
+from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 
 _PATTERNS = {"cross": "x", "chevron": "v", "v": "v"}  # words of EN 1998-1, 6.7.3, for those of the file
 

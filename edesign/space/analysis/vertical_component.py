@@ -17,9 +17,9 @@ from edesign.codes.ec8 import VerticalSpectrum
 from edesign.codes.ec8.design import vertical_design_spectrum
 from edesign.codes.ec8.directions import vertical_component_counts
 from edesign.codes.en1990.combinations import Combination
-from edesign.space.bracing import joined_beams
-from edesign.space.effects import Effects
-from edesign.space.frame import SpaceFrame
+from edesign.space.analysis.bracing import joined_beams
+from edesign.space.analysis.effects import Effects
+from edesign.space.structure.frame import SpaceFrame
 
 CASE = "E_z"
 NAMED = 4  # spans in the note

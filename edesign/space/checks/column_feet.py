@@ -13,9 +13,9 @@ from edesign.codes.ec8.criterion import Criterion, at_most
 from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear
 from edesign.codes.en1990.combinations import Combination
 from edesign.project.building.building import Steel
-from edesign.space.capacity import bend_about_y, by_section
-from edesign.space.effects import Effects, largest
-from edesign.space.frame import Axis, SpaceFrame
+from edesign.space.analysis.effects import Effects, largest
+from edesign.space.checks.capacity import bend_about_y, by_section
+from edesign.space.structure.frame import Axis, SpaceFrame
 
 N, M_Y, M_Z = 0, 4, 5  # places in internal forces
 _TURNS = {"x": 4, "y": 3}  # degree of a support that turns under horizontal forces along an axis

@@ -21,10 +21,10 @@ from edesign.project.building.building import Building
 from edesign.project.building.layout import Panel, edges
 from edesign.project.building.names import BeamPlace
 from edesign.project.building.places import panels_in
-from edesign.space.area_loads import bay_shares
-from edesign.space.effects import Effects
-from edesign.space.frame import LoadCase, SpaceFrame
-from edesign.space.load_cases import members_of, on_nodes
+from edesign.space.analysis.effects import Effects
+from edesign.space.structure.area_loads import bay_shares
+from edesign.space.structure.frame import LoadCase, SpaceFrame
+from edesign.space.structure.load_cases import members_of, on_nodes
 
 NOTE = (
     "imposed loads that lead a persistent combination are reduced by alpha_A in beams and alpha_n in columns in their "

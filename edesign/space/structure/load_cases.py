@@ -14,8 +14,8 @@ from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterL
 from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.building.places import panels_in
 from edesign.project.units import STANDARD_GRAVITY
-from edesign.space.area_loads import BeamShare, bay_shares
-from edesign.space.frame import LoadCase, SpaceFrame
+from edesign.space.structure.area_loads import BeamShare, bay_shares
+from edesign.space.structure.frame import LoadCase, SpaceFrame
 
 PERMANENT, SELF_WEIGHT = "G", "self_weight"
 Load = Areas | PerimeterLoad | BeamLoad | NodeLoad

@@ -19,12 +19,12 @@ from edesign.codes.ec8.torsion import accidental_eccentricity, accidental_moment
 from edesign.core.space import Points, SpaceModel, combine, combine_internal
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
-from edesign.space.frame import AXES, Axis, LoadCase, SpaceFrame
-from edesign.space.model import diaphragm_floors
+from edesign.space.structure.frame import AXES, Axis, LoadCase, SpaceFrame
+from edesign.space.structure.model import diaphragm_floors
 
 if TYPE_CHECKING:
-    from edesign.space.bracing import Bracing
-    from edesign.space.foundations import Supports
+    from edesign.space.analysis.bracing import Bracing
+    from edesign.space.checks.foundations import Supports
 
 STATIONS = np.array([0.0, 1.0 / 6.0, 1.0 / 3.0, 0.5, 2.0 / 3.0, 5.0 / 6.0, 1.0])
 """Places along a member as fractions of its length: loads of secondary beams at third points fall on them."""

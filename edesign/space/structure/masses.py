@@ -12,8 +12,8 @@ from edesign.ground_motion.hazard import national_of
 from edesign.project.building.building import Building
 from edesign.project.building.names import node_name
 from edesign.project.units import STANDARD_GRAVITY
-from edesign.space.frame import SpaceFrame
-from edesign.space.load_cases import on_nodes
+from edesign.space.structure.frame import SpaceFrame
+from edesign.space.structure.load_cases import on_nodes
 
 
 def psi_2(building: Building, category: str) -> float:
