@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Iterable
 from functools import partial
 
+from edesign.archive.dataset import Group
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.archived import is_building_archive
 from edesign.report.building_basis_tables import (
@@ -35,6 +36,8 @@ from edesign.report.building_tables import (
     worst_of_groups,
 )
 from edesign.report.captions import plain
+from edesign.report.deflection_table import deflection_table
+from edesign.report.foundation_table import foundation_table
 from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.source import Source
@@ -134,6 +137,10 @@ def _table(make: Callable[[BuildingResults], Table]) -> Parts:
     return lambda source, results: [make(results)]
 
 
+def _of_group(name: str, make: Callable[[Group], Table]) -> Parts:
+    return lambda source, results: [make(results.group(name))]
+
+
 _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
     ("building", "Verdict", (_verdict,)),
     ("structure", "Structure and loads", (_structure, _pictures(plans), _table(materials_table), _table(floors_table))),
@@ -144,8 +151,19 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
         "Storeys",
         (_pictures(storey_curves), *(_table(partial(storeys_table, axis=axis)) for axis in AXES)),
     ),
-    ("members", "Members", (_pictures(elevations), _table(groups_table), _table(selection_table), _written)),
+    (
+        "members",
+        "Members",
+        (
+            _pictures(elevations),
+            _table(groups_table),
+            _table(selection_table),
+            _written,
+            _of_group("deflections", deflection_table),
+        ),
+    ),
     ("capacity", "Rules and capacity design", tuple(map(_table, (criteria_table, overstrength_table, joints_table)))),
+    ("foundations", "Foundations", (_of_group("foundations", foundation_table),)),
     ("others", "Other results", (_others,)),
     ("combinations", "Combinations of actions", (_table(combinations_table),)),
 )
