@@ -225,7 +225,6 @@ def _member(results: BuildingResults, member: int) -> SteelMember:
         G=of("G"),
         gamma_M0=results.number("gamma_M0"),
         gamma_M1=results.number("gamma_M1"),
-        annex_a=bool(results.number("annex_a")),
     )
 
 
@@ -240,11 +239,7 @@ def _forces(results: BuildingResults, member: int, combination: int) -> ForcesAl
         swing = np.sqrt(np.tensordot(factors**2, seismic**2, 1))
     else:
         swing = np.tensordot(factors, seismic, 1)
-    loads = None
-    if (of_cases := results.group("forces").variables.get("tipping")) is not None:
-        tipping = float(results.values("combinations", "static")[combination] @ of_cases.values[:, member])
-        loads = tipping if math.isfinite(tipping) else None
-    return ForcesAlong(results.values("forces", "station"), steady, swing, loads)
+    return ForcesAlong(results.values("forces", "station"), steady, swing)
 
 
 def _shown(step: Step) -> str:

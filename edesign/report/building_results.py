@@ -15,7 +15,6 @@ from edesign.space.archived import PLACE
 UNITS = {
     "N": ("kN", 1e3),
     "N*m": ("kN*m", 1e3),
-    "N*m2": ("kN*m2", 1e3),
     "Pa": ("MPa", 1e6),
     "m2": ("cm2", 1e-4),
     "m3": ("cm3", 1e-6),

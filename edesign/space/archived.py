@@ -9,7 +9,6 @@ import numpy as np
 from edesign.archive.dataset import Group, Variable
 from edesign.space.analysis.response import STATIONS
 from edesign.space.archived_basis import add_restraints, basis
-from edesign.space.checks.buckling_moments import FreeBeams
 from edesign.space.checks.foundations import COMPONENTS
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.structure.design_block import design_of
@@ -53,7 +52,6 @@ def _summary(design: ElasticDesign) -> Group:
             "ductility_class": design.building.design.ductility_class if design.building.design else "",
             "gamma_M0": design.members.members[0].gamma_M0,
             "gamma_M1": design.members.members[0].gamma_M1,
-            "annex_a": int(design.members.members[0].annex_a),
         }
     )
     for axis in AXES:
@@ -281,13 +279,6 @@ def _forces(design: ElasticDesign) -> Group:
     group.add("static", ("case", "member", "station", "force"), acting.static, _UNITS, "effects of load cases")
     text = "effects of the seismic action without sign, with second-order effects and accidental torsion"
     group.add("seismic", ("axis", "member", "station", "force"), acting.seismic, _UNITS, text)
-    block = design_of(design.building)
-    if block.members.lateral_restraint.beams == "ends":
-        free = FreeBeams(design.frame, design.building.materials, block.partial_factors.M1)
-        tipping = np.full((len(acting.cases), len(names)), np.nan)
-        tipping[:, free.members] = free.tipping(design.frame, acting)
-        text = "of beams that no slab holds: L / pi2 times the sum of z_g P sin2(pi x / L), nan of others"
-        group.add("tipping", ("case", "member"), tipping, "N*m^2", text)
     return group
 
 

@@ -65,15 +65,15 @@ class FreeBeams:
         pairs, of_members = frame.sections
         of = np.array([self._properties(*pair) for pair in pairs])[of_members[self.members]].T
         euler, squared = of[0] / self._length**2, of[1] + of[2] * self._length**2
-        tipping = self.tipping(frame, effects)
+        tipping = self._loads(frame, effects) * self._length * of[3] / math.pi**2  # (cases, beams)
         found = buckling_moments(
             np.broadcast_to(M_Rk, largest.shape),
             largest,
             np.stack(
                 [
-                    quarter_moment(steady, swing),
+                    _quarter(steady, swing),
                     np.abs(steady[:, :, 3]) + swing[:, :, 3],
-                    quarter_moment(steady[:, :, ::-1], swing[:, :, ::-1]),
+                    _quarter(steady[:, :, ::-1], swing[:, :, ::-1]),
                 ]
             ),
             np.maximum(static_factors @ tipping, 0.0),
@@ -83,11 +83,6 @@ class FreeBeams:
         )
         hollow = of[5] > 0.0  # they do not buckle sideways
         return np.where(hollow, M_Rk, found).T / self._gamma_M1
-
-    def tipping(self, frame: SpaceFrame, effects: Effects) -> np.ndarray:
-        """Return L / pi2 times the sum of z_g P sin2(pi x / L) of each case and beam, (n_cases, n_beams) N m2."""
-        z_g = np.array([0.5 * steel_section(name).h for name, _ in frame.sections[0]])[frame.sections[1][self.members]]
-        return np.asarray(self._loads(frame, effects) * self._length * z_g / math.pi**2)
 
     def _properties(self, name: str, material: str) -> list[float]:
         """pi2 E I_z; I_w / I_z; G I_t / (pi2 E I_z); z_g; alpha_LT; whether the section is hollow."""
@@ -111,11 +106,9 @@ class FreeBeams:
         return found
 
 
-def quarter_moment(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
-    """Return moments at the first quarter from those at sixths: by a parabola, and of responses by a line.
-
-    Args:
-        steady, swing: (..., 7) of static actions, with sign, and magnitudes of the responses.
-    """
-    of_static = 3.0 * steady[..., 1] + 6.0 * steady[..., 2] - steady[..., 3]
-    return np.asarray(np.abs(of_static) / 8.0 + 0.5 * (swing[..., 1] + swing[..., 2]))
+def _quarter(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
+    """Return moments at the first quarter from those at sixths: by a parabola, and of responses by a line."""
+    return np.asarray(
+        np.abs(3.0 * steady[:, :, 1] + 6.0 * steady[:, :, 2] - steady[:, :, 3]) / 8.0
+        + 0.5 * (swing[:, :, 1] + swing[:, :, 2])
+    )

@@ -183,88 +183,28 @@ def _bending_and_compression(equation: int) -> Callable[[Calculation, int], None
         modulus = w.modulus("z")
         M_z_Rk = cross_section.moment_resistance(modulus, w.member.fy, w.member.gamma_M1)
         w.add("M_z,Rk / gamma_M1", M_z_Rk, "N*m", f"W_{w.theory},z f_y / gamma_M1", "6.3.3, Table 6.7")
+        held = w.member.stability
+        for symbol, value in (("C_my", held.C_my), ("C_mz", held.C_mz), ("C_mLT", held.C_mLT)):
+            w.add(symbol, value, "1", "", "Annex B, Table B.3")
         n_y = w.add("n_y", N_Ed / N_y, "1", "N_Ed / (chi_y N_Rk / gamma_M1)")
         n_z = w.add("n_z", N_Ed / N_z, "1", "N_Ed / (chi_z N_Rk / gamma_M1)")
         m_y = w.add("m_y", M_y / M_b, "1", "M_y,Ed / (chi_LT M_y,Rk / gamma_M1)")
         m_z = w.add("m_z", M_z / M_z_Rk, "1", "M_z,Ed / (M_z,Rk / gamma_M1)")
-        if w.member.annex_a:
-            k, formulas, table = _annex_a(w, N_Ed, M_y, M_z, M_b, M_z_Rk)
-        else:
-            k, formulas, table = _annex_b(w, lambda_y, lambda_z, n_y, n_z)
+        c = w.member.constants
+        hollow = w.section.kind != "I"
+        shape = (held.C_my, held.C_mz, held.C_mLT, lambda_y, lambda_z, n_y, n_z, w.plastic, hollow, c.twists)
+        k = interaction.annex_b_factors(*shape)
+        table = "Annex B, Table B.2" if c.twists else "Annex B, Table B.1"
         pair = ("yy", "yz") if equation == 61 else ("zy", "zz")
+        formulas = _annex_b_formulas(w.plastic, hollow, c.twists, lambda_z)
         k_y, k_z = (w.add(f"k_{of}", getattr(k, f"k_{of}"), "1", formulas[of], table) for of in pair)
         uses = interaction.member_interaction(k, n_y, n_z, m_y, m_z)
         axis, n, value = ("y", n_y, uses[0]) if equation == 61 else ("z", n_z, uses[1])
-        value = value if math.isfinite(k_y) else math.inf  # at a critical force, whatever the moments
         symbols = f"n_{axis} + k_{pair[0]} m_y + k_{pair[1]} m_z"
         numbers = f"{n:.4g} + {k_y:.4g} x {m_y:.4g} + {k_z:.4g} x {m_z:.4g}"
         w.use(value, f"{symbols} = {numbers}", f"6.3.3(4), Eq. 6.{equation}")
 
     return write
-
-
-_Factors = tuple[interaction.InteractionFactors, dict[str, str], str]
-
-
-def _annex_b(w: Calculation, lambda_y: float, lambda_z: float, n_y: float, n_z: float) -> _Factors:
-    """k_ij, their formulas by index, and the table that they are of."""
-    held, twists, hollow = w.member.stability, w.member.constants.twists, w.section.kind != "I"
-    for symbol, value in (("C_my", held.C_my), ("C_mz", held.C_mz), ("C_mLT", held.C_mLT)):
-        w.add(symbol, value, "1", "", "Annex B, Table B.3")
-    shape = (held.C_my, held.C_mz, held.C_mLT, lambda_y, lambda_z, n_y, n_z, w.plastic, hollow, twists)
-    table = "Annex B, Table B.2" if twists else "Annex B, Table B.1"
-    return interaction.annex_b_factors(*shape), _annex_b_formulas(w.plastic, hollow, twists, lambda_z), table
-
-
-def _annex_a(w: Calculation, N_Ed: float, M_y: float, M_z: float, M_b: float, M_z_Rk: float) -> _Factors:
-    """The same of Annex A, with the terms that they are made from."""
-    s, c, held = w.section, w.member.constants, w.member.stability
-    per_N_cr = c.per_N_cr_y, c.per_N_cr_z, c.per_N_cr_T
-    N_cr_y, N_cr_z, N_cr_T = (math.inf if per == 0.0 else 1.0 / per for per in per_N_cr)
-    member = interaction.AnnexAMember(
-        c.N_Rk,
-        N_cr_y,
-        N_cr_z,
-        N_cr_T,
-        chi_y=c.N_b_y_Rd / c.N_Rk,
-        chi_z=c.chi_z,
-        chi_LT=1.0,
-        lambda_y=c.lambda_y,
-        lambda_z=c.lambda_z,
-        lambda_0=c.lambda_0,
-        C1=held.C1,
-        W_pl_y=s.W_pl_y,
-        W_el_y=s.W_el_y,
-        W_pl_z=s.W_pl_z,
-        W_el_z=s.W_el_z,
-        A=s.A,
-        I_y=s.I_y,
-        I_t=s.I_t,
-        M_pl_y=M_b,  # with chi_LT in it
-        M_pl_z=M_z_Rk,
-        plastic=w.plastic,
-    )
-    if N_Ed >= min(N_cr_y, N_cr_z, N_cr_T):
-        return interaction.InteractionFactors(*[math.inf] * 4), dict.fromkeys(("yy", "yz", "zy", "zz"), ""), "Annex A"
-    own = held.C_my + held.C_my_N * N_Ed / N_cr_y, held.C_mz + held.C_mz_N * N_Ed / N_cr_z
-    for axis, value in zip("yz", own, strict=True):
-        w.add(f"C_m{axis},0", value, "1", "", "Annex A, Table A.2")
-    w.add("lambda_0", c.lambda_0, "1", "under uniform moment", "Annex A, Table A.1")
-    terms = interaction.annex_a_terms(member, N_Ed, M_y, M_z, *own)
-    for axis in "yz":
-        formula = f"(1 - N_Ed / N_cr,{axis}) / (1 - chi_{axis} N_Ed / N_cr,{axis})"
-        w.add(f"mu_{axis}", getattr(terms, f"mu_{axis}"), "1", formula, "Annex A, Table A.1")
-    for name in ("C_my", "C_mz", "C_mLT", *(("C_yy", "C_yz", "C_zy", "C_zz") if w.plastic else ())):
-        w.add(name, getattr(terms, name), "1", "", "Annex A, Table A.1")
-    formulas = {}
-    for row in "yz":
-        for column, factor in (("y", "C_my C_mLT"), ("z", "C_mz")):
-            formulas[row + column] = f"{factor} mu_{row} / (1 - N_Ed / N_cr,{column})"
-    if w.plastic:
-        formulas = {of: f"{text} / C_{of}" for of, text in formulas.items()}
-        formulas["yz"] += " 0.6 sqrt(w_z / w_y)"
-        formulas["zy"] += " 0.6 sqrt(w_y / w_z)"
-    return interaction.annex_a_factors(member, N_Ed, terms), formulas, "Annex A, Table A.1"
 
 
 def _annex_b_formulas(plastic: bool, hollow: bool, twists: bool, lambda_z: float) -> dict[str, str]:

@@ -12,7 +12,6 @@ import numpy as np
 from edesign.building.steel_member import SteelMember
 from edesign.building.steel_section import SteelSection
 from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
-from edesign.space.checks.buckling_moments import quarter_moment
 
 N, V_Y, V_Z, _, M_Y, M_Z = range(6)
 _SYMBOL = {N: "N_Ed", V_Y: "V_y,Ed", V_Z: "V_z,Ed", M_Y: "M_y,Ed", M_Z: "M_z,Ed"}
@@ -45,14 +44,11 @@ class ForcesAlong:
         stations: (n,) fractions of the length.
         steady: (n, 6) of the static actions, with sign, N and N m.
         swing: (n, 6) magnitudes of the seismic action.
-        tipping: of a beam that no slab holds, whose C_1 is that of its diagram: L / pi2 times the sum of
-            z_g P sin2(pi x / L) of its loads on the top flange, N m2; otherwise None.
     """
 
     stations: np.ndarray
     steady: np.ndarray
     swing: np.ndarray
-    tipping: float | None = None
 
     @property
     def size(self) -> np.ndarray:
@@ -227,34 +223,19 @@ class Calculation:
         else:
             length = self.add("L_LT", held.L_LT, "m", "between restraints of the compressed flange")
             self.torsion()
-            C1, lever = self.moment_factors()
-            of_section = member.E, member.G, s.I_z, s.I_t, s.I_w, length
-            critical = lateral_torsional.critical_moment(*of_section, C1, lever, 1.0)
-            root = "I_w / I_z + L_LT^2 G I_t / (pi^2 E I_z)"
-            root = f"(sqrt({root} + (C_2 z_g)^2) - C_2 z_g)" if lever else f"sqrt({root})"
-            self.add("M_cr", critical, "N*m", f"C_1 pi^2 E I_z / L_LT^2 {root}", "SN003")
+            self.add("C_1", held.C1, "1", "", "SN003")
+            shape = held.C1, held.C2, held.z_g
+            critical = lateral_torsional.critical_moment(member.E, member.G, s.I_z, s.I_t, s.I_w, length, *shape)
+            load = ", C_2 and z_g of the load" if held.z_g else ""
+            expression = f"C_1 pi^2 E I_z / L_LT^2 sqrt(I_w / I_z + L_LT^2 G I_t / (pi^2 E I_z)){load}"
+            self.add("M_cr", critical, "N*m", expression, "SN003")
             slenderness = lateral_torsional.slenderness(modulus, member.fy, critical)
             self.add("lambda_LT", slenderness, "1", f"sqrt({W} f_y / M_cr)", "6.3.2.2(1)")
-            chi = self.chi_LT(slenderness, C1)
+            chi = self.chi_LT(slenderness)
         value = lateral_torsional.buckling_moment(chi, modulus, member.fy, member.gamma_M1)
         return self.add("M_b,Rd", value, "N*m", f"chi_LT {W} f_y / gamma_M1", "6.3.2.1(3), Eq. 6.55")
 
-    def moment_factors(self) -> tuple[float, float]:
-        """C_1 and C_2 z_g, m."""
-        held, forces = self.member.stability, self.forces
-        if forces.tipping is None:
-            C1 = self.add("C_1", held.C1, "1", "", "SN003")
-            return C1, self.add("C_2 z_g", held.C2 * held.z_g, "m", "", "SN003") if held.z_g else 0.0
-        steady, swing, size = forces.steady[:, M_Y], forces.swing[:, M_Y], forces.size[:, M_Y]
-        top, middle = self.add("M_max", size.max(), "N*m"), self.add("M_2", size[3], "N*m", "at the middle")
-        first = self.add("M_1", float(quarter_moment(steady, swing)), "N*m", "at the first quarter")
-        third = self.add("M_3", float(quarter_moment(steady[::-1], swing[::-1])), "N*m", "at the third quarter")
-        formula = "sqrt(35 M_max^2 / (M_max^2 + 9 M_1^2 + 16 M_2^2 + 9 M_3^2))"
-        C1 = self.add("C_1", lateral_torsional.diagram_factor(top, first, middle, third), "1", formula, "Serna et al.")
-        loads = self.add("T", max(forces.tipping, 0.0), "N*m2", "L / pi^2 times the sum of z_g P sin^2(pi x / L)")
-        return C1, self.add("C_2 z_g", C1 * loads / top if top > 0.0 else 0.0, "m", "C_1 T / M_max")
-
-    def chi_LT(self, slenderness: float, C1: float) -> float:
+    def chi_LT(self, slenderness: float) -> float:
         s, held = self.section, self.member.stability
         if held.general:
             curve = self.word("curve LT", lateral_torsional.general_curve(s.h, s.b), f"h/b = {s.h / s.b:.3g}")
@@ -266,7 +247,7 @@ class Calculation:
         chi = lateral_torsional.reduction_factor(slenderness, curve)
         plateau, beta = lateral_torsional.LAMBDA_LT_0, lateral_torsional.BETA
         formula = _reduction_formula("lambda_LT", slenderness, curve, plateau, beta)
-        k_c = lateral_torsional.correction_of_factor(C1)
+        k_c = lateral_torsional.correction_of_factor(held.C1)
         if k_c == 1.0:
             return self.add("chi_LT", chi, "1", formula, "6.3.2.3(1), Eq. 6.57")
         self.add("chi_LT", chi, "1", formula, "6.3.2.3(1), Eq. 6.57")
