@@ -225,6 +225,7 @@ def _member(results: BuildingResults, member: int) -> SteelMember:
         G=of("G"),
         gamma_M0=results.number("gamma_M0"),
         gamma_M1=results.number("gamma_M1"),
+        annex_a=bool(of("annex_a")),
     )
 
 

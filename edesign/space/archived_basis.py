@@ -46,8 +46,9 @@ def add_restraints(group: Group, design: ElasticDesign) -> None:
         ("E", "Pa", "modulus of elasticity"),
         ("G", "Pa", "shear modulus"),
         ("V_M", "N", "V_Ed,M of EN 1998-1, 6.6.2(2)"),
+        ("annex_a", "1", "1: k_ij of EN 1993-1-1, 6.3.3, by Annex A; 0: by Annex B"),
     ):
-        values = np.array([getattr(member, name) for member in checks.members])
+        values = np.array([float(getattr(member, name)) for member in checks.members])
         group.add(name, ("member",), values[kinds], unit, text)
     used, found = np.array([member.section_class for member in checks.members])[kinds], _classes(design)
     text = "class of the section in the checks, under the largest axial force of all combinations"

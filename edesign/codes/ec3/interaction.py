@@ -121,7 +121,7 @@ class AnnexAMember:
 
 
 class AnnexATerms(NamedTuple):
-    """Intermediate results of Annex A, which worked examples print."""
+    """Intermediate results of Annex A, which worked examples print; lambda_0_lim is the limit of lambda_0."""
 
     mu_y: float
     mu_z: float
@@ -132,12 +132,21 @@ class AnnexATerms(NamedTuple):
     C_yz: float
     C_zy: float
     C_zz: float
+    a_LT: float
+    lambda_0_lim: float
+    w_y: float
+    w_z: float
+    n_pl: float
+    b_LT: float
+    c_LT: float
+    d_LT: float
+    e_LT: float
 
 
 def annex_a_terms(
     member: AnnexAMember, N_Ed: float, M_y_Ed: float, M_z_Ed: float, C_my_0: float, C_mz_0: float
 ) -> AnnexATerms:
-    """Return mu, C_m and C_ij of Annex A.
+    """Return mu, C_m, C_ij and what they follow from in Annex A.
 
     Args:
         member: its constants.
@@ -156,7 +165,8 @@ def annex_a_terms(
     a_LT = max(1.0 - m.I_t / m.I_y, 0.0)
     C_my, C_mz, C_mLT = C_my_0, C_mz_0, 1.0
     lambda_0 = 0.0  # without lateral torsional buckling
-    if m.lambda_0 > 0.2 * math.sqrt(m.C1) * ((1.0 - by_z) * (1.0 - by_T)) ** 0.25:
+    lambda_0_lim = 0.2 * math.sqrt(m.C1) * ((1.0 - by_z) * (1.0 - by_T)) ** 0.25
+    if m.lambda_0 > lambda_0_lim:
         root = math.sqrt(M_y_Ed / N_Ed * m.A / m.W_el_y) if N_Ed > 0.0 else math.inf
         share = 1.0 if math.isinf(root) else root * a_LT / (1.0 + root * a_LT)
         C_my = C_my_0 + (1.0 - C_my_0) * share
@@ -187,6 +197,15 @@ def annex_a_terms(
         C_yz=max(1.0 + (w_z - 1.0) * (cross(w_z, C_mz) * n_pl - c_LT), 0.6 * math.sqrt(w_z / w_y) * elastic_z),
         C_zy=max(1.0 + (w_y - 1.0) * (cross(w_y, C_my) * n_pl - d_LT), 0.6 * math.sqrt(w_y / w_z) * elastic_y),
         C_zz=max(1.0 + (w_z - 1.0) * (same(w_z, C_mz) - e_LT) * n_pl, elastic_z),
+        a_LT=a_LT,
+        lambda_0_lim=lambda_0_lim,
+        w_y=w_y,
+        w_z=w_z,
+        n_pl=n_pl,
+        b_LT=b_LT,
+        c_LT=c_LT,
+        d_LT=d_LT,
+        e_LT=e_LT,
     )
 
 
@@ -206,10 +225,9 @@ def annex_a_factors(member: AnnexAMember, N_Ed: float, terms: AnnexATerms) -> In
     y, z = terms.C_my * terms.C_mLT / left_y, terms.C_mz / left_z
     if not member.plastic:
         return InteractionFactors(y * terms.mu_y, z * terms.mu_y, y * terms.mu_z, z * terms.mu_z)
-    w_y, w_z = min(member.W_pl_y / member.W_el_y, 1.5), min(member.W_pl_z / member.W_el_z, 1.5)
     return InteractionFactors(
         y * terms.mu_y / terms.C_yy,
-        z * terms.mu_y / terms.C_yz * 0.6 * math.sqrt(w_z / w_y),
-        y * terms.mu_z / terms.C_zy * 0.6 * math.sqrt(w_y / w_z),
+        z * terms.mu_y / terms.C_yz * 0.6 * math.sqrt(terms.w_z / terms.w_y),
+        y * terms.mu_z / terms.C_zy * 0.6 * math.sqrt(terms.w_y / terms.w_z),
         z * terms.mu_z / terms.C_zz,
     )

@@ -30,6 +30,8 @@ _GREEK = {
         "gamma": "γ",
         "chi": "χ",
         "lambda": "λ\N{COMBINING MACRON}",
+        "mu": "μ",
+        "epsilon": "ε",
         "rho": "ρ",
         "theta": "θ",
     },

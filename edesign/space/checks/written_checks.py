@@ -11,8 +11,9 @@ from collections.abc import Callable
 import numpy as np
 
 from edesign.building.steel_member import SteelMember
-from edesign.codes.ec3 import cross_section, interaction
+from edesign.codes.ec3 import cross_section
 from edesign.codes.ec8.moment_frames import AXIAL_LIMIT, SHEAR_LIMIT
+from edesign.space.checks.written_interaction import bending_and_compression
 from edesign.space.checks.written_steps import M_Y, M_Z, V_Y, V_Z, Calculation, ForcesAlong, N, Step
 
 
@@ -160,7 +161,7 @@ def _buckling(w: Calculation, station: int) -> None:
     w.area()
     c = w.member.constants
     axis = "y" if c.N_b_y_Rd <= c.N_b_z_Rd else "z"
-    _, N_Rd = w.flexural(axis)
+    N_Rd = w.flexural(axis).N_b_Rd
     w.use(N_Ed / N_Rd, f"N_Ed / N_b,{axis},Rd", "6.3.1.1(1), Eq. 6.46")
 
 
@@ -169,56 +170,6 @@ def _lateral_torsional(w: Calculation, station: int) -> None:
     w.steel(stability=True)
     M_Ed, M_Rd = w.largest(M_Y), w.M_b_Rd()
     w.use(M_Ed / M_Rd, "M_y,Ed / M_b,Rd", "6.3.2.1(1), Eq. 6.54")
-
-
-def _bending_and_compression(equation: int) -> Callable[[Calculation, int], None]:
-    def write(w: Calculation, station: int) -> None:
-        w.section_class()
-        w.steel(stability=True)
-        N_Ed, M_y, M_z = w.compression(), w.largest(M_Y), w.largest(M_Z)
-        w.area()
-        lambda_y, N_y = w.flexural("y")
-        lambda_z, N_z = w.flexural("z")
-        M_b = w.M_b_Rd()
-        modulus = w.modulus("z")
-        M_z_Rk = cross_section.moment_resistance(modulus, w.member.fy, w.member.gamma_M1)
-        w.add("M_z,Rk / gamma_M1", M_z_Rk, "N*m", f"W_{w.theory},z f_y / gamma_M1", "6.3.3, Table 6.7")
-        held = w.member.stability
-        for symbol, value in (("C_my", held.C_my), ("C_mz", held.C_mz), ("C_mLT", held.C_mLT)):
-            w.add(symbol, value, "1", "", "Annex B, Table B.3")
-        n_y = w.add("n_y", N_Ed / N_y, "1", "N_Ed / (chi_y N_Rk / gamma_M1)")
-        n_z = w.add("n_z", N_Ed / N_z, "1", "N_Ed / (chi_z N_Rk / gamma_M1)")
-        m_y = w.add("m_y", M_y / M_b, "1", "M_y,Ed / (chi_LT M_y,Rk / gamma_M1)")
-        m_z = w.add("m_z", M_z / M_z_Rk, "1", "M_z,Ed / (M_z,Rk / gamma_M1)")
-        c = w.member.constants
-        hollow = w.section.kind != "I"
-        shape = (held.C_my, held.C_mz, held.C_mLT, lambda_y, lambda_z, n_y, n_z, w.plastic, hollow, c.twists)
-        k = interaction.annex_b_factors(*shape)
-        table = "Annex B, Table B.2" if c.twists else "Annex B, Table B.1"
-        pair = ("yy", "yz") if equation == 61 else ("zy", "zz")
-        formulas = _annex_b_formulas(w.plastic, hollow, c.twists, lambda_z)
-        k_y, k_z = (w.add(f"k_{of}", getattr(k, f"k_{of}"), "1", formulas[of], table) for of in pair)
-        uses = interaction.member_interaction(k, n_y, n_z, m_y, m_z)
-        axis, n, value = ("y", n_y, uses[0]) if equation == 61 else ("z", n_z, uses[1])
-        symbols = f"n_{axis} + k_{pair[0]} m_y + k_{pair[1]} m_z"
-        numbers = f"{n:.4g} + {k_y:.4g} x {m_y:.4g} + {k_z:.4g} x {m_z:.4g}"
-        w.use(value, f"{symbols} = {numbers}", f"6.3.3(4), Eq. 6.{equation}")
-
-    return write
-
-
-def _annex_b_formulas(plastic: bool, hollow: bool, twists: bool, lambda_z: float) -> dict[str, str]:
-    """The factors of Annex B in symbols, by their index."""
-    if plastic:
-        yy = "C_my (1 + min(lambda_y - 0.2, 0.8) n_y)"
-        zz = f"C_mz (1 + min({'lambda_z - 0.2, 0.8' if hollow else '2 lambda_z - 0.6, 1.4'}) n_z)"
-        zy = "1 - 0.1 min(lambda_z, 1) / (C_mLT - 0.25) n_z"
-        if lambda_z < 0.4:
-            zy = "min(0.6 + lambda_z, 1 - 0.1 lambda_z / (C_mLT - 0.25) n_z)"
-        return {"yy": yy, "yz": f"0.6 {zz}", "zy": zy if twists else f"0.6 {yy}", "zz": zz}
-    yy, zz = (f"C_m{of} (1 + 0.6 min(lambda_{of}, 1) n_{of})" for of in "yz")
-    zy = "1 - 0.05 min(lambda_z, 1) / (C_mLT - 0.25) n_z"
-    return {"yy": yy, "yz": zz, "zy": zy if twists else f"0.8 {yy}", "zz": zz}
 
 
 def _beam_moment(w: Calculation, station: int) -> None:
@@ -267,8 +218,8 @@ _CHECKS: dict[str, Callable[[Calculation, int], None]] = {
     "N_M": _section,
     "N_B": _buckling,
     "M_B": _lateral_torsional,
-    "EQ_6_61": _bending_and_compression(61),
-    "EQ_6_62": _bending_and_compression(62),
+    "EQ_6_61": bending_and_compression(61),
+    "EQ_6_62": bending_and_compression(62),
     "BEAM_M": _beam_moment,
     "BEAM_N": _beam_axial,
     "BEAM_V": _beam_shear,

@@ -5,7 +5,9 @@ The steps use the clause functions of `edesign.codes.ec3`.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import numpy as np
 
@@ -54,6 +56,22 @@ class ForcesAlong:
     def size(self) -> np.ndarray:
         """(n, 6) largest magnitudes."""
         return np.asarray(np.abs(self.steady) + self.swing)
+
+
+class Flexural(NamedTuple):
+    """Flexural buckling about an axis; without it lambda is 0 and N_cr infinite.
+
+    Attributes:
+        slenderness: lambda.
+        N_cr: elastic critical force, N.
+        chi: reduction factor.
+        N_b_Rd: resistance, N; that of torsional buckling where it is less.
+    """
+
+    slenderness: float
+    N_cr: float
+    chi: float
+    N_b_Rd: float
 
 
 @dataclass
@@ -156,12 +174,16 @@ class Calculation:
 
     # ---- stability --------------------------------------------------------------------------------------------------
 
-    def flexural(self, axis: str) -> tuple[float, float]:
-        """lambda and N_b,Rd about an axis."""
+    @property
+    def twists(self) -> bool:
+        """Whether it can buckle by twisting: not a hollow section, and not held all along."""
+        return self.section.kind == "I" and self.member.stability.L_LT > 0.0
+
+    def flexural(self, axis: str) -> Flexural:
         s, member = self.section, self.member
         length = getattr(member.stability, f"L_cr_{axis}")
         self.add(f"L_cr,{axis}", length, "m", "" if length > 0.0 else "held all along")
-        slenderness = 0.0
+        slenderness, critical = 0.0, math.inf
         if length > 0.0:
             inertia = self.add(f"I_{axis}", getattr(s, f"I_{axis}"), "m4")
             critical = buckling.critical_force(member.E, inertia, length)
@@ -169,30 +191,36 @@ class Calculation:
             slenderness = buckling.slenderness(s.A, member.fy, critical)
             self.add(f"lambda_{axis}", slenderness, "1", f"sqrt(A f_y / N_cr,{axis})", "6.3.1.3(1), Eq. 6.50")
         curve = self.buckling_curve(axis)
-        chi = buckling.reduction_factor(slenderness, curve)
+        bending = chi = buckling.reduction_factor(slenderness, curve)
         formula = _reduction_formula(f"lambda_{axis}", slenderness, curve, buckling.NO_BUCKLING, 1.0)
-        if axis == "z" and s.kind == "I" and member.stability.L_LT > 0.0:
+        if axis == "z" and self.twists:
             self.add("chi by bending", chi, "1", formula, "6.3.1.2(1), Eq. 6.49")
             chi = self.torsional(chi, curve)
         else:
             self.add(f"chi_{axis}", chi, "1", formula, "6.3.1.2(1), Eq. 6.49")
         value = buckling.buckling_resistance(s.A, member.fy, chi, member.gamma_M1)
         resistance = self.add(f"N_b,{axis},Rd", value, "N", f"chi_{axis} A f_y / gamma_M1", "6.3.1.1(3), Eq. 6.47")
-        return slenderness, resistance
+        return Flexural(slenderness, critical, bending, resistance)
 
     def torsional(self, chi: float, curve: str) -> float:
         """chi_z, by torsional buckling where that is less."""
-        s, member = self.section, self.member
-        length = self.add("L_T", member.stability.L_LT, "m", "between restraints of twisting")
-        self.torsion()
-        critical = buckling.torsional_critical_force(member.E, member.G, s.A, s.I_y + s.I_z, s.I_t, s.I_w, length)
-        self.add("N_cr,T", critical, "N", "A / (I_y + I_z) (G I_t + pi^2 E I_w / L_T^2)", "6.3.1.4, SN001")
-        slenderness = buckling.slenderness(s.A, member.fy, critical)
+        critical = self.N_cr_T()
+        slenderness = buckling.slenderness(self.section.A, self.member.fy, critical)
         self.add("lambda_T", slenderness, "1", "sqrt(A f_y / N_cr,T)", "6.3.1.4(2), Eq. 6.52")
         twisting = buckling.reduction_factor(slenderness, curve)
         formula = _reduction_formula("lambda_T", slenderness, curve, buckling.NO_BUCKLING, 1.0)
         self.add("chi by torsion", twisting, "1", formula, "6.3.1.4(3), Eq. 6.49")
         return self.add("chi_z", min(chi, twisting), "1", "the smaller one", "6.3.1.4(1)")
+
+    def N_cr_T(self) -> float:
+        """Elastic critical force of torsional buckling; infinite where the member cannot twist."""
+        if not self.twists:
+            return math.inf
+        s, member = self.section, self.member
+        length = self.add("L_T", member.stability.L_LT, "m", "between restraints of twisting")
+        self.torsion()
+        critical = buckling.torsional_critical_force(member.E, member.G, s.A, s.I_y + s.I_z, s.I_t, s.I_w, length)
+        return self.add("N_cr,T", critical, "N", "A / (I_y + I_z) (G I_t + pi^2 E I_w / L_T^2)", "6.3.1.4, SN001")
 
     def torsion(self) -> None:
         """The constants of the section that resist twisting."""
@@ -217,7 +245,7 @@ class Calculation:
         """chi_LT M_y,Rk / gamma_M1."""
         s, member, held = self.section, self.member, self.member.stability
         modulus, W = self.modulus("y"), f"W_{self.theory},y"
-        if s.kind != "I" or held.L_LT == 0.0:
+        if not self.twists:
             why = "hollow section" if s.kind != "I" else "compressed flange held all along"
             chi = self.add("chi_LT", 1.0, "1", why, "6.3.2.1(2)")
         else:

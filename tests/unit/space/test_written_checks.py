@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+import re
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -33,18 +36,26 @@ MEMBERS = {
     "I, class 3": SteelMember(steel_section("HEA300"), 355e6, Stability(6.0, 6.0, 6.0), 3),
     "I, held all along": SteelMember(steel_section("IPE330"), 275e6, Stability(7.2, 0.0, 0.0, twists=False), 1),
     "I, torsion governs": SteelMember(steel_section("HEB200"), 275e6, Stability(3.0, 1.0, 12.0), 1),
+    "square, class 3": SteelMember(steel_section("SHS250x6.3"), 275e6, Stability(5.0, 4.0, 4.0), 3),
     "square": SteelMember(steel_section("SHS180x10"), 275e6, Stability(8.0, 8.0, 8.0, C_my=1.0, C_mz=1.0), 1),
+    "rectangle, class 1": SteelMember(steel_section("RHS300x200x10"), 275e6, Stability(9.0, 9.0, 9.0), 1),
     "rectangle": SteelMember(steel_section("RHS300x200x10"), 355e6, Stability(4.0, 5.0, 5.0), 2),
     "rectangle, class 3": SteelMember(steel_section("RHS300x200x6.3"), 355e6, Stability(4.0, 5.0, 5.0), 3),
     "circle": SteelMember(steel_section("CHS168.3x8"), 275e6, Stability(4.0, 4.0, 4.0), 1),
+    "circle, class 3": SteelMember(steel_section("CHS406.4x6.3"), 275e6, Stability(6.0, 6.0, 6.0), 3),
 }
 CHECKS = [check for check in Check]
 
 
+@pytest.mark.parametrize("annex", ["annex_a", "annex_b"])
 @pytest.mark.parametrize("name", MEMBERS)
-def test_every_check_is_that_of_the_core(name: str) -> None:
+def test_every_check_is_that_of_the_core(name: str, annex: str) -> None:
     """Random forces up to 1.2 of each resistance, so that shear and axial force reduce moments, in 60 combinations."""
     member, random = MEMBERS[name], np.random.default_rng(5)
+    checks = CHECKS
+    if annex == "annex_a":  # the other checks do not depend on it
+        uniform = replace(member.stability, C_my=1.0, C_mz=0.79, C_my_N=0.2412, C_mz_N=-0.1188)
+        member, checks = replace(member, stability=uniform, annex_a=True), [Check.EQ_6_61, Check.EQ_6_62]
     c = member.constants
     resistance = np.array([c.N_b_z_Rd, c.V_y_Rd, c.V_z_Rd, 1.0, c.M_y_Rd, c.M_z_Rd])
     size = resistance * random.uniform(0.0, 1.2, (60, 1, 6)) ** 2
@@ -61,15 +72,52 @@ def test_every_check_is_that_of_the_core(name: str) -> None:
             combination_set=np.zeros(1),
             gravity=np.ones(1),
             members=MemberTable.of([c]),
-            masks=np.array([[mask(*CHECKS)]]),
+            masks=np.array([[mask(*checks)]]),
         )
         forces = ForcesAlong(stations, steady[k], swing[k])
-        for check in CHECKS:
+        for check in checks:
             steps = written_check(member, forces, check.name, int(core.station[0, check]))
             assert steps[-1].symbol == "utilisation"
             assert steps[-1].value == pytest.approx(core.utilisation[0, check], rel=SAME), (check.name, k)
             seen |= {step.symbol for step in steps}
-    assert {"rho_z", "N_cr,y", "k_yy"} <= seen
+    of_annex = {"annex_a": {"mu_y", "mu_z"} | ({"C_yy", "C_zz"} if member.section_class < 3 else set())}
+    assert {"N_cr,y", "k_yy"} | of_annex.get(annex, {"rho_z"}) <= seen
+
+
+def calculated(formula: str, values: dict[str, float]) -> float:
+    """A formula in symbols worked out: `a b` is a product, `>=` and `<=` bound what stands before them."""
+    text = re.sub(r", (as|without|C_1) .*", "", formula).replace("chi by bending", "chi_bending")
+    text = text.replace("[", "(").replace("]", ")").replace("^", "**")
+    functions = {"sqrt": math.sqrt, "max": max}
+
+    def number(part: str) -> float:
+        part = re.sub(r"[A-Za-z]\w*(,\w+)*", lambda m: m[0] if m[0] in functions else f"({values[m[0]]!r})", part)
+        return float(eval(re.sub(r"(?<=[\w)]) (?=[\w(])", " * ", part), functions))  # noqa: S307
+
+    found, *bounds = (number(part) for part in re.split(r" [<>]= ", text))
+    return (max if ">=" in text else min)(found, *bounds) if bounds else found
+
+
+@pytest.mark.parametrize("forces", [(-300e3, 80e3, 5e3), (-20e3, 150e3, 12e3), (-900e3, 1e3, 1e3), (0.0, 150e3, 0.0)])
+def test_formulas_of_annex_a_give_their_values(forces: tuple[float, float, float]) -> None:
+    """Each formula, worked out with the values of the steps before it."""
+    stability = Stability(6.0, 4.0, 4.0, C_my_N=0.2412, C_mz_N=-0.1188, C_my=1.0, C_mz=0.79)
+    member = SteelMember(steel_section("IPE400"), 355e6, stability, 1, gamma_M1=1.1, annex_a=True)
+    steady = np.zeros((7, 6))
+    steady[:, [0, 4, 5]] = forces
+    along, seen = ForcesAlong(np.linspace(0.0, 1.0, 7), steady, np.zeros((7, 6))), set()
+    for check in ("EQ_6_61", "EQ_6_62"):
+        values: dict[str, float] = {}
+        for step in written_check(member, along, check, 0):
+            if step.clause.startswith("Annex A"):
+                assert step.value == pytest.approx(calculated(step.expression, values), rel=SAME), step.symbol
+                seen.add(step.symbol)
+            if isinstance(step.value, float):
+                values[step.symbol.replace("chi by bending", "chi_bending")] = step.value
+    for of in ("mu_{}", "C_m{},0", "C_m{}", "w_{}"):
+        assert {of.format("y"), of.format("z")} <= seen
+    assert {f"{of}_{index}" for of in "Ck" for index in ("yy", "yz", "zy", "zz")} <= seen
+    assert {"lambda_0", "lambda_0,lim", "C_mLT", "n_pl", "lambda_max", "b_LT", "c_LT", "d_LT", "e_LT"} <= seen
 
 
 def test_a_published_column() -> None:
@@ -116,11 +164,14 @@ design:
 """
 
 
-@pytest.mark.parametrize("directions", ["30 %", "srss"])
-def test_every_check_of_an_archive_is_written_out(tmp_path: Path, directions: str) -> None:
+@pytest.mark.parametrize(
+    ("directions", "members"), [("30 %", "interaction: annex_b"), ("srss", "interaction: annex_a")]
+)
+def test_every_check_of_an_archive_is_written_out(tmp_path: Path, directions: str, members: str) -> None:
     """Of every member and check of a building with I, RHS, SHS and CHS sections, from its archive alone."""
+    text = BUILDING.replace("directions: 30 %", f"directions: {directions}") + f"  members: {{{members}}}\n"
     file = tmp_path / "building.yaml"
-    file.write_text(BUILDING.replace("directions: 30 %", f"directions: {directions}"), encoding="utf-8")
+    file.write_text(text, encoding="utf-8")
     path, design = run_building(load_building(file))
     with open_archive(path) as archive:
         results = BuildingResults(archive)
