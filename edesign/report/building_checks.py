@@ -15,7 +15,7 @@ from edesign.report.building_results import UNITS, BuildingResults, finite
 from edesign.report.building_tables import Worst, worst_of_groups
 from edesign.report.table import Table, number
 from edesign.space.checks.written_checks import written_check
-from edesign.space.checks.written_steps import ForcesAlong, Step
+from edesign.space.checks.written_steps import ForcesAlong, FreeBeam, Step
 
 SAME = 1e-6
 """Share by which a calculation may miss the utilisation: above rounding, below the digits that are shown."""
@@ -69,7 +69,8 @@ def written(results: BuildingResults, member: int, check: int) -> WrittenCheck:
         forces = _forces(results, member, combination - 1)
         place = results.values("members", "station")[member, check]
         station = int(np.abs(forces.stations - place).argmin())
-        steps = written_check(_member(results, member), forces, name, station)
+        beam = _free_beam(results, member, combination - 1)
+        steps = written_check(_member(results, member), forces, name, station, beam)
     utilisation = float(results.values("members", "utilisation")[member, check])
     if steps and not math.isclose(float(steps[-1].value), utilisation, rel_tol=SAME, abs_tol=SAME**2):
         steps = ()
@@ -227,6 +228,18 @@ def _member(results: BuildingResults, member: int) -> SteelMember:
         gamma_M1=results.number("gamma_M1"),
         annex_a=bool(of("annex_a")),
     )
+
+
+def _free_beam(results: BuildingResults, member: int, combination: int) -> FreeBeam | None:
+    """What holds and loads a beam that no slab holds; None of other members."""
+    if not results.has("free_beams"):
+        return None
+    of = results.values("free_beams", "beam") == results.values("members", "member")[member]
+    if not of.any():
+        return None
+    loads = results.values("free_beams", "load")[:, of][:, 0]
+    load = float(results.values("combinations", "static")[combination] @ loads)
+    return FreeBeam(float(results.values("members", "length")[member]), load)
 
 
 def _forces(results: BuildingResults, member: int, combination: int) -> ForcesAlong:

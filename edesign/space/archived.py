@@ -9,6 +9,7 @@ import numpy as np
 from edesign.archive.dataset import Group, Variable
 from edesign.space.analysis.response import STATIONS
 from edesign.space.archived_basis import add_restraints, basis
+from edesign.space.checks.buckling_moments import FreeBeamMoments
 from edesign.space.checks.foundations import COMPONENTS
 from edesign.space.elastic_design import ElasticDesign
 from edesign.space.structure.design_block import design_of
@@ -36,6 +37,8 @@ def groups(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
         yield f"{PLACE}/panels", _panels(design)
     yield f"{PLACE}/foundations", _foundations(design)
     yield f"{PLACE}/members", _members(design)
+    if design.members.free_beams is not None:
+        yield f"{PLACE}/free_beams", _free_beams(design, design.members.free_beams)
     yield f"{PLACE}/deflections", _deflections(design)
     yield f"{PLACE}/forces", _forces(design)
     for name, group in basis(design):
@@ -244,6 +247,18 @@ def _members(design: ElasticDesign) -> Group:
     )
     group.add("station", ("member", "check"), checks.station, "1", "governing place as a fraction of the length")
     add_restraints(group, design)
+    return group
+
+
+def _free_beams(design: ElasticDesign, of: FreeBeamMoments) -> Group:
+    names = np.array([design.frame.members[number].name for number in of.members], dtype=str)
+    group = _numbered("combination", of.M_b_Rd.shape[1], "number of the combination")
+    group.coords["beam"] = Variable(("beam",), names, "", "name of the beam")
+    group.coords["case"] = Variable(("case",), np.array(design.effects.cases), "", "load case")
+    text = "resistance in lateral torsional buckling, by the moment diagram"
+    group.add("M_b_Rd", ("beam", "combination"), of.M_b_Rd, "N*m", text)
+    text = "sum of P sin2(pi x / L) of the loads on the top flange, downwards"
+    group.add("load", ("case", "beam"), of.loads, "N", text)
     return group
 
 

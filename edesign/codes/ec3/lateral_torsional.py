@@ -219,12 +219,20 @@ def reduction_factor(slenderness: float, curve: str, lambda_LT_0: float = LAMBDA
     return _reduction(slenderness, curve, plateau=lambda_LT_0, beta=beta)
 
 
+def moment_distribution_factor(slenderness: float, k_c: float) -> float:
+    """Return f = 1 - 0.5 (1 - k_c) [1 - 2 (lambda_LT - 0.8)2] <= 1.
+
+    Source: EN 1993-1-1:2005, 6.3.2.3(2).
+    """
+    return min(1.0 - 0.5 * (1.0 - k_c) * (1.0 - 2.0 * (slenderness - 0.8) ** 2), 1.0)
+
+
 def modified_reduction_factor(chi_LT: float, slenderness: float, k_c: float) -> float:
-    """Return chi_LT,mod = chi_LT / f <= 1 and <= 1 / lambda_LT2, f = 1 - 0.5 (1 - k_c) [1 - 2 (lambda_LT - 0.8)2] <= 1.
+    """Return chi_LT,mod = chi_LT / f <= 1 and <= 1 / lambda_LT2, f by `moment_distribution_factor`.
 
     Source: EN 1993-1-1:2005 + AC:2009, 6.3.2.3(2), Eq. 6.58.
     """
-    f = min(1.0 - 0.5 * (1.0 - k_c) * (1.0 - 2.0 * (slenderness - 0.8) ** 2), 1.0)
+    f = moment_distribution_factor(slenderness, k_c)
     euler = 1.0 / slenderness**2 if slenderness > 0.0 else math.inf
     return min(chi_LT / f, 1.0, euler)
 

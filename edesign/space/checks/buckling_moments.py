@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,6 +21,21 @@ from edesign.space.analysis.live_load_reduction import whole_case
 from edesign.space.structure.frame import SpaceFrame
 
 _M_Y = 4
+
+
+@dataclass(frozen=True)
+class FreeBeamMoments:
+    """M_b,Rd of beams that no slab holds, under combinations.
+
+    Attributes:
+        members: (n_beams,) numbers of the beams.
+        loads: (n_cases, n_beams) sum of P sin2(pi x / L) of the loads on a beam, N, downwards.
+        M_b_Rd: (n_beams, n_combinations) N m.
+    """
+
+    members: np.ndarray
+    loads: np.ndarray
+    M_b_Rd: np.ndarray
 
 
 class FreeBeams:
@@ -49,8 +65,8 @@ class FreeBeams:
         static_factors: np.ndarray,
         spectral_factors: np.ndarray,
         M_Rk: np.ndarray,
-    ) -> np.ndarray:
-        """Return M_b,Rd of the beams under combinations, (n_beams, n_combinations), N m.
+    ) -> FreeBeamMoments:
+        """Return M_b,Rd of the beams under combinations.
 
         Args:
             frame: with the sections of the members, and the load cases.
@@ -65,24 +81,19 @@ class FreeBeams:
         pairs, of_members = frame.sections
         of = np.array([self._properties(*pair) for pair in pairs])[of_members[self.members]].T
         euler, squared = of[0] / self._length**2, of[1] + of[2] * self._length**2
-        tipping = self._loads(frame, effects) * self._length * of[3] / math.pi**2  # (cases, beams)
+        loads = self._loads(frame, effects)
+        tipping = loads * self._length * of[3] / math.pi**2  # (cases, beams)
         found = buckling_moments(
             np.broadcast_to(M_Rk, largest.shape),
             largest,
-            np.stack(
-                [
-                    _quarter(steady, swing),
-                    np.abs(steady[:, :, 3]) + swing[:, :, 3],
-                    _quarter(steady[:, :, ::-1], swing[:, :, ::-1]),
-                ]
-            ),
+            quarter_moments(steady, swing),
             np.maximum(static_factors @ tipping, 0.0),
             euler,
             squared,
             of[4],
         )
         hollow = of[5] > 0.0  # they do not buckle sideways
-        return np.where(hollow, M_Rk, found).T / self._gamma_M1
+        return FreeBeamMoments(self.members, loads, np.where(hollow, M_Rk, found).T / self._gamma_M1)
 
     def _properties(self, name: str, material: str) -> list[float]:
         """pi2 E I_z; I_w / I_z; G I_t / (pi2 E I_z); z_g; alpha_LT; whether the section is hollow."""
@@ -106,9 +117,21 @@ class FreeBeams:
         return found
 
 
+def quarter_moments(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
+    """Return the magnitudes at the quarter points, (3, ...), from those at sixths, (..., 7).
+
+    Those at a quarter come by a parabola through the next three sixths, and of responses by a line.
+
+    Args:
+        steady: static moments with sign.
+        swing: magnitudes of the responses.
+    """
+    middle = np.abs(steady[..., 3]) + swing[..., 3]
+    return np.stack([_quarter(steady, swing), middle, _quarter(steady[..., ::-1], swing[..., ::-1])])
+
+
 def _quarter(steady: np.ndarray, swing: np.ndarray) -> np.ndarray:
-    """Return moments at the first quarter from those at sixths: by a parabola, and of responses by a line."""
     return np.asarray(
-        np.abs(3.0 * steady[:, :, 1] + 6.0 * steady[:, :, 2] - steady[:, :, 3]) / 8.0
-        + 0.5 * (swing[:, :, 1] + swing[:, :, 2])
+        np.abs(3.0 * steady[..., 1] + 6.0 * steady[..., 2] - steady[..., 3]) / 8.0
+        + 0.5 * (swing[..., 1] + swing[..., 2])
     )

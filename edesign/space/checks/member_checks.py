@@ -42,7 +42,7 @@ from edesign.space.analysis.buckled_diagonals import CASES as BUCKLING
 from edesign.space.analysis.buckled_diagonals import buckling_combinations
 from edesign.space.analysis.effects import Effects, largest
 from edesign.space.analysis.response import STATIONS
-from edesign.space.checks.buckling_moments import FreeBeams
+from edesign.space.checks.buckling_moments import FreeBeamMoments, FreeBeams
 from edesign.space.checks.capacity import Overstrength, bends_about_y
 from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.structure.frame import AXES, NO_DIAPHRAGM, Axis, Member, SpaceFrame
@@ -70,6 +70,7 @@ class MemberResults:
             are not in the checks.
         members: what the checks take the members for: each kind of them once.
         kinds: (n_members,) which of `members` each member is.
+        free_beams: M_b,Rd of beams that no slab holds, under all rows; None where a slab holds all.
     """
 
     checks: tuple[str, ...]
@@ -82,6 +83,7 @@ class MemberResults:
     slender: tuple[int, ...]
     members: tuple[SteelMember, ...]
     kinds: np.ndarray
+    free_beams: FreeBeamMoments | None
 
     @property
     def amplified(self) -> tuple[Combination, ...]:
@@ -152,7 +154,7 @@ class MemberChecker:
         rows = [row for of_set in sets for row in of_set]
         counts = tuple(map(len, sets))
         members, kinds, slender = self._members(frame, effects, rows)
-        found = self._checked(frame, members, kinds, slender, effects, rows, counts)
+        found, free_beams = self._checked(frame, members, kinds, slender, effects, rows, counts)
         applies = found.combination >= 0
         return MemberResults(
             checks=tuple(check.name for check in Check),
@@ -165,6 +167,7 @@ class MemberChecker:
             slender=tuple(slender),
             members=tuple(members),
             kinds=kinds,
+            free_beams=free_beams,
         )
 
     def under_frozen_forces(self, frame: SpaceFrame, effects: Effects, results: MemberResults) -> np.ndarray:
@@ -175,7 +178,8 @@ class MemberChecker:
             effects, results: of the other sections.
         """
         checked = self._members(frame, effects, results.rows)
-        return self._checked(frame, *checked, effects, results.rows, results.counts).utilisation.max(axis=1)
+        found, _ = self._checked(frame, *checked, effects, results.rows, results.counts)
+        return found.utilisation.max(axis=1)
 
     def _checked(
         self,
@@ -186,16 +190,17 @@ class MemberChecker:
         effects: Effects,
         rows: Sequence[Combination],
         counts: tuple[int, ...],
-    ) -> Utilisations:
+    ) -> tuple[Utilisations, FreeBeamMoments | None]:
         spectral, factors = _spectral(effects, rows)
         table = MemberTable.of([member.constants for member in members])
         of_members = MemberTable(table.constants[kinds], table.kind[kinds])
         static_factors = np.array([[row.static.get(case, 0.0) for case in effects.cases] for row in rows])
-        M_b = None
+        M_b = of_beams = None
         if self._free_beams is not None:
             free, M_b = self._free_beams, np.repeat(of_members.column("M_b_Rd")[:, None], len(rows), axis=1)
             M_Rk = of_members.column("M_y_Rd")[free.members] * self._design.partial_factors.M0
-            M_b[free.members] = free.resistances(frame, effects, spectral, static_factors, factors, M_Rk)
+            of_beams = free.resistances(frame, effects, spectral, static_factors, factors, M_Rk)
+            M_b[free.members] = of_beams.M_b_Rd
             of_members.column("M_b_Rd")[:] = M_b.min(axis=1)
         found = member_checks(
             statics=effects.static,
@@ -209,7 +214,7 @@ class MemberChecker:
             M_b=M_b,
         )
         found.utilisation[slender] = np.where(found.combination[slender] >= 0, np.inf, found.utilisation[slender])
-        return found
+        return found, of_beams
 
     def _members(
         self, frame: SpaceFrame, effects: Effects, rows: Sequence[Combination]

@@ -14,10 +14,12 @@ from edesign.building.steel_member import SteelMember
 from edesign.codes.ec3 import cross_section
 from edesign.codes.ec8.moment_frames import AXIAL_LIMIT, SHEAR_LIMIT
 from edesign.space.checks.written_interaction import bending_and_compression
-from edesign.space.checks.written_steps import M_Y, M_Z, V_Y, V_Z, Calculation, ForcesAlong, N, Step
+from edesign.space.checks.written_steps import M_Y, M_Z, V_Y, V_Z, Calculation, ForcesAlong, FreeBeam, N, Step
 
 
-def written_check(member: SteelMember, forces: ForcesAlong, check: str, station: int) -> tuple[Step, ...]:
+def written_check(
+    member: SteelMember, forces: ForcesAlong, check: str, station: int, free_beam: FreeBeam | None = None
+) -> tuple[Step, ...]:
     """Return the steps of a check, the utilisation last; none for a check that is not known here.
 
     Args:
@@ -25,11 +27,12 @@ def written_check(member: SteelMember, forces: ForcesAlong, check: str, station:
         forces: of the combination.
         check: its name, as in `MemberResults.checks`.
         station: number of the governing station; checks of the whole member take the largest forces along it.
+        free_beam: of a beam that no slab holds; then M_b,Rd is that of its moment diagram.
     """
     writer = _CHECKS.get(check)
     if writer is None:
         return ()
-    written = Calculation(member, forces)
+    written = Calculation(member, forces, free_beam)
     writer(written, station)
     return tuple(written.steps)
 

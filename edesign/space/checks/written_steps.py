@@ -14,6 +14,7 @@ import numpy as np
 from edesign.building.steel_member import SteelMember
 from edesign.building.steel_section import SteelSection
 from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
+from edesign.space.checks.buckling_moments import quarter_moments
 
 N, V_Y, V_Z, _, M_Y, M_Z = range(6)
 _SYMBOL = {N: "N_Ed", V_Y: "V_y,Ed", V_Z: "V_z,Ed", M_Y: "M_y,Ed", M_Z: "M_z,Ed"}
@@ -58,6 +59,19 @@ class ForcesAlong:
         return np.asarray(np.abs(self.steady) + self.swing)
 
 
+@dataclass(frozen=True)
+class FreeBeam:
+    """A beam that is held sideways at its ends alone.
+
+    Attributes:
+        length: between its ends, m.
+        load: sum of P sin2(pi x / L) of the loads on its top flange in the combination, N, downwards.
+    """
+
+    length: float
+    load: float
+
+
 class Flexural(NamedTuple):
     """Flexural buckling about an axis; without it lambda is 0 and N_cr infinite.
 
@@ -81,11 +95,13 @@ class Calculation:
     Attributes:
         member: as its checks see it.
         forces: of the combination.
+        free_beam: of a beam that no slab holds.
         steps: in their order.
     """
 
     member: SteelMember
     forces: ForcesAlong
+    free_beam: FreeBeam | None = None
     steps: list[Step] = field(default_factory=list)
 
     @property
@@ -243,45 +259,80 @@ class Calculation:
 
     def M_b_Rd(self) -> float:
         """chi_LT M_y,Rk / gamma_M1."""
-        s, member, held = self.section, self.member, self.member.stability
+        s, member = self.section, self.member
         modulus, W = self.modulus("y"), f"W_{self.theory},y"
         if not self.twists:
             why = "hollow section" if s.kind != "I" else "compressed flange held all along"
-            chi = self.add("chi_LT", 1.0, "1", why, "6.3.2.1(2)")
+            chi, symbol = self.add("chi_LT", 1.0, "1", why, "6.3.2.1(2)"), "chi_LT"
         else:
-            length = self.add("L_LT", held.L_LT, "m", "between restraints of the compressed flange")
-            self.torsion()
-            self.add("C_1", held.C1, "1", "", "SN003")
-            shape = held.C1, held.C2, held.z_g
-            critical = lateral_torsional.critical_moment(member.E, member.G, s.I_z, s.I_t, s.I_w, length, *shape)
-            load = ", C_2 and z_g of the load" if held.z_g else ""
-            expression = f"C_1 pi^2 E I_z / L_LT^2 sqrt(I_w / I_z + L_LT^2 G I_t / (pi^2 E I_z)){load}"
-            self.add("M_cr", critical, "N*m", expression, "SN003")
+            critical, C1 = self.M_cr() if self.free_beam is None else self.M_cr_of_diagram(self.free_beam)
             slenderness = lateral_torsional.slenderness(modulus, member.fy, critical)
             self.add("lambda_LT", slenderness, "1", f"sqrt({W} f_y / M_cr)", "6.3.2.2(1)")
-            chi = self.chi_LT(slenderness)
+            chi, symbol = self.chi_LT(slenderness, C1)
         value = lateral_torsional.buckling_moment(chi, modulus, member.fy, member.gamma_M1)
-        return self.add("M_b,Rd", value, "N*m", f"chi_LT {W} f_y / gamma_M1", "6.3.2.1(3), Eq. 6.55")
+        return self.add("M_b,Rd", value, "N*m", f"{symbol} {W} f_y / gamma_M1", "6.3.2.1(3), Eq. 6.55")
 
-    def chi_LT(self, slenderness: float) -> float:
+    def M_cr(self) -> tuple[float, float]:
+        """M_cr and C_1 of the member as it is held."""
+        s, member, held = self.section, self.member, self.member.stability
+        length = self.add("L_LT", held.L_LT, "m", "between restraints of the compressed flange")
+        self.torsion()
+        C1 = self.add("C_1", held.C1, "1", "", "SN003")
+        of = member.E, member.G, s.I_z, s.I_t, s.I_w, length
+        critical = lateral_torsional.critical_moment(*of, C1, held.C2, held.z_g)
+        load = ", C_2 and z_g of the load" if held.z_g else ""
+        expression = f"C_1 pi^2 E I_z / L_LT^2 sqrt(I_w / I_z + L_LT^2 G I_t / (pi^2 E I_z)){load}"
+        return self.add("M_cr", critical, "N*m", expression, "SN003"), C1
+
+    def M_cr_of_diagram(self, beam: FreeBeam) -> tuple[float, float]:
+        """M_cr and C_1 by the moment diagram of the combination, with loads on the top flange."""
+        s, member = self.section, self.member
+        length = self.add("L_LT", beam.length, "m", "between the ends of the member")
+        self.torsion()
+        M_y = self.largest(M_Y)
+        steady, swing = self.forces.steady[:, M_Y], self.forces.swing[:, M_Y]
+        M_A, M_B, M_C = (float(M) for M in quarter_moments(steady, swing))
+        self.add("M_A", M_A, "N*m", f"{_at_quarter(steady, swing)}, of x = L/6, L/3, L/2")
+        self.add("M_B", M_B, "N*m", f"{_parts(float(steady[3]), float(swing[3]), M_Y)} at x = L/2")
+        self.add("M_C", M_C, "N*m", f"{_at_quarter(steady[::-1], swing[::-1])}, of x = 5L/6, 2L/3, L/2")
+        C1 = lateral_torsional.diagram_factor(M_y, M_A, M_B, M_C)
+        expression = "sqrt(35 M_y,Ed^2 / (M_y,Ed^2 + 9 M_A^2 + 16 M_B^2 + 9 M_C^2))" if M_y > 0.0 else "without moment"
+        self.add("C_1", C1, "1", expression, "Serna et al. 2006")
+        z_g = self.add("z_g", 0.5 * s.h, "m", "h / 2: loads on the top flange")
+        expression = "sum of P_i sin^2(pi x_i / L_LT) of the loads on the beam, downwards, >= 0"
+        load = self.add("P", max(beam.load, 0.0), "N", expression)
+        C2_z_g = C1 * length * load * z_g / (math.pi**2 * M_y) if M_y > 0.0 else 0.0
+        expression = "C_1 L_LT P z_g / (pi^2 M_y,Ed)" if M_y > 0.0 else "without moment"
+        self.add("C_2 z_g", C2_z_g, "m", expression, "energy of one half-wave")
+        of = member.E, member.G, s.I_z, s.I_t, s.I_w, length
+        critical = lateral_torsional.critical_moment(*of, C1, 1.0, C2_z_g)
+        root = "sqrt(I_w / I_z + L_LT^2 G I_t / (pi^2 E I_z) + (C_2 z_g)^2)"
+        expression = f"C_1 pi^2 E I_z / L_LT^2 ({root} - C_2 z_g)"
+        return self.add("M_cr", critical, "N*m", expression, "SN003, Eq. 1"), C1
+
+    def chi_LT(self, slenderness: float, C1: float) -> tuple[float, str]:
+        """chi_LT, or chi_LT,mod, and which of them."""
         s, held = self.section, self.member.stability
         if held.general:
             curve = self.word("curve LT", lateral_torsional.general_curve(s.h, s.b), f"h/b = {s.h / s.b:.3g}")
             chi = lateral_torsional.reduction_factor_general(slenderness, curve)
             formula = _reduction_formula("lambda_LT", slenderness, curve, 0.2, 1.0)
-            return self.add("chi_LT", chi, "1", formula, "6.3.2.2(1), Eq. 6.56")
+            return self.add("chi_LT", chi, "1", formula, "6.3.2.2(1), Eq. 6.56"), "chi_LT"
         expression = f"h/b = {s.h / s.b:.3g}"
         curve = self.word("curve LT", lateral_torsional.rolled_curve(s.h, s.b), expression, "Table 6.5")
         chi = lateral_torsional.reduction_factor(slenderness, curve)
         plateau, beta = lateral_torsional.LAMBDA_LT_0, lateral_torsional.BETA
         formula = _reduction_formula("lambda_LT", slenderness, curve, plateau, beta)
-        k_c = lateral_torsional.correction_of_factor(held.C1)
-        if k_c == 1.0:
-            return self.add("chi_LT", chi, "1", formula, "6.3.2.3(1), Eq. 6.57")
         self.add("chi_LT", chi, "1", formula, "6.3.2.3(1), Eq. 6.57")
+        k_c = lateral_torsional.correction_of_factor(C1)
+        if k_c == 1.0:
+            return chi, "chi_LT"
+        self.add("k_c", k_c, "1", "1 / sqrt(C_1) <= 1", "SCI P362")
+        f = lateral_torsional.moment_distribution_factor(slenderness, k_c)
+        self.add("f", f, "1", "1 - 0.5 (1 - k_c) (1 - 2 (lambda_LT - 0.8)^2) <= 1", "6.3.2.3(2)")
         chi = lateral_torsional.modified_reduction_factor(chi, slenderness, k_c)
-        f = f"f = 1 - 0.5 (1 - {k_c:.3g}) (1 - 2 (lambda_LT - 0.8)^2)"
-        return self.add("chi_LT,mod", chi, "1", f"chi_LT / f, {f}", "6.3.2.3(2), Eq. 6.58")
+        least = "min(chi_LT / f, 1, 1 / lambda_LT^2)"
+        return self.add("chi_LT,mod", chi, "1", least, "6.3.2.3(2), Eq. 6.58"), "chi_LT,mod"
 
 
 def _reduction_formula(symbol: str, slenderness: float, curve: str, plateau: float, beta: float) -> str:
@@ -293,6 +344,15 @@ def _reduction_formula(symbol: str, slenderness: float, curve: str, plateau: flo
     phi = f"Phi = 0.5 (1 + {alpha:g} ({symbol} - {plateau:g}) + {square})"
     bound = f" <= 1/{symbol}^2" if beta != 1.0 else ""
     return f"1 / (Phi + sqrt(Phi^2 - {square})){bound}, {phi}"
+
+
+def _at_quarter(steady: np.ndarray, swing: np.ndarray) -> str:
+    """The moment at the first quarter, from those at sixths, as `quarter_moments` has it; in kN m."""
+    a, b, c = (_digits(M / 1e3) if M >= 0.0 else f"({_digits(M / 1e3)})" for M in steady[1:4].tolist())
+    text = f"|3 x {a} + 6 x {b} - {c}| / 8"
+    if swing.any():
+        text += f" + ({' + '.join(_digits(M / 1e3) for M in swing[1:3].tolist())}) / 2"
+    return f"{text} kN*m"
 
 
 def _parts(steady: float, swing: float, of: int) -> str:
