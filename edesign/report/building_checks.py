@@ -239,7 +239,8 @@ def _free_beam(results: BuildingResults, member: int, combination: int) -> FreeB
         return None
     loads = results.values("free_beams", "load")[:, of][:, 0]
     load = float(results.values("combinations", "static")[combination] @ loads)
-    return FreeBeam(float(results.values("members", "length")[member]), load)
+    span, uniform = (results.values("free_beams", name)[of][0] for name in ("span", "uniform"))
+    return FreeBeam(float(span), load, bool(uniform))
 
 
 def _forces(results: BuildingResults, member: int, combination: int) -> ForcesAlong:

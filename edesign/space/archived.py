@@ -257,6 +257,8 @@ def _free_beams(design: ElasticDesign, of: FreeBeamMoments) -> Group:
     group.coords["case"] = Variable(("case",), np.array(design.effects.cases), "", "load case")
     text = "resistance in lateral torsional buckling, by the moment diagram"
     group.add("M_b_Rd", ("beam", "combination"), of.M_b_Rd, "N*m", text)
+    group.add("span", ("beam",), of.span, "m", "between restraints; of halves of a beam that braces meet, of the whole")
+    group.add("uniform", ("beam",), of.uniform.astype(int), "1", "whether a uniform moment is taken for the diagram")
     text = "sum of P sin2(pi x / L) of the loads on the top flange, downwards"
     group.add("load", ("case", "beam"), of.loads, "N", text)
     return group

@@ -2,6 +2,9 @@
 
 Loads stand on the top flange. A response to an earthquake has no sign: its magnitudes are added to those of the static
 moments at every place, which gives the least C1.
+
+A beam that chevrons or V braces meet is two members, and the braces do not hold it sideways: each half has the length
+of the whole, a uniform moment, and its own loads twice, which is on the safe side.
 """
 
 from __future__ import annotations
@@ -16,6 +19,7 @@ from edesign.building.steel_section import steel_section
 from edesign.codes.ec3.buckling import IMPERFECTION
 from edesign.codes.ec3.lateral_torsional import buckling_moments, rolled_curve
 from edesign.project.building.building import Steel
+from edesign.space.analysis.bracing import Bracing
 from edesign.space.analysis.effects import Effects
 from edesign.space.analysis.live_load_reduction import whole_case
 from edesign.space.structure.frame import SpaceFrame
@@ -31,11 +35,15 @@ class FreeBeamMoments:
         members: (n_beams,) numbers of the beams.
         loads: (n_cases, n_beams) sum of P sin2(pi x / L) of the loads on a beam, N, downwards.
         M_b_Rd: (n_beams, n_combinations) N m.
+        span: (n_beams,) between restraints, m.
+        uniform: (n_beams,) whether a uniform moment is taken for the diagram.
     """
 
     members: np.ndarray
     loads: np.ndarray
     M_b_Rd: np.ndarray
+    span: np.ndarray
+    uniform: np.ndarray
 
 
 class FreeBeams:
@@ -45,17 +53,19 @@ class FreeBeams:
         frame: nodes and members.
         materials: of the building, by name.
         gamma_M1: partial factor.
+        bracing: that meets some of the beams.
 
     Attributes:
         members: numbers of the beams.
     """
 
-    def __init__(self, frame: SpaceFrame, materials: Mapping[str, Steel], gamma_M1: float) -> None:
+    def __init__(self, frame: SpaceFrame, materials: Mapping[str, Steel], gamma_M1: float, bracing: Bracing) -> None:
         self.members = np.array([k for k, member in enumerate(frame.members) if member.kind == "beam"], dtype=int)
         self._materials, self._gamma_M1 = materials, gamma_M1
         self._place = np.full(len(frame.members), -1)
         self._place[self.members] = np.arange(self.members.size)
-        self._length = frame.length[self.members]
+        self._length = bracing.span[self.members]
+        self._half = np.isin(self.members, bracing.halves)
 
     def resistances(
         self,
@@ -86,14 +96,15 @@ class FreeBeams:
         found = buckling_moments(
             np.broadcast_to(M_Rk, largest.shape),
             largest,
-            quarter_moments(steady, swing),
+            np.where(self._half, largest, quarter_moments(steady, swing)),
             np.maximum(static_factors @ tipping, 0.0),
             euler,
             squared,
             of[4],
         )
         hollow = of[5] > 0.0  # they do not buckle sideways
-        return FreeBeamMoments(self.members, loads, np.where(hollow, M_Rk, found).T / self._gamma_M1)
+        M_b_Rd = np.where(hollow, M_Rk, found).T / self._gamma_M1
+        return FreeBeamMoments(self.members, loads, M_b_Rd, self._length, self._half)
 
     def _properties(self, name: str, material: str) -> list[float]:
         """pi2 E I_z; I_w / I_z; G I_t / (pi2 E I_z); z_g; alpha_LT; whether the section is hollow."""
@@ -112,8 +123,8 @@ class FreeBeams:
                 continue  # of sway imperfections, without loads on beams
             found[number] = -0.5 * case.uniform[self.members, 2] * self._length
             of = self._place[case.point_member]
-            weight = -case.point_force[:, 2] * np.sin(math.pi * case.point_position) ** 2
-            np.add.at(found[number], of[of >= 0], weight[of >= 0])
+            shape = np.where(self._half[of], 2.0, np.sin(math.pi * case.point_position) ** 2)
+            np.add.at(found[number], of[of >= 0], (-case.point_force[:, 2] * shape)[of >= 0])
         return found
 
 

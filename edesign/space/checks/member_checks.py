@@ -121,7 +121,7 @@ class MemberChecker:
         self._role_of_members = np.array([places[role] for role in roles], dtype=int)
         free = self._design.members.lateral_restraint.beams == "ends"
         M1 = self._design.partial_factors.M1
-        self._free_beams = FreeBeams(frame, building.materials, M1) if free else None
+        self._free_beams = FreeBeams(frame, building.materials, M1, bracing) if free else None
         self._known: dict[tuple[str, str, bool, int], SteelMember] = {}
 
     def results(

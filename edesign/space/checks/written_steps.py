@@ -66,10 +66,12 @@ class FreeBeam:
     Attributes:
         length: between its ends, m.
         load: sum of P sin2(pi x / L) of the loads on its top flange in the combination, N, downwards.
+        uniform: a uniform moment is taken for the diagram.
     """
 
     length: float
     load: float
+    uniform: bool = False
 
 
 class Flexural(NamedTuple):
@@ -287,17 +289,20 @@ class Calculation:
     def M_cr_of_diagram(self, beam: FreeBeam) -> tuple[float, float]:
         """M_cr and C_1 by the moment diagram of the combination, with loads on the top flange."""
         s, member = self.section, self.member
-        length = self.add("L_LT", beam.length, "m", "between the ends of the member")
+        length = self.add("L_LT", beam.length, "m", "between restraints of the compressed flange")
         self.torsion()
         M_y = self.largest(M_Y)
         steady, swing = self.forces.steady[:, M_Y], self.forces.swing[:, M_Y]
-        M_A, M_B, M_C = (float(M) for M in quarter_moments(steady, swing))
-        self.add("M_A", M_A, "N*m", f"{_at_quarter(steady, swing)}, of x = L/6, L/3, L/2")
-        self.add("M_B", M_B, "N*m", f"{_parts(float(steady[3]), float(swing[3]), M_Y)} at x = L/2")
-        self.add("M_C", M_C, "N*m", f"{_at_quarter(steady[::-1], swing[::-1])}, of x = 5L/6, 2L/3, L/2")
-        C1 = lateral_torsional.diagram_factor(M_y, M_A, M_B, M_C)
-        expression = "sqrt(35 M_y,Ed^2 / (M_y,Ed^2 + 9 M_A^2 + 16 M_B^2 + 9 M_C^2))" if M_y > 0.0 else "without moment"
-        self.add("C_1", C1, "1", expression, "Serna et al. 2006")
+        if beam.uniform:
+            C1 = self.add("C_1", 1.0, "1", "uniform moment: braces that meet the beam do not hold it sideways")
+        else:
+            M_A, M_B, M_C = (float(M) for M in quarter_moments(steady, swing))
+            self.add("M_A", M_A, "N*m", f"{_at_quarter(steady, swing)}, of x = L/6, L/3, L/2")
+            self.add("M_B", M_B, "N*m", f"{_parts(float(steady[3]), float(swing[3]), M_Y)} at x = L/2")
+            self.add("M_C", M_C, "N*m", f"{_at_quarter(steady[::-1], swing[::-1])}, of x = 5L/6, 2L/3, L/2")
+            C1 = lateral_torsional.diagram_factor(M_y, M_A, M_B, M_C)
+            root = "sqrt(35 M_y,Ed^2 / (M_y,Ed^2 + 9 M_A^2 + 16 M_B^2 + 9 M_C^2))"
+            self.add("C_1", C1, "1", root if M_y > 0.0 else "without moment", "Serna et al. 2006")
         z_g = self.add("z_g", 0.5 * s.h, "m", "h / 2: loads on the top flange")
         expression = "sum of P_i sin^2(pi x_i / L_LT) of the loads on the beam, downwards, >= 0"
         load = self.add("P", max(beam.load, 0.0), "N", expression)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,7 @@ import pytest
 
 from edesign.building.building_file import load_building
 from edesign.building.steel_section import steel_section
+from edesign.codes.ec3 import lateral_torsional
 from edesign.space.analysis.bracing import bracing
 from edesign.space.elastic_design import ElasticDesign, elastic_design
 from edesign.space.structure.frame import SpaceFrame
@@ -219,3 +221,26 @@ def test_beams_of_floors_that_are_not_rigid(tmp_path: Path) -> None:
     model, worse = one_mode(found)
     T = 2.0 * abs(model[number_of(found.frame, "DY_A_1_2_r")]) * 8.0 / np.hypot(8.0, 3.0)
     np.testing.assert_allclose(worse[number_of(found.frame, "BY_A_1_2")], 0.5 * T, rtol=0.02)
+
+
+def test_braces_that_meet_a_beam_do_not_hold_it_sideways(tmp_path: Path) -> None:
+    """M_b,Rd of halves by the formulas of the whole beam: C1 = 1, its span, and its loads at their worst place."""
+    design = design_of(tmp_path, CHEVRONS.replace("design:", "design:\n  members: {lateral_restraint: {beams: ends}}"))
+    free, frame = design.members.free_beams, design.frame
+    assert free is not None and free.uniform.any() and not free.uniform.all()
+    for place in np.flatnonzero(free.uniform):
+        member = frame.members[free.members[place]]
+        s, span = steel_section(member.section), float(free.span[place])
+        assert span == pytest.approx(2.0 * frame.length[free.members[place]])
+        fy = 275e6
+        for row, combination in enumerate(design.members.rows):
+            acting = design.effects
+            static = acting.of_static(combination)[free.members[place], :, 4]
+            M_max = float((np.abs(static) + acting.of_seismic(combination)[free.members[place], :, 4]).max())
+            load = sum(combination.static.get(case, 0.0) * free.loads[k, place] for k, case in enumerate(acting.cases))
+            C2_z_g = 0.5 * s.h * span * max(load, 0.0) / (math.pi**2 * M_max)
+            of = 210e9, 210e9 / 2.6, s.I_z, s.I_t, s.I_w, span
+            M_cr = lateral_torsional.critical_moment(*of, 1.0, 1.0, C2_z_g)
+            slender = lateral_torsional.slenderness(s.W_pl_y, fy, M_cr)
+            chi = lateral_torsional.reduction_factor(slender, lateral_torsional.rolled_curve(s.h, s.b))
+            assert free.M_b_Rd[place, row] == pytest.approx(chi * s.W_pl_y * fy, rel=1e-6)
