@@ -43,18 +43,26 @@ class Ahead(Generic[T, S]):
         Raises:
             Exception: whatever the function raises.
         """
-        if argument in self._found:
-            self._feed(argument)
-            return self._found[argument]
         self._feed(argument)
-        for other in self._others:
-            if other.at_work_on == argument:
-                self._take(other)
-                self._feed(argument)
-                break
         if argument not in self._found:
+            other = next((one for one in self._others if one.at_work_on == argument), None)
+            if other is None:
+                self._found[argument] = self._function(argument)
+            else:
+                self._wait_for(other)
+                self._feed(argument)
+        if argument not in self._found:  # the process has died, or met an error
             self._found[argument] = self._function(argument)
         return self._found[argument]
+
+    def _wait_for(self, other: _Other[T, S]) -> None:
+        """Find what comes after it here until a process has its value."""
+        while not other.is_ready() and (following := self._following()) is not None:
+            try:
+                self._found[following] = self._function(following)
+            except Exception:  # is met again where it is asked for
+                break
+        self._take(other)
 
     def close(self) -> None:
         """End the processes."""
@@ -67,14 +75,17 @@ class Ahead(Generic[T, S]):
         for other in self._others:
             if other.at_work_on is not None and other.is_ready():
                 self._take(other)
-        taken = {current, *self._found, *(other.at_work_on for other in self._others)}
         for other in self._others:
             if other.at_work_on is None:
-                wanted = next((argument for argument in self._next if argument not in taken), None)
+                wanted = self._following(current)
                 if wanted is None:
                     return
                 other.begin(wanted)
-                taken.add(wanted)
+
+    def _following(self, current: T | None = None) -> T | None:
+        """The next argument that was foretold and that nobody has begun with; None without one."""
+        begun = {current, *(other.at_work_on for other in self._others)}
+        return next((of for of in self._next if of not in self._found and of not in begun), None)
 
     def _take(self, other: _Other[T, S]) -> None:
         """Keep what a process found; one that has died or met an error leaves its argument to this process."""
