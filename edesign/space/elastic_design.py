@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, fields, replace
 
 import numpy as np
@@ -11,7 +11,6 @@ from edesign.building.steel_section import steel_section
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.modal_combination import LARGE_MODE
-from edesign.codes.ec8.national import ActionFactors, NationalParameters, Psi
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
 from edesign.core.errors import CoreError
@@ -20,8 +19,8 @@ from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum, national_of, vertical_spectrum
 from edesign.project.building.building import Building, Steel
-from edesign.project.building.design import Design
 from edesign.project.hazard import Hazard
+from edesign.space.analysis.actions import action_factors_of, psi_of, with_joined_cases
 from edesign.space.analysis.bracing import bracing
 from edesign.space.analysis.buckled_diagonals import single_diagonals, with_buckled_diagonals
 from edesign.space.analysis.deflections import DeflectionAnalysis, Deflections, deflection_criteria
@@ -57,14 +56,12 @@ from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker, Mem
 from edesign.space.checks.regularity import regularity, shape
 from edesign.space.checks.web_panels import Panel, panel_criteria, web_panels
 from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, system_of
-from edesign.space.structure.frame import AXES, Axis, LoadCase, Member, SpaceFrame
+from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import SELF_WEIGHT, self_weight
-from edesign.space.structure.masses import node_masses, psi_2
+from edesign.space.structure.masses import node_masses
 from edesign.space.structure.model import diaphragm_floors, member_properties, space_model
 from edesign.space.structure.steel_by_thickness import steel_by_thickness, with_steel_by_thickness
-
-PERMANENT = "permanent"  # category of load cases
 
 
 @dataclass(frozen=True)
@@ -205,11 +202,11 @@ class ElasticAnalysis:
         concerned = self._vertical.members if self._vertical else np.zeros(0, dtype=int)
         self.members = MemberChecker(building, self.frame, self.dissipative, self.bracing, concerned)
         self._sway = SwayAnalysis(self.frame, self._design.imperfections == "sway")
-        joined = _with_joined_cases(self.frame).cases
+        joined = with_joined_cases(self.frame).cases
         cases = {name: case.category for name, case in joined.items()}
-        psi = _psi(building, self._national)
+        psi = psi_of(building, self._national)
         directions = "srss" if self._design.directions == "srss" else "30 %"
-        asked, factors = self._design.fundamental, _action_factors(self._design, self._national)
+        asked, factors = self._design.fundamental, action_factors_of(self._design, self._national)
         self.fundamental = fundamental(cases, psi, factors, asked.expression, asked.favourable)
         self.seismic = seismic(cases, psi, directions)
         self._characteristic = characteristic(cases, psi)
@@ -295,7 +292,7 @@ class ElasticAnalysis:
         building, design = self._made, self._design
         frame = self.frame_with(sections) if sections else self.frame
         model, gravity_model = self._with_sections(frame)
-        frame = _with_joined_cases(frame)
+        frame = with_joined_cases(frame)
         regular, of_regularity = regularity(building, frame, model, self._shape)
         q, q_limit = self._behaviour_factors(regular)
         self._tell("natural modes")
@@ -450,49 +447,11 @@ def _hazard(building: Building) -> Hazard:
     return building.hazard
 
 
-def _with_joined_cases(frame: SpaceFrame) -> SpaceFrame:
-    """Return the frame with its permanent cases as one, `G`, and a single category of use as `Q`."""
-    permanent = [case for case in frame.cases.values() if case.category == PERMANENT]
-    variable = [case for case in frame.cases.values() if case.category != PERMANENT]
-    cases = {"G": _sum("G", permanent)} | {case.name: case for case in variable}
-    if len(variable) == 1:
-        cases = {"G": cases["G"], "Q": replace(variable[0], name="Q")}
-    return frame.with_sections(frame.members, cases, frame.node_mass)
-
-
-def _sum(name: str, cases: Sequence[LoadCase]) -> LoadCase:
-    return LoadCase(
-        name,
-        PERMANENT,
-        nodal=np.sum([case.nodal for case in cases], axis=0),
-        uniform=np.sum([case.uniform for case in cases], axis=0),
-        point_member=np.concatenate([case.point_member for case in cases]),
-        point_position=np.concatenate([case.point_position for case in cases]),
-        point_force=np.concatenate([case.point_force for case in cases]),
-    )
-
-
-def _action_factors(design: Design, national: NationalParameters) -> ActionFactors:
-    """Return the national partial factors with gamma_G and gamma_Q of the file."""
-    return replace(national.action_factors, G_sup=design.partial_factors.G, Q=design.partial_factors.Q)
-
-
-def _psi(building: Building, national: NationalParameters) -> dict[str, Psi]:
-    """Return the national psi factors; psi_2 is that of the masses where the file gives it."""
-    psi = dict(national.psi)
-    masses = building.masses
-    if masses is not None and masses.from_loads is not None:
-        for category in {load.category for load in building.loads.items if load.category is not None}:
-            known = psi[category]
-            psi[category] = Psi(known.psi_0, known.psi_1, psi_2(building, category))
-    return psi
-
-
 def _notes(response: Mapping[Axis, SeismicResponse], of_storeys: Mapping[Axis, Storeys]) -> list[str]:
     found = []
     for axis in AXES:
         of = response[axis]
-        if of.base_shear > of.base_shear_without_beta:
+        if round(of.base_shear / 1e3) > round(of.base_shear_without_beta / 1e3):
             found.append(
                 f"beta = {of.spectrum.beta:g} governs the base shear along {axis}: {of.base_shear / 1e3:.0f} kN, "
                 f"without it {of.base_shear_without_beta / 1e3:.0f} kN (EN 1998-1, 3.2.2.5(4)P)"
