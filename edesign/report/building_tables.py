@@ -241,9 +241,14 @@ def remarks(results: BuildingResults) -> list[str]:
 def failures(results: BuildingResults) -> list[str]:
     """Return what is not met: checks of groups, then rules."""
     over = [worst for worst in worst_of_groups(results) if worst.utilisation > 1.0]
-    rules = zip(*(results.values("criteria", name) for name in ("text", "passed")), strict=True)
+    columns = ("text", "detail", "value", "required", "passed")
+    rules = zip(*(results.values("criteria", name) for name in columns), strict=True)
     found = [f"{worst.group} {worst.section}: {worst.name} {worst.utilisation:.3f}" for worst in over]
-    return found + [str(text) for text, passed in rules if passed == 0]
+    return found + [
+        f"{text}{f' ({detail})' if detail else ''}: {number(finite(value), 3)}, limit {number(finite(limit), 3)}"
+        for text, detail, value, limit, passed in rules
+        if passed == 0
+    ]
 
 
 TABLES: tuple[Make, ...] = (
