@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 PANELS = 3
-"""Plans that are drawn; of more the first ones."""
+"""Plans that are drawn; of more those of other outlines come first."""
 _BEAM = "#7c8796"
 _COLUMN = 0.11  # size of a column in the drawing, by the narrowest bay
 _BRACE = 0.05  # how far a brace is drawn beside its beam, by the narrowest bay
@@ -31,12 +31,17 @@ _NODE = re.compile(r"([A-Z]+)([0-9]+)\.[0-9]+")
 def plans(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Give the plans of the storeys that differ: name of the file, caption, figure."""
     results = BuildingResults(archive)
-    for storeys in _different_storeys(results)[:PANELS]:
+    different = _different_storeys(results)
+    drawn = _other_outlines_first(results, different)[:PANELS]
+    left_out = (
+        f" {len(different) - len(drawn)} more plans differ in sections only." if len(different) > len(drawn) else ""
+    )
+    for storeys in sorted(drawn):
         which = f"storey {storeys[0]}" if len(storeys) == 1 else f"storeys {_runs(storeys)}"
         sections = _sections(results, storeys[0])
         caption = (
             f"Plan of {which}, widths in m. Columns with the direction of their webs, the beams above them, circles at "
-            f"pinned ends, dashes beside braced bays, a cross at the centre of mass. Sections: {sections}."
+            f"pinned ends, dashes beside braced bays, a cross at the centre of mass. Sections: {sections}.{left_out}"
         )
         yield f"plan_{storeys[0]}", caption, _plan(results, storeys[0])
 
@@ -56,6 +61,20 @@ def _different_storeys(results: BuildingResults) -> list[list[int]]:
         members = frozenset(zip(kind.tolist(), section.tolist(), map(tuple, rows.tolist()), strict=True))
         found.setdefault(members, []).append(int(storey))
     return list(found.values())
+
+
+def _other_outlines_first(results: BuildingResults, different: list[list[int]]) -> list[list[int]]:
+    """Groups of storeys in the order in which they are drawn: one of each set of places of columns, then the others."""
+    storey, kind, start = (results.values("members", name) for name in ("storey", "kind", "start"))
+    first: list[list[int]] = []
+    others: list[list[int]] = []
+    seen: set[frozenset[tuple[float, ...]]] = set()
+    for group in different:
+        at = start[(storey == group[0]) & (kind == "column"), :2].round(6)
+        outline = frozenset(map(tuple, at.tolist()))
+        (others if outline in seen else first).append(group)
+        seen.add(outline)
+    return first + others
 
 
 def _runs(numbers: list[int]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -117,6 +118,8 @@ def modes_table(results: BuildingResults) -> Table:
                 *(f"{number(of[k], 3)}{'*' if lower[k] else ''}" for of, lower in zip(S_d, bound, strict=True)),
             ]
         )
+    if period.size > MODES_SHOWN:
+        table.notes.append(f"the first {MODES_SHOWN} of {period.size} modes")
     if any("*" in cell for row in table.rows for cell in row):
         table.notes.append("*: the lower bound beta a_g governs (EN 1998-1, 3.2.2.5(4)P)")
     return table
@@ -192,10 +195,15 @@ def groups_table(results: BuildingResults) -> Table:
     )
     clauses: dict[str, str] = {}
     for worst in worst_of_groups(results):
-        cells = [worst.group, worst.section, str(worst.count), number(finite(worst.utilisation), 3)]
+        use = "inf" if math.isinf(worst.utilisation) else number(finite(worst.utilisation), 3)
+        cells = [worst.group, worst.section, str(worst.count), use]
         table.rows.append([*cells, worst.name, worst.member, str(worst.combination)])
         clauses.setdefault(worst.name, worst.clause)
     table.notes.append("use: effect over resistance; combination: its number among those below")
+    if any(row[3] == "inf" for row in table.rows):
+        table.notes.append(
+            "inf: there is no resistance, as beyond a critical force, or beside so much shear or axial force"
+        )
     table.notes += [f"{name}: {clause}" for name, clause in clauses.items()]
     return table
 
@@ -213,6 +221,10 @@ def combinations_table(results: BuildingResults) -> Table:
         name = _SIGN_OF_HORIZONTAL.sub("+- ", str(name)) if len(numbers) > 1 else str(name)
         situation = f"{kind}, 1.1 gamma_ov Omega" if np.abs(seismic).max(initial=0.0) > 1.0 else str(kind)
         table.rows.append([_numbers(numbers), name, situation, str(equation)])
+    if any("S_x" in row[1] for row in table.rows):
+        table.notes.append(
+            "S_x, S_y: sway imperfections, of the combination that they stand in; P_Delta: its sway amplified"
+        )
     return table
 
 

@@ -8,12 +8,15 @@ from typing import TypeVar
 
 import numpy as np
 
+from edesign.building.section_lists import family_of, sections_of
 from edesign.building.steel_section import steel_section
+from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard
 from edesign.project.building.building import Building
+from edesign.project.building.design import DEFAULT_PRICE, KINDS
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import column_name
-from edesign.project.problems import listed
+from edesign.project.problems import did_you_mean, listed
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import on_nodes
@@ -38,6 +41,7 @@ def check_building(building: Building) -> dict[str, str]:
     building.check_unchanged()
     if building.hazard is not None:
         checked_hazard(building)
+    _check_lists(building)
     frame = space_frame(with_steel_by_thickness(building))
     warnings = _warnings(building)
     return {
@@ -108,6 +112,31 @@ def _floors(rows: Sequence[R]) -> Iterator[tuple[str, R]]:
         if i == len(rows) or rows[i] != rows[first]:
             yield (f"floor {first + 1}" if i == first + 1 else f"floors {first + 1}-{i}"), rows[first]
             first = i
+
+
+def _check_lists(building: Building) -> None:
+    """Check that the sections to choose from exist; the names of families with prices too."""
+    if building.design is None:
+        return
+    select = building.design.select
+    lists: dict[tuple[str, ...], tuple[str, ...]] = {(kind,): getattr(select.lists, kind) for kind in KINDS}
+    lists |= {("groups", group): names for group, names in select.lists.groups.items()}
+    families = {DEFAULT_PRICE}
+    for keys, names in lists.items():
+        for place, name in enumerate(names):
+            try:
+                families |= {family_of(section.name) for section in sections_of(name)}
+            except InputError as error:
+                where = building.where("design", "select", "lists", *keys, place)
+                raise InputError(f"{where}: design.select.lists.{'.'.join(keys)}: {error}") from error
+    for family in select.prices:
+        if family.upper() not in families and family != DEFAULT_PRICE:
+            where = building.where("design", "select", "prices", family)
+            near = did_you_mean(family, families)
+            raise InputError(
+                f"{where}: design.select.prices: no section of the lists is a `{family}`{near}; prices are for "
+                f"{listed(sorted(families))}"
+            )
 
 
 def _warnings(building: Building) -> list[str]:

@@ -17,9 +17,10 @@ from edesign.core.errors import CoreError
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
-from edesign.ground_motion.hazard import elastic_spectrum, national_of, vertical_spectrum
+from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum, national_of, vertical_spectrum
 from edesign.project.building.building import Building, Steel
 from edesign.project.hazard import Hazard
+from edesign.project.units import STANDARD_GRAVITY
 from edesign.space.analysis.actions import action_factors_of, psi_of, with_joined_cases
 from edesign.space.analysis.bracing import bracing
 from edesign.space.analysis.buckled_diagonals import single_diagonals, with_buckled_diagonals
@@ -62,6 +63,9 @@ from edesign.space.structure.load_cases import SELF_WEIGHT, self_weight
 from edesign.space.structure.masses import node_masses
 from edesign.space.structure.model import diaphragm_floors, member_properties, space_model
 from edesign.space.structure.steel_by_thickness import steel_by_thickness, with_steel_by_thickness
+
+MASSES_BY_LOADS = 1.01
+"""Weight of the masses over the loads from which a note says so: masses from loads are at most these, but rounding."""
 
 
 @dataclass(frozen=True)
@@ -412,6 +416,13 @@ class ElasticAnalysis:
         """Return what the analysis adds to this building or leaves out of it, a sentence each."""
         found = [self._vertical.note] if self._vertical else []
         found += [LIVE_LOADS_REDUCED] if self._reduction is not None else []
+        weight = float(frame.node_mass.sum()) * STANDARD_GRAVITY
+        loads = float(gravity_above(frame, self.seismic[0].static)[0])
+        if weight > MASSES_BY_LOADS * loads:
+            found.append(
+                f"the masses weigh {weight / 1e3:.0f} kN and the loads beside the seismic action only "
+                f"{loads / 1e3:.0f} kN; P and theta are those of the loads"
+            )
         if self._design.accidental_torsion and not diaphragm_floors(frame):
             found.append("accidental torsion is left out: no floor is rigid, and its moments act on rigid floors")
         return found
@@ -444,7 +455,7 @@ def _first(modes: SpaceModes, count: int, building: Building) -> SpaceModes:
 def _hazard(building: Building) -> Hazard:
     if building.hazard is None:
         raise InputError(f"{building.path}: hazard: this block is missing; docs/building_file.md explains it")
-    return building.hazard
+    return checked_hazard(building)
 
 
 def _notes(response: Mapping[Axis, SeismicResponse], of_storeys: Mapping[Axis, Storeys]) -> list[str]:

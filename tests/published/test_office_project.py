@@ -28,7 +28,10 @@ CHAIN = [
 SMALL_LISTS = """\
   select:
     starts: 1
-    lists: {columns: [HEB240, HEB260, HEB280, HEB300], beams: [IPE270, IPE300, IPE330], braces: [SHS70x5, SHS80x5, SHS90x5]}
+    lists:
+      columns: [HEB240, HEB260, HEB280, HEB300]
+      beams: [IPE270, IPE300, IPE330]
+      braces: [SHS70x5, SHS80x5, SHS90x5]
     leave_out: [6.7.3(1), 6.7.3(8)]
 """
 

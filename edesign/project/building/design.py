@@ -33,6 +33,8 @@ LeftOut = Literal[
 
 
 def _q(value: Any) -> Any:
+    if isinstance(value, str) and not value[:1].isdigit() and value != "table":
+        raise refuse(f"`{value}`: a behaviour factor of at least 1 is needed, or `table`")
     return "table" if value == "table" else parse_ratio(value, 1.0, math.inf)
 
 
@@ -56,9 +58,9 @@ def _share_of_span(value: Any) -> Any:
     if value == "none":
         return None
     if isinstance(value, str) and (match := re.fullmatch(r"1 ?/ ?([0-9]{1,6}(?:\.[0-9]+)?)", value)):
-        value = 1.0 / float(match[1]) if float(match[1]) else math.inf
-    elif isinstance(value, str) and "/" in value:
-        raise refuse("a share of the span is needed: `1/250`, a ratio such as `0.4 %`, or `none`")
+        value = 1.0 / float(match[1]) if float(match[1]) else "1/0"
+    if isinstance(value, str) and ("/" in value or not value[:1].isdigit()):
+        raise refuse(f"`{value}`: a share of the span is needed: `1/250`, a ratio such as `0.4 %`, or `none`")
     return parse_ratio(value, 0.0, 1.0, False, False)
 
 
@@ -68,6 +70,8 @@ def _by_thickness(value: Any) -> Any:
 
 def _drift(value: Any) -> Any:
     """`none` is a limit of its own."""
+    if isinstance(value, str) and value != "none":
+        raise refuse(f"`{value}`: give `none`, or `{{limit: brittle}}`, `ductile` or `none_attached`")
     return {"limit": "none"} if value == "none" else value
 
 

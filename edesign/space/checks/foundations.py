@@ -15,7 +15,7 @@ from edesign.project.building.building import Building
 from edesign.space.analysis.bracing import Bracing
 from edesign.space.analysis.response import SeismicResponse, StaticResponse
 from edesign.space.analysis.storeys import Storeys
-from edesign.space.checks.capacity import Overstrength, bend_about_y, column_moments
+from edesign.space.checks.capacity import ROUNDING, Overstrength, bend_about_y, column_moments
 from edesign.space.checks.column_feet import M_Y, M_Z, N, hinged_feet
 from edesign.space.structure.design_block import MOMENT_FRAME, design_of, system_of
 from edesign.space.structure.frame import AXES, Axis, SpaceFrame
@@ -97,7 +97,8 @@ class Foundations:
             return []
         return [
             f"{lifted} of {least.size} foundations are pulled upwards with gamma_Rd Omega (EN 1998-1, 4.4.2.6(4)), "
-            f"most at {self.nodes[least.argmin()]}, by {-least.min() / 1e3:.0f} kN"
+            f"most at {self.nodes[int((least <= least.min() * (1.0 - ROUNDING)).argmax())]}, by "
+            f"{-least.min() / 1e3:.0f} kN"
         ]
 
 

@@ -186,17 +186,22 @@ def floor_stiffness(frame: SpaceFrame, model: SpaceModel) -> FloorStiffness:
 
 
 def _interrupted(frame: SpaceFrame) -> list[Criterion]:
-    """Return whether all braced frames go down to the foundation (4.2.3.3(2)); nothing without braces."""
+    """Return whether bracings and columns go down to the foundation without interruption (4.2.3.3(2))."""
     storeys: dict[str, set[int]] = {}
     for member in frame.members:
         if member.kind == "brace":
             storeys.setdefault(member.frame[0], set()).add(member.storey)
-    if not storeys:
-        return []
+    heads = {member.end for member in frame.members if member.kind == "column"}
+    hanging = [
+        member.name
+        for member in frame.members
+        if member.kind == "column" and member.storey > 1 and member.start not in heads
+    ]
     broken = [
         f"frame {name} has none in storey {min(set(range(1, max(of))) - of)}"
         for name, of in sorted(storeys.items())
         if set(range(1, max(of))) - of
     ]
-    text = "frames whose bracings do not run down to the foundation"
+    broken += [f"{name} stands on no column" for name in hanging]
+    text = "bracings and columns that do not run down to the foundation"
     return [at_most("4.2.3.3(2)", text, 0.0, len(broken), "; ".join(broken))]

@@ -6,6 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from building_examples import SMALL
+from building_examples import building as changed
 
 from edesign.building.building_file import load_building
 from edesign.codes.ec8.criterion import Criterion
@@ -166,3 +168,19 @@ def test_q_follows_what_is_found(tmp_path: Path) -> None:
         (high + "  regular_in_elevation: false\n", 0.8 * 5.25),
     ):
         assert design_of(tmp_path, text).q["x"] == pytest.approx(q)
+
+
+def test_a_column_above_none_makes_a_building_irregular_in_elevation() -> None:
+    """EN 1998-1, 4.2.3.3(2) holds for frames too; q of the table falls to 0.8 of it."""
+    changes = ("storeys: [4 m, 3 m]", "storeys: [4 m, 3 m]\nmissing: {columns: [{at: B2, storeys: 1}]}")
+    found = elastic_design(changed(SMALL, changes, ("{type: moment_frame, q: 4}", "{type: moment_frame, q: table}")))
+    whole = elastic_design(changed(SMALL, ("{type: moment_frame, q: 4}", "{type: moment_frame, q: table}")))
+    rule = next(rule for rule in found.criteria if rule.clause == "4.2.3.3(2)")
+    assert rule.value == 1.0 and "C_B2_2 stands on no column" in rule.detail
+    assert found.q["x"] == pytest.approx(0.8 * whole.q["x"])
+
+
+def test_masses_without_loads_are_told() -> None:
+    given = elastic_design(changed(SMALL, ("masses: {from_loads: {}}", "masses: {given: [{floors: all, mass: 90 t}]}")))
+    assert any("P and theta are those of the loads" in note for note in given.notes)
+    assert not any("P and theta" in note for note in elastic_design(changed(SMALL)).notes)

@@ -81,7 +81,7 @@ def _verdict(source: Source, results: BuildingResults) -> Iterable[Part]:
     tiles = [
         Headline("met" if met else "not met", "Checks and rules", f"{len(broken)} not met", _state(met)),
         Headline(
-            f"{worst.utilisation:.2f}",
+            f"{worst.utilisation:.3f}",
             "Largest utilisation",
             f"{worst.member}, {worst.section}, {worst.name}",
             _state(worst.utilisation <= 1.0),
