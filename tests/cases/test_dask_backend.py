@@ -146,6 +146,7 @@ def test_a_killed_worker_loses_nothing(backend: Backend, tmp_path: Path) -> None
     assert all(not result.reason and result.value not in (None, victim) for result in found.values())
 
 
+@pytest.mark.slow
 def test_a_work_that_kills_its_workers_fails_alone(backend: Backend, tmp_path: Path) -> None:
     works = [
         Work("always", toy_works.dies, (tmp_path, "always", 99)),

@@ -143,6 +143,7 @@ def test_a_kill_loses_nothing_that_was_finished(done: RunSummary, tmp_path: Path
     assert sum(outcome.reused for outcome in again.outcomes) == 4 + len(finished)
 
 
+@pytest.mark.slow
 def test_a_failure_without_collapse_does_not_end_a_chain(
     done: RunSummary, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -108,6 +108,7 @@ def test_output_that_cannot_be_written(tmp_path: Path) -> None:
     assert call.returncode == 0 and (tmp_path / "project.h5").exists()
 
 
+@pytest.mark.slow
 def test_a_process_without_streams_runs(tmp_path: Path) -> None:
     path = write(tmp_path)
     words = " ".join(f"'{word}'" for word in command("run", path))
@@ -115,6 +116,7 @@ def test_a_process_without_streams_runs(tmp_path: Path) -> None:
     assert (tmp_path / "project.h5").exists()
 
 
+@pytest.mark.slow
 def test_a_folder_that_may_not_be_written(tmp_path: Path) -> None:
     path = write(tmp_path)
     if os.geteuid() != 0:

@@ -180,6 +180,7 @@ def test_folders_are_looked_at_before_the_fit(tmp_path: Path, capsys: pytest.Cap
         assert "is a file, and a folder is needed" in errors and not output and not archive.exists()
 
 
+@pytest.mark.slow
 def test_tables_come_before_files_that_cannot_be_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     suite, archive, out = suite_project.write_suite(tmp_path), tmp_path / "out.h5", tmp_path / "csv"
     (out / "second.csv").mkdir(parents=True)  # no file can take its place

@@ -294,6 +294,7 @@ def test_a_killed_run_goes_on_where_it_was(
     same(undisturbed, tmp_path / "out.h5")
 
 
+@pytest.mark.slow
 def test_ctrl_c_in_the_rounds_of_a_design_keeps_them(tmp_path: Path, call: Caller) -> None:
     path = write(tmp_path)
     text = path.read_text(encoding="utf-8")
@@ -474,6 +475,7 @@ class Failing(SerialBackend):
             yield Result(result.key, reason="not enough memory") if dead else result
 
 
+@pytest.mark.slow
 def test_a_history_that_fails_in_a_round_is_missing_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """A mean over the two others would meet this limit; with one missing it cannot be met."""
     path = write(tmp_path, ("levels: DBE, most: 2 %", "levels: DBE, most: 5 %"))
@@ -511,6 +513,7 @@ def test_a_law_file_that_changed_makes_a_run_start_afresh(tmp_path: Path) -> Non
     assert "not used (input checksum differ); starting afresh" in summary.notes[0]
 
 
+@pytest.mark.slow
 def test_a_stop_between_two_designs_starts_nothing_more(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The first is kept, and the run that goes on makes the second."""
     second = (

@@ -29,6 +29,7 @@ def test_periods(frame: PeerFrame) -> None:
         np.testing.assert_allclose(ours, theirs, rtol=1e-7)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("frame", FRAMES)
 def test_pushover_to_two_per_cent_of_roof_drift(frame: PeerFrame) -> None:
     """First-mode loads, 200 equal steps: base shear along the whole curve within 0.2 % of its largest value."""

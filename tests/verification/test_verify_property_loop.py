@@ -55,6 +55,7 @@ def _calibrated(folder: Path, c: float = 0.0, alpha: float = 1.0, peak: float = 
     return calibrate_properties(load_property_campaign(folder / "campaign.yaml"), workers=1)
 
 
+@pytest.mark.slow
 def test_power_of_the_velocity(tmp_path: Path) -> None:
     """A dashpot of 6 kN at 0.1 m/s with alpha = 0.3 beside a Zener solid: about a sixth of the force."""
     c = 6e3 / 0.1**0.3

@@ -126,7 +126,7 @@ def without_path(text: str, path: Path) -> str:
 
 
 @pytest.mark.parametrize("damage", DAMAGES)
-@pytest.mark.parametrize("layout", ["whole", "partial", "old"])
+@pytest.mark.parametrize("layout", ["whole", *(pytest.param(of, marks=pytest.mark.slow) for of in ("partial", "old"))])
 def test_damage_is_noticed(samples: dict[str, Path], tmp_path: Path, layout: str, damage: Damage) -> None:
     """A complete archive: always. A partial one: or what is told is what it was, as nothing reads the place.
 

@@ -236,6 +236,7 @@ def test_a_file_of_another_kind_is_left_as_it_is(tmp_path: Path) -> None:
             ArchiveWriter("/dev/zero", root())
 
 
+@pytest.mark.slow
 def test_a_partial_archive_is_read_while_its_run_writes(tmp_path: Path) -> None:
     """Every group that is told is whole, and none counts as damaged, however the readings fall between the writes."""
     path = tmp_path / "a.h5"

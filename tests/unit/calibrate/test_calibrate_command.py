@@ -79,6 +79,7 @@ def test_look_alikes_that_were_not_asked_for_are_none(
     assert "explained" in capsys.readouterr().out.lower()
 
 
+@pytest.mark.slow
 def test_files_and_their_contents(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
         return lawful(t, u, v, a, order) + 3e10 * u**3

@@ -79,6 +79,7 @@ def run(*arguments: object) -> tuple[int, str]:
     return found.exit_code, f"{found.output} {found.exception or ''}".replace("\n", " ")
 
 
+@pytest.mark.slow
 def test_from_the_command_to_the_files(folder: Path) -> None:
     code, text = run(folder / "campaign.yaml", "--output", folder / "out", "-w", 1)
     assert code == 0, text

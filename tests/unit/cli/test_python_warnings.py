@@ -54,5 +54,6 @@ def test_no_warning_reaches_standard_error(folder: Path, words: tuple[str, ...])
     assert "Warning" not in errors_of(folder, *words)
 
 
+@pytest.mark.slow
 def test_debug_shows_warnings(folder: Path) -> None:
     assert "py.warnings: " in errors_of(folder, "report", "small.h5", "--quiet", "--debug")

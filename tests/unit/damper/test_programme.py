@@ -140,6 +140,7 @@ def app() -> typer.Typer:
     return found
 
 
+@pytest.mark.slow
 def test_the_commands(tmp_path: Path, app: typer.Typer) -> None:
     runner = CliRunner()
     path, out = write(tmp_path, HEAD + SINES), tmp_path / "out"

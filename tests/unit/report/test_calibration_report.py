@@ -125,6 +125,7 @@ def test_an_effect_is_told_with_kind_reduction_and_look_alikes() -> None:
     ]
 
 
+@pytest.mark.slow
 def test_look_alikes_that_were_not_asked_for_are_not_said_to_be_none() -> None:
     found = example.calibration((replace(example.payne(), indistinguishable_from=()),))
     for ending, cell in (("complete", "nothing known"), ("out_of_time", "not all others"), ("interrupted", "not all")):

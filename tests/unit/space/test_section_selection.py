@@ -114,6 +114,7 @@ def test_choices_are_those_of_enumeration() -> None:
                 assert found.certified and found.mass == pytest.approx(best.mass, rel=1e-9), seed
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("seed", "cheap"), [(23, "HEB"), (27, "IPE")])
 def test_with_prices_the_choice_is_the_cheapest_of_enumeration(seed: int, cheap: str) -> None:
     """One family at a tenth of the price of the others: the cheapest frame of these is not the lightest one."""
@@ -157,6 +158,7 @@ def test_choices_of_eighty_frames_are_those_of_enumeration() -> None:
     assert max(gaps) <= 0.017
 
 
+@pytest.mark.slow
 def test_no_exchange_of_a_certified_choice_is_lighter_and_meets_the_checks() -> None:
     with one_thread():
         file = parse_building(TEXT, "building.yaml", BuildingSections())
@@ -170,6 +172,7 @@ def test_no_exchange_of_a_certified_choice_is_lighter_and_meets_the_checks() -> 
         assert evaluate.count == count  # the search has analysed them all
 
 
+@pytest.mark.slow
 def test_a_search_is_repeatable() -> None:
     file = parse_building(TEXT, "building.yaml", BuildingSections())
     lines: list[list[str]] = [[], []]
@@ -204,6 +207,7 @@ def test_the_interior_frame_of_the_thesis_by_strength_is_no_heavier_than_an_inde
     assert sum(row.mass for row in found.groups if len(row.group.sections) > 1) / 2.0 <= 41.3e3
 
 
+@pytest.mark.slow
 @pytest.mark.study
 def test_the_interior_frame_of_the_thesis_by_all_of_ec8() -> None:
     """54.4 t a frame by the independent loop, whose sections miss sum M_Rc / sum M_Rb here: 1.28 for 1.3.
