@@ -33,9 +33,7 @@ def plans(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     results = BuildingResults(archive)
     different = _different_storeys(results)
     drawn = _other_outlines_first(results, different)[:PANELS]
-    left_out = (
-        f" {len(different) - len(drawn)} more plans differ in sections only." if len(different) > len(drawn) else ""
-    )
+    left_out = f" {len(different) - len(drawn)} more plans are not drawn." if len(different) > len(drawn) else ""
     for storeys in sorted(drawn):
         which = f"storey {storeys[0]}" if len(storeys) == 1 else f"storeys {_runs(storeys)}"
         sections = _sections(results, storeys[0])

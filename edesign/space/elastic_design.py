@@ -40,7 +40,7 @@ from edesign.space.analysis.storeys import Storeys, storeys
 from edesign.space.analysis.sway import SwayAnalysis, SwayStability, sway_criteria, sway_notes
 from edesign.space.analysis.vertical_component import vertical_combinations, vertical_component
 from edesign.space.analysis.yielded_braces import with_yielded_braces, yielded_combinations
-from edesign.space.checks.capacity import Joint, Overstrength, dissipative_members, joints, overstrength
+from edesign.space.checks.capacity import ROUNDING, Joint, Overstrength, dissipative_members, joints, overstrength
 from edesign.space.checks.column_feet import feet_criteria, hinged_feet
 from edesign.space.checks.criteria import (
     allowed_class,
@@ -63,9 +63,6 @@ from edesign.space.structure.load_cases import SELF_WEIGHT, self_weight
 from edesign.space.structure.masses import node_masses
 from edesign.space.structure.model import diaphragm_floors, member_properties, space_model
 from edesign.space.structure.steel_by_thickness import steel_by_thickness, with_steel_by_thickness
-
-MASSES_BY_LOADS = 1.01
-"""Weight of the masses over the loads from which a note says so: masses from loads are at most these, but rounding."""
 
 
 @dataclass(frozen=True)
@@ -418,7 +415,7 @@ class ElasticAnalysis:
         found += [LIVE_LOADS_REDUCED] if self._reduction is not None else []
         weight = float(frame.node_mass.sum()) * STANDARD_GRAVITY
         loads = float(gravity_above(frame, self.seismic[0].static)[0])
-        if weight > MASSES_BY_LOADS * loads:
+        if weight > loads * (1.0 + ROUNDING):  # masses from loads weigh at most as much as these
             found.append(
                 f"the masses weigh {weight / 1e3:.0f} kN and the loads beside the seismic action only "
                 f"{loads / 1e3:.0f} kN; P and theta are those of the loads"

@@ -63,7 +63,6 @@ class SeismicResponse:
         drift: (n_storeys,) d_e: the largest of the storey's columns, of the design spectrum without q_d, m.
         drift_elastic: (n_storeys,) the same of the elastic spectrum, m.
         internal: (n_members, n_stations, 6) as in StaticResponse.
-        torsion: (n_members, n_stations, 6) part of `internal` that comes from accidental torsion.
         reactions: (n_supports, 6) of the supports on the frame, N and N m.
     """
 
@@ -77,7 +76,6 @@ class SeismicResponse:
     drift: np.ndarray
     drift_elastic: np.ndarray
     internal: np.ndarray
-    torsion: np.ndarray
     reactions: np.ndarray
 
 
@@ -156,7 +154,6 @@ def seismic_response(
         drift=drifts(amplitude),
         drift_elastic=drifts(amplitude_elastic),
         internal=internal + twist.internal,
-        torsion=twist.internal,
         reactions=supports.combined(bracing, supports.modal(modes.end_forces), axial, scaled) + twist.reactions,
     )
 
