@@ -29,11 +29,10 @@ from edesign.space.analysis.effects import Effects, effects, largest
 from edesign.space.analysis.live_load_reduction import NOTE as LIVE_LOADS_REDUCED
 from edesign.space.analysis.live_load_reduction import LiveLoadReduction
 from edesign.space.analysis.response import (
+    ResponseSpectrumAnalysis,
     SeismicResponse,
     StaticResponse,
     gravity_above,
-    response_of_shifted_masses,
-    seismic_response,
     static_response,
 )
 from edesign.space.analysis.storeys import Storeys, storeys
@@ -302,21 +301,9 @@ class ElasticAnalysis:
             modes = _first(modes, design.modes, building)
         self._tell("effects of the actions")
         static = static_response(gravity_model, frame)
-        found_by = response_of_shifted_masses if design.torsion_by == "shifted_masses" else seismic_response
+        analysis = ResponseSpectrumAnalysis(model, frame, self._elastic, design, self.bracing, self.supports)
         response = {
-            axis: found_by(
-                model,
-                frame,
-                modes,
-                axis,
-                self._elastic,
-                DesignSpectrum.of(self._elastic, q[axis], self._national.beta),
-                design.combination,
-                design.damping,
-                design.accidental_torsion,
-                self.bracing,
-                self.supports,
-            )
+            axis: analysis.response(modes, axis, DesignSpectrum.of(self._elastic, q[axis], self._national.beta))
             for axis in AXES
         }
         height = np.array(building.heights)

@@ -23,6 +23,7 @@ from edesign.space.structure.frame import AXES, Axis, LoadCase, SpaceFrame
 from edesign.space.structure.model import diaphragm_floors
 
 if TYPE_CHECKING:
+    from edesign.project.building.design import Design
     from edesign.space.analysis.bracing import Bracing
     from edesign.space.checks.foundations import Supports
 
@@ -84,136 +85,147 @@ def static_response(model: SpaceModel, frame: SpaceFrame) -> StaticResponse:
     return static_cases(model, tuple(frame.cases.values()))
 
 
-def seismic_response(
-    model: SpaceModel,
-    frame: SpaceFrame,
-    modes: SpaceModes,
-    axis: Axis,
-    elastic: ElasticSpectrum,
-    spectrum: DesignSpectrum,
-    combination: str,
-    damping: float,
-    torsion: float,
-    bracing: Bracing,
-    supports: Supports,
-    mass_shift: np.ndarray | None = None,
-) -> SeismicResponse:
-    """Return the effects of the seismic action in one direction by modal response spectrum analysis.
+@dataclass(frozen=True)
+class ResponseSpectrumAnalysis:
+    """Modal response spectrum analysis of a frame, EN 1998-1:2004, 4.3.3.3.
 
-    Accidental torsion is a static load case of the moments e_ai F_i (4.3.3.3.3); its effects are added to those of the
-    modes, with the sign that adds, to drifts as well.
-
-    Args:
-        model, frame, modes: the structure.
-        axis: of the ground motion.
-        elastic, spectrum: of the direction; `elastic` gives the drifts that cap q d_e (4.3.4(3)).
-        combination: `cqc` or `srss`.
-        damping: ratio of critical damping of the modes.
-        torsion: e_ai / L_i; 0 for none.
+    Attributes:
+        model, frame: the structure.
+        elastic: spectrum of the drifts that cap q d_e (4.3.4(3)).
+        design: how modes are combined, their damping, and accidental torsion.
         bracing: what braces bring to columns and beams.
         supports: of the frame.
-        mass_shift: (n_nodes, 2) m, as the modes were found with.
-
-    Raises:
-        InputError: SRSS is asked for and modes are close.
     """
-    direction = AXES.index(axis)
-    rho = _correlation(modes, combination, damping)
-    gamma = modes.participation[:, direction]
-    S_d = spectrum.acceleration(modes.period)
-    amplitude = gamma * S_d / modes.omega**2
-    amplitude_elastic = gamma * elastic.acceleration(modes.period) / modes.omega**2
-    free = _without_beta(spectrum)
-    amplitude_free = gamma * free.acceleration(modes.period) / modes.omega**2
 
-    shear = _modal_storey_shear(frame, modes, direction, mass_shift)  # (k, storeys) for an amplitude of 1
-    drift, storey = _modal_drift(frame, modes, direction)  # (k, columns)
-    storey_shear = combine(shear.T, rho * np.outer(amplitude, amplitude))
-    twist = _accidental_torsion(model, frame, modes, axis, float(storey_shear[0]), torsion, bracing, supports)
+    model: SpaceModel
+    frame: SpaceFrame
+    elastic: ElasticSpectrum
+    design: Design
+    bracing: Bracing
+    supports: Supports
 
-    def drifts(of: np.ndarray) -> np.ndarray:
-        base_shear = combine(shear[:, :1].T, rho * np.outer(of, of))[0]
-        torsional = twist.drift * base_shear / storey_shear[0]  # its lateral forces are those of this spectrum
-        found = combine(drift.T, rho * np.outer(of, of)) + torsional
-        worst = np.zeros(frame.n_floors)
-        np.maximum.at(worst, storey, found)
-        return worst
+    def response(self, modes: SpaceModes, axis: Axis, spectrum: DesignSpectrum) -> SeismicResponse:
+        """Return the effects of the seismic action in one direction, with accidental torsion.
 
-    scaled = rho * np.outer(amplitude, amplitude)
-    internal = combine_internal(modes.end_forces, scaled, STATIONS)
-    axial = modes.end_forces[:, :, AXIAL_AT_END]
-    internal = bracing.axial_forces(internal, axial, scaled)
-    return SeismicResponse(
-        axis=axis,
-        spectrum=spectrum,
-        acceleration=S_d,
-        lower_bound=np.asarray(S_d > free.acceleration(modes.period)),
-        base_shear=float(storey_shear[0]),
-        base_shear_without_beta=float(combine(shear[:, :1].T, rho * np.outer(amplitude_free, amplitude_free))[0]),
-        storey_shear=storey_shear,
-        drift=drifts(amplitude),
-        drift_elastic=drifts(amplitude_elastic),
-        internal=internal + twist.internal,
-        reactions=supports.combined(bracing, supports.modal(modes.end_forces), axial, scaled) + twist.reactions,
-    )
+        Torsion is a static load case of the moments e_ai F_i (4.3.3.3.3), whose effects are added to those of the modes
+        with the sign that adds, to drifts as well; or the masses of all floors stand e_ai to either side (4.3.2(1)P,
+        Eq. 4.3), and of every quantity the larger one of both sides counts, with all modes of either.
 
+        Args:
+            modes: of the masses in place; S_d is of their periods.
+            axis: of the ground motion.
+            spectrum: of this direction.
 
-def response_of_shifted_masses(
-    model: SpaceModel,
-    frame: SpaceFrame,
-    modes: SpaceModes,
-    axis: Axis,
-    elastic: ElasticSpectrum,
-    spectrum: DesignSpectrum,
-    combination: str,
-    damping: float,
-    torsion: float,
-    bracing: Bracing,
-    supports: Supports,
-) -> SeismicResponse:
-    """Return the effects of the seismic action in one direction with the masses of all floors e_ai to either side.
-
-    Of every quantity the larger one of both sides counts, with all modes of either. S_d is that of the modes given,
-    which are those of the masses in place; other arguments, and errors, as `seismic_response`.
-
-    Source: EN 1998-1:2004, 4.3.2(1)P, Eq. 4.3.
-    """
-    across = 1 - AXES.index(axis)
-    shift = np.zeros((len(frame.node_names), 2))
-    for level in range(1, frame.n_floors + 1):
-        at_floor = frame.level_of_nodes == level
-        length = np.ptp(frame.coordinates[at_floor, across])
-        shift[at_floor & (frame.node_floor >= 0), across] = accidental_eccentricity(length, torsion)
-    one, other = (
-        seismic_response(
-            model,
-            frame,
-            model.modes(frame.node_mass, mass_shift=side * shift),
-            axis,
-            elastic,
-            spectrum,
-            combination,
-            damping,
-            torsion=0.0,
-            bracing=bracing,
-            supports=supports,
-            mass_shift=side * shift,
+        Raises:
+            InputError: SRSS is asked for and modes are close.
+        """
+        if self.design.torsion_by != "shifted_masses":
+            return self._of_modes(modes, axis, spectrum, self.design.accidental_torsion)
+        shift = self._shift(axis)
+        one, other = (
+            self._of_modes(
+                self.model.modes(self.frame.node_mass, mass_shift=side), axis, spectrum, 0.0, mass_shift=side
+            )
+            for side in (shift, -shift)
         )
-        for side in (1.0, -1.0)
-    )
-    S_d = spectrum.acceleration(modes.period)
-    return replace(
-        one,
-        acceleration=S_d,
-        lower_bound=np.asarray(S_d > _without_beta(spectrum).acceleration(modes.period)),
-        base_shear=max(one.base_shear, other.base_shear),
-        base_shear_without_beta=max(one.base_shear_without_beta, other.base_shear_without_beta),
-        storey_shear=np.maximum(one.storey_shear, other.storey_shear),
-        drift=np.maximum(one.drift, other.drift),
-        drift_elastic=np.maximum(one.drift_elastic, other.drift_elastic),
-        internal=np.maximum(one.internal, other.internal),
-        reactions=np.maximum(one.reactions, other.reactions),
-    )
+        larger = {
+            name: np.maximum(getattr(one, name), getattr(other, name))
+            for name in ("storey_shear", "drift", "drift_elastic", "internal", "reactions")
+        }
+        S_d = spectrum.acceleration(modes.period)
+        return replace(
+            one,
+            acceleration=S_d,
+            lower_bound=np.asarray(S_d > _without_beta(spectrum).acceleration(modes.period)),
+            base_shear=max(one.base_shear, other.base_shear),
+            base_shear_without_beta=max(one.base_shear_without_beta, other.base_shear_without_beta),
+            **larger,
+        )
+
+    def _shift(self, axis: Axis) -> np.ndarray:
+        """By how much the masses of each node stand e_ai to one side, (n_nodes, 2) m."""
+        frame, across = self.frame, 1 - AXES.index(axis)
+        shift = np.zeros((len(frame.node_names), 2))
+        for level in range(1, frame.n_floors + 1):
+            at_floor = frame.level_of_nodes == level
+            length = np.ptp(frame.coordinates[at_floor, across])
+            eccentricity = accidental_eccentricity(length, self.design.accidental_torsion)
+            shift[at_floor & (frame.node_floor >= 0), across] = eccentricity
+        return shift
+
+    def _of_modes(
+        self,
+        modes: SpaceModes,
+        axis: Axis,
+        spectrum: DesignSpectrum,
+        torsion: float,
+        mass_shift: np.ndarray | None = None,
+    ) -> SeismicResponse:
+        """Return the response in given modes.
+
+        `torsion`: e_ai / L_i of a static load case, 0 for none; `mass_shift`: (n_nodes, 2) m, as the modes were found.
+        """
+        direction = AXES.index(axis)
+        rho = _correlation(modes, self.design.combination, self.design.damping)
+        gamma = modes.participation[:, direction]
+        S_d = spectrum.acceleration(modes.period)
+        amplitude = gamma * S_d / modes.omega**2
+        amplitude_elastic = gamma * self.elastic.acceleration(modes.period) / modes.omega**2
+        free = _without_beta(spectrum)
+        amplitude_free = gamma * free.acceleration(modes.period) / modes.omega**2
+
+        shear = _modal_storey_shear(self.frame, modes, direction, mass_shift)  # (k, storeys) for an amplitude of 1
+        drift, storey = _modal_drift(self.frame, modes, direction)  # (k, columns)
+        scaled = rho * np.outer(amplitude, amplitude)
+        storey_shear = combine(shear.T, scaled)
+        twist = self._accidental_torsion(axis, float(storey_shear[0]), torsion)
+
+        def drifts(of: np.ndarray) -> np.ndarray:
+            base_shear = combine(shear[:, :1].T, rho * np.outer(of, of))[0]
+            torsional = twist.drift * base_shear / storey_shear[0]  # its lateral forces are those of this spectrum
+            found = combine(drift.T, rho * np.outer(of, of)) + torsional
+            worst = np.zeros(self.frame.n_floors)
+            np.maximum.at(worst, storey, found)
+            return worst
+
+        axial = modes.end_forces[:, :, AXIAL_AT_END]
+        internal = self.bracing.axial_forces(combine_internal(modes.end_forces, scaled, STATIONS), axial, scaled)
+        reactions = self.supports.combined(self.bracing, self.supports.modal(modes.end_forces), axial, scaled)
+        return SeismicResponse(
+            axis=axis,
+            spectrum=spectrum,
+            acceleration=S_d,
+            lower_bound=np.asarray(S_d > free.acceleration(modes.period)),
+            base_shear=float(storey_shear[0]),
+            base_shear_without_beta=float(combine(shear[:, :1].T, rho * np.outer(amplitude_free, amplitude_free))[0]),
+            storey_shear=storey_shear,
+            drift=drifts(amplitude),
+            drift_elastic=drifts(amplitude_elastic),
+            internal=internal + twist.internal,
+            reactions=reactions + twist.reactions,
+        )
+
+    def _accidental_torsion(self, axis: Axis, base_shear: float, ratio: float) -> _Twist:
+        """Return the effects of M_ai = e_ai F_i, F_i by the heights of the floors (Eq. 4.11), without sign."""
+        frame, level = self.frame, self.frame.level_of_nodes
+        rigid = [int(np.flatnonzero(frame.node_floor == floor)[0]) for floor in diaphragm_floors(frame)]
+        if ratio == 0.0 or not rigid:
+            nothing = np.zeros((len(frame.members), STATIONS.size, 6))
+            return _Twist(nothing, np.zeros(frame.columns.size), np.zeros((self.supports.nodes.size, 6)))
+        floors = level[rigid]
+        mass = np.bincount(level, weights=frame.node_mass, minlength=frame.n_floors + 1)[floors]
+        across = frame.coordinates[:, 1 - AXES.index(axis)]
+        length = np.array([np.ptp(across[level == floor]) for floor in floors])
+        nodal = np.zeros((len(frame.node_names), 6))
+        nodal[rigid, 5] = accidental_moments(lateral_forces(base_shear, mass, frame.levels[floors]), length, ratio)
+        found = static_cases(self.model, (nodal_case(frame, "torsion", nodal),))
+        start, end = (nodes[frame.columns] for nodes in frame.ends)
+        moved = found.displacements[0][:, AXES.index(axis)]
+        axial = found.internal[:, :, 0, 0]
+        one = np.ones((1, 1))
+        internal = self.bracing.axial_forces(np.abs(found.internal[0]), axial, one)
+        reactions = self.supports.combined(self.bracing, found.reactions[:, self.supports.nodes], axial, one)
+        return _Twist(internal, np.abs(moved[end] - moved[start]), reactions)
 
 
 def gravity_above(frame: SpaceFrame, factors: Mapping[str, float]) -> np.ndarray:
@@ -276,38 +288,6 @@ def _modal_drift(frame: SpaceFrame, modes: SpaceModes, direction: int) -> tuple[
     start, end = (nodes[frame.columns] for nodes in frame.ends)
     moved = modes.displacements[:, :, direction]
     return moved[:, end] - moved[:, start], frame.storey[frame.columns]
-
-
-def _accidental_torsion(
-    model: SpaceModel,
-    frame: SpaceFrame,
-    modes: SpaceModes,
-    axis: Axis,
-    base_shear: float,
-    ratio: float,
-    bracing: Bracing,
-    supports: Supports,
-) -> _Twist:
-    """Return the effects of M_ai = e_ai F_i, F_i by the heights of the floors (Eq. 4.11), without sign."""
-    level = frame.level_of_nodes
-    rigid = [int(np.flatnonzero(frame.node_floor == floor)[0]) for floor in diaphragm_floors(frame)]
-    if ratio == 0.0 or not rigid:
-        nothing = np.zeros((len(frame.members), STATIONS.size, 6))
-        return _Twist(nothing, np.zeros(frame.columns.size), np.zeros((supports.nodes.size, 6)))
-    floors = level[rigid]
-    mass = np.bincount(level, weights=frame.node_mass, minlength=frame.n_floors + 1)[floors]
-    across = frame.coordinates[:, 1 - AXES.index(axis)]
-    length = np.array([np.ptp(across[level == floor]) for floor in floors])
-    nodal = np.zeros((len(frame.node_names), 6))
-    nodal[rigid, 5] = accidental_moments(lateral_forces(base_shear, mass, frame.levels[floors]), length, ratio)
-    found = static_cases(model, (nodal_case(frame, "torsion", nodal),))
-    start, end = (nodes[frame.columns] for nodes in frame.ends)
-    moved = found.displacements[0][:, AXES.index(axis)]
-    axial = found.internal[:, :, 0, 0]
-    one = np.ones((1, 1))
-    internal = bracing.axial_forces(np.abs(found.internal[0]), axial, one)
-    reactions = supports.combined(bracing, found.reactions[:, supports.nodes], axial, one)
-    return _Twist(internal, np.abs(moved[end] - moved[start]), reactions)
 
 
 def static_cases(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticResponse:
