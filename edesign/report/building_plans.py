@@ -163,10 +163,15 @@ def _draw_beams(axes: Axes, results: BuildingResults, beams: np.ndarray, braces:
         of_way = np.flatnonzero(along_x == way)
         for name in dict.fromkeys(section[of_way].tolist()):
             alike = of_way[section[of_way] == name]
-            k = int((alike[free[alike]] if free[alike].any() else alike)[-1])
+            beside_nothing = free[alike].any()
+            k = int((alike[free[alike]] if beside_nothing else alike)[-1])
             x, y = (0.5 * (start[k] + end[k]))[:2]
-            turned = {"rotation": 0, "va": "bottom"} if way else {"rotation": 90, "va": "center"}
-            axes.text(x, y, f" {name} ", fontsize=6.0, ha="center" if way else "right", **turned)  # type: ignore[arg-type]
+            side = 1.0 if beside_nothing else -1.0  # braces are drawn above a beam along x, on the left of one along y
+            shift = (0.0, side) if way else (-2.0 * side, 0.0)
+            place = {"ha": "center", "va": "bottom" if beside_nothing else "top", "rotation": 0}
+            if not way:
+                place = {"ha": "right" if beside_nothing else "left", "va": "center", "rotation": 90}
+            axes.annotate(name, (x, y), shift, textcoords="offset points", fontsize=6.0, **place)  # type: ignore[arg-type]
 
 
 def _bays(results: BuildingResults, members: np.ndarray) -> list[tuple[str, int]]:
