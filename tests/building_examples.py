@@ -7,6 +7,7 @@ import numpy as np
 from edesign.building.building_sections import BuildingSections
 from edesign.core.space import PROPERTIES, SpaceModel
 from edesign.project.building import Building, parse_building
+from edesign.space.elastic_design import ElasticDesign, elastic_design
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.model import member_properties, space_model
@@ -84,12 +85,132 @@ masses: {from_loads: {Q: {B: 0.3, C: 0.6, snow: 0}}, phi: 0.8}
 """Lines A to D along x, 1 to 3 along y."""
 
 
-def building(text: str, *changes: tuple[str, str]) -> Building:
-    """A building of a text with some of it changed."""
+_OFFICE = """\
+edesign_building: 1
+title: Office on frames
+plan: {x: [@x@], y: [@y@]}
+storeys: [@storeys@]
+supports: fixed
+columns: [{section: HEB300, material: S275, strong: x, group: C}]
+beams:
+  - {along: x, section: IPE400, material: S275, ends: rigid, group: BX}
+  - {along: y, section: IPE400, material: S275, ends: rigid, group: BY}
+materials: {S275: {fy: 275 MPa}}
+loads:
+  areas: [{G: 5 kN/m^2, Q: 2 kN/m^2, category: B, spans: y}]
+  self_weight: false
+masses: {from_loads: {G: 1.0, Q: 0.3}}
+hazard: {code: ec8-2004, a_gR: 2.5 m/s^2, ground: B, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}
+design:
+  ductility_class: medium
+  systems: {x: {type: moment_frame, q: 4}, y: {type: moment_frame, q: 4}}
+"""
+
+_PORTALS = """\
+edesign_building: 1
+title: Portals along x, held across
+plan: {x: [@x@], y: [@y@]}
+storeys: [@storeys@]
+supports: fixed
+columns: [{section: HEB200, material: steel, strong: x}]
+beams:
+  - {along: x, section: @beam@, material: steel}
+  - {along: y, section: @beam@, material: steel, ends: pinned}
+braces:
+  - {along: y, frames: all, bays: 1, kind: cross, compression: true, section: SHS100x5, material: steel}
+materials: {steel: {fy: @fy@}}
+loads:
+  beams: [{along: x, G: @G@}]
+  self_weight: false
+masses: {from_loads: {}}
+hazard: {code: ec8-2004, a_gR: 0.1 g, ground: B, spectrum: 1, levels: {DBE: {probability: 10 %}}}
+design:
+  ductility_class: medium
+  systems: {x: {type: moment_frame, q: 4}, y: {type: concentric_diagonal, q: 4}}
+"""
+
+
+PINNED = ("supports: fixed", "supports: pinned")
+"""A change of these files: all feet on hinges."""
+NO_TORSION = "  accidental_torsion: none\n"
+"""Key of a design; without it buildings have the accidental torsion of 5 %."""
+
+
+def moment_frames(x: str = "6 m", y: str = "8 m", storeys: str = "4 m") -> str:
+    """The file of an office on moment frames both ways, by default a table of four columns.
+
+    Columns HEB300 and beams IPE400 of S275, all rigid; 5 kN/m2 and 2 kN/m2, which beams along x carry; no weight of
+    its own. The hazard is 2.5 m/s2 on ground B, q = 4. More keys of the design may be put behind it.
+
+    Args:
+        x, y: widths of the bays, such as "6 m, 5 m".
+        storeys: their heights.
+    """
+    return _filled(_OFFICE, x=x, y=y, storeys=storeys)
+
+
+def braced_frames(
+    x: str = "6 m", y: str = "8 m", storeys: str = "4 m", braces: str = "kind: cross, section: SHS100x6"
+) -> str:
+    """The file of the same office with braces along y in all bays, where its beams are hinged.
+
+    Args:
+        x, y: widths of the bays.
+        storeys: their heights.
+        braces: kind and section.
+    """
+    return changed(
+        moment_frames(x, y, storeys),
+        ("ends: rigid, group: BY", "ends: pinned, group: BY"),
+        ("materials:", f"braces:\n  - {{along: y, frames: all, bays: all, {braces}, material: S275}}\nmaterials:"),
+        ("y: {type: moment_frame", "y: {type: concentric_diagonal"),
+    )
+
+
+def portals(
+    x: str = "8 m", y: str = "6 m", storeys: str = "5 m", beam: str = "IPE300", fy: str = "275 MPa", G: str = "40 kN/m"
+) -> str:
+    """The file of portals along x whose sway is looked at: by default one of 8 m by 5 m, twice, 6 m apart.
+
+    Columns HEB200, fixed; crosses along y, which act in compression too. More keys of the design may be put behind it.
+
+    Args:
+        x, y: widths of the bays.
+        storeys: their heights.
+        beam: section of all beams; those along y are hinged.
+        fy: yield strength of the steel.
+        G: load on the beams along x, the only one.
+    """
+    return _filled(_PORTALS, x=x, y=y, storeys=storeys, beam=beam, fy=fy, G=G)
+
+
+def _filled(text: str, **values: str) -> str:
+    for name, value in values.items():
+        text = text.replace(f"@{name}@", value)
+    return text
+
+
+def changed(text: str, *changes: tuple[str, str]) -> str:
+    """A text with some of it changed, each old part of which must stand there once."""
     for old, new in changes:
         assert text.count(old) == 1, f"{old!r} must stand in the building once"
         text = text.replace(old, new)
-    return parse_building(text, "building.yaml", BuildingSections())
+    return text
+
+
+def building(text: str, *changes: tuple[str, str]) -> Building:
+    """A building of a text with some of it changed."""
+    return parse_building(changed(text, *changes), "building.yaml", BuildingSections())
+
+
+def design_of(text: str, *changes: tuple[str, str]) -> ElasticDesign:
+    """The elastic design of a building of a text with some of it changed."""
+    return elastic_design(building(text, *changes))
+
+
+def number_of(frame: SpaceFrame, name: str) -> int:
+    """The number of the member of a name."""
+    return [member.name for member in frame.members].index(name)
 
 
 def bending_only(of: Building) -> tuple[SpaceFrame, SpaceModel, np.ndarray]:

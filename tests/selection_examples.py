@@ -5,9 +5,9 @@ from __future__ import annotations
 from itertools import product
 
 import numpy as np
+from building_examples import building
 
-from edesign.building.building_sections import BuildingSections
-from edesign.project.building import Building, parse_building
+from edesign.project.building import Building
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.evaluate import Evaluation, Evaluator
 from edesign.space.selection.groups import groups_of
@@ -85,7 +85,7 @@ def random_frames(seed: int, sizes: int, groups: int) -> Building:
     )
     if groups == 3:
         text = text.replace("section: IPE330", "section: IPE360")
-    return parse_building(text, "building.yaml", BuildingSections())
+    return building(text)
 
 
 def enumerated(building: Building) -> Evaluation | None:

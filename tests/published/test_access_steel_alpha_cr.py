@@ -7,34 +7,15 @@ Two bays of 6 m, two storeys of 3.5 m, columns HEB200, beams IPE400 under 38.9 k
 from __future__ import annotations
 
 import pytest
-from building_examples import bending_only, building
+from building_examples import bending_only, building, design_of, portals
 
 from edesign.space.analysis.sway import critical_factors, geometric_stiffness
 from edesign.space.elastic_design import elastic_design
 
-FRAME = """\
-edesign_building: 1
-title: Access Steel SX006a
-plan: {x: [6 m, 6 m], y: [3 m]}
-storeys: [3.5 m, 3.5 m]
-supports: fixed
-columns: [{section: HEB200, material: S235, strong: x}]
-beams:
-  - {along: x, section: IPE400, material: S235}
-  - {along: y, section: IPE400, material: S235, ends: pinned}
-braces:
-  - {along: y, frames: all, bays: 1, kind: cross, compression: true, section: SHS100x5, material: S235}
-materials: {S235: {fy: 235 MPa}}
-loads:
-  beams: [{along: x, G: 38.9 kN/m}]
-  self_weight: false
-masses: {from_loads: {}}
-hazard: {code: ec8-2004, a_gR: 0.1 g, ground: B, spectrum: 1, levels: {DBE: {probability: 10 %}}}
-design:
-  ductility_class: medium
-  systems: {x: {type: moment_frame, q: 4}, y: {type: concentric_diagonal, q: 4}}
-  partial_factors: {G: 1.0}
-"""
+FRAME = (
+    portals(x="6 m, 6 m", y="3 m", storeys="3.5 m, 3.5 m", beam="IPE400", fy="235 MPa", G="38.9 kN/m")
+    + "  partial_factors: {G: 1.0}\n"
+)
 
 
 @pytest.mark.parametrize(("feet", "published"), [("fixed", 27.06), ("pinned", 6.79)])
@@ -55,7 +36,7 @@ def test_alpha_cr(feet: str, published: float) -> None:
 
 def test_initial_sway_and_its_forces() -> None:
     """phi = 1/324 and 1.44 kN a floor and frame, to the digits printed; three columns, of which all count."""
-    sway = elastic_design(building(FRAME)).sway
+    sway = design_of(FRAME).sway
     phi = sway.initial_sway[0, 0]
     assert round(1.0 / phi) == 324
     assert phi * 38.9 * 12.0 == pytest.approx(1.44, abs=0.005)

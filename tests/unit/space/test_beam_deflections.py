@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from building_examples import building
+from building_examples import building, design_of, number_of
 
 from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.space.analysis.deflections import LIMITED, Deflections, under_point_loads
-from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
+from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.selection.evaluate import searched_clauses
 
 HALL = """\
@@ -54,7 +54,7 @@ def simple(P: float, w: float) -> float:
 
 
 def test_simply_supported_with_loads_at_thirds() -> None:
-    design = elastic_design(building(HALL))
+    design = design_of(HALL)
     total, live = of_beam(design, "BX_1_1_1")
     assert total == pytest.approx(simple(P_G + P_Q, 1e3), rel=1e-9)
     assert live == pytest.approx(simple(P_Q, 0.0), rel=1e-9)
@@ -66,8 +66,8 @@ def test_simply_supported_with_loads_at_thirds() -> None:
 def test_ends_that_are_held() -> None:
     """A beam whose columns hold its ends: v of hinges less M L2 / 8 EI of the end moments that statics gives (1e-9)."""
     text = HALL.replace("ends: pinned, group: BX", "ends: rigid, group: BX")
-    design = elastic_design(building(text))
-    number = [member.name for member in design.frame.members].index("BX_1_1_1")
+    design = design_of(text)
+    number = number_of(design.frame, "BX_1_1_1")
     M = np.abs(design.static.internal[:, number, [0, -1], 4]).sum()  # both ends and both cases alike
     total, _ = of_beam(design, "BX_1_1_1")
     expected = simple(P_G + P_Q, 1e3) - 0.5 * M * L**2 / (8.0 * E * IPE400.I_y)
@@ -81,7 +81,7 @@ def test_fixed_ends() -> None:
     """
     text = HALL.replace("ends: pinned, group: BX", "ends: rigid, group: BX").replace("HEB300", "HEB1000")
     text = text.replace("section: IPE400", "section: IPE240")
-    total, _ = of_beam(elastic_design(building(text)), "BX_1_1_1")
+    total, _ = of_beam(design_of(text), "BX_1_1_1")
     of = steel_section("IPE240")
     P, w, EI, GA = P_G + P_Q, 1e3, E * of.I_y, G * of.A_z
     held = 5.0 * P * L**3 / (648.0 * EI) + w * L**4 / (384.0 * EI) + (P * L / 3.0 + w * L**2 / 8.0) / GA
@@ -104,7 +104,7 @@ def test_a_beam_that_braces_meet_spans_the_bay() -> None:
     text = HALL.replace(
         "{along: x, frames: all, bays: 1, kind: cross,", "{along: x, frames: all, bays: 1, kind: chevron,"
     ).replace("x: {type: concentric_diagonal, q: 4}", "x: {type: concentric_v, q: 2}")
-    design = elastic_design(building(text))
+    design = design_of(text)
     for half in ("BX_1_1_1_1", "BX_1_1_1_2"):
         total, live = of_beam(design, half)
         assert total == pytest.approx(simple(P_G + P_Q, 1e3), rel=0.02)
@@ -113,9 +113,9 @@ def test_a_beam_that_braces_meet_spans_the_bay() -> None:
 
 
 def test_limits_make_rules() -> None:
-    assert not [rule for rule in elastic_design(building(HALL)).criteria if rule.clause == LIMITED]
+    assert not [rule for rule in design_of(HALL).criteria if rule.clause == LIMITED]
     limits = "  serviceability: {beams: {total: 1/250, live: 0.1 %}}\n"
-    found = elastic_design(building(HALL + limits))
+    found = design_of(HALL + limits)
     rules = {rule.text: rule for rule in found.criteria if rule.clause == LIMITED}
     text = "deflection of beams over span, characteristic, "
     total, live = rules[text + "all loads"], rules[text + "variable loads alone"]

@@ -3,56 +3,18 @@
 from __future__ import annotations
 
 import math
-from pathlib import Path
 
 import numpy as np
 import pytest
+from building_examples import NO_TORSION, PINNED, braced_frames, changed, design_of, number_of
 
-from edesign.building.building_file import load_building
 from edesign.building.steel_section import steel_section
 from edesign.codes.ec3 import lateral_torsional
 from edesign.space.analysis.bracing import bracing
-from edesign.space.elastic_design import ElasticDesign, elastic_design
-from edesign.space.structure.frame import SpaceFrame
+from edesign.space.elastic_design import ElasticDesign
 
-BUILDING = """
-edesign_building: 1
-title: One bay, two storeys, braced along y
-plan: {x: [6 m], y: [8 m]}
-storeys: [4 m, 3 m]
-supports: pinned
-columns:
-  - {section: HEB300, material: S275, strong: x, group: C}
-beams:
-  - {along: x, section: IPE400, material: S275, ends: rigid, group: BX}
-  - {along: y, section: IPE400, material: S275, ends: pinned, group: BY}
-braces:
-  - {along: y, frames: all, bays: all, kind: cross, section: SHS100x6, material: S275}
-materials: {S275: {fy: 275 MPa}}
-loads:
-  areas:
-    - {G: 5 kN/m^2, Q: 2 kN/m^2, category: B, spans: x}
-  self_weight: false
-masses: {from_loads: {G: 1.0, Q: 0.3}}
-hazard: {code: ec8-2004, a_gR: 2.5 m/s^2, ground: B, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}
-design:
-  ductility_class: medium
-  systems:
-    x: {type: moment_frame, q: 4}
-    y: {type: concentric_diagonal, q: 4}
-  accidental_torsion: none
-"""
-CHEVRONS = BUILDING.replace("kind: cross", "kind: chevron").replace("concentric_diagonal, q: 4", "concentric_v, q: 2")
-
-
-def design_of(folder: Path, text: str) -> ElasticDesign:
-    path = folder / "braced.yaml"
-    path.write_text(text, encoding="utf-8")
-    return elastic_design(load_building(path))
-
-
-def number_of(frame: SpaceFrame, name: str) -> int:
-    return next(n for n, member in enumerate(frame.members) if member.name == name)
+BUILDING = changed(braced_frames(storeys="4 m, 3 m"), PINNED, ("spans: y", "spans: x")) + NO_TORSION
+CHEVRONS = changed(BUILDING, ("kind: cross", "kind: chevron"), ("concentric_diagonal, q: 4", "concentric_v, q: 2"))
 
 
 def one_mode(found: ElasticDesign) -> tuple[np.ndarray, np.ndarray]:
@@ -63,14 +25,14 @@ def one_mode(found: ElasticDesign) -> tuple[np.ndarray, np.ndarray]:
     return axial[0], bracing(found.frame).axial_forces(plain, axial, np.ones((1, 1)))[:, :, 0]
 
 
-def test_a_truss_with_the_diagonals_in_tension_alone(tmp_path: Path) -> None:
+def test_a_truss_with_the_diagonals_in_tension_alone() -> None:
     """One bay, two storeys, by joints: the diagonals in tension carry T_1 and T_2, twice the force of the model.
 
     Columns: T_2 sin in storey 2, T_2 sin_2 + T_1 sin_1 below. Beams: the roof collects from 0 to T_2 cos; the floor
     goes from T_2 cos, which comes from above, to T_1 cos, which goes on below. Beams on hinges pass no shear, so that
     statics is exact (1e-9).
     """
-    found = design_of(tmp_path, BUILDING)
+    found = design_of(BUILDING)
     model, worse = one_mode(found)
     frame = found.frame
     T = [2.0 * abs(model[number_of(frame, f"DY_A_1_{storey}_r")]) for storey in (1, 2)]
@@ -88,18 +50,18 @@ def test_a_truss_with_the_diagonals_in_tension_alone(tmp_path: Path) -> None:
     np.testing.assert_allclose(floor, np.maximum(each, each[::-1]), rtol=1e-9)
 
 
-def test_the_storey_shear_goes_through_the_beams(tmp_path: Path) -> None:
+def test_the_storey_shear_goes_through_the_beams() -> None:
     """The roof beam of each of two frames collects half of the storey shear, but for what columns take (5 %)."""
-    found = design_of(tmp_path, BUILDING)
+    found = design_of(BUILDING)
     beam = number_of(found.frame, "BY_A_1_2")
     N = found.effects.seismic[1, beam, :, 0]
     assert N.max() == pytest.approx(0.5 * found.response["y"].storey_shear[1], rel=0.05)
     assert found.effects.seismic[0, beam, :, 0].max() < 0.01 * N.max()  # columns of frames along x get longer
 
 
-def test_diagonals_that_count_in_compression_leave_columns_as_they_are(tmp_path: Path) -> None:
+def test_diagonals_that_count_in_compression_leave_columns_as_they_are() -> None:
     """Each takes half of the shear; beams then collect from one half of it to the other: at most V/4 of a frame."""
-    found = design_of(tmp_path, BUILDING.replace("kind: cross,", "kind: cross, compression: true,"))
+    found = design_of(BUILDING, ("kind: cross,", "kind: cross, compression: true,"))
     model, worse = one_mode(found)
     H = 2.0 * abs(model[number_of(found.frame, "DY_A_1_2_r")]) * 8.0 / np.hypot(8.0, 3.0)
     roof = worse[number_of(found.frame, "BY_A_1_2")]
@@ -107,13 +69,13 @@ def test_diagonals_that_count_in_compression_leave_columns_as_they_are(tmp_path:
     assert not worse[found.frame.columns].any()  # what the model has is not touched
 
 
-def test_a_beam_beside_a_buckled_brace(tmp_path: Path) -> None:
+def test_a_beam_beside_a_buckled_brace() -> None:
     """EN 1998-1, 6.7.4(2), by hand: a beam of 8 m on hinges with q L2 / 8 + 0.7 N_pl sin L / 4 in the middle.
 
     The roof is pulled by the braces below alone: the floor gives back H = 1.3 N_pl cos evenly, and N goes from 0 at
     the column to H / 2 beside the middle. Braces keep a millionth of their stiffness under gravity (1e-4).
     """
-    found = design_of(tmp_path, CHEVRONS)
+    found = design_of(CHEVRONS)
     frame, acting = found.frame, found.effects
     N_pl = steel_section("SHS100x6").A * 275e6
     sine = [height / np.hypot(4.0, height) for height in (4.0, 3.0)]
@@ -136,12 +98,12 @@ def test_a_beam_beside_a_buckled_brace(tmp_path: Path) -> None:
     assert governing.name.startswith("G + 0.3 Q + braces")
 
 
-def test_the_floor_below_passes_the_forces_of_the_braces_above(tmp_path: Path) -> None:
+def test_the_floor_below_passes_the_forces_of_the_braces_above() -> None:
     """At the column the brace above pushes N_pl cos_2 (or 0.3 of it) into the beam; in the middle 1.3 N_pl cos_1 leave.
 
     Balance of the halves: the floor gives the difference evenly.
     """
-    found = design_of(tmp_path, CHEVRONS)
+    found = design_of(CHEVRONS)
     N_pl = steel_section("SHS100x6").A * 275e6
     low, high = (N_pl * 4.0 / np.hypot(4.0, height) for height in (4.0, 3.0))
     first, second = (number_of(found.frame, f"BY_A_1_1_{half}") for half in (1, 2))
@@ -151,25 +113,25 @@ def test_the_floor_below_passes_the_forces_of_the_braces_above(tmp_path: Path) -
     np.testing.assert_allclose(forces[second, [0, -1], 0], [0.3 * high + step, 0.3 * high], rtol=1e-9)
 
 
-def test_class_low_has_no_buckled_braces(tmp_path: Path) -> None:
+def test_class_low_has_no_buckled_braces() -> None:
     low = CHEVRONS.replace("class: medium", "class: low").replace("q: 4", "q: 1.5").replace("q: 2", "q: 1.5")
-    assert not [row for row in design_of(tmp_path, low).combinations if "braces" in row.name]
+    assert not [row for row in design_of(low).combinations if "braces" in row.name]
 
 
-def test_halves_of_beams_buckle_as_one(tmp_path: Path) -> None:
+def test_halves_of_beams_buckle_as_one() -> None:
     """A braced beam of 8 m has the buckling length of 8 m about y, not that of its halves (6.7.4(2))."""
-    found = design_of(tmp_path, CHEVRONS)
+    found = design_of(CHEVRONS)
     span = bracing(found.frame).span
     assert span[number_of(found.frame, "BY_A_1_1_1")] == span[number_of(found.frame, "BY_A_1_1_2")] == 8.0
 
 
-def test_the_class_of_a_beam_follows_its_axial_force(tmp_path: Path) -> None:
+def test_the_class_of_a_beam_follows_its_axial_force() -> None:
     """IPE400 is of class 1 in bending. N of SHS180x10, half of 1.3 N_pl cos, presses its whole web: class 3.
 
     Web c/t = 331 / 8.6 = 38.5 is above 33 epsilon = 30.5. M_b,Rd then has the elastic modulus (1e-4: braces keep a
     millionth of their stiffness under gravity).
     """
-    found = design_of(tmp_path, CHEVRONS.replace("SHS100x6", "SHS180x10"))
+    found = design_of(CHEVRONS, ("SHS100x6", "SHS180x10"))
     first = number_of(found.frame, "BY_A_1_2_1")
     row = next(row for row in found.combinations if "braces" in row.name)
     M = np.abs(found.effects.of_static(row)[first, :, 4])
@@ -178,22 +140,22 @@ def test_the_class_of_a_beam_follows_its_axial_force(tmp_path: Path) -> None:
     assert found.members.utilisation[first, bending] == pytest.approx(M.max() / elastic, rel=1e-4)
 
 
-def test_columns_beside_single_diagonals_that_buckle(tmp_path: Path) -> None:
+def test_columns_beside_single_diagonals_that_buckle() -> None:
     """EN 1998-1, 6.7.4(3), by joints: in bays 1 and 3 of three, mirrored; those in compression push with N_b,Rd.
 
     SHS100x6 of 8.94 m, curve a: lambda = 2.70 and N_b,Rd = 0.127 N_pl,Rd (by hand, three digits). The floor moves
     along y: the diagonal of bay 3, which falls, buckles. Its head is at line 3 and its foot at line 4.
     """
-    text = (
-        BUILDING.replace("y: [8 m]", "y: [8 m, 8 m, 8 m]")
-        .replace("storeys: [4 m, 3 m]", "storeys: [4 m]")
-        .replace(
+    found = design_of(
+        BUILDING,
+        ("y: [8 m]", "y: [8 m, 8 m, 8 m]"),
+        ("storeys: [4 m, 3 m]", "storeys: [4 m]"),
+        (
             "  - {along: y, frames: all, bays: all, kind: cross,",
             "  - {along: y, frames: all, bays: 1, kind: rising, section: SHS100x6, material: S275}\n"
             "  - {along: y, frames: all, bays: 3, kind: falling,",
-        )
+        ),
     )
-    found = design_of(tmp_path, text)
     length = np.hypot(8.0, 4.0)
     section = steel_section("SHS100x6")
     slenderness = length / section.i_z / (np.pi * np.sqrt(210e9 / 275e6))
@@ -208,24 +170,24 @@ def test_columns_beside_single_diagonals_that_buckle(tmp_path: Path) -> None:
     assert pushed == pytest.approx({1: 0.0, 2: 0.0, 3: 1.0, 4: 0.0}, abs=1e-9)
     names = [row.name for row in found.members.amplified]
     assert len([name for name in names if name.endswith("buckling+")]) == 2
-    assert not any("buckling" in row.name for row in design_of(tmp_path, BUILDING).combinations)
+    assert not any("buckling" in row.name for row in design_of(BUILDING).combinations)
 
 
-def test_beams_of_floors_that_are_not_rigid(tmp_path: Path) -> None:
+def test_beams_of_floors_that_are_not_rigid() -> None:
     """Of the masses at both nodes of the roof half pulls and half pushes: N = T cos - F / 2 at the diagonal's head.
 
     The diagonal in tension takes F, all of it, at the far node: the beam passes on the half of the near one. Columns
     on pins take a little of F by bending over the floor (2 %).
     """
-    found = design_of(tmp_path, BUILDING.replace("columns:", "diaphragms: none\ncolumns:", 1))
+    found = design_of(BUILDING, ("columns:", "diaphragms: none\ncolumns:"))
     model, worse = one_mode(found)
     T = 2.0 * abs(model[number_of(found.frame, "DY_A_1_2_r")]) * 8.0 / np.hypot(8.0, 3.0)
     np.testing.assert_allclose(worse[number_of(found.frame, "BY_A_1_2")], 0.5 * T, rtol=0.02)
 
 
-def test_braces_that_meet_a_beam_do_not_hold_it_sideways(tmp_path: Path) -> None:
+def test_braces_that_meet_a_beam_do_not_hold_it_sideways() -> None:
     """M_b,Rd of halves by the formulas of the whole beam: C1 = 1, its span, and its loads at their worst place."""
-    design = design_of(tmp_path, CHEVRONS.replace("design:", "design:\n  members: {lateral_restraint: {beams: ends}}"))
+    design = design_of(CHEVRONS + "  members: {lateral_restraint: {beams: ends}}\n")
     free, frame = design.members.free_beams, design.frame
     assert free is not None and free.uniform.any() and not free.uniform.all()
     for place in np.flatnonzero(free.uniform):

@@ -2,70 +2,42 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
-from building_examples import SMALL
-from building_examples import building as changed
+from building_examples import SMALL, building, changed, design_of, moment_frames
 
-from edesign.building.building_file import load_building
 from edesign.codes.ec8.criterion import Criterion
-from edesign.project.building.building import Building
 from edesign.space.checks.regularity import floor_stiffness
-from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.elastic_design import ElasticDesign
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.model import space_model
 from edesign.space.structure.plan_outline import recess_areas
 
-BUILDING = """
-edesign_building: 1
-title: One storey, the frame on line 2 stiffer than that on line 1
-plan: {x: [6 m], y: [8 m]}
-storeys: [4 m]
-columns:
-  - {section: HEB300, material: S275, strong: x, group: C}
-beams:
-  - {along: x, frames: 1, section: IPE240, material: S275, ends: rigid, group: B1}
-  - {along: x, frames: 2, section: IPE600, material: S275, ends: rigid, group: B2}
-  - {along: y, section: IPE400, material: S275, ends: rigid, group: BY}
-materials: {S275: {fy: 275 MPa}}
-loads:
-  areas:
-    - {G: 5 kN/m^2, spans: y}
-  self_weight: false
-masses: {from_loads: {G: 1.0}}
-hazard: {code: ec8-2004, a_gR: 2.5 m/s^2, ground: B, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}
-design:
-  ductility_class: medium
-  systems:
-    x: {type: moment_frame, q: 4}
-    y: {type: moment_frame, q: 4}
-"""
+BUILDING = changed(
+    moment_frames(),
+    (
+        "{along: x, section: IPE400, material: S275, ends: rigid, group: BX}",
+        "{along: x, frames: 1, section: IPE240, material: S275, group: B1}\n"
+        "  - {along: x, frames: 2, section: IPE600, material: S275, group: B2}",
+    ),
+    (", Q: 2 kN/m^2, category: B", ""),
+    (", Q: 0.3}", "}"),
+)
+"""One storey, the frame on line 2 stiffer than that on line 1."""
 ALIKE = BUILDING.replace("section: IPE600", "section: IPE240")
-
-
-def building_of(folder: Path, text: str) -> Building:
-    path = folder / "building.yaml"
-    path.write_text(text, encoding="utf-8")
-    return load_building(path)
-
-
-def design_of(folder: Path, text: str = BUILDING) -> ElasticDesign:
-    return elastic_design(building_of(folder, text))
 
 
 def rules(found: ElasticDesign, clause: str) -> list[Criterion]:
     return [rule for rule in found.criteria if rule.clause == clause]
 
 
-def test_frequencies_of_an_eccentric_storey(tmp_path: Path) -> None:
+def test_frequencies_of_an_eccentric_storey() -> None:
     """A storey with the eccentricity e: omega2 / omega_x2 = (1 + Om2 -+ sqrt((1 - Om2)2 + 4 (e / rho)2)) / 2.
 
     rho is the radius of gyration and Om2 = (r2 + e2) / rho2. The ratio of the two frequencies that follows from e, r
     and rho is that of the natural modes (1e-9): both are exact for one rigid floor.
     """
-    found = design_of(tmp_path)
+    found = design_of(BUILDING)
     eccentricity, radius = rules(found, "4.2.3.2(6)")[:2]
     R = radius.value
     assert R is not None and eccentricity.value is not None
@@ -78,61 +50,62 @@ def test_frequencies_of_an_eccentric_storey(tmp_path: Path) -> None:
     assert omega2[1] / omega2[0] == pytest.approx((1.0 + Om2 + root) / (1.0 + Om2 - root), rel=1e-9)
 
 
-def test_centre_of_stiffness_of_two_frames(tmp_path: Path) -> None:
+def test_centre_of_stiffness_of_two_frames() -> None:
     """e = 4 m (K_2 - K_1) / (K_2 + K_1), K of each frame from a symmetric building of two of them.
 
     Columns twist and bend with the beams along y, which the plane frames do not have (0.5 %).
     """
     K = []
     for section in ("IPE240", "IPE600"):
-        alike = design_of(tmp_path, BUILDING.replace("IPE240", section).replace("IPE600", section))
+        alike = design_of(BUILDING.replace("IPE240", section).replace("IPE600", section))
         K.append(alike.modes.omega[alike.modes.effective_mass_ratio[:, 0].argmax()] ** 2)
-    building = building_of(tmp_path, BUILDING)
-    frame = space_frame(building)
-    of = floor_stiffness(frame, space_model(frame, building.materials))
+    whole = building(BUILDING)
+    frame = space_frame(whole)
+    of = floor_stiffness(frame, space_model(frame, whole.materials))
     assert of.e_0[0, 0] == pytest.approx(4.0 * (K[1] - K[0]) / (K[1] + K[0]), rel=5e-3)
     assert of.e_0[1, 0] == 0.0
     assert of.l_s[0] == pytest.approx(5.0, rel=1e-12)  # four equal masses at the corners of 6 x 8 m
 
 
-def test_a_claim_that_does_not_hold(tmp_path: Path) -> None:
+def test_a_claim_that_does_not_hold() -> None:
     """One frame of two is stiffer, e_0 > 0.3 r: the claim fails, without it the figures inform."""
-    regular = rules(design_of(tmp_path, BUILDING + "  regular_in_plan: true\n"), "4.2.3.2(6)")
+    regular = rules(design_of(BUILDING + "  regular_in_plan: true\n"), "4.2.3.2(6)")
     assert [rule.passed for rule in regular if rule.text == "e_0 / r, direction x"] == [False]
-    assert rules(design_of(tmp_path, ALIKE + "  regular_in_plan: true\n"), "4.2.3.2(6)")[0].passed is True
-    told = rules(design_of(tmp_path, BUILDING + "  regular_in_plan: false\n"), "4.2.3.2(6)")
+    assert rules(design_of(ALIKE + "  regular_in_plan: true\n"), "4.2.3.2(6)")[0].passed is True
+    told = rules(design_of(BUILDING + "  regular_in_plan: false\n"), "4.2.3.2(6)")
     assert {rule.passed for rule in told} == {None, True}
     assert all(("counts as irregular" in rule.detail) is (rule.passed is None) for rule in told)
-    assert rules(design_of(tmp_path), "4.2.3.2(6)") == told
+    assert rules(design_of(BUILDING), "4.2.3.2(6)") == told
 
 
-def test_setbacks_and_interrupted_bracings(tmp_path: Path) -> None:
+def test_setbacks_and_interrupted_bracings() -> None:
     """Three bays, of which the top floor covers one: two bays of three set back, 0.67 > 0.20, 0.30 and 0.10."""
-    tall = (
-        BUILDING.replace("plan: {x: [6 m]", "plan: {x: [6 m, 6 m, 6 m]")
-        .replace("storeys: [4 m]\n", "storeys: [4 m, 4 m, 4 m]\nsetbacks: [{floors: 3, bays: {x: 1, y: 1}}]\n")
-        .replace("y: {type: moment_frame, q: 4}", "y: {type: concentric_diagonal, q: 4}")
-        .replace(
+    tall = changed(
+        BUILDING,
+        ("x: [6 m]", "x: [6 m, 6 m, 6 m]"),
+        ("storeys: [4 m]\n", "storeys: [4 m, 4 m, 4 m]\nsetbacks: [{floors: 3, bays: {x: 1, y: 1}}]\n"),
+        ("y: {type: moment_frame, q: 4}", "y: {type: concentric_diagonal, q: 4}"),
+        (
             "materials:",
             "braces:\n"
             "  - {along: y, frames: A, bays: 1, storeys: [1, 3], kind: cross, section: SHS100x6, material: S275}\n"
             "  - {along: y, frames: D, bays: 1, storeys: 1-2, kind: cross, section: SHS100x6, material: S275}\n"
             "materials:",
-        )
+        ),
     )
-    found = design_of(tmp_path, tall + "  regular_in_elevation: true\n")
+    found = design_of(tall + "  regular_in_elevation: true\n")
     steps = [rule for rule in found.criteria if rule.clause.startswith("4.2.3.3(5)")]
     assert [rule.clause for rule in steps] == ["4.2.3.3(5)c", "4.2.3.3(5)c"]
     assert [rule.value for rule in steps] == [pytest.approx(2.0 / 3.0)] * 2
     assert all(rule.passed is False and rule.text.endswith("direction x") for rule in steps)
     (bracing,) = rules(found, "4.2.3.3(2)")
     assert bracing.passed is False and bracing.detail == "frame YA has none in storey 2"
-    irregular = design_of(tmp_path, tall)
+    irregular = design_of(tall)
     assert {rule.passed for rule in irregular.criteria if rule.clause.startswith("4.2.3.3")} == {None}
 
 
-def test_floors_that_are_not_rigid_have_no_centre_of_stiffness(tmp_path: Path) -> None:
-    soft = design_of(tmp_path, BUILDING.replace("columns:", "diaphragms: none\ncolumns:", 1))
+def test_floors_that_are_not_rigid_have_no_centre_of_stiffness() -> None:
+    soft = design_of(BUILDING, ("columns:", "diaphragms: none\ncolumns:"))
     (rule,) = rules(soft, "4.2.3.2(4)")
     assert rule.passed is None and not rules(soft, "4.2.3.2(6)")
 
@@ -158,29 +131,30 @@ def test_areas_of_recesses(bays: str, areas: list[float]) -> None:
     assert sorted(found) == pytest.approx(areas) and whole == len(covered)
 
 
-def test_q_follows_what_is_found(tmp_path: Path) -> None:
+def test_q_follows_what_is_found() -> None:
     """Table 6.2 in class high: 5 x 1.1 of one storey; irregular in plan 5 x (1 + 1.1) / 2 (6.3.2(4)); 0.8 of it."""
-    high = BUILDING.replace("class: medium", "class: high").replace("q: 4", "q: table")
-    alike = high.replace("section: IPE600", "section: IPE240")
+    high, alike = (
+        text.replace("class: medium", "class: high").replace("q: 4", "q: table") for text in (BUILDING, ALIKE)
+    )
     for text, q in (
         (alike + "  regular_in_plan: true\n", 5.5),
         (high, 5.25),
         (high + "  regular_in_elevation: false\n", 0.8 * 5.25),
     ):
-        assert design_of(tmp_path, text).q["x"] == pytest.approx(q)
+        assert design_of(text).q["x"] == pytest.approx(q)
 
 
 def test_a_column_above_none_makes_a_building_irregular_in_elevation() -> None:
     """EN 1998-1, 4.2.3.3(2) holds for frames too; q of the table falls to 0.8 of it."""
     changes = ("storeys: [4 m, 3 m]", "storeys: [4 m, 3 m]\nmissing: {columns: [{at: B2, storeys: 1}]}")
-    found = elastic_design(changed(SMALL, changes, ("{type: moment_frame, q: 4}", "{type: moment_frame, q: table}")))
-    whole = elastic_design(changed(SMALL, ("{type: moment_frame, q: 4}", "{type: moment_frame, q: table}")))
+    found = design_of(SMALL, changes, ("{type: moment_frame, q: 4}", "{type: moment_frame, q: table}"))
+    whole = design_of(SMALL, ("{type: moment_frame, q: 4}", "{type: moment_frame, q: table}"))
     rule = next(rule for rule in found.criteria if rule.clause == "4.2.3.3(2)")
     assert rule.value == 1.0 and "C_B2_2 stands on no column" in rule.detail
     assert found.q["x"] == pytest.approx(0.8 * whole.q["x"])
 
 
 def test_masses_without_loads_are_told() -> None:
-    given = elastic_design(changed(SMALL, ("masses: {from_loads: {}}", "masses: {given: [{floors: all, mass: 90 t}]}")))
+    given = design_of(SMALL, ("masses: {from_loads: {}}", "masses: {given: [{floors: all, mass: 90 t}]}"))
     assert any("P and theta are those of the loads" in note for note in given.notes)
-    assert not any("P and theta" in note for note in elastic_design(changed(SMALL)).notes)
+    assert not any("P and theta" in note for note in design_of(SMALL).notes)

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from building_examples import building
+from building_examples import building, design_of, number_of
 
 from edesign.building.steel_section import steel_section
 from edesign.space.analysis.live_load_reduction import loaded_areas
-from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.elastic_design import ElasticDesign
 
 TOWER = """\
 edesign_building: 1
@@ -38,7 +38,7 @@ PSI_0 = 0.7
 
 def factors(design: ElasticDesign, name: str, force: int, at: int = 0) -> float:
     """Effect of the reduced load by that of the whole one."""
-    cases, number = design.effects.cases, [member.name for member in design.frame.members].index(name)
+    cases, number = design.effects.cases, number_of(design.frame, name)
     reduced, whole = (design.effects.static[cases.index(case), number, at, force] for case in ("alpha Q", "Q"))
     return float(reduced / whole)
 
@@ -51,14 +51,14 @@ def test_beams_by_the_area_that_they_carry() -> None:
     assert areas["BX_1_1_2"] == pytest.approx(18.0) and areas["BY_A_1_2"] == pytest.approx(9.0)
     assert areas["BY_B_1_2"] == pytest.approx(18.0)
     assert sum(areas.values()) == pytest.approx(4 * 18.0 * 6.0)
-    wide = elastic_design(building(TOWER, ("y: [6 m]", "y: [10 m]")))
+    wide = design_of(TOWER, ("y: [6 m]", "y: [10 m]"))
     assert factors(wide, "BX_1_1_2", 4) == pytest.approx(5.0 / 7.0 * PSI_0 + 10.0 / 30.0)
     assert factors(wide, "BX_1_1_2", 2) == pytest.approx(5.0 / 7.0 * PSI_0 + 10.0 / 30.0)
 
 
 def test_columns_by_the_storeys_above() -> None:
     """alpha_n = (2 + (n - 2) psi_0) / n on N of four, three, two and one storeys; moments stay."""
-    found = elastic_design(building(TOWER))
+    found = design_of(TOWER)
     expected = [(2.0 + 2.0 * PSI_0) / 4.0, (2.0 + PSI_0) / 3.0, 1.0, 1.0]
     assert [factors(found, f"C_B1_{storey}", 0) for storey in (1, 2, 3, 4)] == pytest.approx(expected)
     assert factors(found, "C_A1_1", 4) == 1.0
@@ -67,8 +67,7 @@ def test_columns_by_the_storeys_above() -> None:
 
 def test_only_leading_loads_are_reduced() -> None:
     """Not with psi_0 beside snow that leads, nor with psi_2 in an earthquake."""
-    both = building(TOWER, ("areas: [", "areas: [{floors: 4, Q: 1 kN/m^2, category: snow, spans: x}, "))
-    found = elastic_design(both)
+    found = design_of(TOWER, ("areas: [", "areas: [{floors: 4, Q: 1 kN/m^2, category: snow, spans: x}, "))
     assert [row.name for row in found.members.rows if row.set == "fundamental"] == [
         "1.35 G + 1.5 alpha Q_B + 0.75 Q_snow",
         "1.35 G + 1.05 Q_B + 1.5 Q_snow",
@@ -78,14 +77,14 @@ def test_only_leading_loads_are_reduced() -> None:
 
 
 def test_stores_are_not_reduced() -> None:
-    found = elastic_design(building(TOWER, ("category: B", "category: E")))
+    found = design_of(TOWER, ("category: B", "category: E"))
     assert found.effects.cases == ("G", "Q") and found.members.rows[0].name == "1.35 G + 1.5 Q"
 
 
 def test_checks_take_the_reduced_loads() -> None:
     """N of the lowest column: 1.35 N_G + 1.5 alpha_n N_Q over A f_y (rounding, 1e-9)."""
-    found = elastic_design(building(TOWER))
-    number = [member.name for member in found.frame.members].index("C_B1_1")
+    found = design_of(TOWER)
+    number = number_of(found.frame, "C_B1_1")
     N_G, N_Q = found.static.internal[:, number, 0, 0]
     check = found.members.checks.index("N")
     assert found.members.combination[number, check] == 1
@@ -96,6 +95,6 @@ def test_checks_take_the_reduced_loads() -> None:
 
 def test_sway_imperfections_stay_those_of_the_whole_loads() -> None:
     text = TOWER.replace("imperfections: none", "imperfections: sway")
-    one, other = (elastic_design(building(text, ("reduction: true", f"reduction: {key}"))) for key in ("true", "false"))
+    one, other = (design_of(text, ("reduction: true", f"reduction: {key}")) for key in ("true", "false"))
     np.testing.assert_array_equal(one.sway.internal, other.sway.internal)
     assert one.members.rows[1].name == "1.35 G + 1.5 alpha Q + S_x"

@@ -2,56 +2,23 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
+from building_examples import NO_TORSION, PINNED, braced_frames, changed, design_of, moment_frames, number_of
 
-from edesign.building.building_file import load_building
 from edesign.building.steel_section import steel_section
 from edesign.space.analysis.bracing import bracing
 from edesign.space.checks.foundations import supports
-from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.space.elastic_design import ElasticDesign
 
-FRAME = """
-edesign_building: 1
-title: Two bays, two storeys
-plan: {x: [6 m, 6 m], y: [8 m]}
-storeys: [4 m, 3 m]
-columns:
-  - {section: HEB300, material: S275, strong: x, group: C}
-beams:
-  - {along: x, section: IPE400, material: S275, ends: rigid, group: BX}
-  - {along: y, section: IPE400, material: S275, ends: rigid, group: BY}
-materials: {S275: {fy: 275 MPa}}
-loads:
-  areas:
-    - {G: 5 kN/m^2, Q: 2 kN/m^2, category: B, spans: y}
-masses: {from_loads: {G: 1.0, Q: 0.3}}
-hazard: {code: ec8-2004, a_gR: 2.5 m/s^2, ground: B, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}
-design:
-  ductility_class: medium
-  systems:
-    x: {type: moment_frame, q: 4}
-    y: {type: moment_frame, q: 4}
-  accidental_torsion: none
-"""
+OWN_WEIGHT = ("self_weight: false", "self_weight: true")
+FRAME = changed(moment_frames(x="6 m, 6 m", storeys="4 m, 3 m"), OWN_WEIGHT) + NO_TORSION
 FY = 275e6
 
 
-def design_of(folder: Path, text: str = FRAME) -> ElasticDesign:
-    path = folder / "frame.yaml"
-    path.write_text(text, encoding="utf-8")
-    return elastic_design(load_building(path))
-
-
 @pytest.fixture(scope="module")
-def found(tmp_path_factory: pytest.TempPathFactory) -> ElasticDesign:
-    return design_of(tmp_path_factory.mktemp("frame"))
-
-
-def number_of(design: ElasticDesign, name: str) -> int:
-    return next(n for n, member in enumerate(design.frame.members) if member.name == name)
+def found() -> ElasticDesign:
+    return design_of(FRAME)
 
 
 def test_web_panels_by_hand(found: ElasticDesign) -> None:
@@ -69,7 +36,7 @@ def test_web_panels_by_hand(found: ElasticDesign) -> None:
     assert {panel.axis for panel in found.panels} == {"x"} and len(panels) == 12
     for line, beams in (("A1", 1), ("B1", 2)):
         E = found.effects.seismic[0]
-        V = [E[number_of(found, f"C_{line}_{storey}"), 0, 2] for storey in (1, 2)]
+        V = [E[number_of(found.frame, f"C_{line}_{storey}"), 0, 2] for storey in (1, 2)]
         panel = panels[f"{line}.1"]
         expected = beams * M_over_z - found.overstrength["x"].Omega * np.mean(V)
         assert panel.V_wp_Ed == pytest.approx(expected, rel=1e-12)
@@ -81,8 +48,8 @@ def test_web_panels_by_hand(found: ElasticDesign) -> None:
     assert "doubler plates up to 11 mm at" in rule.detail
 
 
-def test_without_doubler_plates(tmp_path: Path, found: ElasticDesign) -> None:
-    plain = design_of(tmp_path, FRAME + "  members: {doubler_plates: false}\n")
+def test_without_doubler_plates(found: ElasticDesign) -> None:
+    plain = design_of(FRAME + "  members: {doubler_plates: false}\n")
     worst = max(panel.V_wp_Ed / panel.V_wp_Rd for panel in found.panels)
     rules = [rule for rule in plain.criteria if rule.clause == "6.6.3(6)" and rule.value is not None]
     assert rules[0].value == pytest.approx(worst, rel=1e-12) and rules[0].passed is False
@@ -106,8 +73,8 @@ def test_hinges_at_the_feet(found: ElasticDesign) -> None:
     assert rules["class of columns at hinges at their feet, direction x"].value == 1.0
 
 
-def test_pinned_feet_have_no_hinges(tmp_path: Path) -> None:
-    pinned = design_of(tmp_path, FRAME.replace("columns:\n", "supports: pinned\ncolumns:\n", 1))
+def test_pinned_feet_have_no_hinges() -> None:
+    pinned = design_of(FRAME, PINNED)
     assert not [rule for rule in pinned.criteria if "foot" in rule.text or "feet" in rule.text]
     assert np.ptp(pinned.foundations.factor[0]) == 0.0  # Omega of the beams everywhere
 
@@ -138,7 +105,7 @@ def test_design_actions_on_foundations(found: ElasticDesign) -> None:
     swing = base.factor[0][:, None] * base.seismic[0] + 0.3 * base.factor[1][:, None] * base.seismic[1]
     np.testing.assert_allclose(base.largest[0], G + swing, rtol=1e-12, atol=1e-6)
     np.testing.assert_allclose(base.least[0], G - swing, rtol=1e-12, atol=1e-6)
-    column, section = number_of(found, "C_A1_1"), steel_section("HEB300")
+    column, section = number_of(found.frame, "C_A1_1"), steel_section("HEB300")
     ratios = []
     for part, W in ((4, section.W_pl_y), (5, section.W_pl_z)):  # n is too small to reduce the resistance
         M = max(
@@ -150,19 +117,12 @@ def test_design_actions_on_foundations(found: ElasticDesign) -> None:
     assert base.factor[0, 0] == pytest.approx(1.2 * min(max(min(ratios), 1.0), 4.0), rel=1e-9)
 
 
-def test_supports_of_a_braced_frame(tmp_path: Path) -> None:
+def test_supports_of_a_braced_frame() -> None:
     """Diagonals in tension alone: the feet of one frame take M / L of the overturning moment, whatever the sense.
 
     All beams along y and all feet are hinged, so that columns carry no moment to the ground (1e-9).
     """
-    text = FRAME.replace("plan: {x: [6 m, 6 m]", "plan: {x: [6 m]").replace(
-        "columns:\n", "supports: pinned\ncolumns:\n", 1
-    )
-    text = text.replace("ends: rigid, group: BY", "ends: pinned, group: BY").replace(
-        "y: {type: moment_frame, q: 4}", "y: {type: concentric_diagonal, q: 4}"
-    )
-    braces = "braces:\n  - {along: y, frames: all, bays: all, kind: cross, section: SHS100x6, material: S275}\n"
-    found = design_of(tmp_path, text.replace("materials:", f"{braces}materials:", 1))
+    found = design_of(braced_frames(storeys="4 m, 3 m") + NO_TORSION, PINNED, OWN_WEIGHT)
     mode = int(found.modes.effective_mass_ratio[:, 1].argmax())
     of = supports(found.frame, bracing(found.frame))
     ends, one = found.modes.end_forces[[mode]], np.ones((1, 1))

@@ -6,17 +6,15 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from building_examples import building as changed
+from building_examples import building
 from selection_examples import FRAMES, INTERIOR, enumerated, random_frames
 
 from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
-from edesign.building.building_sections import BuildingSections
 from edesign.building.steel_section import steel_section
 from edesign.cli.main import main
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
-from edesign.project.building import parse_building
 from edesign.project.problems import FileProblems
 from edesign.report.building_basis_tables import selection_table
 from edesign.report.building_results import BuildingResults
@@ -59,7 +57,7 @@ def compared(one: ElasticDesign, other: ElasticDesign) -> None:
 
 
 def test_an_analysis_with_other_sections_is_that_of_a_file_with_them() -> None:
-    file = parse_building(TEXT, "building.yaml", BuildingSections())
+    file = building(TEXT)
     analysis = ElasticAnalysis(file)
     for sections in (
         {"C1": "HEB400", "B1": "IPE450"},
@@ -88,7 +86,7 @@ def test_an_evaluation_meets_its_checks_as_the_design_does() -> None:
 
 def test_members_of_class_4_are_refused_and_count_as_failed_in_a_search() -> None:
     """IPE400 of 460 MPa under N = 0.7 A f_y: c/t = 38.5 is above 42 eps / (0.67 + 0.33 psi), 37.6 for psi = 0.38."""
-    heavy = changed(
+    heavy = building(
         TEXT.replace("HEB300", "IPE400"), ("G: 5.00 kN/m^2", "G: 60 kN/m^2"), ("{fy: 275 MPa}", "{fy: 460 MPa}")
     )
     with pytest.raises(InputError, match=r"C_\w+_1: IPE400 of S275 is of class 4 under its forces"):
@@ -121,7 +119,7 @@ def test_with_prices_the_choice_is_the_cheapest_of_enumeration(seed: int, cheap:
     prices = f"    objective: cost\n    prices: {{default: 1, {cheap}: 0.1}}\n    lists:"
     with one_thread():
         file = random_frames(seed, 4, 3)
-        priced = changed(file.text, ("    lists:", prices))
+        priced = building(file.text, ("    lists:", prices))
         found, best, lightest = select_sections(priced), enumerated(priced), select_sections(file)
     assert best is not None and found.cost == pytest.approx(best.cost, rel=1e-9)
     assert found.mass > 1.005 * lightest.mass
@@ -138,7 +136,7 @@ def test_with_prices_the_choice_is_the_cheapest_of_enumeration(seed: int, cheap:
 )
 def test_prices_that_are_missing_or_idle_are_named(keys: str, message: str) -> None:
     with pytest.raises((FileProblems, InputError), match=message):
-        select_sections(changed(TEXT, ("    lists:", f"    {keys}\n    lists:")))
+        select_sections(building(TEXT, ("    lists:", f"    {keys}\n    lists:")))
 
 
 @pytest.mark.study
@@ -161,7 +159,7 @@ def test_choices_of_eighty_frames_are_those_of_enumeration() -> None:
 @pytest.mark.slow
 def test_no_exchange_of_a_certified_choice_is_lighter_and_meets_the_checks() -> None:
     with one_thread():
-        file = parse_building(TEXT, "building.yaml", BuildingSections())
+        file = building(TEXT)
         analysis = ElasticAnalysis(file)
         evaluate = Evaluator(analysis, groups_of(analysis))
         search = Search(evaluate, column_order(analysis.frame, evaluate.groups), 10_000)
@@ -174,7 +172,7 @@ def test_no_exchange_of_a_certified_choice_is_lighter_and_meets_the_checks() -> 
 
 @pytest.mark.slow
 def test_a_search_is_repeatable() -> None:
-    file = parse_building(TEXT, "building.yaml", BuildingSections())
+    file = building(TEXT)
     lines: list[list[str]] = [[], []]
     one, other = (select_sections(file, told.append) for told in lines)
     assert lines[0] == lines[1] and one.evaluations == other.evaluations
@@ -182,8 +180,8 @@ def test_a_search_is_repeatable() -> None:
 
 
 def test_the_design_of_a_selection_is_that_of_its_file() -> None:
-    found = select_sections(parse_building(TEXT, "building.yaml", BuildingSections()))
-    compared(found.design, elastic_design(parse_building(found.building.text, "b.yaml", BuildingSections())))
+    found = select_sections(building(TEXT))
+    compared(found.design, elastic_design(building(found.building.text)))
     steel = sum(row.mass for row in found.groups)
     assert found.mass == pytest.approx(steel, rel=1e-12)
     assert all(row.governing.utilisation <= 1.0 for row in found.groups)
@@ -194,7 +192,7 @@ def test_the_design_of_a_selection_is_that_of_its_file() -> None:
 
 def test_the_interior_frame_of_the_thesis_by_strength_is_no_heavier_than_an_independent_loop_finds_it() -> None:
     """41.3 t a frame by an independent numpy loop: strength and capacity alone, without second-order effects."""
-    file = parse_building(INTERIOR, "building.yaml", BuildingSections())
+    file = building(INTERIOR)
     file = file.with_values(
         {
             "design.drift": "none",
@@ -215,7 +213,7 @@ def test_the_interior_frame_of_the_thesis_by_all_of_ec8() -> None:
     Of the 9000 choices next below it in mass, each group within three sizes, down to 52.4 t, none meets all checks.
     Rules that the independent loop does not know, for feet of columns and web panels, are left out.
     """
-    found = select_sections(parse_building(INTERIOR, "building.yaml", BuildingSections()))
+    found = select_sections(building(INTERIOR))
     frame = sum(row.mass for row in found.groups if len(row.group.sections) > 1) / 2.0
     assert frame <= 54.441e3  # a kg for the last digit
 
@@ -224,7 +222,7 @@ def test_the_interior_frame_of_the_thesis_by_all_of_ec8() -> None:
 
 
 def test_what_stands_in_the_way_is_told() -> None:
-    file = changed(TEXT, ("beams: [IPE]", "beams: [IPE200, IPE220]"))
+    file = building(TEXT, ("beams: [IPE]", "beams: [IPE200, IPE220]"))
     with pytest.raises(InputError) as error:
         select_sections(file)
     said = str(error.value)
@@ -236,13 +234,13 @@ def test_what_stands_in_the_way_is_told() -> None:
 
 def test_sections_of_too_high_a_class_are_left_out_by_name() -> None:
     lines: list[str] = []
-    select_sections(changed(TEXT, ("D: [SHS150x8]", "D: [SHS200x5, SHS150x8]")), lines.append)
+    select_sections(building(TEXT, ("D: [SHS150x8]", "D: [SHS200x5, SHS150x8]")), lines.append)
     assert lines[0] == "group D: left out for their class, thickness or slenderness: SHS200x5"
 
 
 def test_lists_of_diagonals_hold_what_has_an_allowed_slenderness() -> None:
     """Crosses of more than two storeys: 1.3 < lambda <= 2.0 (EN 1998-1, 6.7.3(1)); thin large tubes are below it."""
-    asked = changed(TEXT, ("D: [SHS150x8]", "D: [SHS]"), ("6.7.3(1), ", ""))
+    asked = building(TEXT, ("D: [SHS150x8]", "D: [SHS]"), ("6.7.3(1), ", ""))
     analysis = ElasticAnalysis(asked)
     group = next(of for of in groups_of(analysis) if of.name == "D")
     numbers = np.array([n for n, member in enumerate(analysis.frame.members) if member.group == "D"])
@@ -250,7 +248,9 @@ def test_lists_of_diagonals_hold_what_has_an_allowed_slenderness() -> None:
     for section in group.sections:
         slender = brace_slenderness(asked, analysis.frame_with({"D": section}), numbers)
         assert ((slender > 1.3) & (slender <= 2.0)).all()
-    free = next(of for of in groups_of(ElasticAnalysis(changed(TEXT, ("D: [SHS150x8]", "D: [SHS]")))) if of.name == "D")
+    free = next(
+        of for of in groups_of(ElasticAnalysis(building(TEXT, ("D: [SHS150x8]", "D: [SHS]")))) if of.name == "D"
+    )
     assert "SHS250x8" in free.sections
 
 
@@ -258,36 +258,36 @@ def test_wrong_lists_are_told_at_their_place() -> None:
     with pytest.raises(
         InputError, match=r"building.yaml:31:17: design.select.lists.columns: there is no section .*HEBB"
     ):
-        select_sections(changed(TEXT, ("columns: [HEB]", "columns: [HEBB]")))
+        select_sections(building(TEXT, ("columns: [HEB]", "columns: [HEBB]")))
     with pytest.raises(InputError, match="design.select.lists.groups.D: `CHS` has no list of sizes"):
-        select_sections(changed(TEXT, ("D: [SHS150x8]", "D: [CHS]")))
+        select_sections(building(TEXT, ("D: [SHS150x8]", "D: [CHS]")))
     with pytest.raises(FileProblems, match="there is no group `DD`; did you mean `D`?"):
-        changed(TEXT, ("D: [SHS150x8]", "DD: [SHS150x8]"))
+        building(TEXT, ("D: [SHS150x8]", "DD: [SHS150x8]"))
     with pytest.raises(FileProblems, match="largest_depth.beam: there is no group `beam`; did you mean `beams`?"):
-        changed(TEXT, ("leave_out:", "largest_depth: {beam: 400 mm}\n    leave_out:"))
+        building(TEXT, ("leave_out:", "largest_depth: {beam: 400 mm}\n    leave_out:"))
     with pytest.raises(
         InputError,
         match="group D has no section left; of a class above 1, too thick, or of a wrong slenderness are `SHS200x5`",
     ):
-        select_sections(changed(TEXT, ("D: [SHS150x8]", "D: [SHS200x5]")))
+        select_sections(building(TEXT, ("D: [SHS150x8]", "D: [SHS200x5]")))
     with pytest.raises(InputError, match="all larger than those of the group below"):
-        select_sections(changed(TEXT, ("groups: {BY", "groups: {C1: [HEB200], C2: [HEB300], BY")))
+        select_sections(building(TEXT, ("groups: {BY", "groups: {C1: [HEB200], C2: [HEB300], BY")))
 
 
 def test_beams_are_no_deeper_than_the_file_allows() -> None:
-    found = select_sections(changed(TEXT, ("leave_out:", "largest_depth: {beams: 290 mm}\n    leave_out:")))
-    whole = select_sections(parse_building(TEXT, "building.yaml", BuildingSections()))
+    found = select_sections(building(TEXT, ("leave_out:", "largest_depth: {beams: 290 mm}\n    leave_out:")))
+    whole = select_sections(building(TEXT))
     assert max(steel_section(row.after).h for row in whole.groups if row.group.kind == "beam") > 0.29
     assert max(steel_section(row.after).h for row in found.groups if row.group.kind == "beam") <= 0.29
     assert found.mass > whole.mass
 
 
 def test_a_budget_of_evaluations_ends_the_search_with_what_it_has() -> None:
-    whole = select_sections(parse_building(TEXT, "building.yaml", BuildingSections()))
-    found = select_sections(changed(TEXT, ("leave_out:", f"evaluations: {whole.evaluations // 3}\n    leave_out:")))
+    whole = select_sections(building(TEXT))
+    found = select_sections(building(TEXT, ("leave_out:", f"evaluations: {whole.evaluations // 3}\n    leave_out:")))
     assert not found.certified and found.mass >= whole.mass
     with pytest.raises(InputError, match="its evaluations are used up; allow more by `evaluations`"):
-        select_sections(changed(TEXT, ("leave_out:", "evaluations: 2\n    leave_out:")))
+        select_sections(building(TEXT, ("leave_out:", "evaluations: 2\n    leave_out:")))
 
 
 # --- the command

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from building_examples import SMALL, building
+from building_examples import SMALL, building, design_of
 
 from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
-from edesign.space.elastic_design import ElasticAnalysis, elastic_design
+from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.groups import groups_of
 from edesign.space.structure.steel_by_thickness import with_steel_by_thickness
 
@@ -20,18 +20,16 @@ THICK = (
 
 
 def test_members_are_of_the_steel_of_their_thickest_part() -> None:
-    frame = elastic_design(building(THICK)).frame
+    frame = design_of(THICK).frame
     assert {member.material for member in frame.members if member.kind == "column"} == {"S275_t40"}
     assert {member.material for member in frame.members if member.kind != "column"} == {"S275"}
-    of_table = elastic_design(building(THICK, ("thickness: true", "thickness: table-3.1"))).frame
+    of_table = design_of(THICK, ("thickness: true", "thickness: table-3.1")).frame
     assert {member.material for member in of_table.members} == {"S275"}
 
 
 def test_checks_take_the_lower_strength() -> None:
     """N alone in a column: its utilisation grows by 275 / 265 (1e-12)."""
-    with_it, without = (
-        elastic_design(building(THICK, ("thickness: true", f"thickness: {key}"))) for key in ("en10025-2", "false")
-    )
+    with_it, without = (design_of(THICK, ("thickness: true", f"thickness: {key}")) for key in ("en10025-2", "false"))
     column = [member.kind for member in with_it.frame.members].index("column")
     check = with_it.members.checks.index("N")
     one, other = (of.members.utilisation[column, check] for of in (with_it, without))
@@ -43,7 +41,7 @@ def test_other_sections_bring_their_own_steel() -> None:
     """The analysis of HEB450 in place of HEB200 is that of a file that has it, but for rounding (1e-9)."""
     thin = building(THICK, ("HEB450", "HEB200"))
     found = ElasticAnalysis(thin).design({"C1": "HEB450"})
-    whole = elastic_design(building(THICK)).members.utilisation
+    whole = design_of(THICK).members.utilisation
     np.testing.assert_allclose(found.members.utilisation, whole, rtol=1e-9, atol=1e-9)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from building_examples import bending_only, building
+from building_examples import NO_TORSION, PINNED, bending_only, building, changed, design_of, portals
 from scipy.optimize import brentq
 
 from edesign.building.steel_section import steel_section
@@ -12,36 +12,14 @@ from edesign.codes.ec3.imperfections import initial_sway
 from edesign.core.space import PROPERTIES
 from edesign.project.building import Building
 from edesign.space.analysis.sway import STABLE, critical_factors, geometric_stiffness
-from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
+from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign
 from edesign.space.selection.evaluate import searched_clauses
 
-PORTAL = """\
-edesign_building: 1
-title: Portal
-plan: {x: [8 m], y: [6 m]}
-storeys: [5 m]
-supports: fixed
-columns: [{section: HEB200, material: S275, strong: x}]
-beams:
-  - {along: x, section: IPE300, material: S275}
-  - {along: y, section: IPE300, material: S275, ends: pinned}
-braces:
-  - {along: y, frames: all, bays: 1, kind: cross, compression: true, section: SHS100x5, material: S275}
-materials: {S275: {fy: 275 MPa}}
-loads:
-  beams: [{along: x, G: 40 kN/m}]
-  self_weight: false
-masses: {from_loads: {}}
-hazard: {code: ec8-2004, a_gR: 0.1 g, ground: B, spectrum: 1, levels: {DBE: {probability: 10 %}}}
-design:
-  ductility_class: medium
-  systems: {x: {type: moment_frame, q: 4}, y: {type: concentric_diagonal, q: 4}}
-  accidental_torsion: none
-"""
-LEANING = (
-    PORTAL.replace("x: [8 m]", "x: [8 m, 8 m]")
-    .replace("supports: fixed", "supports: {default: pinned, A: fixed}")
-    .replace("along: x, section: IPE300, material: S275", "along: x, section: IPE300, material: S275, ends: pinned")
+PORTAL = portals() + NO_TORSION
+LEANING = changed(
+    portals(x="8 m, 8 m") + NO_TORSION,
+    ("supports: fixed", "supports: {default: pinned, A: fixed}"),
+    ("along: x, section: IPE300, material: steel", "along: x, section: IPE300, material: steel, ends: pinned"),
 )
 """Columns of line A stand as cantilevers, all others lean on them."""
 NOTE = "sway effects of the persistent combinations are multiplied by"
@@ -88,7 +66,7 @@ def test_a_column_between_its_nodes_is_not_sway() -> None:
     The core finds what comes first where the frames along x are stiff: the Euler load of a column about its weak axis,
     12 for pi2 as one member. Columns hardly shorten here (1e-3).
     """
-    of = building(PORTAL, ("supports: fixed", "supports: pinned"))
+    of = building(PORTAL, PINNED)
     frame, model, properties = bending_only(of)
     length = np.hypot(6.0, 5.0)
     K = 4.0 * 210e9 * steel_section("SHS100x5").A * (6.0 / length) ** 2 / length
@@ -106,7 +84,7 @@ def test_against_the_eigenvalue_of_the_core() -> None:
 
     Columns are made stiff about their weak axes, so that none buckles between its nodes.
     """
-    three = building(PORTAL, ("storeys: [5 m]", "storeys: [5 m, 4 m, 4 m]"))
+    three = building(portals(storeys="5 m, 4 m, 4 m") + NO_TORSION)
     frame, model, properties = bending_only(three)
     properties[frame.columns, PROPERTIES.index("I_z")] *= 100.0
     model.change_sections(np.arange(len(frame.members)), properties)
@@ -132,7 +110,7 @@ def shear(design: ElasticDesign, case: str, storey: int, axis: int) -> float:
     return float(total)
 
 
-TWO = PORTAL.replace("storeys: [5 m]", "storeys: [5 m, 4 m]")
+TWO = portals(storeys="5 m, 4 m") + NO_TORSION
 
 
 def test_notional_forces_are_in_equilibrium() -> None:
@@ -141,7 +119,7 @@ def test_notional_forces_are_in_equilibrium() -> None:
     phi = 1/200 2/sqrt(9) sqrt(0.5 (1 + 1/2)): height 9 m, two columns a row. Braces of a thousandth of
     their area hold up 6e-5 of the loads, which then are in no column.
     """
-    found = elastic_design(building(TWO))
+    found = design_of(TWO)
     sway = found.sway
     phi = 1.0 / 200.0 * 2.0 / 3.0 * np.sqrt(0.75)
     assert initial_sway(9.0, 2) == pytest.approx(phi)
@@ -165,9 +143,7 @@ def test_notional_forces_are_in_equilibrium() -> None:
 
 def test_sway_of_vertical_loads_grows_too() -> None:
     """A portal with one foot on hinges sways under its load by u: P_Delta is V u / h amplified; braces hold up 6e-5."""
-    found = elastic_design(
-        building(PORTAL, ("supports: fixed", "supports: {default: fixed, A: pinned}"), ("40 kN", "60 kN"))
-    )
+    found = design_of(portals(G="60 kN/m") + NO_TORSION, ("supports: fixed", "supports: {default: fixed, A: pinned}"))
     frame, sway = found.frame, found.sway
     u = 1.35 * found.static.displacements[0, frame.node_names.index("A1.1"), 0]
     assert abs(u) > 1e-4 and sway.amplification[0, 0] > 1.0
@@ -176,7 +152,7 @@ def test_sway_of_vertical_loads_grows_too() -> None:
 
 
 def test_below_3_the_rule_fails_and_effects_grow_by_3_halves() -> None:
-    found = elastic_design(building(PORTAL, ("supports: fixed", "supports: pinned"), ("40 kN/m", "80 kN/m")))
+    found = design_of(portals(G="80 kN/m") + NO_TORSION, PINNED)
     rule = next(rule for rule in found.criteria if rule.clause == STABLE)
     assert rule.passed is False and rule.value is not None and rule.value < 3.0 and not found.passed
     assert rule.reference == "EN 1993-1-1, 5.2.2(6)" and "direction x" in rule.text
@@ -184,9 +160,7 @@ def test_below_3_the_rule_fails_and_effects_grow_by_3_halves() -> None:
 
 
 def test_without_imperfections_alpha_cr_informs() -> None:
-    found = elastic_design(
-        building(PORTAL, ("40 kN", "80 kN"), ("  accidental", "  imperfections: none\n  accidental"))
-    )
+    found = design_of(portals(G="80 kN/m") + NO_TORSION + "  imperfections: none\n")
     assert found.members.counts[0] == 1 and found.effects.cases == ("G",)
     rules = [rule for rule in found.criteria if rule.clause == STABLE]
     assert [rule.passed for rule in rules] == [None, None]
@@ -196,7 +170,7 @@ def test_without_imperfections_alpha_cr_informs() -> None:
 def test_loads_on_nodes_without_mass_sway() -> None:
     """A floor whose load is in no mass sways all the same: alpha_cr is that of the building with all masses (1e-9)."""
     some = TWO.replace("masses: {from_loads: {}}", "masses: {given: [{floors: 2, mass: 5 t}]}")
-    one, other = (elastic_design(building(text)).sway.alpha_cr for text in (TWO, some))
+    one, other = (design_of(text).sway.alpha_cr for text in (TWO, some))
     np.testing.assert_allclose(one, other, rtol=1e-9)
 
 
@@ -205,7 +179,7 @@ def test_braces_in_tension_only_carry_the_whole_force() -> None:
 
     Columns shorten, and bend with the braces: 1e-4 of the force.
     """
-    found = elastic_design(building(PORTAL, ("compression: true", "compression: false"), ("fixed", "pinned")))
+    found = design_of(PORTAL, ("compression: true", "compression: false"), ("fixed", "pinned"))
     braces = [number for number, member in enumerate(found.frame.members) if member.kind == "brace"]
     force = np.abs(found.sway.internal[found.sway.cases.index("S_y"), braces, 0, 0])
     H = found.sway.initial_sway[0, 1] * 1.35 * 40e3 * 16.0
