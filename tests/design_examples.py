@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from shear_frames import shear_frame_text
+
 from edesign.building.profiles import profile_names
 from edesign.building.project_file import load_project
 from edesign.errors import InputError
@@ -19,10 +21,6 @@ THESIS = Path(__file__).resolve().parents[1] / "projects" / "thesis_10_storey" /
 TABLE_5_7_STIFFNESS = (51776, 26820, 22744, 20863, 16934, 15144, 14515, 12776, 11591, 9592)  # kN/m
 GIVEN_STIFFNESS = "[" + ", ".join(f"{k} kN/m" for k in TABLE_5_7_STIFFNESS) + "]"
 
-E, INERTIA, HEIGHT, MASS = 210e9, 1e-4, 4.0, 40e3  # Pa, m4, m, kg a floor
-STOREY = 2 * 12 * E * INERTIA / HEIGHT**3
-"""N/m, of a storey of two columns between floors that do not bend."""
-
 _PROTOTYPE = "prototype: {layers: 2, layer_area: 0.01 m^2, layer_thickness: 10 mm}"
 LAWS = f"""
 dampers:
@@ -32,24 +30,7 @@ dampers:
     sizeless: {{type: kelvin_voigt, parameters: {{k: 2 kN/mm, c: 200 kN*s/m}}}}
 """
 
-_SHEAR_FRAME = """\
-edesign: 1
-title: Frame with columns fixed in rigid floors
-frame:
-  bays: [8 m]
-  storeys: {count: @storeys@, height: 4 m}
-  diaphragms: all
-  columns: [{storeys: all, section: column, material: steel}]
-  beams: [{floors: all, section: rigid, material: steel}]
-materials:
-  steel: {law: elastic, E: 210 GPa}
-sections:
-  column: {area: 1000 m^2, inertia: 1e-4 m^4}
-  rigid: {area: 1 m^2, inertia: 1e3 m^4}
-elements: {geometry: {columns: linear}}
-masses:
-  given: [{lines: all, floors: all, mass: 20 t}]
-  directions: horizontal
+_ANALYSED = """\
 hazard:
   code: ec8-2004
   a_gR: 0.36 g
@@ -72,7 +53,7 @@ def thesis_project() -> Project:
 
 def shear_project(storeys: int, dampers: str = LAWS) -> Project:
     """A shear frame of equal storeys and floors, whose answers are known."""
-    text = _SHEAR_FRAME.replace("@storeys@", str(storeys)) + dampers
+    text = shear_frame_text(storeys) + _ANALYSED + dampers
     return parse_project(text, "project.yaml", profile_names())
 
 

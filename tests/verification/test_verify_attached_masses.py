@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 import scipy.linalg
 from scipy.optimize import brentq
+from shear_frames import MASS, STIFFNESS, shear_frame_text
 
 from edesign.building.profiles import profile_names
 from edesign.core import Channel, Newmark
@@ -19,28 +20,9 @@ from edesign.project import parse_project
 from edesign.study.history import _damp
 from edesign.study.structure import Structure, make_structure
 
-E, INERTIA, HEIGHT, MASS = 210e9, 1e-4, 4.0, 40e3  # Pa, m4, m, kg a floor
-STIFFNESS = 2 * 12 * E * INERTIA / HEIGHT**3  # N/m of a storey
 G = 9.80665
 
-FRAME = """\
-edesign: 1
-title: Columns fixed in rigid floors
-frame:
-  bays: [8 m]
-  storeys: {count: @storeys@, height: 4 m}
-  diaphragms: all
-  columns: [{storeys: all, section: column, material: steel}]
-  beams: [{floors: all, section: rigid, material: steel}]
-materials:
-  steel: {law: elastic, E: 210 GPa}
-sections:
-  column: {area: 1000 m^2, inertia: 1e-4 m^4}
-  rigid: {area: 1 m^2, inertia: 1e3 m^4}
-elements: {geometry: {columns: linear}}
-masses:
-  given: [{lines: all, floors: all, mass: 20 t}]
-  directions: horizontal
+DAMPED = """\
 dampers:
   attachments:
     - @attachment@
@@ -50,7 +32,7 @@ analyses:
 
 
 def structure(attachment: str, storeys: int) -> Structure:
-    text = FRAME.replace("@attachment@", attachment).replace("@storeys@", str(storeys))
+    text = shear_frame_text(storeys) + DAMPED.replace("@attachment@", attachment)
     made = make_structure(parse_project(text, "project.yaml", profile_names()), dampers=True)
     made.install_dampers()
     return made
@@ -193,7 +175,7 @@ def test_modal_damping_is_that_of_the_frame_alone() -> None:
     ground = np.interp(np.arange((given.size - 1) * 4 + 1) / 4, np.arange(given.size), given)
     expected = exact(np.array([MASS, MASS, m_d]), damping, stiffness, ground, dt)
     attachment = "{kind: tuned_mass, floor: 2, mass: 4 t, frequency: 0.9 Hz, damping: 12 %}"
-    text = FRAME.replace("@attachment@", attachment).replace("@storeys@", "2")
+    text = shear_frame_text(2) + DAMPED.replace("@attachment@", attachment)
     text += "damping: {kind: modal, ratio: 5 %, modes: 2}\nintegration: {method: newmark}\n"
     project = parse_project(text, "project.yaml", profile_names())
     made = make_structure(project, dampers=True)

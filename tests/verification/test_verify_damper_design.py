@@ -7,10 +7,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from design_examples import HEIGHT, MASS, STOREY, design, shear_project, thesis_project
+from design_examples import design, shear_project, thesis_project
 from hypothesis import given
 from hypothesis import strategies as st
 from scipy import linalg
+from shear_frames import HEIGHT, MASS, STIFFNESS
 
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
 from edesign.codes.ec8 import damping_correction
@@ -121,25 +122,25 @@ def test_dampers_in_proportion_to_the_storeys() -> None:
     # K_D = r K_S: all modes have n/2 r/(1+r), and complex frequencies omega sqrt(1 + r (1 + i n))
     group = run(f"method: strain_energy, damping: 9 %, {FIXED}").group
     r = 0.18 / (N - 0.18)
-    np.testing.assert_allclose(group.variables["computed_storey_stiffness"].values, STOREY, rtol=1e-6)
-    np.testing.assert_allclose(group.variables["damper_stiffness"].values, r * STOREY, rtol=1e-6)
+    np.testing.assert_allclose(group.variables["computed_storey_stiffness"].values, STIFFNESS, rtol=1e-6)
+    np.testing.assert_allclose(group.variables["damper_stiffness"].values, r * STIFFNESS, rtol=1e-6)
     for name in ("damping_strain_energy", "damping_frequencies"):
         np.testing.assert_allclose(group.variables[name].values, 0.09, rtol=1e-6)
     exact = math.sin(0.5 * math.atan(N * r / (1.0 + r)))
     np.testing.assert_allclose(group.variables["damping_complex"].values, exact, rtol=1e-6)
 
 
-@pytest.mark.parametrize("brace", [None, np.array([2.0, 5.0, 1.0]) * STOREY])
+@pytest.mark.parametrize("brace", [None, np.array([2.0, 5.0, 1.0]) * STIFFNESS])
 def test_unequal_dampers_against_explicit_matrices(brace: np.ndarray | None) -> None:
     project = shear_project(3)
     building = make_building(
         project, "tried", design(f"{COMMON}, method: strain_energy, damping: 5 %, {FIXED}", project)
     )
-    k_D = np.array([0.2, 3.0, 1.0]) * STOREY
+    k_D = np.array([0.2, 3.0, 1.0]) * STIFFNESS
     found = modal_damping(building.frame, building.frame.modes(), place_stiffness(building, k_D, N, brace))
     damper = k_D * (1.0 + 1j * N)
     added = damper if brace is None else 1.0 / (1.0 / damper + 1.0 / brace)
-    M, K = shear_matrices(np.full(3, STOREY))
+    M, K = shear_matrices(np.full(3, STIFFNESS))
     _, K_D = shear_matrices(added)
     omega2, shapes = linalg.eigh(K + K_D.real, M)
     np.testing.assert_allclose(found.omega, np.sqrt(omega2), rtol=1e-6)
@@ -204,7 +205,7 @@ def test_distributions_reach_the_target_in_the_first_mode(distribution: str) -> 
     group = run(f"method: strain_energy, damping: 9 %, distribution: {distribution}, {FIXED}").group
     assert group.variables["damping_strain_energy"].values[0, 0] == pytest.approx(0.09, rel=1e-9)
     k_D = group.variables["damper_stiffness"].values
-    _, K = shear_matrices(np.full(3, STOREY))
+    _, K = shear_matrices(np.full(3, STIFFNESS))
     shape = linalg.eigh(K)[1][:, 0]
     pattern = np.diff(shape, prepend=0.0) ** 2 if distribution == "strain_energy" else np.ones(3)
     np.testing.assert_allclose(k_D / k_D[0], pattern / pattern[0], rtol=1e-6)
@@ -227,18 +228,18 @@ def test_estimate_of_one_storey() -> None:
     result = run_design(project, "tried", spec, Path("."))
     building, action = make_building(project, "tried", spec), make_action(project, spec)
     assert action is not None
-    damper, brace = STOREY * 0.2 / (N - 0.2) * (1.0 + 1j * N), 4.0 * STOREY
+    damper, brace = STIFFNESS * 0.2 / (N - 0.2) * (1.0 + 1j * N), 4.0 * STIFFNESS
     added = 1.0 / (1.0 / damper + 1.0 / brace)
-    omega = math.sqrt((STOREY + added.real) / MASS)
-    damping = 0.02 + added.imag / (2.0 * (STOREY + added.real))
+    omega = math.sqrt((STIFFNESS + added.real) / MASS)
+    damping = 0.02 + added.imag / (2.0 * (STIFFNESS + added.real))
     T = 2.0 * math.pi / omega
     assert 0.2 < T < 0.6  # on the plateau
     u = 0.36 * 9.80665 * 1.15 * 2.5 * damping_correction(damping) / omega**2
     found = estimate(building, action, np.array([added]), np.array([brace]), 0.02)
     assert found.roof_displacement == pytest.approx(u, rel=1e-6)
     assert found.drift[0] == pytest.approx(u / HEIGHT, rel=1e-6)
-    assert found.base_shear == pytest.approx((STOREY + added.real) * u, rel=1e-6)
-    assert found.storey_shear[0] == pytest.approx(STOREY * u, rel=1e-6)
+    assert found.base_shear == pytest.approx((STIFFNESS + added.real) * u, rel=1e-6)
+    assert found.storey_shear[0] == pytest.approx(STIFFNESS * u, rel=1e-6)
     assert found.damper_force[0] == pytest.approx(abs(added) * u, rel=1e-6)
     assert found.damper_strain[0] == pytest.approx(abs(added / damper) * u / 0.02, rel=1e-6)
     assert result.group.variables["estimated_storey_drift"].values[0] == pytest.approx(u / HEIGHT, rel=1e-6)
@@ -260,16 +261,16 @@ def test_static_response_of_the_simplified_method() -> None:
     building, action = make_building(project, "tried", spec), make_action(project, spec)
     assert action is not None
     beta, alpha = 1.5, 10.0
-    storey = np.full(2, STOREY)
+    storey = np.full(2, STIFFNESS)
     fixed = Moduli(1e6, N)
     found = static_response(building, spec, lambda f: fixed, action, beta * storey, alpha * storey)  # type: ignore[arg-type]
     added = 1.0 / (1.0 / (beta * (1.0 + 1j * N)) + 1.0 / alpha)
-    omega = math.sqrt((3.0 - math.sqrt(5.0)) / 2.0 * (1.0 + added.real) * STOREY / MASS)  # of two equal storeys
+    omega = math.sqrt((3.0 - math.sqrt(5.0)) / 2.0 * (1.0 + added.real) * STIFFNESS / MASS)  # of two equal storeys
     T, damping = 2.0 * math.pi / omega, 0.05 + added.imag / (2.0 * (1.0 + added.real))
     assert 0.2 < T < 0.6  # on the plateau
     V = 0.36 * 9.80665 * 1.15 * 2.5 * damping_correction(damping) * 2.0 * MASS  # lambda 1: two storeys
     assert found.base_shear == pytest.approx(V, rel=1e-6)
-    drifts = np.array([V, 2.0 / 3.0 * V]) / ((1.0 + added.real) * STOREY) / HEIGHT  # heights 1 : 2
+    drifts = np.array([V, 2.0 / 3.0 * V]) / ((1.0 + added.real) * STIFFNESS) / HEIGHT  # heights 1 : 2
     np.testing.assert_allclose(found.drift, drifts, rtol=1e-6)
 
 
@@ -281,7 +282,7 @@ def test_simplified_method_takes_the_least_beta() -> None:
     betas = result.group.variables["iteration_beta"].values
     assert np.all(drifts[:-1] > 0.011) and drifts[-1] <= 0.011 and drifts.size > 1
     np.testing.assert_allclose(np.diff(betas), 0.25)
-    np.testing.assert_allclose(result.group.variables["damper_stiffness"].values, betas[-1] * STOREY, rtol=1e-6)
+    np.testing.assert_allclose(result.group.variables["damper_stiffness"].values, betas[-1] * STIFFNESS, rtol=1e-6)
     failed = run(text.replace("1.1 %", "0.1 %"))
     assert failed.status == "failed" and "no beta up to 5 meets the drift of 0.1 %" in failed.reason
 
@@ -290,10 +291,12 @@ def test_least_area_against_all_distributions_of_a_grid() -> None:
     project = shear_project(2)
     spec = design(f"{COMMON}, method: strain_energy, damping: 5 %, level: DBE, {FIXED}", project)
     building, action, moduli, limit = make_building(project, "tried", spec), action_of(2), Moduli(1e6, N), 0.012
-    best = least_area(building, moduli, action, limit, None, 0.02) / STOREY
+    best = least_area(building, moduli, action, limit, None, 0.02) / STIFFNESS
 
     def drift(x: np.ndarray) -> float:
-        return float(estimate(building, action, place_stiffness(building, x * STOREY, N, None), None, 0.02).drift.max())
+        return float(
+            estimate(building, action, place_stiffness(building, x * STIFFNESS, N, None), None, 0.02).drift.max()
+        )
 
     assert drift(best) <= limit * (1.0 + 1e-6)
     axis = np.linspace(1e-3, 1.5 * best.sum(), 50)

@@ -4,34 +4,17 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from shear_frames import MASS, shear_frame_text
+
 from edesign.building.profiles import profile_names
 from edesign.project import Project, parse_project
 
-E, AREA, INERTIA = 210e9, 1000.0, 1e-4  # Pa, m2, m4 of the columns of the shear frames
-HEIGHT, BAY, MASS = 4.0, 8.0, 20e3  # m, m, kg a node
-STIFFNESS = 2 * 12 * E * INERTIA / HEIGHT**3  # N/m, of a storey of two columns between floors that do not bend
+NODE_MASS = MASS / 2  # kg
 
-SHEAR_FRAME = """\
-edesign: 1
-title: Frame with columns fixed in rigid floors
-frame:
-  bays: [8 m]
-  storeys: {count: @storeys@, height: 4 m}
-  diaphragms: all
-  columns: [{storeys: all, section: column, material: steel}]
-  beams: [{floors: all, section: rigid, material: steel}]
-materials:
-  steel: {law: elastic, E: 210 GPa}
-sections:
-  column: {area: 1000 m^2, inertia: 1e-4 m^4}
-  rigid: {area: 1 m^2, inertia: 1e3 m^4}
-elements: {geometry: {columns: linear}}
+_ANALYSED = """\
 loads:
   beams: [{floors: all, G: 10 kN/m, Q: 5 kN/m}]
   gravity: {G: 1.0, Q: 0.4}
-masses:
-  given: [{lines: all, floors: all, mass: 20 t}]
-  directions: horizontal
 damping: @damping@
 integration: {method: newmark, time_step: 0.01 s, tolerance: 1e-10}
 records:
@@ -101,7 +84,7 @@ def shear_frame(
     *analyses: str, storeys: int = 1, damping: str = "{kind: none}", outputs: str = "{}", path: str = "project.yaml"
 ) -> Project:
     """A shear frame with the given analyses, each as it stands in the file."""
-    text = SHEAR_FRAME.replace("@storeys@", str(storeys)).replace("@damping@", damping).replace("@outputs@", outputs)
+    text = (shear_frame_text(storeys) + _ANALYSED).replace("@damping@", damping).replace("@outputs@", outputs)
     text = text.replace("@analyses@", "\n".join(f"  - {analysis}" for analysis in analyses))
     if "history" not in text:
         text = text.replace("records:\n  pulse: {file: pulse.csv, acceleration_unit: m/s^2, time_step: 0.02 s}\n", "")

@@ -6,7 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from unit.study.frames import HEIGHT, MASS, PULSE, STIFFNESS, project, shear_frame
+from shear_frames import HEIGHT, STIFFNESS
+from unit.study.frames import NODE_MASS, PULSE, project, shear_frame
 
 from edesign.archive.dataset import Group
 from edesign.errors import InputError
@@ -14,7 +15,7 @@ from edesign.project.project import Project
 from edesign.study.analyses import run_analysis
 from edesign.study.residual import residual
 
-DT, M = 0.01, 2 * MASS
+DT, M = 0.01, 2 * NODE_MASS
 HISTORY = "{name: h, kind: history, record: pulse, scale: 2.0, free_vibration: 1.5 s, level: DBE, variant: bare}"
 STATEMENT = "{kind: modal, ratio: 5 %, modes: 1}"
 
