@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import copy
 import json
 import random
 from pathlib import Path
@@ -11,7 +10,7 @@ from typing import Any
 import pytest
 import yaml
 from building_examples import IRREGULAR, SMALL, building
-from unit.project.test_study_file import ODD, _places
+from spoiled_files import ODD, spoiled
 
 from edesign.building.building_file import load_building
 from edesign.building.building_sections import BuildingSections
@@ -140,38 +139,21 @@ MORE_ODD: tuple[Any, ...] = (
 )
 
 
-@pytest.mark.parametrize("text", [SMALL, IRREGULAR, (THESIS / "building.yaml").read_text(encoding="utf-8")])
-def test_no_change_of_a_file_leads_to_anything_but_a_message(text: str) -> None:
+@pytest.mark.parametrize("file", [SMALL, IRREGULAR, (THESIS / "building.yaml").read_text(encoding="utf-8")])
+def test_no_change_of_a_file_leads_to_anything_but_a_message(file: str) -> None:
     """Buildings with keys left out, values replaced, keys renamed (seeded): a frame of numbers, or a message."""
-    whole = yaml.safe_load(text)
+    whole = yaml.safe_load(file)
     sections = BuildingSections()
     refused = 0
     for seed in range(150):
-        spoiled = json.dumps(_spoiled(whole, random.Random(seed)), indent=1, ensure_ascii=False)  # YAML too
+        one = spoiled(whole, random.Random(seed), MORE_ODD, "floors")
+        text = json.dumps(one, indent=1, ensure_ascii=False)  # YAML too
         try:
-            found = parse_building(spoiled, "building.yaml", sections)
+            found = parse_building(text, "building.yaml", sections)
             assert isinstance(found, Building)
             told = check_building(found)
-            assert "nan" not in told["loads"] + told["masses"], spoiled
+            assert "nan" not in told["loads"] + told["masses"], text
         except InputError as error:
             refused += 1
-            assert str(error).startswith("building.yaml:"), spoiled
+            assert str(error).startswith("building.yaml:"), text
     assert 90 < refused < 150  # some keys may be left out
-
-
-def _spoiled(whole: Any, rng: random.Random) -> Any:
-    """One or two places changed."""
-    spoiled = copy.deepcopy(whole)
-    for _ in range(rng.choice((1, 1, 2))):
-        places = list(_places(spoiled))
-        if not places:
-            break
-        parent, key = rng.choice(places)
-        how = rng.randrange(3)
-        if how == 0:
-            del parent[key]
-        elif how == 1 or isinstance(parent, list):
-            parent[key] = copy.deepcopy(rng.choice(MORE_ODD))
-        else:
-            parent[rng.choice(("x", "floors", str(key)[:-1]))] = parent.pop(key)
-    return spoiled

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import copy
 import json
 import random
 from pathlib import Path
-from typing import Any
 
 import pytest
 import yaml
 from cases.small_frame import place_of
 from cases.small_study import PLANNED, write
+from spoiled_files import spoiled
 
 from edesign.building.project_file import load_project, load_study
 from edesign.cli.main import main
@@ -267,9 +266,6 @@ def test_a_file_that_is_not_there_or_a_folder(tmp_path: Path) -> None:
             load_study(path)
 
 
-ODD: tuple[Any, ...] = (None, True, 0, -1.5, "", "all", "none", "nan", "1e999 s", "35 degC", [], {}, [[]], {"a": {}})
-
-
 def test_no_change_of_a_file_leads_to_anything_but_a_message() -> None:
     """Three hundred studies of the thesis with keys left out, values replaced, keys renamed (seeded)."""
     whole = yaml.safe_load(THESIS.read_text(encoding="utf-8"))
@@ -277,7 +273,7 @@ def test_no_change_of_a_file_leads_to_anything_but_a_message() -> None:
     refused = 0
     for seed in range(300):
         rng = random.Random(seed)
-        text = json.dumps(_spoiled(whole, rng), indent=1, ensure_ascii=False)  # YAML too
+        text = json.dumps(spoiled(whole, rng, name="Levels"), indent=1, ensure_ascii=False)  # YAML too
         try:
             study = parse_study(text, THESIS, base)
             assert isinstance(study, Study)
@@ -286,32 +282,6 @@ def test_no_change_of_a_file_leads_to_anything_but_a_message() -> None:
             refused += 1
             assert str(error).startswith(f"{THESIS}:"), text
     assert 200 < refused < 300  # some keys may be left out
-
-
-def _spoiled(whole: Any, rng: random.Random) -> Any:
-    """One or two places changed."""
-    spoiled = copy.deepcopy(whole)
-    for _ in range(rng.choice((1, 1, 2))):
-        places = list(_places(spoiled))
-        if not places:
-            break
-        parent, key = rng.choice(places)
-        how = rng.randrange(3)
-        if how == 0:
-            del parent[key]
-        elif how == 1 or isinstance(parent, list):
-            parent[key] = copy.deepcopy(rng.choice(ODD))
-        else:
-            parent[rng.choice(("x", "Levels", str(key)[:-1]))] = parent.pop(key)
-    return spoiled
-
-
-def _places(value: Any) -> list[tuple[Any, Any]]:
-    keys = list(value) if isinstance(value, dict) else range(len(value)) if isinstance(value, list) else ()
-    found = [(value, key) for key in keys]
-    for key in keys:
-        found += _places(value[key])
-    return found
 
 
 def test_dampers_of_a_project_that_has_laws_alone(tmp_path: Path) -> None:
