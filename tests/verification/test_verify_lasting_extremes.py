@@ -134,7 +134,7 @@ def test_a_mass_does_not_make_another_reading_of_gamma_likely(tmp_path: Path) ->
     random = np.random.default_rng(6)
     grow = np.clip(2.0 * np.minimum(T, T[-1] - T), 0.0, 1.0)
     tests = []
-    for i, size in enumerate((2.0, 3.0, 4.0, 5.0, 6.0)):
+    for i, size in enumerate((2.0, 4.0, 6.0, 5.0)):
         u = 1e-3 * size * grow**3 * (10.0 - 15.0 * grow + 6.0 * grow**2) * np.sin(4.0 * np.pi * T)
         force = Damper(MGMM, warm).force(T, u) + 2e3 * np.gradient(np.gradient(u, T), T)
         noisy = force + NOISE * random.standard_normal(T.size)
