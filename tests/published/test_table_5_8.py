@@ -3,7 +3,7 @@
 References: thesis Tables 5.7 and 5.8 with the bars of projects/thesis_10_storey/reference.yaml; where a cell is beyond
 its bar, docs/thesis_study.md says what the runs of causes.yaml show. The means in thesis_study_means.csv are those of
 this program with simulated stand-ins for the recordings that cannot be shipped; EDESIGN_REWRITE_CASES=1 renews them.
-The whole study is for `make pytest ARGS="-m study"`; `make test` runs three of its twenty records.
+The whole study is for `make pytest ARGS="-m study"`; `make slow` runs three of its twenty records.
 """
 
 from __future__ import annotations
@@ -95,6 +95,7 @@ def test_means_are_within_the_bars_but_for_those_that_are_explained(comparison: 
     assert beyond == BEYOND
 
 
+@pytest.mark.slow  # the design alone is in test_table_5_7.py
 def test_storey_stiffness_is_that_of_table_5_7(of_three: Comparison) -> None:
     found = [cell for cell in cells(of_three, "Table 5.7") if cell.quantity == "storey stiffness"]
     assert len(found) == 10
@@ -106,6 +107,7 @@ def test_means_hold(comparison: Comparison) -> None:
     hold(comparison, MEANS)
 
 
+@pytest.mark.slow
 def test_means_of_three_records_hold(of_three: Comparison) -> None:
     hold(of_three, MEANS_OF_THREE)
     assert all(cell.count == 3 and not cell.missing for cell in cells(of_three, MEAN))

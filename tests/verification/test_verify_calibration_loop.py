@@ -46,10 +46,10 @@ def _offset(t: np.ndarray, u: np.ndarray, v: np.ndarray, a: np.ndarray, order: i
     [
         (_mass, "inertia", "instrument", "mass", 400.0),
         pytest.param(_friction, "friction", "rig", "F_c", 500.0, marks=pytest.mark.slow),
-        (_cubic, "hardening", "damper", "p", 3.0),
+        pytest.param(_cubic, "hardening", "damper", "p", 3.0, marks=pytest.mark.slow),
         (_ageing, "ageing", "damper", "rate", 0.02),
         pytest.param(_hum, "hum", "instrument", "frequency", 50.0, marks=pytest.mark.slow),
-        (_offset, "offset", "instrument", "offset", 250.0),
+        pytest.param(_offset, "offset", "instrument", "offset", 250.0, marks=pytest.mark.slow),
     ],
 )
 def test_what_is_hidden_is_found(

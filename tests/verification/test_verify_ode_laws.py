@@ -104,7 +104,7 @@ def test_modified_bouc_wen(dashpot: float) -> None:
     check("modified_bouc_wen", {**own, **BOUC_WEN, "n": 2.0}, expected)
 
 
-@pytest.mark.parametrize("alpha", [0.3, 1.3])
+@pytest.mark.parametrize("alpha", [0.3, pytest.param(1.3, marks=pytest.mark.slow)])
 def test_maxwell_power(alpha: float) -> None:
     """A brace only joins the spring: 1/k + 1/k_b."""
     c, k, brace = 4e5, 6e7, 1.5e8

@@ -141,7 +141,12 @@ def test_friction_jumps_at_the_reversal() -> None:
 
 
 @pytest.mark.parametrize(
-    ("frequency", "rate", "scatter"), [(1.0, 1000.0, 0.003), (4.0, 1000.0, 0.003), (1.0, 100.0, 0.006)]
+    ("frequency", "rate", "scatter"),
+    [
+        (1.0, 1000.0, 0.003),
+        pytest.param(4.0, 1000.0, 0.003, marks=pytest.mark.slow),
+        pytest.param(1.0, 100.0, 0.006, marks=pytest.mark.slow),
+    ],
 )
 def test_noise_of_one_per_cent_does_not_bias(frequency: float, rate: float, scatter: float) -> None:
     """1 % of the peak force, 0.3 % of the displacement, 12 seeds; the bias must be lost in the scatter of the mean.

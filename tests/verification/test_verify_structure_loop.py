@@ -129,7 +129,7 @@ def test_nothing_is_found_in_a_building_as_declared(on_layer: bool) -> None:
 @pytest.mark.parametrize(
     ("made", "label", "name", "value"),
     [
-        (fixed(springs=STOREYS * [1.0, 1.4, 1.0]), "partitions.storey_2", "r", 0.4),
+        pytest.param(fixed(springs=STOREYS * [1.0, 1.4, 1.0]), "partitions.storey_2", "r", 0.4, marks=pytest.mark.slow),
         (on_soft_ground(), "flexible_base.sway", "k", 2.5e8),
         (fixed(masses=MASSES * [1.0, 1.0, 1.3]), "mass_error.floor_3", "factor", 1.3),
         (damped_by_stiffness(), "damping.stiffness", "ratio", RATIO),
@@ -153,6 +153,7 @@ def test_what_an_isolation_layer_hides() -> None:
     assert found.errors["corrected"].validate < 0.01 * found.errors["refit"].validate
 
 
+@pytest.mark.slow  # a lag of a damper test is found by make test
 def test_late_instruments() -> None:
     found = calibrated(fixed(MASSES[:2], STOREYS[:2]), late=2)
     assert [f"{one.name}.{one.form}" for one in found.effects] == ["lag.delay"]

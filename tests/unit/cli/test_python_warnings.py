@@ -41,7 +41,7 @@ def errors_of(folder: Path, *words: str) -> str:
     "words",
     [
         ("report", "small.h5", "--quiet"),
-        ("show", "small.h5", "--figures", "figures", "--format", "png"),
+        pytest.param(("show", "small.h5", "--figures", "figures", "--format", "png"), marks=pytest.mark.slow),
         ("run", "frame/project.yaml", "--quiet", "--only", "pushover"),
         ("test", "programme.yaml", "--output", "rig", "--figures", "rig_figures", "--format", "pdf", "--quiet"),
         ("spectrum", "--ground", "C", "--a-gr", "0.36g", "--csv", "s.csv", "--figure", "s.png"),
