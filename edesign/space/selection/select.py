@@ -39,7 +39,10 @@ class Governing:
 
     def __str__(self) -> str:
         if math.isinf(self.utilisation):
-            return f"{self.member} is of class 4 under its forces, or shear leaves it no resistance"
+            return (
+                f"{self.check} ({self.clause}): no resistance is left to {self.member} in {self.combination}, as it is "
+                "of class 4 under its forces, or N or V is beyond what it bears alone"
+            )
         return f"{self.check} {self.utilisation:.3g} ({self.clause}) of {self.member} in {self.combination}"
 
 
@@ -189,7 +192,8 @@ def with_sections(building: Building, sections: dict[str, str]) -> Building:
 def governing_check(design: ElasticDesign, group: str) -> Governing:
     """Return the most used check of the members of a group."""
     numbers = [number for number, member in enumerate(design.frame.members) if member.group == group]
-    of = np.nan_to_num(design.members.utilisation[numbers], nan=-1.0)
+    of = design.members.utilisation[numbers]
+    of = np.where(np.isnan(of), -1.0, of)
     place, check = np.unravel_index(int(of.argmax()), of.shape)
     member = numbers[int(place)]
     row = int(design.members.combination[member, check]) - 1

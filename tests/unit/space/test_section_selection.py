@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -23,7 +25,7 @@ from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic
 from edesign.space.selection.evaluate import Evaluator, utilisations
 from edesign.space.selection.groups import groups_of
 from edesign.space.selection.search import Search, column_order
-from edesign.space.selection.select import Selection, select_sections, with_sections
+from edesign.space.selection.select import Selection, governing_check, select_sections, with_sections
 
 TEXT = FRAMES.format(
     bays=2,
@@ -230,6 +232,20 @@ def test_the_interior_frame_of_the_thesis_by_all_of_ec8() -> None:
 
 
 # --- what is told
+
+
+def test_a_member_without_resistance_is_told_in_words() -> None:
+    members = SimpleNamespace(
+        utilisation=np.array([[np.nan, np.inf]]),
+        combination=np.array([[0, 1]]),
+        checks=("N", "EQ_6_61"),
+        clauses=("EN 1993-1-1, 6.2.3", "EN 1993-1-1, 6.3.3"),
+        rows=(SimpleNamespace(name="1.35 G"),),
+    )
+    frame = SimpleNamespace(members=(SimpleNamespace(group="BY", name="BY_B_1_3"),))
+    governing = governing_check(SimpleNamespace(members=members, frame=frame), "BY")  # type: ignore[arg-type]
+    assert math.isinf(governing.utilisation)
+    assert str(governing).startswith("EQ_6_61 (EN 1993-1-1, 6.3.3): no resistance is left to BY_B_1_3 in 1.35 G")
 
 
 def test_what_stands_in_the_way_is_told() -> None:
