@@ -139,7 +139,7 @@ _FACTORS: dict[str, dict[str, float]] = {
     "Pa": _STRESSES,
     "N/m^2": _STRESSES,
     "kg": {"kg": 1.0, "t": 1e3},
-    "kg/m^3": {"kg/m^3": 1.0},
+    "kg/m^3": {"kg/m^3": 1.0, "t/m^3": 1e3},
     "s": {"s": 1.0, "ms": 1e-3, "min": 60.0},
     "m/s": {"m/s": 1.0, "mm/s": 1e-3},
     "m/s^2": {"g": STANDARD_GRAVITY, "m/s^2": 1.0, "cm/s^2": 1e-2},
@@ -151,6 +151,11 @@ _FACTORS: dict[str, dict[str, float]] = {
 
 In an acceleration g stands for gravity; everywhere else it is the gram.
 """
+
+
+def units_of(kind: Kind) -> dict[str, float]:
+    """Return the units that engineers write a quantity in most, with their factors to SI."""
+    return _FACTORS[kind.unit]
 
 
 @cache

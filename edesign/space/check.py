@@ -16,6 +16,7 @@ from edesign.project.building.building import Building
 from edesign.project.building.design import DEFAULT_PRICE, KINDS
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import column_name
+from edesign.project.building.plausible import unusual
 from edesign.project.problems import did_you_mean, listed
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import space_frame
@@ -140,7 +141,8 @@ def _check_lists(building: Building) -> None:
 
 
 def _warnings(building: Building) -> list[str]:
-    """What is allowed and may not be meant: columns that grow upwards."""
+    """What is allowed and may not be meant: unusual values, columns that grow upwards."""
+    found = [f"{building.where(*keys)}: {text}" for keys, text in unusual(building)]
     at = building.layout.column_at
     larger = [
         column_name(line, storey)
@@ -148,6 +150,6 @@ def _warnings(building: Building) -> list[str]:
         if (below := at.get((line, storey - 1))) is not None
         and steel_section(run.section).A > steel_section(below.section).A
     ]
-    if not larger:
-        return []
-    return [f"columns are larger than those below them: {listed(larger)}"]
+    if larger:
+        found.append(f"columns are larger than those below them: {listed(larger)}")
+    return found

@@ -19,6 +19,7 @@ from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum, national_of, vertical_spectrum
 from edesign.project.building.building import Building, Steel
+from edesign.project.building.plausible import unusual
 from edesign.project.hazard import Hazard
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.space.analysis.actions import action_factors_of, psi_of, with_joined_cases
@@ -398,7 +399,8 @@ class ElasticAnalysis:
 
     def _limits(self, frame: SpaceFrame) -> list[str]:
         """Return what the analysis adds to this building or leaves out of it, a sentence each."""
-        found = [self._vertical.note] if self._vertical else []
+        found = [text for _, text in unusual(self.building)]
+        found += [self._vertical.note] if self._vertical else []
         found += [LIVE_LOADS_REDUCED] if self._reduction is not None else []
         weight = float(frame.node_mass.sum()) * STANDARD_GRAVITY
         loads = float(gravity_above(frame, self.seismic[0].static)[0])

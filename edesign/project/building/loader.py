@@ -11,6 +11,7 @@ from edesign.project.building.checks_design import check_design
 from edesign.project.building.checks_layout import check_layout
 from edesign.project.building.checks_loads import check_loads
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.building.plausible import check_given_masses, check_plausible
 from edesign.project.problems import FileProblems
 from edesign.project.sections import Catalogue
 from edesign.project.yaml_file import check_model, read_yaml_text
@@ -51,9 +52,11 @@ def parse_building(text: str, path: Path | str = "building.yaml", profiles: Cata
         building = read.completed(building)
         building.read_from(path, text, problems.root, read)
         # cross checks need a whole building, those of loads and design one whose members stand
+        check_plausible(building, problems)
         check_layout(building, problems, profiles)
         if not problems.found:
             check_loads(building, problems)
+            check_given_masses(building, problems)
             check_design(building, problems)
     if building is None or problems.found:
         raise BuildingError(path, problems.found)

@@ -1,0 +1,254 @@
+"""What dimensions, steels, loads and masses of a steel building can be, and what is usual: slips of units are found.
+
+All bounds of this kind stand here, each with its reason. Beyond what is possible a value is refused, with the unit that
+was probably meant; beyond what is usual it is warned of, as uncommon buildings are allowed.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from edesign.project.building.building import Building
+from edesign.project.building.layout import Panel
+from edesign.project.problems import Keys, Problems, keys_text
+from edesign.project.units import (
+    AREA_LOAD,
+    DENSITY,
+    FORCE,
+    LENGTH,
+    LINE_LOAD,
+    MASS,
+    STANDARD_GRAVITY,
+    STRESS,
+    Kind,
+    units_of,
+)
+
+
+@dataclass(frozen=True)
+class Range:
+    """The bounds of a quantity, in SI.
+
+    Attributes:
+        what: its name.
+        kind: the physical quantity.
+        unit: in which people write it.
+        possible, why: least and largest value that is read, and where these come from.
+        usual, why_usual: least and largest value that is not worth a word, and where these come from.
+    """
+
+    what: str
+    kind: Kind
+    unit: str
+    possible: tuple[float, float]
+    why: str
+    usual: tuple[float, float]
+    why_usual: str
+
+    def refuses(self, value: float) -> bool:
+        """Whether a value is not possible."""
+        return not self.possible[0] <= value <= self.possible[1]
+
+    def warns(self, value: float) -> bool:
+        """Whether a value is not usual."""
+        return not self.usual[0] <= value <= self.usual[1]
+
+    def shown(self, bounds: tuple[float, float]) -> str:
+        """Bounds in the unit that people write: `150 to 700 MPa`."""
+        factor = units_of(self.kind)[self.unit]
+        return f"{bounds[0] / factor:.4g} to {bounds[1] / factor:.4g} {self.unit}"
+
+
+LIGHTEST, HEAVIEST = 10.0, 100e3
+"""Loads of a floor, N/m2: a coated fabric of a membrane roof weighs 10 N/m2; 4 m of concrete (EN 1991-1-1, Table A.1,
+25 kN/m3) or 10 m of water weigh 100 kN/m2."""
+
+_LENGTHS = (
+    (0.5, 150.0),
+    "below it is less than the depth of an HEB500, so no bar is left; above it no rolled beam of S460 carries its own "
+    "weight",
+)
+HEIGHT = Range("height of a storey", LENGTH, "m", *_LENGTHS, (2.0, 20.0), "people stand up in 2 m; halls have 20 m")
+WIDTH = Range("width of a bay", LENGTH, "m", *_LENGTHS, (2.0, 24.0), "beams are rolled and carried up to 24 m")
+YIELD = Range(
+    "yield strength of structural steel",
+    STRESS,
+    "MPa",
+    (150e6, 700e6),
+    "S235 of 400 mm has 165 MPa (EN 10025-2), the grades end with S700 (EN 1993-1-12)",
+    (215e6, 460e6),
+    "EN 1993-1-1, Table 3.1, goes from S235 of 80 mm to S460; the checks have no rules for other steels",
+)
+MODULUS = Range(
+    "modulus of elasticity of steel",
+    STRESS,
+    "GPa",
+    (190e9, 220e9),
+    "EN 1993-1-1, 3.2.6 and EN 1993-1-4, 2.1.3 have 195 to 220 GPa; EN 1993-1-1 does not check other materials",
+    (195e9, 220e9),
+    "EN 1993-1-1, 3.2.6 has 210 GPa, and EN 1993-1-4, 2.1.3 has 195 to 220 GPa of stainless steel",
+)
+STEEL_DENSITY = Range(
+    "density of steel",
+    DENSITY,
+    "kg/m^3",
+    (7200.0, 10000.0),
+    "cast iron is lightest in EN 1991-1-1, Table A.4; more than a quarter on 7850 kg/m^3 is no allowance for joints",
+    (7700.0, 10000.0),
+    "EN 1991-1-1, Table A.4, has 77 to 78.5 kN/m3",
+)
+AREA = Range(
+    "load of a floor or roof",
+    AREA_LOAD,
+    "kN/m^2",
+    (LIGHTEST, HEAVIEST),
+    "a membrane roof weighs 0.01 kN/m^2, 4 m of concrete 100 kN/m^2",
+    (LIGHTEST, 25e3),
+    "1 m of concrete weighs 25 kN/m^2 (EN 1991-1-1, Table A.1)",
+)
+IMPOSED = Range(
+    AREA.what,
+    AREA_LOAD,
+    "kN/m^2",
+    AREA.possible,
+    AREA.why,
+    (LIGHTEST, 7.5e3),
+    "EN 1991-1-1, Tables 6.2 to 6.10, have at most 7.5 kN/m^2 on areas",
+)
+LINE = Range(
+    "load along a beam",
+    LINE_LOAD,
+    "kN/m",
+    (LIGHTEST, 1e6),
+    "the bounds of loads on areas, on a strip of 1 m and of 10 m",
+    (LIGHTEST, 250e3),
+    "1 m of concrete on a strip of 10 m weighs 250 kN/m",
+)
+POINT = Range(
+    "load on a node",
+    FORCE,
+    "kN",
+    (LIGHTEST, 100e6),
+    "the least load of an area on 1 m^2, and more than the heaviest rolled column carries, 87 MN of S460",
+    (LIGHTEST, 100e6),
+    "",
+)
+FLOOR_MASS = Range(
+    "mass of a floor by its area",
+    MASS,
+    "t",
+    (LIGHTEST / STANDARD_GRAVITY, HEAVIEST / STANDARD_GRAVITY),
+    "the bounds of loads on areas, over the acceleration of gravity",
+    (LIGHTEST / STANDARD_GRAVITY, 25e3 / STANDARD_GRAVITY),
+    "1 m of concrete has 2.5 t/m^2",
+)
+
+
+def check_plausible(building: Building, problems: Problems) -> None:
+    """Refuse what no steel building has; zero loads are allowed.
+
+    Args:
+        building: read without schema problems.
+        problems: collects what is wrong.
+    """
+    for keys, value, bounds in _values(building):
+        if not bounds.refuses(value):
+            continue
+        written = problems.node(keys).text
+        message = f"`{written}` is no {bounds.what}: {bounds.shown(bounds.possible)} is allowed ({bounds.why})"
+        problems.at_value(keys, message + _meant(written, bounds))
+
+
+def check_given_masses(building: Building, problems: Problems) -> None:
+    """Refuse given masses that no floor has; its area is that of the bays that it covers."""
+    for floor, by_area in _mass_by_area(building).items():
+        if FLOOR_MASS.refuses(by_area):
+            message = (
+                f"floor {floor} has {by_area:.4g} kg/m^2, which no floor has: {FLOOR_MASS.possible[0]:.4g} to "
+                f"{FLOOR_MASS.possible[1]:.4g} kg/m^2 is allowed ({FLOOR_MASS.why}); `mass` is that of each node"
+            )
+            problems.at_value(("masses", "given", _entry_of(building, floor)), message)
+
+
+def unusual(building: Building) -> list[tuple[Keys, str]]:
+    """Return what is allowed and worth a second look: the place, and a sentence that names it."""
+    found: list[tuple[Keys, str]] = [
+        (
+            keys,
+            f"{keys_text(keys)}: an unusual {bounds.what}; {bounds.shown(bounds.usual)} is usual: {bounds.why_usual}",
+        )
+        for keys, value, bounds in _values(building)
+        if bounds.warns(value)
+    ]
+    for floor, by_area in _mass_by_area(building).items():
+        if FLOOR_MASS.warns(by_area):
+            text = f"floor {floor} has an unusual mass, {by_area:.4g} kg/m^2: {FLOOR_MASS.why_usual}"
+            found.append((("masses", "given", _entry_of(building, floor)), text))
+    return found
+
+
+def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
+    """The values that have bounds, with their places; zero loads have none."""
+    for along in ("x", "y"):
+        yield from _lengths(("plan", along), getattr(building.plan, along), "width", WIDTH)
+    yield from _lengths(("storeys",), building.storeys, "height", HEIGHT)
+    for name, steel in building.materials.items():
+        yield ("materials", name, "fy"), steel.fy, YIELD
+        yield ("materials", name, "E"), steel.E, MODULUS
+        yield ("materials", name, "density"), steel.density, STEEL_DENSITY
+    for part, permanent, variable in (
+        ("areas", AREA, IMPOSED),
+        ("perimeter", LINE, LINE),
+        ("beams", LINE, LINE),
+        ("nodes", POINT, POINT),
+    ):
+        for i, load in enumerate(getattr(building.loads, part)):
+            stored = load.category in ("E", "snow")  # what is stored and how deep it snows has no common bound
+            for key, value, bounds in (("G", load.G, permanent), ("Q", load.Q, permanent if stored else variable)):
+                if value:
+                    yield ("loads", part, i, key), abs(value), bounds
+
+
+def _lengths(keys: Keys, of: object, key: str, bounds: Range) -> Iterator[tuple[Keys, float, Range]]:
+    """Widths or heights: each of a list, or the one that all have."""
+    if isinstance(of, tuple):
+        for i, value in enumerate(of):
+            yield (*keys, i), value, bounds
+    else:
+        yield (*keys, key), getattr(of, key), bounds
+
+
+def _mass_by_area(building: Building) -> dict[int, float]:
+    """Given mass of each floor that has some, by the area of the bays that it covers, kg/m2."""
+    masses: dict[int, float] = {}
+    for given in building.masses.given or () if building.masses else ():
+        for floor in given.floors.numbers(1, building.n_storeys):
+            there = building.layout.node_lines[floor]
+            masses[floor] = masses.get(floor, 0.0) + given.mass * len(set(building.lines_of(given.at)) & set(there))
+    return {floor: mass / _area(building, building.layout.floors[floor]) for floor, mass in masses.items()}
+
+
+def _area(building: Building, panels: frozenset[Panel]) -> float:
+    x, y = building.widths("x"), building.widths("y")
+    return sum(x[i - 1] * y[j - 1] for i, j in panels)
+
+
+def _entry_of(building: Building, floor: int) -> int:
+    """The first entry of given masses on a floor."""
+    given = building.masses.given or () if building.masses else ()
+    return next(i for i, item in enumerate(given) if floor in item.floors.numbers(1, building.n_storeys))
+
+
+def _meant(written: str, bounds: Range) -> str:
+    """`; did you mean ...?` with the unit in which the number written is usual, or nothing."""
+    match = re.match(r"\s*[-+]?([0-9.]+(?:[eE][-+]?[0-9]+)?)", written)
+    if not match:
+        return ""
+    number = abs(float(match[1]))
+    units = [unit for unit, factor in units_of(bounds.kind).items() if not bounds.warns(number * factor)]
+    if not units:
+        return ""
+    unit = bounds.unit if bounds.unit in units else units[0]
+    return f"; did you mean `{written[: match.end()].strip()} {unit}`?"
