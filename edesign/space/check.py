@@ -18,6 +18,7 @@ from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import column_name
 from edesign.project.building.plausible import unusual
 from edesign.project.problems import did_you_mean, listed
+from edesign.space.joint_stiffness import unusual_ends
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.load_cases import on_nodes
@@ -141,8 +142,8 @@ def _check_lists(building: Building) -> None:
 
 
 def _warnings(building: Building) -> list[str]:
-    """What is allowed and may not be meant: unusual values, columns that grow upwards."""
-    found = [f"{building.where(*keys)}: {text}" for keys, text in unusual(building)]
+    """What is allowed and may not be meant: unusual values and ends, columns that grow upwards."""
+    found = [f"{building.where(*keys)}: {text}" for keys, text in unusual(building)] + unusual_ends(building)
     at = building.layout.column_at
     larger = [
         column_name(line, storey)
