@@ -34,7 +34,7 @@ def checked_hazard(project: Project | Building) -> Hazard:
     """
     hazard = project.hazard
     if hazard is None:
-        raise InputError(f"{project.path}: hazard: this block is missing; docs/project_file.md explains it")
+        raise InputError(f"{project.where('hazard')}: hazard: this block is missing; docs/project_file.md explains it")
     place = "country"
     try:
         _code(hazard).national(hazard.country)

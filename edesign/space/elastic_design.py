@@ -13,7 +13,6 @@ from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
-from edesign.core.errors import CoreError
 from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
@@ -56,6 +55,7 @@ from edesign.space.checks.foundations import Foundations, foundation_factors, fo
 from edesign.space.checks.member_checks import LARGEST_CLASS, MemberChecker, MemberResults
 from edesign.space.checks.regularity import regularity, shape
 from edesign.space.checks.web_panels import Panel, panel_criteria, web_panels
+from edesign.space.file_places import keys_of_member, telling_member, telling_place
 from edesign.space.structure.design_block import MOMENT_FRAME, Regular, design_of, system_of
 from edesign.space.structure.frame import AXES, Axis, Member, SpaceFrame
 from edesign.space.structure.geometry import space_frame
@@ -131,8 +131,9 @@ def elastic_design(building: Building, tell: Callable[[str], None] = lambda stag
     found = ElasticAnalysis(building, tell).design()
     if found.members.slender:
         member = found.frame.members[found.members.slender[0]]
+        place = building.where(*keys_of_member(building, member.name), "section")
         raise InputError(
-            f"{building.path}: {member.name}: {member.section} of {member.material} is of class 4 under its forces, "
+            f"{place}: {member.name}: {member.section} of {member.material} is of class 4 under its forces, "
             "and effective sections (EN 1993-1-5) are not in the checks; choose a section of class "
             f"{LARGEST_CLASS} or less"
         )
@@ -179,13 +180,12 @@ class ElasticAnalysis:
         self.frame = space_frame(building)
         if not self.frame.node_mass.any():
             raise InputError(
-                f"{building.path}: masses: the seismic action needs masses; docs/building_file.md explains them"
+                f"{building.where('masses')}: masses: the seismic action needs masses; docs/building_file.md explains "
+                "them"
             )
         tell(f"stiffness of {len(self.frame.members)} members")
-        try:
+        with telling_member(self.building):
             self._models = [space_model(self.frame, building.materials, gravity) for gravity in (False, True)]
-        except CoreError as error:
-            raise InputError(f"{building.path}: {error}") from error
         self._properties = [member_properties(self.frame, building.materials, gravity) for gravity in (False, True)]
         system = {axis: system_of(self._design, axis) for axis in AXES}
         self._shape = shape(building, self.frame)
@@ -208,7 +208,8 @@ class ElasticAnalysis:
         psi = psi_of(building, self._national)
         directions = "srss" if self._design.directions == "srss" else "30 %"
         asked, factors = self._design.fundamental, action_factors_of(self._design, self._national)
-        self.fundamental = fundamental(cases, psi, factors, asked.expression, asked.favourable)
+        with telling_place(building, "loads"):
+            self.fundamental = fundamental(cases, psi, factors, asked.expression, asked.favourable)
         self.seismic = seismic(cases, psi, directions)
         self._characteristic = characteristic(cases, psi)
         self.yielded = yielded_combinations(self.seismic[0], self.bracing, self._design)
@@ -227,7 +228,8 @@ class ElasticAnalysis:
             kind = system_of(self._design, axis).type
             if not self.dissipative[axis].size:
                 what = "beam along it has a stiff end" if kind == MOMENT_FRAME else "bay along it is braced"
-                raise InputError(f"{self.building.path}: design.systems.{axis}.type: `{kind}`, but no {what}")
+                where = self.building.where("design", "systems", axis, "type")
+                raise InputError(f"{where}: design.systems.{axis}.type: `{kind}`, but no {what}")
 
     def _behaviour_factors(self, regular: Regular) -> tuple[dict[Axis, float], dict[Axis, float]]:
         """Return q of both directions, and their upper limits."""
@@ -288,8 +290,12 @@ class ElasticAnalysis:
             The design; members of class 4, which the checks do not cover, are in `members.slender`.
 
         Raises:
-            InputError: a section is not known, or modes that SRSS needs apart are close.
+            InputError: a section is not known, modes that SRSS needs apart are close, or results are not finite.
         """
+        with telling_member(self.building):
+            return self._designed(sections)
+
+    def _designed(self, sections: Mapping[str, str] | None) -> ElasticDesign:
         building, design = self._made, self._design
         frame = self.frame_with(sections) if sections else self.frame
         model, gravity_model = self._with_sections(frame)
@@ -303,10 +309,11 @@ class ElasticAnalysis:
         self._tell("effects of the actions")
         static = static_response(gravity_model, frame)
         analysis = ResponseSpectrumAnalysis(model, frame, self._elastic, design, self.bracing, self.supports)
-        response = {
-            axis: analysis.response(modes, axis, DesignSpectrum.of(self._elastic, q[axis], self._national.beta))
-            for axis in AXES
-        }
+        with telling_place(building, "design", "combination"):
+            response = {
+                axis: analysis.response(modes, axis, DesignSpectrum.of(self._elastic, q[axis], self._national.beta))
+                for axis in AXES
+            }
         height = np.array(building.heights)
         gravity = gravity_above(frame, self.seismic[0].static)
         of_storeys = {axis: storeys(response[axis], height, gravity, design) for axis in AXES}
@@ -440,7 +447,9 @@ def _first(modes: SpaceModes, count: int, building: Building) -> SpaceModes:
 
 def _hazard(building: Building) -> Hazard:
     if building.hazard is None:
-        raise InputError(f"{building.path}: hazard: this block is missing; docs/building_file.md explains it")
+        raise InputError(
+            f"{building.where('hazard')}: hazard: this block is missing; docs/building_file.md explains it"
+        )
     return checked_hazard(building)
 
 

@@ -102,8 +102,9 @@ class FrameRow:
         rigid = set(self.building.diaphragms.numbers(1, self.building.n_storeys))
         loose = [str(floor) for floor in range(1, self.top + 1) if floor not in rigid]
         if self.alone is None and loose:
+            where = self.building.where("diaphragms")
             raise InputError(
-                f"{self.building.path}: {self.name}: only rigid floors tie frames in one plane, and floor "
+                f"{where}: {self.name}: only rigid floors tie frames in one plane, and floor "
                 f"{', '.join(loose)} is none; extract one frame, such as {self.frames[0].name}"
             )
 

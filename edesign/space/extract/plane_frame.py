@@ -22,6 +22,7 @@ from edesign.project.building.names import (
     node_name,
 )
 from edesign.project.problems import listed
+from edesign.space.file_places import keys_of_member, keys_of_support
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import half_names
 from edesign.space.structure.load_cases import on_members, on_nodes
@@ -150,7 +151,8 @@ class PlaneFrame:
         kind = kinds.get((str(held[0]), str(held[1])))
         if springs.uz != "fixed" or kind is None:
             raise self._refuse(
-                f"project files have no support like that of {self.lines[i]}, only fixed, pinned, roller"
+                f"project files have no support like that of {self.lines[i]}, only fixed, pinned, roller",
+                *keys_of_support(self.building, self.lines[i]),
             )
         return kind
 
@@ -166,14 +168,17 @@ class PlaneFrame:
         """
         soft = [str(place) for place, run in self.beams.items() if _semi_rigid(run.ends)]
         if soft:
-            raise self._refuse(f"project files have no semi-rigid ends, as those of {listed(soft)}")
+            entry = keys_of_member(self.building, soft[0])
+            raise self._refuse(f"project files have no semi-rigid ends, as those of {listed(soft)}", *entry, "ends")
         if not self.columns:
-            raise self._refuse("no column stands in it")
+            raise self._refuse("no column stands in it", "missing", "columns")
         if loose := self._loose_nodes():
-            raise self._refuse(f"beams at right angles end at {listed(loose)}, where it has no member itself")
+            message = f"beams at right angles end at {listed(loose)}, where it has no member itself"
+            raise self._refuse(message, "missing")
         if alone and not self.resists and (firm := [other.name for other in parallel_frames(self) if other.resists]):
             message = f"it leans on others, as its beams are pinned and it has no braces; extract {listed(firm)}"
-            raise self._refuse(message)
+            beam = next(iter(self.beams), None)
+            raise self._refuse(message, *(keys_of_member(self.building, str(beam)) if beam else ("beams",)))
 
     def _loose_nodes(self) -> list[str]:
         """Nodes on its lines at which none of its own members ends."""
@@ -187,8 +192,8 @@ class PlaneFrame:
             if line in lines and (line, floor) not in own
         ]
 
-    def _refuse(self, message: str) -> InputError:
-        return InputError(f"{self.building.path}: frame {self.name}: {message}")
+    def _refuse(self, message: str, *keys: str | int) -> InputError:
+        return InputError(f"{self.building.where(*keys)}: frame {self.name}: {message}")
 
 
 def plane_frame(building: Building, space: SpaceFrame, name: str) -> PlaneFrame:

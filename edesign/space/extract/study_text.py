@@ -181,9 +181,9 @@ records:
 def _hazard(row: FrameRow) -> Hazard:
     building = row.building
     if building.hazard is None or not building.hazard.levels:
-        raise InputError(f"{building.path}: a study needs a `hazard` with `levels`")
+        raise InputError(f"{building.where('hazard')}: a study needs a `hazard` with `levels`")
     if building.masses is None:
-        raise InputError(f"{building.path}: a study needs `masses`")
+        raise InputError(f"{building.where('masses')}: a study needs `masses`")
     return building.hazard
 
 
@@ -220,8 +220,9 @@ def _bays(row: FrameRow) -> str:
         ]
         free += [(of_frame[0], of_frame[-1])] if of_frame and frame.resists else []
     if not free:
+        where = row.building.where("braces")
         raise InputError(
-            f"{row.building.path}: {row.name}: no bay is free of braces, with columns and beams in all storeys, for "
+            f"{where}: {row.name}: no bay is free of braces, with columns and beams in all storeys, for "
             "dampers to stand in"
         )
     return selection(sorted({*free[0], *free[-1]}), [], str)

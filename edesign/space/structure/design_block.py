@@ -39,7 +39,9 @@ def design_of(building: Building) -> Design:
     """
     design, hazard = building.design, building.hazard
     if design is None:
-        raise InputError(f"{building.path}: design: this block is missing; docs/building_file.md explains it")
+        raise InputError(
+            f"{building.where('design')}: design: this block is missing; docs/building_file.md explains it"
+        )
     if hazard is None:
         return design
     national = national_of(hazard)

@@ -119,18 +119,18 @@ def test_live_loads_of_several_categories_are_multiplied_with_their_psi_2() -> N
 @pytest.mark.parametrize(
     ("name", "said"),
     [
-        ("X1", "frame X1: project files have no support like that of D1, only fixed, pinned, roller"),
-        ("X2", "frame X2: project files have no semi-rigid ends, as those of `BX_2_1_1`"),
-        ("X4", "there is no frame `X4`; the frames are X1 to X3 and YA to YD"),
-        ("B2", "there is no frame `B2`"),
-        ("", "there is no frame ``"),
+        ("X1", "11:7: frame X1: project files have no support like that of D1, only fixed, pinned, roller"),
+        ("X2", "17:55: frame X2: project files have no semi-rigid ends, as those of `BX_2_1_1`"),
+        ("X4", " there is no frame `X4`; the frames are X1 to X3 and YA to YD"),
+        ("B2", " there is no frame `B2`"),
+        ("", " there is no frame ``"),
     ],
 )
 def test_what_a_project_file_cannot_say(name: str, said: str) -> None:
     whole = building(IRREGULAR)
     with pytest.raises(InputError) as caught:
         project_text(frame_row(whole, space_frame(whole), name))
-    assert str(caught.value).startswith(f"building.yaml: {said}")
+    assert str(caught.value).startswith(f"building.yaml:{said}")
 
 
 def test_a_frame_with_setbacks() -> None:
