@@ -6,7 +6,7 @@ A combination is a factor for each load case and one for each seismic component.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 from edesign.codes.ec8.directions import DirectionRule, direction_factors
@@ -18,6 +18,8 @@ from edesign.errors import InputError
 CombinationSet = Literal["fundamental", "seismic", "characteristic", "frequent", "quasi-permanent"]
 Expression = Literal["6.10", "6.10a/b"]
 
+_PAIR = "6.10a/b"
+"""The expression, and the equation of a combination that both of the pair ask for."""
 _COMPONENTS = ("E_x", "E_y", "E_z")
 
 
@@ -28,7 +30,7 @@ class Combination:
     Attributes:
         name: as a report prints it: `1.35 G + 1.5 Q`, `G + 0.3 Q + E_x + 0.3 E_y`.
         set: design situation or serviceability combination that it belongs to.
-        equation: of EN 1990.
+        equation: of EN 1990; `6.10a/b` of one that both equations give.
         static: factor by name of the load case; cases that are absent do not act.
         seismic: factors of E_x, E_y, E_z.
         directions: how the seismic components add up: `30 %` as a sum of the effects times `seismic`, `srss` as the
@@ -71,18 +73,18 @@ def fundamental(
     Source: EN 1990:2002+A1, 6.4.3.2(3), Eqs. 6.10, 6.10a, 6.10b; Table A1.2(B) with Note 3 (all permanent actions of
         one origin take one factor).
     """
-    if expression not in ("6.10", "6.10a/b"):
-        raise unknown("expression of EN 1990", expression, ("6.10", "6.10a/b"))
+    if expression not in ("6.10", _PAIR):
+        raise unknown("expression of EN 1990", expression, ("6.10", _PAIR))
     permanent, variable = split_cases(cases, psi)
 
     def rows() -> Iterator[Combination]:
         for actions in sets_of_actions(variable, favourable):
             for G in (factors.G_sup, factors.G_inf) if favourable else (factors.G_sup,):
-                if expression == "6.10a/b":
+                if expression == _PAIR:
                     static = dict.fromkeys(permanent, G)
                     static |= {case: factors.Q * psi[cases[case]].psi_0 for action in actions for case in action}
                     yield _combination("fundamental", "6.10a", static)
-                reduced = G * factors.xi if expression == "6.10a/b" and G == factors.G_sup else G
+                reduced = G * factors.xi if expression == _PAIR and G == factors.G_sup else G
                 for leading in actions or ((),):
                     static = dict.fromkeys(permanent, reduced)
                     for action in actions:
@@ -204,9 +206,11 @@ def _sum(terms: Iterable[tuple[float, str]]) -> str:
 
 def _distinct(rows: Iterator[Combination], favourable: bool) -> tuple[Combination, ...]:
     """The rows without repetitions, and unless actions may be favourable without those that another row covers."""
-    kept: dict[tuple[str, str], Combination] = {}
+    kept: dict[str, Combination] = {}
     for row in rows:
-        kept.setdefault((row.equation, row.name), row)  # one name stands for one set of factors
+        same = kept.setdefault(row.name, row)  # one name stands for one set of factors
+        if same.equation != row.equation:  # as without variable actions, or where psi_0 is 1
+            kept[row.name] = replace(same, equation=_PAIR)
         if len(kept) > MOST_COMBINATIONS:
             raise InputError(
                 f"there are more than {MOST_COMBINATIONS} combinations: merge load cases that act together"
@@ -217,6 +221,7 @@ def _distinct(rows: Iterator[Combination], favourable: bool) -> tuple[Combinatio
 
 def _covers(other: Combination, row: Combination) -> bool:
     """Whether each action of a row acts at least as much in the other one, and something more."""
-    if other is row or (other.equation, other.seismic) != (row.equation, row.seismic):
+    comparable = other.equation in (row.equation, _PAIR) and other.seismic == row.seismic
+    if other is row or not comparable:
         return False
     return all(other.static.get(case, 0.0) >= factor for case, factor in row.static.items())

@@ -71,6 +71,20 @@ def test_pair_of_6_10a_and_6_10b() -> None:
     ]
 
 
+def test_what_both_of_the_pair_give_is_one_row() -> None:
+    """G alone, and loads of stores, whose psi_0 is 1 (EN 1990, Table A1.1): 6.10a and 6.10b do not differ at G_inf."""
+    rows = fundamental({"G": "permanent", "Q": "E"}, PSI, FACTORS, "6.10a/b", favourable=True)
+    assert [(row.equation, row.name) for row in rows] == [
+        ("6.10a", "1.35 G"),
+        ("6.10b", "1.1475 G"),
+        ("6.10a/b", "G"),
+        ("6.10a", "1.35 G + 1.5 Q"),
+        ("6.10b", "1.1475 G + 1.5 Q"),
+        ("6.10a/b", "G + 1.5 Q"),
+    ]
+    assert len(set(names(rows))) == len(rows)
+
+
 def test_favourable_actions() -> None:
     """The rows of one permanent and two independent imposed cases as Dlubal, FAQ 002341 lists them; and with G_inf."""
     rows = fundamental({"LF1": "permanent", "LF3": "A", "LF4": "A"}, PSI, FACTORS, favourable=True)
