@@ -14,7 +14,7 @@ from edesign.errors import ArchiveError
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.building_results import BuildingResults, finite
 from edesign.report.deflection_table import deflection_table
-from edesign.report.foundation_table import foundation_table
+from edesign.report.foundation_table import foundation_table, reaction_table
 from edesign.report.table import Table, number
 from edesign.space.structure.frame import AXES
 
@@ -270,7 +270,7 @@ TABLES: tuple[Make, ...] = (
     lambda results: [criteria_table(results)],
     lambda results: [groups_table(results)],
     lambda results: [deflection_table(results.group("deflections"))],
-    lambda results: [foundation_table(results.group("foundations"))],
+    lambda results: [reaction_table(results.group("foundations")), foundation_table(results.group("foundations"))],
     lambda results: [combinations_table(results)],
     lambda results: [verdict_table(results)],
 )

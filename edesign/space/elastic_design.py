@@ -338,8 +338,8 @@ class ElasticAnalysis:
             if kind[axis] == MOMENT_FRAME
         }
         deflections = self._deflections.deflections(frame, self._properties[1], static)
-        factor = foundation_factors(building, frame, self.supports, in_earthquakes, Omega, q)
-        found = foundations(frame, self.supports, static, response, of_storeys, self.seismic, factor)
+        factors = foundation_factors(building, frame, self.supports, in_earthquakes, Omega, q)
+        found = foundations(frame, self.supports, static, response, of_storeys, self.seismic, *factors)
         of_panels = {
             axis: web_panels(
                 frame,

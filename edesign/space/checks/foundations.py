@@ -75,6 +75,7 @@ class Foundations:
         static: (c, s, 6) reactions to the load cases, in the order of `COMPONENTS`, N and N m.
         seismic: (2, s, 6) to the seismic action along x and y, without sign, with second-order effects.
         factor: (2, s) gamma_Rd Omega of either direction.
+        of_foot: (2, s) whether this Omega is that of the hinge at the foot; otherwise it is that of the direction.
         combinations: (r,) names of the combinations.
         least, largest: (r, s, 6) E_F,G -+ gamma_Rd Omega E_F,E.
     """
@@ -84,6 +85,7 @@ class Foundations:
     static: np.ndarray
     seismic: np.ndarray
     factor: np.ndarray
+    of_foot: np.ndarray
     combinations: tuple[str, ...]
     least: np.ndarray
     largest: np.ndarray
@@ -139,8 +141,10 @@ def foundation_factors(
     acting: np.ndarray,
     overstrength: Mapping[Axis, Overstrength],
     q: Mapping[Axis, float],
-) -> np.ndarray:
-    """Return gamma_Rd Omega of both directions at each support, (2, s); 1 in ductility class low.
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return gamma_Rd Omega of both directions at each support, and whether Omega is that of the foot, both (2, s).
+
+    In ductility class low the factor is 1.
 
     Where a column of a moment frame has a hinge at its foot, Omega is the least M_Rd / M_Ed there of both directions;
     elsewhere that of the dissipative members of the direction.
@@ -155,7 +159,7 @@ def foundation_factors(
     """
     design = design_of(building)
     if design.ductility_class == "low":
-        return np.ones((2, of.nodes.size))
+        return np.ones((2, of.nodes.size)), np.zeros((2, of.nodes.size), dtype=bool)
     frames = [axis for axis in AXES if system_of(design, axis).type == MOMENT_FRAME]
     at_foot = np.full(len(frame.node_names), np.inf)
     force = acting[:, :, N].max(axis=1)
@@ -165,13 +169,12 @@ def foundation_factors(
         M_Ed = np.where(bend_about_y(frame, feet, axis), acting[feet, 0, M_Y], acting[feet, 0, M_Z])
         Omega = np.where(M_Rd > 0.0, strength_over_demand(np.maximum(M_Rd, 1.0), M_Ed), 1.0)
         np.minimum.at(at_foot, frame.ends[0][feet], Omega)
-    found = []
-    for axis in AXES:
-        of_direction = np.full(of.nodes.size, overstrength[axis].Omega)
-        own = at_foot[of.nodes]
-        Omega = np.where(np.isfinite(own), own, of_direction) if axis in frames else of_direction
-        found.append(foundation_factor(Omega, q[axis]))
-    return np.array(found)
+    own = at_foot[of.nodes]
+    of_foot = np.array([np.isfinite(own) & (axis in frames) for axis in AXES])
+    of_direction = np.array([[overstrength[axis].Omega] for axis in AXES])
+    Omega = np.where(of_foot, own, of_direction)
+    found = [foundation_factor(values, q[axis]) for axis, values in zip(AXES, Omega, strict=True)]
+    return np.array(found), of_foot
 
 
 def foundations(
@@ -182,6 +185,7 @@ def foundations(
     storeys: Mapping[Axis, Storeys],
     seismic: Sequence[Combination],
     factor: np.ndarray,
+    of_foot: np.ndarray,
 ) -> Foundations:
     """Return the reactions at all supports and the design actions on foundations.
 
@@ -191,7 +195,7 @@ def foundations(
         static, response: effects of load cases and of the seismic action.
         storeys: with the factors for second-order effects, of which that of the lowest storey counts.
         seismic: combinations.
-        factor: by `foundation_factors`.
+        factor, of_foot: by `foundation_factors`.
 
     Source: EN 1998-1:2004, 4.4.2.6(4), Eq. 4.30.
     """
@@ -209,4 +213,14 @@ def foundations(
         largest.append(steady + swing)
         names.append(row.name)
     nodes = tuple(frame.node_names[node] for node in of.nodes)
-    return Foundations(nodes, static.names, reactions, acting, factor, tuple(names), np.array(least), np.array(largest))
+    return Foundations(
+        nodes=nodes,
+        cases=static.names,
+        static=reactions,
+        seismic=acting,
+        factor=factor,
+        of_foot=of_foot,
+        combinations=tuple(names),
+        least=np.array(least),
+        largest=np.array(largest),
+    )

@@ -2,14 +2,22 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from building_examples import NO_TORSION, PINNED, braced_frames, changed, design_of, moment_frames, number_of
 
+from edesign.archive.reader import open_archive
+from edesign.building.building_file import load_building
 from edesign.building.steel_section import steel_section
+from edesign.codes.ec8.capacity import foundation_factor
+from edesign.report.foundation_table import foundation_summary, foundation_table
+from edesign.report.table import number
 from edesign.space.analysis.bracing import bracing
 from edesign.space.checks.foundations import supports
 from edesign.space.elastic_design import ElasticDesign
+from edesign.study.building import run_building
 
 OWN_WEIGHT = ("self_weight: false", "self_weight: true")
 FRAME = changed(moment_frames(x="6 m, 6 m", storeys="4 m, 3 m"), OWN_WEIGHT) + NO_TORSION
@@ -115,6 +123,27 @@ def test_design_actions_on_foundations(found: ElasticDesign) -> None:
         )
         ratios.append(W * FY / M)
     assert base.factor[0, 0] == pytest.approx(1.2 * min(max(min(ratios), 1.0), 4.0), rel=1e-9)
+
+
+def test_the_table_of_foundations_says_which_factor_each_support_has(tmp_path: Path) -> None:
+    """`*` where Omega is that of the hinge at the foot; pinned feet have that of the direction."""
+    file = tmp_path / "frame.yaml"
+    pinned = ("supports: fixed", "supports: {default: fixed, B: pinned}")
+    file.write_text(changed(FRAME, pinned), encoding="utf-8")
+    path, design = run_building(load_building(file))
+    with open_archive(path) as archive:
+        of = archive.group("building/foundations")
+        table, summary = foundation_table(of), foundation_summary(of)
+    base = design.foundations
+    assert base.of_foot.tolist() == [[node[0] != "B" for node in base.nodes]] * 2
+    of_frame = foundation_factor(design.overstrength["x"].Omega, 4.0)
+    np.testing.assert_allclose(base.factor[0][~base.of_foot[0]], of_frame, rtol=1e-12)
+    for k, row in enumerate(table.rows):
+        for axis, name in enumerate("xy"):
+            mark = "*" if base.of_foot[axis, k] else ""
+            assert row[table.columns.index(f"f_{name}")] == number(base.factor[axis, k], 3) + mark
+            assert summary[k][f"Omega_of_foot_{name}"] is bool(base.of_foot[axis, k])
+    assert sum(note.startswith("*: Omega of the hinge at the foot") for note in table.notes) == 1
 
 
 def test_supports_of_a_braced_frame() -> None:

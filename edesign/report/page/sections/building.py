@@ -37,7 +37,7 @@ from edesign.report.building_tables import (
 )
 from edesign.report.captions import plain
 from edesign.report.deflection_table import deflection_table
-from edesign.report.foundation_table import foundation_table
+from edesign.report.foundation_table import foundation_table, reaction_table
 from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.source import Source
@@ -163,7 +163,11 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
         ),
     ),
     ("capacity", "Rules and capacity design", tuple(map(_table, (criteria_table, overstrength_table, joints_table)))),
-    ("foundations", "Foundations", (_of_group("foundations", foundation_table),)),
+    (
+        "foundations",
+        "Foundations",
+        (_of_group("foundations", reaction_table), _of_group("foundations", foundation_table)),
+    ),
     ("others", "Other results", (_others,)),
     ("combinations", "Combinations of actions", (_table(combinations_table),)),
 )
