@@ -9,7 +9,8 @@ from typing import Annotated
 
 import typer
 
-LINE_AFTER = 1.0  # s between lines on how far it is
+LINE_AFTER = 1.0  # s between lines on how far it is, on a terminal
+LINE_EVERY = 10  # of what it tells elsewhere; the largest reports tell of some hundred figures
 
 
 def report(
@@ -27,13 +28,16 @@ def report(
 
 
 class _Progress:
-    """A line on standard error now and then."""
+    """A line on standard error now and then: by time on a terminal, elsewhere by count, whatever the machine."""
 
     def __init__(self) -> None:
-        self._last = time.monotonic()
+        self._by_time = sys.stderr.isatty()
+        self._last, self._count = time.monotonic(), 0
 
     def __call__(self, line: str) -> None:
         now = time.monotonic()
-        if now - self._last >= LINE_AFTER:
+        self._count += 1
+        due = now - self._last >= LINE_AFTER if self._by_time else self._count % LINE_EVERY == 0
+        if due:
             self._last = now
             print(line, file=sys.stderr, flush=True)

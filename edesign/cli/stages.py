@@ -16,11 +16,14 @@ from edesign.stopping import Stopped
 R = TypeVar("R")
 Tell = Callable[[str], None]
 LOOK = 0.1  # s between looks at the work
-LINE_AFTER = 1.0  # s: quicker stages have no line
+LINE_AFTER = 1.0  # s: on a terminal quicker stages have no line
 
 
 def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
-    """Do work in a thread of its own, with a line on standard error for each stage that lasts, and return its result.
+    """Do work in a thread of its own, with lines on standard error for its stages, and return its result.
+
+    On a terminal stages that last have a line. In a file or a pipe each stage has one at its beginning, so that the
+    lines do not depend on the speed of the machine.
 
     Python answers Ctrl-C between two of its own steps only, and the factorisation of a large building is one step of
     many seconds. So this thread waits, and Ctrl-C ends it at once; the work ends at its next stage, or with the
@@ -31,6 +34,7 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
         quiet: without lines.
     """
     stages: list[tuple[str, float]] = []
+    by_time = sys.stderr.isatty()
     ended = threading.Event()
     results: list[R] = []
     errors: list[BaseException] = []
@@ -39,6 +43,8 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
         if ended.is_set():
             raise Stopped
         stages.append((stage, time.monotonic()))
+        if not by_time and not quiet:
+            _tell(stage)
 
     def run() -> None:
         try:
@@ -54,13 +60,17 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
         while thread.is_alive():
             thread.join(LOOK)
             stage, since = stages[-1] if stages else ("", 0.0)
-            if stage != told and thread.is_alive() and time.monotonic() - since >= LINE_AFTER:
+            lasts = time.monotonic() - since >= LINE_AFTER
+            if by_time and not quiet and stage != told and thread.is_alive() and lasts:
                 told = stage
-                if not quiet:
-                    with suppress(OSError):  # nobody reads on: no reason to stop
-                        print(f"{visible_line(stage)} ...", file=sys.stderr, flush=True)
+                _tell(stage)
     finally:
         ended.set()
     if errors:
         raise errors[0]
     return results[0]
+
+
+def _tell(stage: str) -> None:
+    with suppress(OSError):  # nobody reads on: no reason to stop
+        print(f"{visible_line(stage)} ...", file=sys.stderr, flush=True)

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from edesign.cli import progress
+from edesign.cli import progress, report
 from edesign.cli.progress import PlainLines, duration, listener, remaining
 from edesign.study.progress import Progress
 
@@ -96,3 +96,17 @@ def test_quiet_listens_to_nothing(capsys: pytest.CaptureFixture[str]) -> None:
         assert listen is progress.silent
         listen(Progress("note", message="unheard"))
     assert capsys.readouterr().err == ""
+
+
+def test_lines_of_a_report_come_by_count_and_on_a_terminal_by_time(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lines = report._Progress()
+    for number in range(1, 26):
+        lines(f"figure {number}")
+    assert capsys.readouterr().err == "figure 10\nfigure 20\n"
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
+    monkeypatch.setattr(report, "LINE_AFTER", 0.0)
+    lines = report._Progress()
+    lines("figure 1")
+    assert capsys.readouterr().err == "figure 1\n"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import threading
 import time
 
@@ -15,7 +16,10 @@ from edesign.errors import InputError
 from edesign.stopping import Stopped
 
 
-def test_a_stage_that_lasts_has_a_line(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_on_a_terminal_a_stage_that_lasts_has_a_line(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     monkeypatch.setattr(stages, "LINE_AFTER", 0.2)  # three looks are enough to see the line once
 
     def work(tell: Tell) -> int:
@@ -26,6 +30,18 @@ def test_a_stage_that_lasts_has_a_line(monkeypatch: pytest.MonkeyPatch, capsys: 
 
     assert in_stages(work) == 7
     assert capsys.readouterr().err == "long ...\n"
+    assert in_stages(work, quiet=True) == 7
+    assert capsys.readouterr().err == ""
+
+
+def test_elsewhere_each_stage_has_a_line_whatever_the_speed(capsys: pytest.CaptureFixture[str]) -> None:
+    def work(tell: Tell) -> int:
+        for stage in ("one", "two", "three"):
+            tell(stage)
+        return 7
+
+    assert in_stages(work) == 7
+    assert capsys.readouterr().err == "one ...\ntwo ...\nthree ...\n"
     assert in_stages(work, quiet=True) == 7
     assert capsys.readouterr().err == ""
 
