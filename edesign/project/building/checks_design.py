@@ -48,6 +48,9 @@ def check_design(building: Building, problems: Problems) -> None:
                 f"there are braces of kind `{chevrons[0]}` along {along}; with any of them the type is `concentric_v`"
             )
             problems.at_value(("design", "systems", along, "type"), message)
+        if braced and system.alpha_u_over_alpha_1 is not None:
+            message = f"Table 6.2 has alpha_u / alpha_1 for moment frames alone, and along {along} is `{system.type}`"
+            problems.at_key(("design", "systems", along, "alpha_u_over_alpha_1"), message)
         if system.type == "concentric_v" and not chevrons:
             message = f"no brace along {along} is a `chevron` or `v`; the type of others is `concentric_diagonal`"
             problems.at_value(("design", "systems", along, "type"), message)

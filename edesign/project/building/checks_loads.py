@@ -110,6 +110,8 @@ def _masses(building: Building, problems: Problems, check: Selections) -> None:
         return
     if (masses.from_loads is None) == (masses.given is None):
         problems.at_key(("masses",), "give either `from_loads` or `given`, one of them")
+    if masses.given is not None and "phi" in masses.model_fields_set:
+        problems.at_key(("masses", "phi"), "phi reduces variable loads, which given masses do not come from")
     if masses.from_loads is not None and isinstance(masses.from_loads.Q, dict):
         used = {item.category for item in building.loads.items if item.Q != 0.0}
         absent = sorted(category for category in used if category and category not in masses.from_loads.Q)

@@ -137,6 +137,7 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
             "from_loads: {Q: @{A: 0.3}}",
             "masses.from_loads.Q: no factor for the category `B` of the loads",
         ),
+        ("from_loads: {}", "given: [{floors: 1-2, mass: 9 t}], @phi: 0.8", "phi reduces variable loads, which given"),
         ("from_loads: {}", "from_loads: {Q: @-1}", "masses.from_loads.Q: `-1` is out of range"),
         (
             "from_loads: {}",
@@ -163,6 +164,7 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
         ("ductility_class: medium", "ductility_class: @DCM", "`DCM` is unknown (allowed: `low`, `medium`, `high`)"),
         ("type: moment_frame", "type: @concentric_diagonal", "`concentric_diagonal`: along x no bay is braced"),
         ("type: concentric_diagonal", "type: @moment_frame", "`moment_frame`: along y there are braces"),
+        ("q: table", "q: table, @alpha_u_over_alpha_1: 1.1", "Table 6.2 has alpha_u / alpha_1 for moment frames alone"),
         ("q: 4", "q: @0.5", "design.systems.x.q: `0.5` is out of range: a ratio at least 1 is allowed"),
         (
             "ductility_class: medium",
