@@ -59,7 +59,7 @@ _KINDS = (
     Kind("mass per length", "kg/m", "77.6 kg/m"),
     FREQUENCY := Kind("frequency", "1/s", "1 Hz"),
     Kind("temperature", "K", "293 K"),
-    Kind("number without dimension", "dimensionless", "1"),
+    NUMBER := Kind("number without dimension", "dimensionless", "1"),
     # of one dimension with a stress and a moment, which are named where another quantity is needed
     AREA_LOAD := Kind("force per area", "N/m^2", "4.5 kN/m^2"),
     ROTATIONAL_STIFFNESS := Kind("rotational stiffness", "N*m/rad", "50 MN*m/rad"),
@@ -144,6 +144,7 @@ _FACTORS: dict[str, dict[str, float]] = {
     "m/s": {"m/s": 1.0, "mm/s": 1e-3},
     "m/s^2": {"g": STANDARD_GRAVITY, "m/s^2": 1.0, "cm/s^2": 1e-2},
     "1/s": {"Hz": 1.0},
+    "dimensionless": {"": 1.0},
     "N*m": _MOMENTS,
     "N*m/rad": {f"{unit}/rad": factor for unit, factor in _MOMENTS.items()},
 }

@@ -11,15 +11,18 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from edesign.project.building.building import Building
+from edesign.project.building.design import KINDS
 from edesign.project.building.layout import Panel
 from edesign.project.problems import Keys, Problems, keys_text
 from edesign.project.units import (
+    ACCELERATION,
     AREA_LOAD,
     DENSITY,
     FORCE,
     LENGTH,
     LINE_LOAD,
     MASS,
+    NUMBER,
     STANDARD_GRAVITY,
     STRESS,
     Kind,
@@ -58,7 +61,7 @@ class Range:
     def shown(self, bounds: tuple[float, float]) -> str:
         """Bounds in the unit that people write: `150 to 700 MPa`."""
         factor = units_of(self.kind)[self.unit]
-        return f"{bounds[0] / factor:.4g} to {bounds[1] / factor:.4g} {self.unit}"
+        return f"{bounds[0] / factor:.4g} to {bounds[1] / factor:.4g} {self.unit}".rstrip()
 
 
 LIGHTEST, HEAVIEST = 10.0, 100e3
@@ -145,6 +148,30 @@ FLOOR_MASS = Range(
     "1 m of concrete has 2.5 t/m^2",
 )
 
+GROUND = Range(
+    "reference ground acceleration",
+    ACCELERATION,
+    "g",
+    (0.0, 2.0 * STANDARD_GRAVITY),
+    "the ground of few records on rock has moved with more than 2 g, and no zone of a code comes near it",
+    (0.04 * STANDARD_GRAVITY, 0.5 * STANDARD_GRAVITY),
+    "below 0.04 g EN 1998-1 need not be observed (3.2.1(5)P), above 0.5 g are no zones of its National Annexes",
+)
+
+_SLIPS = (0.1, 10.0), "a tenth or tenfold of the recommended values near 1 are slips of decimals"
+RESISTANCE = Range("partial factor of resistance", NUMBER, "", *_SLIPS, (1.0, 1.25), "EN 1993-1-1, 6.1(1)")
+ACTION = Range("partial factor of actions", NUMBER, "", *_SLIPS, (1.0, 1.5), "EN 1990, Table A1.2(B)")
+OVERSTRENGTH = Range("overstrength factor", NUMBER, "", *_SLIPS, (1.0, 1.5), "EN 1998-1, 6.2(3) has 1.25")
+BUCKLING_LENGTH = Range(
+    "buckling length over the length between nodes",
+    NUMBER,
+    "",
+    (1e-3, 100.0),
+    "0.001 leaves buckling out, and at 100 nothing stands",
+    (1e-3, 10.0),
+    "more than that of a column in a soft frame that sways",
+)
+
 
 def check_plausible(building: Building, problems: Problems) -> None:
     """Refuse what no steel building has; zero loads are allowed.
@@ -193,6 +220,9 @@ def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
     """The values that have bounds, with their places; zero loads have none."""
     for along in ("x", "y"):
         yield from _lengths(("plan", along), getattr(building.plan, along), "width", WIDTH)
+    if building.hazard is not None and building.hazard.a_gR is not None:
+        yield ("hazard", "a_gR"), building.hazard.a_gR, GROUND
+    yield from _factors(building)
     yield from _lengths(("storeys",), building.storeys, "height", HEIGHT)
     for name, steel in building.materials.items():
         yield ("materials", name, "fy"), steel.fy, YIELD
@@ -209,6 +239,21 @@ def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
             for key, value, bounds in (("G", load.G, permanent), ("Q", load.Q, permanent if stored else variable)):
                 if value:
                     yield ("loads", part, i, key), abs(value), bounds
+
+
+def _factors(building: Building) -> Iterator[tuple[Keys, float, Range]]:
+    """The factors of the design."""
+    if building.design is None:
+        return
+    for key, bounds in {"M0": RESISTANCE, "M1": RESISTANCE, "G": ACTION, "Q": ACTION}.items():
+        if value := getattr(building.design.partial_factors, key):
+            yield ("design", "partial_factors", key), value, bounds
+    yield ("design", "overstrength"), building.design.overstrength, OVERSTRENGTH
+    lengths = building.design.members.buckling_length
+    for kind in KINDS:
+        for axis in ("y", "z"):
+            keys = ("design", "members", "buckling_length", kind, axis)
+            yield keys, getattr(getattr(lengths, kind), axis), BUCKLING_LENGTH
 
 
 def _lengths(keys: Keys, of: object, key: str, bounds: Range) -> Iterator[tuple[Keys, float, Range]]:
@@ -251,4 +296,4 @@ def _meant(written: str, bounds: Range) -> str:
     if not units:
         return ""
     unit = bounds.unit if bounds.unit in units else units[0]
-    return f"; did you mean `{written[: match.end()].strip()} {unit}`?"
+    return f"; did you mean `{f'{written[: match.end()].strip()} {unit}'.strip()}`?"

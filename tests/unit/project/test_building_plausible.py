@@ -39,6 +39,18 @@ GIVEN = SMALL.replace("{from_loads: {}}", "{given: [{floors: 1-2, mass: 9 t}]}")
         ("Q: 2 kN/m^2", "Q: @2 N/m^2", "loads.areas[0].Q: `2 N/m^2` is no load of a floor or roof"),
         ("  areas:", "  perimeter: [{G: @1.2 N/m}]\n  areas:", "did you mean `1.2 kN/m`?"),
         ("  areas:", "  beams: [{along: x, G: @12 MN/m}]\n  areas:", "loads.beams[0].G: `12 MN/m` is no load along"),
+        (
+            "design:\n",
+            "design:\n  overstrength: @1.25 %\n",
+            "design.overstrength: `1.25 %` is no overstrength factor",
+        ),
+        ("design:\n", "design:\n  partial_factors: {M0: @100}\n", "`100` is no partial factor of resistance"),
+        (
+            "design:\n",
+            "design:\n  members: {buckling_length: {braces: {z: @1e200}}}\n",
+            "design.members.buckling_length.braces.z: `1e200` is no buckling length",
+        ),
+        ("a_gR: 0.24 g", "a_gR: @24 g", "hazard.a_gR: `24 g` is no reference ground acceleration"),
         ("  areas:", "  nodes: [{at: A1, floors: 1, G: @5 N}]\n  areas:", "did you mean `5 kN`?"),
     ],
 )
@@ -72,6 +84,8 @@ def test_masses_that_no_floor_has_are_refused(mass: str) -> None:
         ("[6 m, 4 m]", "[60 m, 4 m]", "plan.x[0]: an unusual width of a bay; 2 to 24 m is usual"),
         ("Q: 2 kN/m^2", "Q: 20 kN/m^2", "loads.areas[0].Q: an unusual load"),
         ("G: 4 kN/m^2", "G: 45 kN/m^2", "loads.areas[0].G: an unusual load"),
+        ("a_gR: 0.24 g", "a_gR: 0.24 m/s^2", "hazard.a_gR: an unusual reference ground acceleration; 0.04 to 0.5 g"),
+        ("a_gR: 0.24 g", "a_gR: 0.8 g", "hazard.a_gR: an unusual reference ground acceleration"),
     ],
 )
 def test_what_is_unusual_is_told_and_allowed(old: str, new: str, said: str) -> None:
