@@ -1,0 +1,129 @@
+"""A building file that has every key of the format, in two forms: of some keys only one of two may stand in a file."""
+
+from __future__ import annotations
+
+EVERY_KEY = """\
+edesign_building: 1
+title: Every key
+plan: {x: [6 m, 5 m], y: {count: 2, width: 5 m}}    # lines A to C, 1 to 3
+storeys: [4 m, 3.5 m, 3 m]
+setbacks:
+  - {floors: 3, bays: [{x: 1, y: all}]}
+supports:
+  default: fixed
+  C: pinned
+  A1: {ux: fixed, uy: fixed, uz: 900 MN/m, rx: 80 MN*m/rad, ry: 80 MN*m/rad, rz: fixed}
+diaphragms: 1-3
+columns:
+  - {at: all, storeys: 1, section: HEB300, material: S355, strong: x, group: C1}
+  - {at: all, storeys: 2-3, section: HEB260, material: S355, strong: x, group: C2}
+beams:
+  - {along: x, frames: all, bays: all, floors: all, section: IPE330, material: S355, ends: rigid, group: BX}
+  - {along: x, frames: 2, bays: 2, floors: 1, section: IPE330, material: S355,
+     ends: {start: 60 MN*m/rad, end: rigid}, group: BS}
+  - {along: y, section: IPE270, material: S355, ends: pinned, group: BY}
+braces:
+  - {along: y, frames: [A, C], bays: 1, storeys: 1-2, kind: cross, section: SHS120x8, material: S235,
+     compression: false, group: D1}
+  - {along: y, frames: A, bays: 1, storeys: 3, kind: cross, section: SHS100x6, material: S235, group: D2}
+  - {along: y, frames: B, bays: 1, storeys: 3, kind: cross, section: SHS100x6, material: S235, group: D3}
+missing:
+  columns: [{at: B2, storeys: 3}]
+  beams: [{along: x, frames: 2, bays: 1, floors: 3}]
+materials:
+  S355: {E: 210 GPa, fy: 355 MPa, nu: 0.3, density: 7850 kg/m^3}
+  S235: {fy: 235 MPa}
+loads:
+  areas:
+    - {floors: 1-2, bays: {x: 1-2, y: all}, G: 4 kN/m^2, Q: 2 kN/m^2, category: B, spans: x, secondary_beams: 0}
+    - {floors: 3, bays: all, G: 3 kN/m^2, Q: 0.8 kN/m^2, category: snow, spans: x}
+  perimeter: [{floors: 1-2, G: 1.2 kN/m, Q: 0.1 kN/m, category: B}]
+  beams: [{along: y, frames: A, bays: 1, floors: 1, G: 2 kN/m, Q: 1 kN/m, category: B}]
+  nodes: [{at: A1-B1, floors: 3, G: 5 kN, Q: 2 kN, category: snow}]
+  self_weight: true
+  live_load_reduction: true
+masses:
+  from_loads: {G: 1.0, Q: {B: 0.3, snow: 0}}
+  phi: 0.8
+hazard:
+  code: ec8-2004
+  country: france
+  zone: 4
+  ground: B
+  spectrum: 2
+  damping: 5 %
+  parameters: {S: 1.2, T_B: 0.15 s, T_C: 0.5 s, T_D: 2 s}
+  national:
+    vertical: {ratio: 0.9, T_B: 0.05 s, T_C: 0.15 s, T_D: 1 s}
+    lower_bound_factor: 0.2
+    importance_factors: {I: 0.8, II: 1.0, III: 1.2, IV: 1.4}
+    phi: {roof: 1.0, correlated: 0.8}
+    displacement_reduction: {I: 0.5, II: 0.5}
+    low_ductility_q: 1.5
+    material_overstrength: 1.25
+    post_buckling: 0.3
+    psi: {B: [0.7, 0.5, 0.3]}
+    action_factors: {G_sup: 1.35, G_inf: 1.0, Q: 1.5, xi: 0.85}
+    resistance_factors: {M0: 1.0, M1: 1.0, M2: 1.25}
+  k: 3
+  levels:
+    DBE: {importance_class: II}
+    MCE: {return_period: 2475 year}
+    SLS: {probability: 50 %}
+    other: {gamma_I: 1.1}
+design:
+  code: {actions: en1990-2002, steel: ec3-2005, seismic: ec8-2004}
+  level: DBE
+  ductility_class: medium
+  systems:
+    x: {type: moment_frame, q: table, alpha_u_over_alpha_1: 1.2}
+    y: {type: concentric_diagonal, q: 3}
+  regular_in_plan: false
+  regular_in_elevation: false
+  combination: cqc
+  damping: 5 %
+  modes: auto
+  accidental_torsion: 5 %
+  torsion_by: shifted_masses
+  directions: 30 %
+  imperfections: sway
+  second_order: amplify
+  displacement: elastic_cap
+  drift: {limit: none_attached, nu: 0.5}
+  serviceability: {beams: {total: 1/200, live: 1/300}}
+  fundamental: {expression: 6.10a/b, favourable: true}
+  partial_factors: {M0: 1.0, M1: 1.0, G: 1.35, Q: 1.5}
+  overstrength: 1.25
+  members:
+    interaction: annex_b
+    buckling_length: {columns: {y: 1, z: 1}, beams: {y: 1, z: 1}, braces: {y: 1, z: 1}}
+    lateral_restraint: {beams: ends, columns: floors}
+    yield_by_thickness: en10025-2
+    doubler_plates: true
+  select:
+    lists: {columns: [HEB, HEM], beams: [IPE], braces: [SHS], groups: {C1: [HEB3*, HEM300]}}
+    largest_depth: {braces: 200 mm, BY: 400 mm}
+    objective: cost
+    prices: {IPE: 1.5, HEB: 1.6, default: 2.2}
+    columns_not_larger_above: true
+    starts: 1
+    evaluations: 300
+    leave_out: [4.2.3.2(6), 6.7.3(1), 6.7.3(2), 6.7.3(8)]
+"""
+
+OTHER_FORMS = (
+    EVERY_KEY.replace(
+        "plan: {x: [6 m, 5 m], y: {count: 2, width: 5 m}}", "plan: {x: {count: 2, width: 6 m}, y: [5 m, 5 m]}"
+    )
+    .replace("storeys: [4 m, 3.5 m, 3 m]", "storeys: {count: 3, height: 3.5 m}")
+    .replace("from_loads: {G: 1.0, Q: {B: 0.3, snow: 0}}\n  phi: 0.8", "given: [{at: all, floors: 1-3, mass: 9 t}]")
+    .replace("country: france\n  zone: 4\n", "a_gR: 1.6 m/s^2\n")
+    .replace(
+        "kind: cross, section: SHS120x8, material: S235,\n     compression: false",
+        "kind: chevron, section: SHS120x8, material: S235",
+    )
+    .replace("y: {type: concentric_diagonal, q: 3}", "y: {type: concentric_v, q: 2}")
+    .replace("torsion_by: shifted_masses", "torsion_by: static_moments")
+    .replace("interaction: annex_b", "interaction: annex_a")
+    .replace("{beams: ends, columns: floors}", "{beams: slab, columns: floors}")
+)
