@@ -145,8 +145,12 @@ int ed_space_build_pattern(ed_space *s)
     for (int i = 0; i < 12; i++)
       for (int j = 0; j < 12; j++)
         *place++ = place_of(s, equations(s, m, i / 6)[i % 6], equations(s, m, j / 6)[j % 6]);
-  s->solver = ed_solver_new(s->n, s->column_start, s->row, s->diagonal, s->scale);
-  return s->solver ? place_springs(s) : ED_E_MEMORY;
+  int of_floors = 0;
+  for (int f = 0; f < s->n_floors; f++)
+    for (int k = 0; k < 3; k++)
+      of_floors += s->floor[f].equation[k] >= 0;
+  s->factors = ed_cholesky_new(s->n, of_floors, s->column_start, s->row, s->diagonal);
+  return s->factors ? place_springs(s) : ED_E_MEMORY;
 }
 
 /* Displacements of a node of a floor: ux = Ux - dy Rz, uy = Uy + dx Rz, rz = Rz. */
@@ -186,17 +190,17 @@ void ed_space_assemble(ed_space *s, int springs, double *result)
 static void name_mechanism(ed_space *s, char *buffer, size_t size)
 {
   double *x = s->work, largest = 0.0;
-  int repivoted, moving = 0;
+  int moving = 0;
   for (int i = 0; i < s->n; i++)
     largest = fmax(largest, s->matrix[s->diagonal[i]] * s->scale[i] * s->scale[i]);
   for (int i = 0; i < s->n; i++) { /* degrees without any stiffness get some */
     s->matrix[s->diagonal[i]] += 1e-9 * s->matrix[s->diagonal[i]] + 1e-18 * largest / (s->scale[i] * s->scale[i]);
     x[i] = (1.0 + 0.1 * ((i * 7L) % 11)) * s->scale[i];
   }
-  if (ed_solver_factor(s->solver, s->matrix, &repivoted) != ED_OK)
+  if (ed_cholesky_factor(s->factors, s->matrix) != ED_OK)
     return;
   for (int iteration = 0; iteration < 6; iteration++) {
-    if (ed_solver_solve(s->solver, x, 1) != ED_OK)
+    if (ed_cholesky_solve(s->factors, x, 1) != ED_OK)
       return;
     largest = 0.0;
     for (int i = 0; i < s->n; i++)
@@ -219,17 +223,13 @@ static void name_mechanism(ed_space *s, char *buffer, size_t size)
 
 int ed_space_factor(ed_space *s)
 {
-  int repivoted;
   for (int m = 0; m < s->n_members; m++)
     s->stiffness[m] = s->member[m].stiffness;
   ed_space_assemble(s, 1, s->matrix);
   for (int k = 0; k < s->nnz; k++)
     if (!isfinite(s->matrix[k]))
       return ed_space_fail(s, ED_E_NOT_FINITE, "the stiffness of the frame is not a finite number");
-  const int factored = ed_solver_factor(s->solver, s->matrix, &repivoted);
-  if (factored == ED_E_MEMORY)
-    return ed_space_fail(s, ED_E_MEMORY, "out of memory");
-  if (factored == ED_OK && ed_solver_pivot_ratio(s->solver) > VANISHING)
+  if (ed_cholesky_factor(s->factors, s->matrix) == ED_OK && ed_cholesky_pivot_ratio(s->factors) > VANISHING)
     return ED_OK;
   char names[NAMED * (2 * ED_SPACE_NAME + 2) + 40] = "";
   name_mechanism(s, names, sizeof names);

@@ -111,17 +111,16 @@ static double begin(ed_space *s, lanczos *l)
     l->next[i] = number * sqrt(s->matrix[s->diagonal[i]]); /* no unit counts more */
   }
   memcpy(l->image, l->next, (size_t)l->n * sizeof *l->image);
-  ed_solver_solve(s->solver, l->next, 1);
+  ed_cholesky_solve(s->factors, l->next, 1);
   return sqrt(dot(l->n, l->next, l->image));
 }
 
 /* 1: all pivots of K + lambda K_G are positive. The factors of K are lost. */
 static int stable(ed_space *s, double lambda)
 {
-  int repivoted;
   for (int k = 0; k < s->nnz; k++)
     s->matrix[k] += lambda * s->geometric[k];
-  return ed_solver_factor(s->solver, s->matrix, &repivoted) == ED_OK && ed_solver_negative_pivots(s->solver) == 0;
+  return ed_cholesky_factor(s->factors, s->matrix) == ED_OK;
 }
 
 static int not_found(ed_space *s, const lanczos *l, double below)
@@ -143,7 +142,7 @@ static int iterate(ed_space *s, lanczos *l, int most, double *factor)
     const double *q = l->q + (size_t)j * (size_t)l->n;
     multiply_geometric(s, q, l->image);
     memcpy(l->next, l->image, (size_t)l->n * sizeof *l->next);
-    ed_solver_solve(s->solver, l->next, 1);
+    ed_cholesky_solve(s->factors, l->next, 1);
     l->alpha[j] = dot(l->n, q, l->image);
     const double whole = sqrt(fmax(dot(l->n, l->next, l->image), 0.0));
     make_orthogonal(l);

@@ -3,8 +3,8 @@
 #define ED_SPACE_H
 
 #include "edcore.h"
+#include "space/cholesky.h"
 #include "space/member.h"
-#include "system/solver.h"
 
 #include <stddef.h>
 
@@ -50,7 +50,7 @@ struct ed_space {
   double length;                /* mean of the members */
   double *scale;                /* n: 1 of displacements, 1 / length of rotations */
   double *work;                 /* n */
-  ed_solver *solver;
+  ed_cholesky *factors;
   char message[ED_SPACE_MESSAGE];
 };
 

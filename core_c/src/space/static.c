@@ -131,7 +131,7 @@ static void find_reactions(const ed_space *s, const double *displacements, doubl
 
 static int solve(ed_space *s, int n, double *right_sides)
 {
-  if (ed_solver_solve(s->solver, right_sides, n) != ED_OK)
+  if (ed_cholesky_solve(s->factors, right_sides, n) != ED_OK)
     return ed_space_fail(s, ED_E_SINGULAR, "the frame's equations could not be solved");
   return ED_OK;
 }
