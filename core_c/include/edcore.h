@@ -413,7 +413,9 @@ int ed_space_static(ed_space *space, int n_cases, const double *nodal, const ed_
 int ed_space_internal(ed_space *space, int n_cases, const double *end_forces, const ed_space_loads *loads, int n_stations,
                       const double *stations, double *internal);
 
-/* Flexibility: n right sides over the equations (n x n_equations), solved in place. */
+/* Displacements at n equations under a unit force at each of them: n x n. Quick where all are of masters, which are eliminated last. */
+int ed_space_flexibility(ed_space *space, int n, const int *equation, double *flexibility);
+/* n right sides over the equations (n x n_equations), solved in place. */
 int ed_space_solve(ed_space *space, int n, double *right_sides);
 /* Displacements of the nodes (n x n_nodes x 6) and end forces (n x n_members x 12; may be NULL) of n solutions over the equations. */
 int ed_space_expand(ed_space *space, int n, const double *solution, double *displacements, double *end_forces);

@@ -147,6 +147,17 @@ static void call_modes(caller *c, building *b)
   free(x), free(u), free(forces), free(result), free(stations);
 }
 
+static void call_flexibility(caller *c, building *b)
+{
+  const int n = chance(c, 0.1 * c->wild) ? -1 : whole(c, 0, 5);
+  int equation[5];
+  double flexibility[25];
+  for (int i = 0; i < n; i++)
+    equation[i] = some_id(c, b->equations);
+  const int status = expect_listed(c, ed_space_flexibility(b->space, n, equation, flexibility));
+  expect_finite(status, flexibility, n > 0 ? n * n : 0);
+}
+
 static void call_critical(caller *c, building *b)
 {
   double *axial = values_between(c, b->members, 1e2, 1e6), factor = NAN;
@@ -173,8 +184,9 @@ void call_space(caller *c)
   if (!make_space(c, &b))
     return;
   for (int i = whole(c, 1, 6); i > 0; i--) {
-    void (*const calls[])(caller *, building *) = {call_static, call_static, call_modes, call_critical, call_change};
-    calls[whole(c, 0, 4)](c, &b);
+    void (*const calls[])(caller *, building *) = {call_static,   call_static,      call_modes,
+                                                       call_critical, call_flexibility, call_change};
+    calls[whole(c, 0, 5)](c, &b);
     CHECK(ed_space_message(b.space) != NULL);
   }
   ed_space_free(b.space);

@@ -106,6 +106,27 @@ static void check_storey(void)
   ed_space_free(space);
 }
 
+/* Terms of the inverse are what single loads give; only equations that are there are taken. */
+static void check_flexibility(void)
+{
+  frame f;
+  make(&f);
+  ed_space *space = made(&f);
+  const int all[] = {2, 0, 1}, beyond[] = {0, 3};
+  double flexibility[9], unit[9] = {0.0};
+  CHECK_STATUS(ed_space_flexibility(space, 3, all, flexibility), ED_OK);
+  for (int i = 0; i < 3; i++)
+    unit[3 * i + all[i]] = 1.0;
+  CHECK_STATUS(ed_space_solve(space, 3, unit), ED_OK);
+  for (int i = 0; i < 3; i++)
+    for (int j = 0; j < 3; j++)
+      CHECK_NEAR(flexibility[3 * i + j], unit[3 * i + all[j]], 1e-20);
+  CHECK_STATUS(ed_space_flexibility(space, 2, beyond, flexibility), ED_E_ID);
+  CHECK_CONTAINS(ed_space_message(space), "there is no equation 3; there are 3");
+  CHECK_STATUS(ed_space_flexibility(space, -1, all, flexibility), ED_E_ARGUMENT);
+  ed_space_free(space);
+}
+
 static void check_loads(void)
 {
   frame f;
@@ -244,6 +265,7 @@ static void check_refusals(void)
 int main(void)
 {
   check_storey();
+  check_flexibility();
   check_loads();
   check_change();
   check_critical();

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
 from edesign.core.errors import CoreError, status_name
-from edesign.core.space_modes import SpaceModes, equation_modes, mass_factor
+from edesign.core.space_modes import SpaceModes, mass_factor, mass_modes
 
 PROPERTIES = ("E", "G", "A", "A_y", "A_z", "I_t", "I_y", "I_z")
 """Columns of the properties of a member in `SpaceModel.change_sections`."""
@@ -252,17 +252,19 @@ class SpaceModel:
                 raise ValueError("only masses of diaphragms can lie beside their nodes")
             places = places + np.pad(shift, ((0, 0), (0, 1)))
         factor = mass_factor(mass, places, self.node_floor, self.masters, self._equation)
-        solution = np.zeros((factor.equations.size, self.n_equations))
-        solution[np.arange(factor.equations.size), factor.equations] = 1.0
-        self._check(lib.ed_space_solve(self._handle, len(solution), _c(solution)))
+        massive = np.ascontiguousarray(factor.equations, dtype=np.intc)
+        flexibility = np.empty((massive.size, massive.size))
+        self._check(lib.ed_space_flexibility(self._handle, massive.size, _c(massive), _c(flexibility)))
         axis = None if origin is None else _doubles("origin", origin, (2,))
-        found = equation_modes(solution, factor, count, axis)
+        found = mass_modes(flexibility, factor, count, axis)
         k = found.omega.size
+        shapes = np.zeros((k, self.n_equations))
+        shapes[:, massive] = found.inertia
+        self._check(lib.ed_space_solve(self._handle, k, _c(shapes)))
         displacements, end_forces = np.empty((k, self.n_nodes, 6)), np.empty((k, self.n_members, 12))
-        shapes = np.ascontiguousarray(found.shapes)
         self._check(lib.ed_space_expand(self._handle, k, _c(shapes), _c(displacements), _c(end_forces)))
         of_floors = self._equation[6 * self.n_nodes :]
-        padded = np.concatenate([found.shapes, np.zeros((k, 1))], axis=1)
+        padded = np.concatenate([shapes, np.zeros((k, 1))], axis=1)
         return SpaceModes(
             omega=found.omega,
             period=2.0 * np.pi / found.omega,

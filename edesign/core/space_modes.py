@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
 
 
 @dataclass(frozen=True)
@@ -66,11 +65,17 @@ class MassFactor:
 
 
 @dataclass(frozen=True)
-class EquationModes:
-    """Modes over the equations: omega (k,), shapes (k, n), participation (k, 3), effective_mass_ratio (k, 3)."""
+class MassModes:
+    """Modes by what they are caused by.
+
+    Attributes:
+        omega: (k,) rad/s.
+        inertia: (k, d) forces omega^2 M phi at the degrees with mass, under which the frame takes the shape phi.
+        participation, effective_mass_ratio: (k, 3).
+    """
 
     omega: np.ndarray
-    shapes: np.ndarray
+    inertia: np.ndarray
     participation: np.ndarray
     effective_mass_ratio: np.ndarray
 
@@ -127,15 +132,13 @@ def mass_factor(
     return MassFactor(b[rows], equations, direction[rows], size[rows], place[rows])
 
 
-def equation_modes(
-    solution: np.ndarray, factor: MassFactor, count: int | None, origin: np.ndarray | None
-) -> EquationModes:
+def mass_modes(flexibility: np.ndarray, factor: MassFactor, count: int | None, origin: np.ndarray | None) -> MassModes:
     """Return the lowest modes from the flexibility F of the degrees with mass.
 
     B F B^T y = y / omega^2 is symmetric, and phi = omega^2 F B^T y has generalised mass 1.
 
     Args:
-        solution: (d, n) displacements over all equations under a unit force at each of the degrees with mass.
+        flexibility: (d, d) displacements under a unit force at each of the degrees with mass.
         factor: the mass matrix over these degrees.
         count: how many modes; all without it.
         origin: (2,) place that rotation about a vertical axis refers to; the centre of all masses without it.
@@ -143,9 +146,8 @@ def equation_modes(
     Raises:
         ValueError: there are fewer modes than asked for.
     """
-    weighted = factor.b @ solution
-    flexibility = weighted[:, factor.equations] @ factor.b.T
-    inverse, vectors = scipy.linalg.eigh(0.5 * (flexibility + flexibility.T))
+    weighted = factor.b @ flexibility @ factor.b.T
+    inverse, vectors = np.linalg.eigh(0.5 * (weighted + weighted.T))
     inverse, vectors = inverse[::-1], vectors[:, ::-1]
     there = int(np.sum(inverse > inverse.size * np.finfo(float).eps * inverse[0]))
     count = there if count is None else count
@@ -157,4 +159,4 @@ def equation_modes(
     participation = y.T @ rigid
     total = np.sum(rigid**2, axis=0)
     ratio = np.divide(participation**2, total, out=np.zeros_like(participation), where=total > 0.0)
-    return EquationModes(omega, (y.T @ weighted) * omega[:, None] ** 2, participation, ratio)
+    return MassModes(omega, (y.T @ factor.b) * omega[:, None] ** 2, participation, ratio)

@@ -129,11 +129,10 @@ static void find_reactions(const ed_space *s, const double *displacements, doubl
   gather_floors(s, rest, sums, reactions);
 }
 
-static int solve(ed_space *s, int n, double *right_sides)
+/* What is asked of the factors was found, if there are any. */
+static int solved(ed_space *s, int status)
 {
-  if (ed_cholesky_solve(s->factors, right_sides, n) != ED_OK)
-    return ed_space_fail(s, ED_E_SINGULAR, "the frame's equations could not be solved");
-  return ED_OK;
+  return status == ED_OK ? ED_OK : ed_space_fail(s, ED_E_SINGULAR, "the frame's equations could not be solved");
 }
 
 int ed_space_static(ed_space *s, int n_cases, const double *nodal, const ed_space_loads *loads, double *displacements,
@@ -161,7 +160,7 @@ int ed_space_static(ed_space *s, int n_cases, const double *nodal, const ed_spac
     add_end_forces(s, -1.0, end_forces + c * per_case, forces);
     ed_space_reduce(s, forces, right + c * n);
   }
-  status = solve(s, n_cases, right);
+  status = solved(s, ed_cholesky_solve(s->factors, right, n_cases));
   for (size_t c = 0; c < (size_t)n_cases && status == ED_OK; c++) {
     double *u = displacements ? displacements + c * degrees : own;
     ed_space_spread(s, right + c * n, u);
@@ -183,17 +182,32 @@ int ed_space_static(ed_space *s, int n_cases, const double *nodal, const ed_spac
   return status;
 }
 
+/* Refuses numbers that are not finite. */
+static int check_solutions(ed_space *s, size_t count, const double *solution)
+{
+  for (size_t i = 0; i < count; i++)
+    if (!isfinite(solution[i]))
+      return ed_space_fail(s, ED_E_NOT_FINITE, "a solution is not a finite number");
+  return ED_OK;
+}
+
+int ed_space_flexibility(ed_space *s, int n, const int *equation, double *flexibility)
+{
+  if (n < 0)
+    return ed_space_fail(s, ED_E_ARGUMENT, "the number of equations is negative");
+  for (int i = 0; i < n; i++)
+    if (equation[i] < 0 || equation[i] >= s->n)
+      return ed_space_fail(s, ED_E_ID, "there is no equation %d; there are %d", equation[i], s->n);
+  const int status = solved(s, ed_cholesky_inverse(s->factors, n, equation, flexibility));
+  return status == ED_OK ? check_solutions(s, (size_t)n * (size_t)n, flexibility) : status;
+}
+
 int ed_space_solve(ed_space *s, int n, double *right_sides)
 {
   if (n < 0)
     return ed_space_fail(s, ED_E_ARGUMENT, "the number of right sides is negative");
-  const int status = solve(s, n, right_sides);
-  if (status != ED_OK)
-    return status;
-  for (size_t i = 0; i < (size_t)n * (size_t)s->n; i++)
-    if (!isfinite(right_sides[i]))
-      return ed_space_fail(s, ED_E_NOT_FINITE, "a solution is not a finite number");
-  return ED_OK;
+  const int status = solved(s, ed_cholesky_solve(s->factors, right_sides, n));
+  return status == ED_OK ? check_solutions(s, (size_t)n * (size_t)s->n, right_sides) : status;
 }
 
 int ed_space_expand(ed_space *s, int n, const double *solution, double *displacements, double *end_forces)
@@ -201,12 +215,12 @@ int ed_space_expand(ed_space *s, int n, const double *solution, double *displace
   const size_t degrees = 6 * (size_t)s->n_nodes, per_case = 12 * (size_t)s->n_members;
   if (n < 0)
     return ed_space_fail(s, ED_E_ARGUMENT, "the number of solutions is negative");
-  if (end_forces)
-    memset(end_forces, 0, (size_t)n * per_case * sizeof *end_forces);
   for (size_t c = 0; c < (size_t)n; c++) {
     ed_space_spread(s, solution + c * (size_t)s->n, displacements + c * degrees);
-    if (end_forces)
-      ed_space_member_forces(s, displacements + c * degrees, end_forces + c * per_case);
+    if (!end_forces)
+      continue;
+    memset(end_forces + c * per_case, 0, per_case * sizeof *end_forces);
+    ed_space_member_forces(s, displacements + c * degrees, end_forces + c * per_case);
   }
   return ED_OK;
 }
