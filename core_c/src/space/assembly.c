@@ -34,15 +34,15 @@ static void couple(int column, int other, int *next, int *row)
 
 static void couple_all(const ed_space *s, int *next, int *row)
 {
+  for (int m = 0; m < s->n_members; m++) /* first, as place_members relies on */
+    for (int i = 0; i < 12; i++)
+      for (int j = 0; j < 12; j++)
+        couple(equations(s, m, i / 6)[i % 6], equations(s, m, j / 6)[j % 6], next, row);
   for (int i = 0; i < s->n; i++)
     couple(i, i, next, row);
   for (int f = 0; f < s->n_floors; f++)
     for (int k = 0; k < 9; k++)
       couple(s->floor[f].equation[k / 3], s->floor[f].equation[k % 3], next, row);
-  for (int m = 0; m < s->n_members; m++)
-    for (int i = 0; i < 12; i++)
-      for (int j = 0; j < 12; j++)
-        couple(equations(s, m, i / 6)[i % 6], equations(s, m, j / 6)[j % 6], next, row);
 }
 
 static int place_of(const ed_space *s, int row, int column)
@@ -87,30 +87,67 @@ static int place_springs(ed_space *s)
   return ED_OK;
 }
 
-/* Rows of each column in rising order, each once. */
-static int sort_pattern(ed_space *s, int *next)
+/* Makes of counts the places where lists of that length begin. */
+static int begin_lists(int n, int *start)
 {
-  couple_all(s, next, NULL);
   long total = 0;
-  for (int i = 0; i < s->n && total <= INT_MAX; i++) {
-    const int count = next[i];
-    next[i] = (int)total;
+  for (int i = 0; i <= n && total <= INT_MAX; i++) {
+    const int count = start[i];
+    start[i] = (int)total;
     total += count;
   }
-  s->row = total <= INT_MAX ? malloc(((size_t)total + 1) * sizeof *s->row) : NULL; /* else too many for their numbers */
-  if (!s->row)
+  return total <= INT_MAX;
+}
+
+/* Counts (`row` NULL) or writes the rows of each column, each once. The columns that an equation meets are its own rows, so that going
+ * through them equation by equation gives all columns their rows in rising order. When written, each `met` becomes the place of its term. */
+static void list_rows(const ed_space *s, const int *first, int *met, int *last, int *next, int *row)
+{
+  for (int i = 0; i < s->n; i++)
+    last[i] = -1;
+  for (int i = 0; i < s->n; i++)
+    for (int k = first[i]; k < first[i + 1]; k++) {
+      const int column = met[k];
+      if (last[column] != i)
+        couple(column, i, next, row);
+      last[column] = i;
+      if (row)
+        met[k] = next[column] - 1;
+    }
+}
+
+/* The terms of members come in the order of couple_all. */
+static void place_members(ed_space *s, int *next, const int *met)
+{
+  int *place = s->place;
+  for (int m = 0; m < s->n_members; m++)
+    for (int i = 0; i < 12; i++)
+      for (int j = 0; j < 12; j++) {
+        const int row = equations(s, m, i / 6)[i % 6], column = equations(s, m, j / 6)[j % 6];
+        *place++ = row < 0 || column < 0 ? s->nnz : met[next[row]++];
+      }
+}
+
+static int make_pattern(ed_space *s, int *first, int *next, int *last)
+{
+  couple_all(s, first, NULL);
+  int *met = begin_lists(s->n, first) ? malloc(((size_t)first[s->n] + 1) * sizeof *met) : NULL; /* else too many for their numbers */
+  if (!met)
     return ED_E_MEMORY;
-  couple_all(s, next, s->row);
-  for (int i = 0, from = 0; i < s->n; i++) {
-    qsort(s->row + from, (size_t)(next[i] - from), sizeof *s->row, compare_ints);
-    s->column_start[i] = s->nnz;
-    for (int k = from; k < next[i]; k++)
-      if (k == from || s->row[k] != s->row[s->nnz - 1])
-        s->row[s->nnz++] = s->row[k]; /* nnz never runs ahead of k */
-    from = next[i];
+  memcpy(next, first, (size_t)s->n * sizeof *next);
+  couple_all(s, next, met);
+  list_rows(s, first, met, last, s->column_start, NULL);
+  begin_lists(s->n, s->column_start);
+  s->nnz = s->column_start[s->n];
+  s->row = malloc(((size_t)s->nnz + 1) * sizeof *s->row);
+  s->place = malloc((size_t)s->n_members * ED_SPACE_PLACES * sizeof *s->place);
+  if (s->row && s->place) {
+    memcpy(next, s->column_start, (size_t)s->n * sizeof *next);
+    list_rows(s, first, met, last, next, s->row);
+    place_members(s, first, met);
   }
-  s->column_start[s->n] = s->nnz;
-  return ED_OK;
+  free(met);
+  return s->row && s->place ? ED_OK : ED_E_MEMORY;
 }
 
 static int is_rotation(const ed_space *s, int equation)
@@ -122,29 +159,24 @@ static int is_rotation(const ed_space *s, int equation)
 int ed_space_build_pattern(ed_space *s)
 {
   const size_t n = (size_t)s->n;
-  int *next = calloc(n + 1, sizeof *next);
   s->column_start = calloc(n + 1, sizeof *s->column_start);
   s->diagonal = calloc(n, sizeof *s->diagonal);
   s->scale = calloc(n, sizeof *s->scale);
   s->work = calloc(n, sizeof *s->work);
-  const int status = next && s->column_start && s->diagonal && s->scale && s->work ? sort_pattern(s, next) : ED_E_MEMORY;
-  free(next);
+  int *room = calloc(3 * n + 1, sizeof *room), status = ED_E_MEMORY;
+  if (room && s->column_start && s->diagonal && s->scale && s->work)
+    status = make_pattern(s, room, room + n + 1, room + 2 * n + 1);
+  free(room);
   if (status != ED_OK)
     return status;
-  s->place = malloc((size_t)s->n_members * ED_SPACE_PLACES * sizeof *s->place);
   s->matrix = malloc(((size_t)s->nnz + 1) * sizeof *s->matrix);
   s->geometric = malloc(((size_t)s->nnz + 1) * sizeof *s->geometric);
-  if (!s->place || !s->matrix || !s->geometric)
+  if (!s->matrix || !s->geometric)
     return ED_E_MEMORY;
   for (int i = 0; i < s->n; i++) {
     s->diagonal[i] = place_of(s, i, i);
     s->scale[i] = is_rotation(s, i) ? 1.0 / s->length : 1.0;
   }
-  int *place = s->place;
-  for (int m = 0; m < s->n_members; m++)
-    for (int i = 0; i < 12; i++)
-      for (int j = 0; j < 12; j++)
-        *place++ = place_of(s, equations(s, m, i / 6)[i % 6], equations(s, m, j / 6)[j % 6]);
   int of_floors = 0;
   for (int f = 0; f < s->n_floors; f++)
     for (int k = 0; k < 3; k++)
