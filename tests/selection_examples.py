@@ -121,10 +121,10 @@ beams:
   - {along: x, bays: 2-5, floors: 5-7, section: IPE400, material: S275, group: B2}
   - {along: x, bays: 2-5, floors: 8-10, section: IPE360, material: S275, group: B3}
   - {along: x, bays: [1, 6], section: IPE200, material: S275, ends: pinned, group: BE}
-  - {along: y, section: HEM1000, material: S275, ends: pinned, group: BY}
+  - {along: y, section: HEB600, material: stiff, ends: pinned, group: BY}
 braces:
-  - {along: y, frames: [A, G], bays: 1, kind: cross, section: SHS400x25, material: S275, group: D}
-materials: {S275: {fy: 275 MPa}}
+  - {along: y, frames: [A, G], bays: 1, kind: cross, section: SHS200x12.5, material: stiff, group: D}
+materials: {S275: {fy: 275 MPa}, stiff: {fy: 275 MPa, E: 2100 GPa}}
 loads:
   beams: [{along: x, bays: 2-5, G: 23 kN/m, Q: 9.6 kN/m, category: B}]
   nodes:
@@ -142,7 +142,7 @@ design:
   accidental_torsion: none
   drift: {limit: ductile, nu: 0.5}
   select:
-    lists: {groups: {CE: [HEM300], BE: [IPE200], BY: [HEM1000], D: [SHS400x25]}}
+    lists: {groups: {CE: [HEM300], BE: [IPE200], BY: [HEB600], D: [SHS200x12.5]}}
     leave_out: [6.5.3(2), 6.6.3(6), 6.7.3(1), 6.7.3(2), 6.7.3(8)]
 """
 """Finding 8 of the design document: 90 t a floor and frame; the pinned bays at both ends carry the braces along y."""

@@ -88,8 +88,8 @@ MODULUS = Range(
     "modulus of elasticity of steel",
     STRESS,
     "GPa",
-    (190e9, 220e9),
-    "EN 1993-1-1, 3.2.6 and EN 1993-1-4, 2.1.3 have 195 to 220 GPa; EN 1993-1-1 does not check other materials",
+    (190e9, 2200e9),
+    "EN 1993-1-1 does not check other materials; tenfold values stand for rigid parts of a model",
     (195e9, 220e9),
     "EN 1993-1-1, 3.2.6 has 210 GPa, and EN 1993-1-4, 2.1.3 has 195 to 220 GPa of stainless steel",
 )
