@@ -15,6 +15,8 @@
 #ifndef EDCORE_H
 #define EDCORE_H
 
+#include "edcompensator.h"
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -350,6 +352,77 @@ int ed_damper_history_in_series(const ed_damper *damper, int n, const double *ti
 int ed_fading(int n, const double *decay, const double *made, double before, double *q);
 /* The same of complex numbers, real and imaginary part side by side. */
 int ed_swinging(int n, const double *decay, const double *made, const double *before, double *q);
+
+/* ---- real-time substructure tests ------------------------------------------------------------------------------- */
+
+/* A virtual test: numerical part, compensator, rig, specimen and sensors in a loop. A main step begins with what is measured then; the
+ * numerical part gives the target at its end, the compensator the command, which rises in a ramp over the step; the rig follows in
+ * sub-steps and moves the specimen. Everything begins at rest. One thread at a time may use an object. */
+typedef struct ed_substructure ed_substructure;
+
+enum { ED_RIG_LINEAR = 0, ED_RIG_SERVO_HYDRAULIC = 1 };
+#define ED_RIG_STATES 12
+/* Whoever moves the specimen. w: command, `delay` seconds late. */
+typedef struct {
+  int kind;
+  double delay;          /* s, >= 0 */
+  /* LINEAR: r_1 = A r_0 + b0 w_0 + b1 w_1 over a sub-step (w linear), position = c r + d w, velocity = c_v r + d_v w. Without states
+   * the position is d w, and the velocity its slope. */
+  int n;
+  double A[ED_RIG_STATES * ED_RIG_STATES], b0[ED_RIG_STATES], b1[ED_RIG_STATES], c[ED_RIG_STATES], c_v[ED_RIG_STATES], d, d_v; /* A row by row */
+  /* SERVO_HYDRAULIC: valve_lag q' + q = gain (w - x), q: velocity of the piston without load, |q| <= velocity sqrt(1 -+ F / force);
+   * x = integral of q less F / oil. */
+  double gain, valve_lag, oil;
+  double flexibility;    /* stiffness between actuator and specimen, N/m; 0: rigid */
+  int corrected;         /* the difference of both displacements is added to the command */
+  double stroke, velocity, force; /* limits, infinite: none; a motion beyond the first two is held there */
+} ed_rig_model;
+
+/* Readings: normal noise, then rounding to whole quanta (0: none) within a range (infinite: none). */
+typedef struct {
+  double displacement_noise, displacement_quantum, displacement_range;
+  double force_noise, force_quantum, force_range;
+  double force_delay;    /* s */
+} ed_sensors;
+
+typedef struct {
+  double step;           /* main step, s */
+  int sub_steps;         /* of the rig in a main step */
+  /* Numerical part: z' = A z + B w, y' = C z + D w with w = (F_k, F_(k-1), a_g,k, a_g,k+1); y': target displacement, velocity and
+   * acceleration at the end of the step, then n_outputs more to be recorded. n_states = 0: the target is given. Row by row. */
+  int n_states, n_outputs;
+  const double *A, *B, *C, *D;
+  const ed_compensator_parameters *compensator;
+  int unseen_delay;      /* main steps that pass between the target and the compensator */
+  const ed_rig_model *rig;
+  const ed_sensors *sensors;
+  ed_damper *specimen;   /* without a brace of its own; it must outlive the test */
+  double abort_displacement; /* of the target or the specimen, m; infinite: none */
+} ed_substructure_input;
+
+/* Channels of the record. LIMITED: bits of the compensator. SATURATED: 1 stroke, 2 velocity, 4 force, 8 range of a sensor. */
+enum {
+  ED_RTS_TARGET = 0, ED_RTS_TARGET_VELOCITY = 1, ED_RTS_TARGET_ACCELERATION = 2,
+  ED_RTS_COMMAND = 3,        /* of the compensator */
+  ED_RTS_MEASURED = 4,       /* displacement of the specimen, as read */
+  ED_RTS_ACTUATOR = 5,       /* displacement of the piston */
+  ED_RTS_DEFORMATION = 6,    /* of the specimen, true */
+  ED_RTS_FORCE = 7,          /* as read */
+  ED_RTS_TRUE_FORCE = 8,
+  ED_RTS_ALPHA = 9,          /* three, of ATS; of a live delay the first is the delay, s */
+  ED_RTS_INDEPENDENCE = 12, ED_RTS_LIMITED = 13, ED_RTS_SATURATED = 14,
+  ED_RTS_CHANNELS = 15       /* then n_outputs */
+};
+
+/* NULL: *status and `message` (size bytes) say why. */
+ed_substructure *ed_substructure_new(const ed_substructure_input *input, int *status, char *message, int size);
+void ed_substructure_free(ed_substructure *test);
+void ed_substructure_ask(ed_substructure *test, const ed_stop *stop);
+/* n main steps from rest. drive: n + 1 ground accelerations, or (n + 1) x 3 targets. record: (n + 1) x (ED_RTS_CHANNELS + n_outputs),
+ * row by row. seed: of the noise. *done: rows that hold. ED_LIMIT: the abort displacement was exceeded, in the last of them. */
+int ed_substructure_run(ed_substructure *test, int n, const double *drive, unsigned long long seed, double *record, int *done);
+/* A compensator on its own: commands of n steps. target: n x 3. */
+int ed_compensator_run(const ed_compensator_parameters *parameters, int n, const double *target, const double *measured, double *command);
 
 /* ---- linear elastic space frames -------------------------------------------------------------------------------- */
 

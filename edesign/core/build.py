@@ -39,7 +39,8 @@ def declarations(header: Path = HEADER) -> str:
         header: path of the header.
 
     Returns:
-        The preprocessed text without directives and attributes, preceded by the integer macros ED_* as constants.
+        The preprocessed text without directives and attributes, preceded by the integer macros ED_* as constants: those
+        of this header and of all beside it, which it includes.
     """
     text = header.read_text(encoding="utf-8")
     text = re.sub(r"^[ \t]*#[ \t]*include[ \t]*<.*$", "", text, flags=re.MULTILINE)
@@ -51,7 +52,7 @@ def declarations(header: Path = HEADER) -> str:
     expanded = re.sub(r"\bED_API\b", "", expanded)
     integers = re.findall(
         r"^[ \t]*#[ \t]*define[ \t]+(ED_\w+)[ \t]+\(?-?(?:0[xX][0-9a-fA-F]+|\d+)[uUlL]*\)?[ \t]*(?:/[*/].*)?$",
-        text,
+        "".join(path.read_text(encoding="utf-8") for path in sorted(header.parent.glob("*.h"))),
         flags=re.MULTILINE,
     )
     return "".join(f"#define {name} ...\n" for name in integers) + expanded

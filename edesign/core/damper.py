@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -94,6 +94,11 @@ class CoreDamper:
             refused = lib.ed_damper_amend(handle, number, amendment.inside, len(values), values, message, 256)
             if refused != lib.ED_OK:
                 raise CoreError(status_name(refused), ffi.string(message).decode(errors="replace"))
+
+    @property
+    def handle(self) -> Any:
+        """The core's object, for other parts of the core that move it; it lives as long as this one."""
+        return self._handle
 
     def force(
         self,

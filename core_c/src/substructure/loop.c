@@ -1,0 +1,449 @@
+/* The loop of a real-time substructure test: numerical part, compensator, rig, specimen, sensors. */
+#include "base/watch.h"
+#include "damper/law.h"
+#include "damper/ode_system.h"
+#include "substructure/delay_line.h"
+#include "substructure/rig.h"
+#include "substructure/sensor.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { INPUTS = 4, TARGETS = 3, MOST_UNSEEN = 1000, MOST_STATES = 3000, MOST_SAMPLES = 10000000 };
+
+static const double TOLERANCE = 1e-6; /* relative, of SUNDIALS for laws without an exact step */
+
+struct ed_substructure {
+  double step, h;
+  int sub_steps, n_states, n_outputs, unseen_delay;
+  double abort_displacement;
+  ed_compensator_parameters compensator;
+  ed_rig_model rig;
+  ed_sensors sensors;
+  const ed_damper *specimen;
+  ed_ode_system *system;     /* of a law without an exact step, or NULL */
+  ed_stop stop;
+  /* one block each of what never changes and of what does; matrices column by column, so that lanes run over rows */
+  double *constants, *A, *B, *C, *D;
+  size_t state_size;
+  double *state, *z, *z_next, *law, *trial, *waiting;
+  ed_delay_line command_line, force_line;
+  ed_compensator compensating;
+  ed_rig_state moving;
+  ed_sensor displacement_sensor, force_sensor;
+};
+
+/* ---- making one ------------------------------------------------------------------------------------------------- */
+
+static int refuse(char *message, int size, const char *text)
+{
+  if (size > 0)
+    snprintf(message, (size_t)size, "%s", text);
+  return ED_E_ARGUMENT;
+}
+
+static int all_finite(size_t n, const double *values)
+{
+  for (size_t i = 0; i < n; i++)
+    if (!isfinite(values[i]))
+      return 0;
+  return 1;
+}
+
+static int at_least_0(double value)
+{
+  return value >= 0.0 && isfinite(value);
+}
+
+static const char *wrong_terms(int n, const ed_compensator_term *term)
+{
+  if (n < 0 || n > ED_COMPENSATOR_TERMS)
+    return "the compensator has too many terms";
+  for (int i = 0; i < n; i++)
+    if (term[i].of < 0 || term[i].of >= ED_OF_SIGNALS || term[i].lag < (term[i].of == ED_OF_COMMAND) ||
+        term[i].lag >= ED_COMPENSATOR_MEMORY || !isfinite(term[i].coefficient))
+      return "a term of the compensator names no signal, looks too far back, or has a coefficient that is not finite";
+  return NULL;
+}
+
+static const char *wrong_adaptation(const ed_compensator_parameters *c)
+{
+  if (c->n_sections < 0 || c->n_sections > ED_COMPENSATOR_SECTIONS || !all_finite(5 * ED_COMPENSATOR_SECTIONS, c->section[0]))
+    return "the filter of the compensator is not usable";
+  for (int i = 0; i < 3; i++)
+    if (!(c->least[i] <= c->initial[i] && c->initial[i] <= c->largest[i]) || !isfinite(c->largest[i] - c->least[i]) || !(c->rate[i] >= 0.0))
+      return "an initial alpha lies outside its limits, or a rate is below 0";
+  if (c->kind == ED_COMPENSATE_MODIFIED_ATS && !(c->forgetting > 0.0 && c->forgetting <= 1.0))
+    return "the forgetting factor must be above 0 and at most 1";
+  if (c->kind == ED_COMPENSATE_ATS && (c->every < 1 || c->window > ED_COMPENSATOR_WINDOW || c->window / c->every < 3))
+    return "the window of ATS must hold three samples at least, and not too many steps";
+  return NULL;
+}
+
+static const char *wrong_compensator(const ed_compensator_parameters *c)
+{
+  const char *text = wrong_terms(c->n_terms, c->term);
+  text = text ? text : wrong_terms(c->n_force_terms, c->force_term);
+  if (text)
+    return text;
+  if (!(c->step > 0.0) || !at_least_0(c->threshold))
+    return "the compensator needs a step above 0 and a threshold of at least 0";
+  switch (c->kind) {
+  case ED_COMPENSATE_LINEAR:
+    return NULL;
+  case ED_COMPENSATE_LIVE_DELAY:
+    if (c->order < 0 || c->order > ED_COMPENSATOR_ORDER || !(c->share >= 0.0 && c->share <= 1.0) || !at_least_0(c->least_delay) ||
+        !(c->least_delay <= c->delay && c->delay <= c->largest_delay) ||
+        !(c->order * c->largest_delay < (ED_COMPENSATOR_MEMORY - 2) * c->step))
+      return "a live delay needs an order of 0 to 4, a share of 0 to 1, and a delay within limits that it can look back over";
+    return NULL;
+  case ED_COMPENSATE_ATS:
+  case ED_COMPENSATE_MODIFIED_ATS:
+    return wrong_adaptation(c);
+  default:
+    return "there is no such compensator";
+  }
+}
+
+static const char *wrong_rig(const ed_rig_model *r, double h)
+{
+  if (!at_least_0(r->delay) || !(r->delay / h < MOST_SAMPLES))
+    return "the delay of the rig must be finite and at least 0";
+  if (!at_least_0(r->flexibility) || !(r->stroke > 0.0) || !(r->velocity > 0.0) || !(r->force > 0.0))
+    return "limits of the rig must be above 0, its flexibility at least 0";
+  if (r->kind == ED_RIG_SERVO_HYDRAULIC)
+    return r->gain > 0.0 && isfinite(r->gain) && at_least_0(r->valve_lag) && r->oil > 0.0 && isfinite(r->oil)
+               ? NULL : "a servo-hydraulic rig needs a gain and an oil stiffness above 0 and a lag of its valve of at least 0";
+  if (r->kind != ED_RIG_LINEAR || r->n < 0 || r->n > ED_RIG_STATES)
+    return "there is no such rig, or it has too many states";
+  const size_t n = (size_t)r->n;
+  if (!all_finite(n * n, r->A) || !all_finite(n, r->b0) || !all_finite(n, r->b1) || !all_finite(n, r->c) || !all_finite(n, r->c_v) ||
+      !isfinite(r->d) || !isfinite(r->d_v))
+    return "a value of the rig is not finite";
+  return NULL;
+}
+
+static int not_below_0(double value) /* NaN is below */
+{
+  return value >= 0.0;
+}
+
+static const char *wrong_sensors(const ed_sensors *s, double h)
+{
+  if (!at_least_0(s->displacement_noise) || !at_least_0(s->force_noise) || !at_least_0(s->displacement_quantum) ||
+      !at_least_0(s->force_quantum) || !not_below_0(s->displacement_range) || !not_below_0(s->force_range) ||
+      !at_least_0(s->force_delay) || !(s->force_delay / h < MOST_SAMPLES))
+    return "noise, quanta, ranges and the delay of sensors must be at least 0";
+  return NULL;
+}
+
+static const char *wrong_input(const ed_substructure_input *in)
+{
+  if (!(in->step > 0.0) || !isfinite(in->step) || in->sub_steps < 1 || in->sub_steps > MOST_SAMPLES)
+    return "the main step must be above 0, with at least one sub-step";
+  if (in->n_states < 0 || in->n_states > MOST_STATES || in->n_outputs < 0 || in->n_outputs > MOST_STATES || (in->n_states == 0 && in->n_outputs))
+    return "the numerical part has no states, or too many";
+  if (in->unseen_delay < 0 || in->unseen_delay > MOST_UNSEEN)
+    return "the unseen delay must be 0 to 1000 steps";
+  if (!(in->abort_displacement > 0.0))
+    return "the abort displacement must be above 0";
+  const size_t n = (size_t)in->n_states, rows = TARGETS + (size_t)in->n_outputs;
+  if (n && (!all_finite(n * n, in->A) || !all_finite(n * INPUTS, in->B) || !all_finite(rows * n, in->C) || !all_finite(rows * INPUTS, in->D)))
+    return "a value of the numerical part is not finite";
+  const double h = in->step / in->sub_steps;
+  const char *text = wrong_compensator(in->compensator);
+  text = text ? text : wrong_rig(in->rig, h);
+  text = text ? text : wrong_sensors(in->sensors, h);
+  if (text)
+    return text;
+  if (in->compensator->step != in->step)
+    return "the compensator has another step than the loop";
+  const double series = ed_rig_series(in->rig), brace = in->specimen->brace;
+  if (fabs(brace - series) > 1e-12 * series)
+    return "the brace of the specimen is not the stiffness of oil and rig in series with it";
+  return NULL;
+}
+
+static void by_columns(int rows, int columns, const double *from, double *to)
+{
+  for (int i = 0; i < rows; i++)
+    for (int j = 0; j < columns; j++)
+      to[(size_t)j * (size_t)rows + (size_t)i] = from[(size_t)i * (size_t)columns + (size_t)j];
+}
+
+static int make(ed_substructure *t, const ed_substructure_input *in)
+{
+  const size_t n = (size_t)in->n_states, rows = TARGETS + (size_t)in->n_outputs;
+  const size_t law = (size_t)ed_damper_state_size(in->specimen), waiting = TARGETS * ((size_t)in->unseen_delay + 1);
+  int status = ED_OK;
+  t->step = in->step;
+  t->sub_steps = in->sub_steps;
+  t->h = in->step / in->sub_steps;
+  t->n_states = in->n_states;
+  t->n_outputs = in->n_outputs;
+  t->unseen_delay = in->unseen_delay;
+  t->abort_displacement = in->abort_displacement;
+  t->compensator = *in->compensator;
+  t->rig = *in->rig;
+  t->sensors = *in->sensors;
+  t->specimen = in->specimen;
+  const double late = t->rig.delay / t->h, force_late = t->sensors.force_delay / t->h;
+  const size_t line = (size_t)ed_delay_line_size(late), force_line = (size_t)ed_delay_line_size(force_late);
+  t->state_size = 2 * n + 2 * law + waiting + line + force_line;
+  t->constants = malloc(sizeof *t->constants * (n * n + n * INPUTS + rows * n + rows * INPUTS));
+  t->state = malloc(sizeof *t->state * t->state_size);
+  if (!t->constants || !t->state)
+    return ED_E_MEMORY;
+  t->A = t->constants;
+  t->B = t->A + n * n;
+  t->C = t->B + n * INPUTS;
+  t->D = t->C + rows * n;
+  if (n) {
+    by_columns((int)n, (int)n, in->A, t->A);
+    by_columns((int)n, INPUTS, in->B, t->B);
+    by_columns((int)rows, (int)n, in->C, t->C);
+    by_columns((int)rows, INPUTS, in->D, t->D);
+  }
+  t->z = t->state;
+  t->z_next = t->z + n;
+  t->law = t->z_next + n;
+  t->trial = t->law + law;
+  t->waiting = t->trial + law;
+  t->command_line = ed_delay_line_of(late, t->waiting + waiting);
+  t->force_line = ed_delay_line_of(force_late, t->waiting + waiting + line);
+  if (!ed_damper_has_exact_step(in->specimen))
+    t->system = ed_ode_system_new(1, &t->specimen, TOLERANCE, &status);
+  return status;
+}
+
+ed_substructure *ed_substructure_new(const ed_substructure_input *input, int *status, char *message, int size)
+{
+  const char *wrong = wrong_input(input);
+  if (wrong) {
+    *status = refuse(message, size, wrong);
+    return NULL;
+  }
+  ed_substructure *test = calloc(1, sizeof *test);
+  *status = test ? make(test, input) : ED_E_MEMORY;
+  if (*status == ED_OK)
+    return test;
+  if (size > 0)
+    snprintf(message, (size_t)size, "%s", ed_status_text(*status));
+  ed_substructure_free(test);
+  return NULL;
+}
+
+void ed_substructure_free(ed_substructure *test)
+{
+  if (!test)
+    return;
+  ed_ode_system_free(test->system);
+  free(test->constants);
+  free(test->state);
+  free(test);
+}
+
+void ed_substructure_ask(ed_substructure *test, const ed_stop *stop)
+{
+  test->stop = stop ? *stop : (ed_stop){0};
+}
+
+/* ---- running ---------------------------------------------------------------------------------------------------- */
+
+static void begin(ed_substructure *t, unsigned long long seed)
+{
+  const ed_sensors *s = &t->sensors;
+  memset(t->state, 0, sizeof *t->state * t->state_size);
+  t->command_line.last = t->force_line.last = 0;
+  ed_damper_start(t->specimen, t->law);
+  ed_compensator_start(&t->compensator, &t->compensating);
+  memset(&t->moving, 0, sizeof t->moving);
+  t->displacement_sensor = (ed_sensor){.noise = s->displacement_noise, .quantum = s->displacement_quantum, .range = s->displacement_range,
+                                       .state = 2 * seed};
+  t->force_sensor = (ed_sensor){.noise = s->force_noise, .quantum = s->force_quantum, .range = s->force_range, .state = 2 * seed + 1};
+}
+
+/* y += M x, column by column. */
+static void add_product(int rows, int columns, const double *restrict M, const double *restrict x, double *restrict y)
+{
+  for (int j = 0; j < columns; j++)
+    for (int i = 0; i < rows; i++)
+      y[i] += M[(size_t)j * (size_t)rows + (size_t)i] * x[j];
+}
+
+/* A main step of the numerical part: y, then z, at its end. */
+static void advance_numerical_part(ed_substructure *t, const double w[INPUTS], double *y)
+{
+  const int n = t->n_states, rows = TARGETS + t->n_outputs;
+  memset(y, 0, sizeof *y * (size_t)rows);
+  add_product(rows, n, t->C, t->z, y);
+  add_product(rows, INPUTS, t->D, w, y);
+  memset(t->z_next, 0, sizeof *t->z_next * (size_t)n);
+  add_product(n, n, t->A, t->z, t->z_next);
+  add_product(n, INPUTS, t->B, w, t->z_next);
+  double *swap = t->z;
+  t->z = t->z_next;
+  t->z_next = swap;
+}
+
+/* The target that the compensator gets: that of `unseen_delay` steps ago. */
+static const double *delayed_target(ed_substructure *t, int k, const double target[TARGETS])
+{
+  const int places = t->unseen_delay + 1;
+  memcpy(t->waiting + TARGETS * (k % places), target, sizeof *target * TARGETS);
+  return t->waiting + TARGETS * ((k + 1) % places);
+}
+
+typedef struct {
+  double true_force, force, measured, deformation;
+  int saturated;
+} readings;
+
+/* Drive, specimen and force over a sub-step. */
+static int move_specimen(ed_substructure *t, double w, readings *now)
+{
+  ed_rig_state *rig = &t->moving;
+  const double from = rig->x;
+  double start;
+  ed_path path;
+  const ed_path none[2] = {{0}};
+  ed_damper_force out = {0};
+  ed_rig_move(&t->rig, rig, t->h, w, now->true_force, &start, &now->saturated);
+  if (!isfinite(rig->x + rig->v))
+    return ED_E_NOT_FINITE;
+  ed_path_hermite(&path, t->h, from, start, rig->x, rig->v);
+  memcpy(t->trial, t->law, sizeof *t->trial * (size_t)ed_damper_state_size(t->specimen));
+  const int status = ed_damper_advance(t->specimen, t->system, t->law, &path, none, t->trial, &out);
+  if (status != ED_OK)
+    return status;
+  double *swap = t->law;
+  t->law = t->trial;
+  t->trial = swap;
+  now->true_force = out.force;
+  now->deformation = rig->x - (t->specimen->brace > 0.0 ? out.force / t->specimen->brace : 0.0);
+  ed_rig_settle(&t->rig, rig, out.force, &now->saturated);
+  return isfinite(out.force) ? ED_OK : ED_E_NOT_FINITE;
+}
+
+static void write_row(const ed_substructure *t, const double *target, double command, const readings *now, double *row)
+{
+  const ed_compensator *c = &t->compensating;
+  const int adaptive = t->compensator.kind == ED_COMPENSATE_ATS || t->compensator.kind == ED_COMPENSATE_MODIFIED_ATS;
+  memcpy(row, target, sizeof *row * TARGETS);
+  row[ED_RTS_COMMAND] = command;
+  row[ED_RTS_MEASURED] = now->measured;
+  row[ED_RTS_ACTUATOR] = t->moving.piston;
+  row[ED_RTS_DEFORMATION] = now->deformation;
+  row[ED_RTS_FORCE] = now->force;
+  row[ED_RTS_TRUE_FORCE] = now->true_force;
+  for (int i = 0; i < 3; i++)
+    row[ED_RTS_ALPHA + i] = adaptive ? c->alpha[i] : 0.0;
+  if (t->compensator.kind == ED_COMPENSATE_LIVE_DELAY)
+    row[ED_RTS_ALPHA] = c->delay;
+  row[ED_RTS_INDEPENDENCE] = c->independence;
+  row[ED_RTS_LIMITED] = c->limited;
+  row[ED_RTS_SATURATED] = now->saturated;
+}
+
+static void read_sensors(ed_substructure *t, double delayed_force, readings *now)
+{
+  int clipped = 0;
+  now->measured = ed_sensor_read(&t->displacement_sensor, now->deformation, &clipped);
+  now->force = ed_sensor_read(&t->force_sensor, delayed_force, &clipped);
+  if (clipped)
+    now->saturated |= ED_SATURATED_SENSOR;
+}
+
+/* Rig and specimen over a main step in which the command goes from one value to the next. */
+static int advance_rig(ed_substructure *t, double from, double to, readings *now)
+{
+  double delayed_force = 0.0;
+  now->saturated = 0;
+  for (int j = 1; j <= t->sub_steps; j++) {
+    const double w = from + (to - from) * ((double)j / t->sub_steps);
+    const int status = move_specimen(t, ed_delay_line_next(&t->command_line, w), now);
+    if (status != ED_OK)
+      return status;
+    delayed_force = ed_delay_line_next(&t->force_line, now->true_force);
+  }
+  read_sensors(t, delayed_force, now);
+  return ED_OK;
+}
+
+static int beyond(const ed_substructure *t, double target, const readings *now)
+{
+  return fabs(target) > t->abort_displacement || fabs(now->deformation) > t->abort_displacement;
+}
+
+static int run(ed_substructure *t, int n, const double *drive, ed_watch *watch, double *record, int *done)
+{
+  const int numerical = t->n_states > 0;
+  const size_t width = ED_RTS_CHANNELS + (size_t)t->n_outputs;
+  readings now = {0};
+  double sent = 0.0, earlier = 0.0; /* command with the correction of the rig; force a step ago */
+  memset(record, 0, sizeof *record * width);
+  read_sensors(t, 0.0, &now);
+  write_row(t, record, 0.0, &now, record);
+  *done = 1;
+  for (int k = 0; k < n; k++) {
+    double *row = record + ((size_t)k + 1) * width, target[TARGETS];
+    if (ed_watch_step(watch))
+      return ED_E_STOPPED;
+    if (numerical) {
+      const double force = now.force + ed_compensator_force(&t->compensator, &t->compensating);
+      const double w[INPUTS] = {force, k ? earlier : force, drive[k], drive[k + 1]};
+      /* the first three of y are the target, and lie in the row before what is recorded of them */
+      double *y = row + ED_RTS_CHANNELS - TARGETS;
+      advance_numerical_part(t, w, y);
+      memcpy(target, y, sizeof target);
+      earlier = force;
+    } else {
+      memcpy(target, drive + ((size_t)k + 1) * TARGETS, sizeof target);
+    }
+    const double *wanted = delayed_target(t, k, target);
+    const double command = ed_compensator_step(&t->compensator, &t->compensating, wanted[0], wanted[1], wanted[2], now.measured);
+    const double to = command + (t->rig.corrected ? t->moving.piston - now.measured : 0.0);
+    if (!isfinite(command))
+      return ED_E_NOT_FINITE;
+    const int status = advance_rig(t, sent, to, &now);
+    if (status != ED_OK)
+      return status;
+    sent = to;
+    write_row(t, target, command, &now, row);
+    *done = k + 2;
+    if (beyond(t, target[0], &now))
+      return ED_LIMIT;
+  }
+  return ED_OK;
+}
+
+int ed_substructure_run(ed_substructure *t, int n, const double *drive, unsigned long long seed, double *record, int *done)
+{
+  ed_watch watch = ed_watch_of(&t->stop);
+  *done = 0;
+  if (n < 0 || !all_finite(((size_t)n + 1) * (t->n_states > 0 ? 1 : TARGETS), drive))
+    return ED_E_ARGUMENT;
+  begin(t, seed);
+  if (t->system)
+    ed_ode_system_watch(t->system, &watch);
+  const int status = run(t, n, drive, &watch, record, done);
+  if (t->system)
+    ed_ode_system_watch(t->system, NULL);
+  return status;
+}
+
+int ed_compensator_run(const ed_compensator_parameters *parameters, int n, const double *target, const double *measured, double *command)
+{
+  if (wrong_compensator(parameters) || n < 0)
+    return ED_E_ARGUMENT;
+  ed_compensator *state = malloc(sizeof *state);
+  if (!state)
+    return ED_E_MEMORY;
+  ed_compensator_start(parameters, state);
+  for (int k = 0; k < n; k++, target += 3)
+    command[k] = ed_compensator_step(parameters, state, target[0], target[1], target[2], measured[k]);
+  free(state);
+  return ED_OK;
+}

@@ -1,0 +1,31 @@
+/* The rig over a sub-step: from the command to the motion that reaches the specimen and its flexible parts. */
+#ifndef ED_RIG_H
+#define ED_RIG_H
+
+#include "edcore.h"
+
+/* Of what stands in series with the specimen; 0: rigid. */
+static inline double ed_rig_series(const ed_rig_model *model)
+{
+  const double bend = (model->kind == ED_RIG_SERVO_HYDRAULIC ? 1.0 / model->oil : 0.0) +
+                      (model->flexibility > 0.0 ? 1.0 / model->flexibility : 0.0);
+  return bend > 0.0 ? 1.0 / bend : 0.0;
+}
+
+enum { ED_SATURATED_STROKE = 1, ED_SATURATED_VELOCITY = 2, ED_SATURATED_FORCE = 4, ED_SATURATED_SENSOR = 8 };
+
+typedef struct {
+  double r[ED_RIG_STATES]; /* LINEAR */
+  double flow;             /* SERVO_HYDRAULIC: q */
+  double command;          /* w at the end of the last sub-step */
+  double x, v;             /* of what drives the specimen: the piston, or the piston without the give of its oil */
+  double piston;           /* displacement of the piston */
+} ed_rig_state;
+
+/* Moves the drive over a sub-step of h towards the command w. force: of the specimen at its start. v_start: velocity of the drive at the
+ * start, from which its path goes. *saturated gains the limits that were met. */
+void ed_rig_move(const ed_rig_model *model, ed_rig_state *state, double h, double w, double force, double *v_start, int *saturated);
+/* The piston, once the force at the end of the sub-step is known. */
+void ed_rig_settle(const ed_rig_model *model, ed_rig_state *state, double force, int *saturated);
+
+#endif
