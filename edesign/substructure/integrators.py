@@ -6,94 +6,19 @@ instant k with F_k, and returns the state for instant k + 1, whose first n entri
 stages inside the step (Bogacki-Shampine, `exact`) are written as a function `Advance` over the whole step; the force
 inside it is an assumption: held, or extrapolated linearly from the last two.
 
+Some methods carry a velocity or acceleration of an instant a fraction of the step away. The motion that a function
+returns is of the instant itself, to second order: what a method carries is moved there, or found from balance.
+
 `recursion.py` makes matrices of these functions.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-from functools import cached_property
-from typing import Literal
-
 import numpy as np
 import scipy
 
 from edesign.errors import InputError
-from edesign.substructure.numerical import LinearPart
-
-ForceBetween = Literal["held", "extrapolated"]
-
-
-@dataclass(frozen=True)
-class Known:
-    """What is known at the start of a step.
-
-    Attributes:
-        force, force_before: of the specimen at the start of this step and of the last, N.
-        ground, ground_ahead: acceleration of the ground at the start and at the end, m/s2.
-    """
-
-    force: float
-    force_before: float
-    ground: float
-    ground_ahead: float
-
-    def force_at(self, share: float, force: ForceBetween) -> float:
-        """Return the assumed force after a share of the step, N."""
-        return self.force + (share * (self.force - self.force_before) if force == "extrapolated" else 0.0)
-
-    def ground_at(self, share: float) -> float:
-        """Return the ground acceleration after a share of the step, m/s2; it is linear over the step."""
-        return self.ground + share * (self.ground_ahead - self.ground)
-
-
-@dataclass(frozen=True)
-class Motion:
-    """Motion of all degrees at an instant: (n,) m, m/s, m/s2 relative to the ground."""
-
-    displacement: np.ndarray
-    velocity: np.ndarray
-    acceleration: np.ndarray
-
-
-Instant = Callable[[np.ndarray, float, float], tuple[np.ndarray, Motion]]
-"""(state at instant k, F_k in N, a_g,k in m/s2) -> (state at instant k + 1, motion at instant k)."""
-
-Advance = Callable[[np.ndarray, Known], np.ndarray]
-"""(displacements and velocities at the start of the step, what is known) -> those at its end."""
-
-
-@dataclass(frozen=True)
-class Equation:
-    """Equation of motion of a numerical part at a step.
-
-    Attributes:
-        part: the numerical part.
-        step: dt, s.
-        specimen_stiffness: estimate that the parameters of a method are made with, N/m.
-        rho: spectral radius at infinite frequency that is asked for.
-    """
-
-    part: LinearPart
-    step: float
-    specimen_stiffness: float
-    rho: float
-
-    @cached_property
-    def whole_stiffness(self) -> np.ndarray:
-        """Stiffness (n, n) in N/m with the estimate of the specimen's."""
-        return self.part.with_specimen(self.specimen_stiffness)
-
-    def load(self, force: float, ground: float) -> np.ndarray:
-        """Return -M influence a_g - interface F, (n,) N."""
-        part = self.part
-        return np.asarray(-part.mass @ part.influence * ground - part.interface * force)
-
-    def unbalance(self, displacement: np.ndarray, velocity: np.ndarray, force: float, ground: float) -> np.ndarray:
-        """Return the force that accelerates the masses, (n,) N."""
-        part = self.part
-        return np.asarray(self.load(force, ground) - part.damping @ velocity - part.stiffness @ displacement)
+from edesign.substructure.equation import Advance, Equation, ForceBetween, Instant, Known, Motion
 
 
 def newmark_explicit(eq: Equation) -> Instant:
@@ -136,6 +61,8 @@ def central_difference(eq: Equation) -> Instant:
 def cr(eq: Equation) -> Instant:
     """CR method: poles of Newmark's average acceleration. State: displacement and velocity.
 
+    As x_(k+1) - x_k = dt v_(k+1), its velocity is that of half a step before; the motion has v + a dt/2.
+
     Source: Chen & Ricles, J. Eng. Mech. 134(8), 2008; alpha_1 = alpha_2 = 4 (4 M + 2 dt C + dt^2 K)^-1 M.
     """
     dt, part = eq.step, eq.part
@@ -145,7 +72,8 @@ def cr(eq: Equation) -> Instant:
     def instant(state: np.ndarray, force: float, ground: float) -> tuple[np.ndarray, Motion]:
         x, v = np.split(state, 2)
         a = inverse @ eq.unbalance(x, v, force, ground)
-        return np.concatenate((x + dt * v + dt**2 * alpha @ a, v + dt * alpha @ a)), Motion(x, v, a)
+        motion = eq.balanced(x, v + 0.5 * dt * a, force, ground)
+        return np.concatenate((x + dt * v + dt**2 * alpha @ a, v + dt * alpha @ a)), motion
 
     return instant
 
@@ -154,7 +82,7 @@ def kr_alpha(eq: Equation) -> Instant:
     """KR-alpha method: explicit, damping of high modes by `rho`. State: x, v, and what instant k-1 adds to balance.
 
     Balance is at the weighted instant: M ((1 - a3) a_k + a3 a_(k-1)) = (1 - alpha_f) p_k + alpha_f p_(k-1), with the
-    unbalance p of an instant without inertia.
+    unbalance p of an instant without inertia. Its velocity is that of gamma dt before; the motion has v + gamma a dt.
 
     Source: Kolay & Ricles, Earthquake Eng. Struct. Dyn. 43, 2014.
     """
@@ -173,7 +101,8 @@ def kr_alpha(eq: Equation) -> Instant:
         p = eq.unbalance(x, v, force, ground)
         a = inverse @ ((1.0 - alpha_f) * p + carried)
         ahead, speed = x + dt * v + dt**2 * alpha_2 @ a, v + dt * alpha_1 @ a
-        return np.concatenate((ahead, speed, alpha_f * p - part.mass @ alpha_3 @ a)), Motion(x, v, a)
+        motion = eq.balanced(x, v + gamma * dt * a, force, ground)
+        return np.concatenate((ahead, speed, alpha_f * p - part.mass @ alpha_3 @ a)), motion
 
     return instant
 
@@ -207,7 +136,8 @@ def alpha_os(eq: Equation) -> Instant:
 
     The specimen is implicit with the estimate of its stiffness: its force at the corrected displacement is taken as
     F + k_E (e - e_predictor). alpha = -(1 - rho)/(1 + rho), gamma = 1/2 - alpha, beta = (1 - alpha)^2/4. State:
-    predictors of displacement and velocity, unbalance of the last instant.
+    predictors of displacement and velocity, unbalance of the last instant. Balance is at an instant of weights, so the
+    acceleration of the motion is that of the unbalance p_k.
 
     Source: Combescure & Pegon, Nuclear Eng. Design 169, 1997; alpha by `rho`: Hilber, Hughes & Taylor, 1977.
     """
@@ -215,15 +145,16 @@ def alpha_os(eq: Equation) -> Instant:
     alpha = -(1.0 - rho) / (1.0 + rho)
     gamma, beta = 0.5 - alpha, 0.25 * (1.0 - alpha) ** 2
     implicit = gamma * dt * part.damping + beta * dt**2 * eq.whole_stiffness
-    inverse = np.linalg.inv(part.mass + (1.0 + alpha) * implicit)
+    inverse, inverse_mass = np.linalg.inv(part.mass + (1.0 + alpha) * implicit), np.linalg.inv(part.mass)
 
     def instant(state: np.ndarray, force: float, ground: float) -> tuple[np.ndarray, Motion]:
         predictor, speed, before = np.split(state, 3)
         explicit = eq.unbalance(predictor, speed, force, ground)
         a = inverse @ ((1.0 + alpha) * explicit - alpha * before)
         x, v = predictor + beta * dt**2 * a, speed + gamma * dt * a
+        p = explicit - implicit @ a
         ahead = x + dt * v + (0.5 - beta) * dt**2 * a
-        return np.concatenate((ahead, v + (1.0 - gamma) * dt * a, explicit - implicit @ a)), Motion(x, v, a)
+        return np.concatenate((ahead, v + (1.0 - gamma) * dt * a, p)), Motion(x, v, inverse_mass @ p)
 
     return instant
 

@@ -97,7 +97,7 @@ def natural_modes(mass: np.ndarray, stiffness: np.ndarray) -> tuple[np.ndarray, 
     """
     squared, shapes = scipy.linalg.eigh(stiffness, mass)
     if squared[0] < -ROUNDING * max(squared[-1], 0.0):
-        raise InputError("the numerical part is unstable without its specimen: a squared frequency is less than zero")
+        raise InputError("the numerical part is unstable: a squared frequency is less than zero")
     return np.sqrt(np.maximum(squared, 0.0)), shapes
 
 

@@ -22,7 +22,10 @@ LINEAR_LAWS = {"kelvin_voigt": 2, "viscous": 1}
 """Laws that the matrices can hold, with the number of their parameters: (k, c) and (c)."""
 
 MOST_IN_SERIES = 0.01
-"""Share of the flexibility at the specimen that may belong to degrees without mass; it is left out, and told."""
+"""Share of the flexibility at the specimen that may belong to degrees without mass; it is left out."""
+
+WORTH_TELLING = 1e-4
+"""Such a share that is told: a force is not measured better."""
 
 ROUNDING = 1e-9
 
@@ -91,8 +94,9 @@ def project_part(project: Project, device: str, vertical: bool = True) -> Projec
 
     Raises:
         InputError: the device does not exist or has a brace in series; another damper is not linear or has a brace; the
-            frame has no mass or no `damping`; degrees without mass make up too much of the flexibility at the specimen.
-        AnalysisError: no equilibrium under gravity, or the frame is unstable without the damper.
+            frame has no mass or no `damping`, or is unstable without the damper; degrees without mass make up too much
+            of the flexibility at the specimen.
+        AnalysisError: no equilibrium under gravity, or no modes for the damping.
         CoreError: the frame is a mechanism.
 
     Source: static condensation: Chopra, Dynamics of Structures, 9.3.
@@ -122,6 +126,7 @@ def project_part(project: Project, device: str, vertical: bool = True) -> Projec
         _interface(project, specimen, direction @ condensed.shape),
         tuple(_equation_names(structure)[number] for number in condensed.heavy),
     )
+    part.modes()  # refuses an unstable one
     warnings = _in_series(project, specimen, condensed.flexibility(direction), part)
     return ProjectPart(part, specimen, _floors(structure, condensed), (*warnings, *_yielding(project)))
 
@@ -234,7 +239,7 @@ def _in_series(project: Project, specimen: Device, flexibility: float, part: Lin
     """What is left out where the damper's force bends degrees without mass, which move at once."""
     softness = np.linalg.solve(part.stiffness, part.interface) @ part.interface + flexibility
     share = flexibility / softness
-    if share <= ROUNDING:
+    if share <= WORTH_TELLING:
         return []
     text = (
         f"{100.0 * share:.2g} % of the flexibility at the damper {specimen.name} ({flexibility:.3g} m/N) belongs to "

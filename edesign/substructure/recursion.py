@@ -11,7 +11,7 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.project.problems import unknown_name
 from edesign.substructure import integrators
-from edesign.substructure.integrators import Advance, Equation, ForceBetween, Instant, Known, Motion
+from edesign.substructure.equation import Advance, Equation, ForceBetween, Instant, Known, Motion
 from edesign.substructure.numerical import LinearPart
 
 AT_INSTANTS: dict[str, tuple[int, Callable[[Equation], Instant]]] = {
@@ -77,10 +77,10 @@ def recursion(
 
     - newmark_explicit, chang: balance with (M + dt/2 C) a, velocity of the trapezoidal rule;
     - central_difference: differences over the displacements around that instant, the next one predicted so;
-    - cr: velocity is free of the force; acceleration from balance;
-    - kr_alpha: velocity is free of the force; acceleration from balance at the weighted instant;
-    - alpha_os: corrector of displacement, velocity and acceleration;
-    - bogacki_shampine, exact: velocity of the state, acceleration from balance with the force that `force` says.
+    - cr: v + a dt/2, as v is late by half a step; acceleration from balance;
+    - kr_alpha: v + gamma a dt, as v is late by gamma dt; acceleration from balance;
+    - alpha_os: corrector of displacement and velocity; acceleration from balance;
+    - bogacki_shampine, exact: velocity of the state; acceleration from balance with the force that `force` says.
 
     Args:
         part: the numerical part.
@@ -193,8 +193,7 @@ def _over_step(advance: Advance, equation: Equation, force: ForceBetween) -> Ste
     def step(state: np.ndarray, known: Known) -> tuple[np.ndarray, np.ndarray]:
         ahead = advance(state, known)
         x, v = np.split(ahead, 2)
-        p = equation.unbalance(x, v, known.force_at(1.0, force), known.ground_ahead)
-        return ahead, _outputs(part, x, Motion(x, v, np.linalg.solve(part.mass, p)))
+        return ahead, _outputs(part, x, equation.balanced(x, v, known.force_at(1.0, force), known.ground_ahead))
 
     return step
 
