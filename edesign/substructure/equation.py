@@ -74,10 +74,19 @@ class Equation:
         """Stiffness (n, n) in N/m with the estimate of the specimen's."""
         return self.part.with_specimen(self.specimen_stiffness)
 
+    @cached_property
+    def inverse_mass(self) -> np.ndarray:
+        """Accelerations (n, n) by forces, 1/kg."""
+        return np.linalg.inv(self.part.mass)
+
+    @cached_property
+    def inertia(self) -> np.ndarray:
+        """Load (n,) in kg against a ground acceleration of 1."""
+        return np.asarray(self.part.mass @ self.part.influence)
+
     def load(self, force: float, ground: float) -> np.ndarray:
         """Return -M influence a_g - interface F, (n,) N."""
-        part = self.part
-        return np.asarray(-part.mass @ part.influence * ground - part.interface * force)
+        return np.asarray(-self.inertia * ground - self.part.interface * force)
 
     def unbalance(self, displacement: np.ndarray, velocity: np.ndarray, force: float, ground: float) -> np.ndarray:
         """Return the force that accelerates the masses, (n,) N."""
@@ -87,4 +96,4 @@ class Equation:
     def balanced(self, displacement: np.ndarray, velocity: np.ndarray, force: float, ground: float) -> Motion:
         """Return the motion with the acceleration that balances it."""
         p = self.unbalance(displacement, velocity, force, ground)
-        return Motion(displacement, velocity, np.linalg.solve(self.part.mass, p))
+        return Motion(displacement, velocity, self.inverse_mass @ p)

@@ -67,11 +67,10 @@ def cr(eq: Equation) -> Instant:
     """
     dt, part = eq.step, eq.part
     alpha = np.linalg.solve(4.0 * part.mass + 2.0 * dt * part.damping + dt**2 * eq.whole_stiffness, 4.0 * part.mass)
-    inverse = np.linalg.inv(part.mass)
 
     def instant(state: np.ndarray, force: float, ground: float) -> tuple[np.ndarray, Motion]:
         x, v = np.split(state, 2)
-        a = inverse @ eq.unbalance(x, v, force, ground)
+        a = eq.inverse_mass @ eq.unbalance(x, v, force, ground)
         motion = eq.balanced(x, v + 0.5 * dt * a, force, ground)
         return np.concatenate((x + dt * v + dt**2 * alpha @ a, v + dt * alpha @ a)), motion
 
@@ -145,7 +144,7 @@ def alpha_os(eq: Equation) -> Instant:
     alpha = -(1.0 - rho) / (1.0 + rho)
     gamma, beta = 0.5 - alpha, 0.25 * (1.0 - alpha) ** 2
     implicit = gamma * dt * part.damping + beta * dt**2 * eq.whole_stiffness
-    inverse, inverse_mass = np.linalg.inv(part.mass + (1.0 + alpha) * implicit), np.linalg.inv(part.mass)
+    inverse = np.linalg.inv(part.mass + (1.0 + alpha) * implicit)
 
     def instant(state: np.ndarray, force: float, ground: float) -> tuple[np.ndarray, Motion]:
         predictor, speed, before = np.split(state, 3)
@@ -154,7 +153,7 @@ def alpha_os(eq: Equation) -> Instant:
         x, v = predictor + beta * dt**2 * a, speed + gamma * dt * a
         p = explicit - implicit @ a
         ahead = x + dt * v + (0.5 - beta) * dt**2 * a
-        return np.concatenate((ahead, v + (1.0 - gamma) * dt * a, p)), Motion(x, v, inverse_mass @ p)
+        return np.concatenate((ahead, v + (1.0 - gamma) * dt * a, p)), Motion(x, v, eq.inverse_mass @ p)
 
     return instant
 
@@ -165,12 +164,11 @@ def bogacki_shampine(eq: Equation, force: ForceBetween) -> Advance:
     Source: Bogacki & Shampine, Appl. Math. Letters 2(4), 1989: nodes 0, 1/2, 3/4, weights 2/9, 1/3, 4/9.
     """
     dt = eq.step
-    inverse = np.linalg.inv(eq.part.mass)
 
     def slope(state: np.ndarray, known: Known, share: float) -> np.ndarray:
         x, v = np.split(state, 2)
         p = eq.unbalance(x, v, known.force_at(share, force), known.ground_at(share))
-        return np.concatenate((v, inverse @ p))
+        return np.concatenate((v, eq.inverse_mass @ p))
 
     def advance(state: np.ndarray, known: Known) -> np.ndarray:
         first = slope(state, known, 0.0)
@@ -188,8 +186,7 @@ def exact(eq: Equation, force: ForceBetween) -> Advance:
 
     Source: Van Loan, IEEE Trans. Autom. Control 23(3), 1978.
     """
-    part, n = eq.part, len(eq.part.names)
-    inverse = np.linalg.inv(part.mass)
+    part, n, inverse = eq.part, len(eq.part.names), eq.inverse_mass
     nothing, one = np.zeros((n, n)), np.eye(n)
     rates = np.block(
         [
