@@ -1,0 +1,68 @@
+"""Energy that the tracking error brings into the structure at the interface."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from edesign.substructure.indicators.channels import channel
+from edesign.substructure.indicators.untold import Untold
+
+
+def work(force: ArrayLike, displacement: ArrayLike) -> np.ndarray:
+    """Work of a force on a path from the first sample on, by trapezoids.
+
+    Args:
+        force: F (n,), N.
+        displacement: x (n,), m.
+
+    Returns:
+        (n,) J.
+
+    Raises:
+        InputError: lengths that differ, NaN.
+    """
+    x = channel("displacement", displacement)
+    f = channel("force", force, x.size)
+    return np.concatenate(([0.0], np.cumsum(0.5 * (f[1:] + f[:-1]) * np.diff(x))))
+
+
+def energy_error(force: ArrayLike, target: ArrayLike, measured: ArrayLike) -> np.ndarray:
+    """Integral of F d(x_m - x_t): what the specimen took less what the structure believes to have given.
+
+    Above zero the rig has fed energy into the structure, as a negative damper does. A spring k under a sine of
+    amplitude a, late by phi, gains pi k a^2 sin(phi) a cycle.
+
+    Args:
+        force: F (n,) of the specimen, above zero for x above zero, N.
+        target: x_t (n,), m.
+        measured: x_m (n,), m.
+
+    Returns:
+        (n,) J.
+
+    Raises:
+        InputError: lengths that differ, NaN.
+
+    Source: Mosqueda, Stojadinovic & Mahin (2007), Real-time error monitoring for hybrid simulation, part I, J.
+    Structural Engineering 133 (energy of tracking errors at the interface).
+    """
+    x_t = channel("target", target)
+    x_m = channel("measured", measured, x_t.size)
+    return work(channel("force", force, x_t.size), x_m - x_t)
+
+
+def energy_share(force: ArrayLike, target: ArrayLike, measured: ArrayLike) -> float:
+    """Energy error at the end over the largest work done on the specimen; arguments and InputError: as `energy_error`.
+
+    Raises:
+        Untold: no work is done on the specimen, or it gives out more than it took, as with a force of wrong sign.
+    """
+    error = float(energy_error(force, target, measured)[-1])
+    taken = work(force, measured)
+    most, least = float(np.max(taken)), float(np.min(taken))
+    if -least > most:
+        raise Untold("the specimen gives out more energy than it took: the force may have the wrong sign")
+    if most == 0.0:
+        raise Untold("no work is done on the specimen")
+    return error / most
