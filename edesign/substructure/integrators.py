@@ -93,7 +93,8 @@ def kr_alpha(eq: Equation) -> Instant:
     alpha_1 = np.linalg.solve(part.mass + restoring, part.mass)
     alpha_2 = (0.5 + gamma) * alpha_1
     alpha_3 = np.linalg.solve(part.mass + restoring, alpha_m * part.mass + alpha_f * restoring)
-    inverse = np.linalg.inv(part.mass @ (np.eye(len(part.names)) - alpha_3))
+    carry = part.mass @ alpha_3
+    inverse = np.linalg.inv(part.mass - carry)
 
     def instant(state: np.ndarray, force: float, ground: float) -> tuple[np.ndarray, Motion]:
         x, v, carried = np.split(state, 3)
@@ -101,7 +102,7 @@ def kr_alpha(eq: Equation) -> Instant:
         a = inverse @ ((1.0 - alpha_f) * p + carried)
         ahead, speed = x + dt * v + dt**2 * alpha_2 @ a, v + dt * alpha_1 @ a
         motion = eq.balanced(x, v + gamma * dt * a, force, ground)
-        return np.concatenate((ahead, speed, alpha_f * p - part.mass @ alpha_3 @ a)), motion
+        return np.concatenate((ahead, speed, alpha_f * p - carry @ a)), motion
 
     return instant
 

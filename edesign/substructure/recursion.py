@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.one_thread import one_thread
 from edesign.project.problems import unknown_name
 from edesign.substructure import integrators
 from edesign.substructure.equation import Advance, Equation, ForceBetween, Instant, Known, Motion
@@ -126,8 +127,13 @@ def unchecked_recursion(
         raise InputError(f"main step: must be greater than zero, not {step:g} s")
     if not 0.0 <= specimen_stiffness < math.inf:
         raise InputError(f"estimate of the specimen's stiffness: must not be negative, not {specimen_stiffness:g} N/m")
-    equation = Equation(part, step, specimen_stiffness, rho)
-    n = len(part.names)
+    with one_thread():
+        return _matrices(Equation(part, step, specimen_stiffness, rho), method, between)
+
+
+def _matrices(equation: Equation, method: str, between: ForceBetween) -> Recursion:
+    """Evaluate the step on unit vectors of the state and of what is known."""
+    part, n = equation.part, len(equation.part.names)
     if method in AT_INSTANTS:
         blocks, make = AT_INSTANTS[method]
         whole = _between_instants(make(equation), part)
