@@ -37,7 +37,7 @@ static const ed_sensors PERFECT = {.displacement_range = HUGE_VAL, .force_range 
 static ed_substructure_input input_of(ed_compensator_parameters *c, ed_rig_model *rig, ed_damper *specimen)
 {
   return (ed_substructure_input){.step = STEP, .sub_steps = 5, .compensator = c, .rig = rig, .sensors = &PERFECT, .specimen = specimen,
-                                 .abort_displacement = HUGE_VAL};
+                                 .abort_displacement = HUGE_VAL, .force_scale = 1.0, .deformation_scale = 1.0};
 }
 
 /* Runs from rest; the status. record: (STEPS + 1) x ED_RTS_CHANNELS. */

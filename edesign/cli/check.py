@@ -1,4 +1,4 @@
-"""`edesign check`: read a project, study or building, build its frame, and run nothing."""
+"""`edesign check`: read a project, study, building or substructure tests, build the frame, and run nothing."""
 
 from __future__ import annotations
 
@@ -9,18 +9,25 @@ import typer
 
 
 def check(
-    project: Annotated[Path, typer.Argument(help="The project, study or building file.", show_default=False)],
+    project: Annotated[
+        Path, typer.Argument(help="The project, study, building or substructure test file.", show_default=False)
+    ],
 ) -> None:
-    """Check a project, study or building file, its records and its frame; print a summary."""
+    """Check a project, study, building or substructure test file, its records and its frame; print a summary."""
     from edesign.building.building_file import load_building
+    from edesign.building.building_sections import BuildingSections
     from edesign.building.project_file import load_project, load_study
+    from edesign.project.substructure import load_rts_file
+    from edesign.project.substructure.summary import summary
     from edesign.project.yaml_file import file_kind
     from edesign.report.visible import visible_line
     from edesign.space.check import check_building
     from edesign.study.check import check_project, check_study
 
     kind = file_kind(project)
-    if kind == "building":
+    if kind == "substructure test":
+        found = summary(load_rts_file(project, BuildingSections()))
+    elif kind == "building":
         found = check_building(load_building(project))
     else:
         found = check_study(load_study(project)) if kind == "study" else check_project(load_project(project))

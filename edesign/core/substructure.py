@@ -182,6 +182,7 @@ class SubstructureLoop:
         sub_steps: of the rig in a main step.
         compensator, rig, sensors: of the laboratory.
         specimen: law and amendments of the damper in it.
+        scales: of its force and its deformation, F = scales[0] law(scales[1] u).
         numerical: the structure; None: targets are given.
         limits: of the rig.
         flexibility: stiffness between actuator and specimen, N/m; 0: rigid.
@@ -207,11 +208,11 @@ class SubstructureLoop:
         corrected: bool = False,
         unseen_delay: int = 0,
         abort: float = inf,
+        scales: tuple[float, float] = (1.0, 1.0),
     ) -> None:
         bend = rig.series_flexibility + (1.0 / flexibility if flexibility > 0.0 else 0.0)
-        self._specimen = CoreDamper(
-            specimen.law, specimen.values, brace=1.0 / bend if bend > 0.0 else 0.0, amendments=specimen.amendments
-        )
+        brace = 1.0 / (bend * scales[0] * scales[1]) if bend > 0.0 else 0.0
+        self._specimen = CoreDamper(specimen.law, specimen.values, brace=brace, amendments=specimen.amendments)
         self.step, self._given = step, numerical is None
         data, model, read = ffi.new("ed_substructure_input *"), ffi.new("ed_rig_model *"), ffi.new("ed_sensors *")
         rig.fill(model)
@@ -223,6 +224,7 @@ class SubstructureLoop:
         parameters = compensator_parameters(compensator, step)
         data.step, data.sub_steps, data.unseen_delay, data.abort_displacement = step, sub_steps, unseen_delay, abort
         data.compensator, data.rig, data.sensors, data.specimen = parameters, model, read, self._specimen.handle
+        data.force_scale, data.deformation_scale = scales
         self._outputs = 0
         keep = [parameters, model, read]
         if numerical is not None:

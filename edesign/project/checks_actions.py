@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from pathlib import Path
 from typing import get_args
 
 from edesign.project import names
@@ -13,7 +15,14 @@ from edesign.project.matching import Matching
 from edesign.project.problems import Keys, Problems, listed, unknown_name
 from edesign.project.processing import Step
 from edesign.project.project import Project
-from edesign.project.records import AccelerationUnit, FemaP695Record, FileRecord, StructdynRecord, SuiteRecords
+from edesign.project.records import (
+    AccelerationUnit,
+    FemaP695Record,
+    FileRecord,
+    Record,
+    StructdynRecord,
+    SuiteRecords,
+)
 
 UNITS = get_args(AccelerationUnit)
 
@@ -36,7 +45,7 @@ def check_actions(project: Project, problems: Problems, files: bool = True) -> N
     _validity(project, problems)
     _records(project, problems)
     if files:
-        _record_files(project, problems)
+        check_record_files(project.records, project.folder, problems)
     _analyses(project, problems)
 
 
@@ -94,37 +103,53 @@ def _records(project: Project, problems: Problems) -> None:
     for name, record in project.records.items():
         keys: Keys = ("records", name)
         _matching(project, record.match, (*keys, "match"), problems)
-        if isinstance(record, SuiteRecords):
-            for i, wanted in enumerate(record.only or ()):
-                if wanted in (record.only or ())[:i]:
-                    problems.at_value((*keys, "only", i), f"`{wanted}` stands here twice; a recording is taken once")
-            continue
-        _processing(record.processing, (*keys, "processing"), problems)
-        if not isinstance(record, FemaP695Record):
-            _format(record, keys, problems)
+        check_record(record, keys, problems)
 
 
-def _record_files(project: Project, problems: Problems) -> None:
-    for name, record in project.records.items():
+def check_record(record: Record, keys: Keys, problems: Problems) -> None:
+    """Check what a record says of itself; its file is another matter."""
+    if isinstance(record, SuiteRecords):
+        for i, wanted in enumerate(record.only or ()):
+            if wanted in (record.only or ())[:i]:
+                problems.at_value((*keys, "only", i), f"`{wanted}` stands here twice; a recording is taken once")
+        return
+    _processing(record.processing, (*keys, "processing"), problems)
+    if not isinstance(record, FemaP695Record):
+        _format(record, keys, problems)
+
+
+def check_record_files(
+    records: Mapping[str, Record], folder: Path, problems: Problems, what: str = "project file"
+) -> None:
+    """Check that the files and folders of records are there.
+
+    Args:
+        records: of a file.
+        folder: of that file.
+        problems: collects what is wrong.
+        what: the file is, for messages.
+    """
+    for name, record in records.items():
         keys: Keys = ("records", name)
         if isinstance(record, FileRecord):
-            _file(project, record.file, (*keys, "file"), problems)
+            check_file(folder / record.file, (*keys, "file"), problems, what)
         if not isinstance(record, SuiteRecords):
             continue
-        _file(project, record.suite, (*keys, "suite"), problems)
-        for i, folder in enumerate(record.folders):
-            path = project.folder / folder
+        check_file(folder / record.suite, (*keys, "suite"), problems, what)
+        for i, below in enumerate(record.folders):
+            path = folder / below
             if not is_folder(path):
-                message = f"there is no folder `{path}` (the path is relative to the project file)"
+                message = f"there is no folder `{path}` (the path is relative to the {what})"
                 problems.at_value((*keys, "folders", i), message)
 
 
-def _file(project: Project, name: str, keys: Keys, problems: Problems) -> None:
-    path = project.folder / name
+def check_file(path: Path, keys: Keys, problems: Problems, what: str) -> bool:
+    """Check that a file is there that `what` names; returns whether it is."""
     if not is_there(path):
-        problems.at_value(keys, f"there is no file `{path}` (the path is relative to the project file)")
+        problems.at_value(keys, f"there is no file `{path}` (the path is relative to the {what})")
     elif not is_file(path):
         problems.at_value(keys, f"`{path}` is not a file")
+    return is_file(path)
 
 
 def _matching(project: Project, match: Matching | None, keys: Keys, problems: Problems) -> None:

@@ -21,7 +21,7 @@ def check_dampers(project: Project, problems: Problems) -> None:
             message = "a temperature law needs the `temperature` of the dampers"
             problems.at_key(("dampers", "laws", name, "temperature_law"), message)
     for name, law in project.dampers.laws.items():
-        _law(problems, ("dampers", "laws", name), law)
+        check_law(problems, ("dampers", "laws", name), law)
     for i, device in enumerate(project.dampers.devices):
         _device(project, problems, ("dampers", "devices", i), device)
     for i, item in enumerate(project.dampers.attachments):
@@ -49,8 +49,8 @@ def _amplitude(project: Project, problems: Problems, keys: Keys, analysis: Modal
             problems.at_key((*keys, "damper_strain"), message)
 
 
-def _law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
-    """A law stands in the project or in a file."""
+def check_law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
+    """Check that a law stands in the file itself or in a law file, one of them."""
     if law.file is None:
         for key in ("type", "parameters"):
             if getattr(law, key) is None:

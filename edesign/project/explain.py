@@ -13,6 +13,9 @@ from pydantic_core import ErrorDetails
 from edesign.project.base import TAG
 from edesign.project.problems import Keys, Problems, did_you_mean, listed
 
+_VERSIONS = (("edesign",), ("edesign_building",), ("edesign_suite",), ("edesign_rts",))
+"""Keys whose value is the version of a file format."""
+
 
 def explain(error: ValidationError, model: type[BaseModel], problems: Problems) -> None:
     """Turn all errors of a validation into problems.
@@ -48,7 +51,7 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
         problems.at_value(
             keys, f"a list, or a mapping of {listed(other)}, is needed here, not {_seen(detail['input'])}"
         )
-    elif kind == "literal_error" and keys in (("edesign",), ("edesign_building",), ("edesign_suite",)):
+    elif kind == "literal_error" and keys in _VERSIONS:
         problems.at_value(keys, f"format {_seen(detail['input'])} is unknown to this version of edesign, which reads 1")
     elif detail["loc"] and detail["loc"][-1] == "[key]":
         problems.at_key(keys, "a name is made of letters, digits and `_`, `-`, `+`, `.`, at most 64 of them")

@@ -20,6 +20,7 @@ KINDS = {
     "edesign": "project",
     "edesign_study": "study",
     "edesign_building": "building",
+    "edesign_rts": "substructure test",
     "edesign_suite": "suite",
     "edesign_reference": "reference",
 }

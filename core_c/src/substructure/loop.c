@@ -18,7 +18,8 @@ static const double TOLERANCE = 1e-6; /* relative, of SUNDIALS for laws without 
 struct ed_substructure {
   double step, h;
   int sub_steps, n_states, n_outputs, unseen_delay;
-  double abort_displacement;
+  double abort_displacement, force_scale, deformation_scale;
+  double in_series;          /* flexibility of what stands in series with the specimen, m/N */
   ed_compensator_parameters compensator;
   ed_rig_model rig;
   ed_sensors sensors;
@@ -160,7 +161,9 @@ static const char *wrong_input(const ed_substructure_input *in)
     return text;
   if (in->compensator->step != in->step)
     return "the compensator has another step than the loop";
-  const double series = ed_rig_series(in->rig), brace = in->specimen->brace;
+  if (!(in->force_scale > 0.0) || !isfinite(in->force_scale) || !(in->deformation_scale > 0.0) || !isfinite(in->deformation_scale))
+    return "the scales of the specimen must be above 0";
+  const double series = ed_rig_series(in->rig), brace = in->specimen->brace * in->force_scale * in->deformation_scale;
   if (fabs(brace - series) > 1e-12 * series)
     return "the brace of the specimen is not the stiffness of oil and rig in series with it";
   return NULL;
@@ -185,6 +188,9 @@ static int make(ed_substructure *t, const ed_substructure_input *in)
   t->n_outputs = in->n_outputs;
   t->unseen_delay = in->unseen_delay;
   t->abort_displacement = in->abort_displacement;
+  t->force_scale = in->force_scale;
+  t->deformation_scale = in->deformation_scale;
+  t->in_series = ed_rig_series(in->rig) > 0.0 ? 1.0 / ed_rig_series(in->rig) : 0.0;
   t->compensator = *in->compensator;
   t->rig = *in->rig;
   t->sensors = *in->sensors;
@@ -313,7 +319,8 @@ static int move_specimen(ed_substructure *t, double w, readings *now)
   ed_rig_move(&t->rig, rig, t->h, w, now->true_force, &start, &now->saturated);
   if (!isfinite(rig->x + rig->v))
     return ED_E_NOT_FINITE;
-  ed_path_hermite(&path, t->h, from, start, rig->x, rig->v);
+  const double scale = t->deformation_scale;
+  ed_path_hermite(&path, t->h, scale * from, scale * start, scale * rig->x, scale * rig->v);
   memcpy(t->trial, t->law, sizeof *t->trial * (size_t)ed_damper_state_size(t->specimen));
   const int status = ed_damper_advance(t->specimen, t->system, t->law, &path, none, t->trial, &out);
   if (status != ED_OK)
@@ -321,10 +328,10 @@ static int move_specimen(ed_substructure *t, double w, readings *now)
   double *swap = t->law;
   t->law = t->trial;
   t->trial = swap;
-  now->true_force = out.force;
-  now->deformation = rig->x - (t->specimen->brace > 0.0 ? out.force / t->specimen->brace : 0.0);
-  ed_rig_settle(&t->rig, rig, out.force, &now->saturated);
-  return isfinite(out.force) ? ED_OK : ED_E_NOT_FINITE;
+  now->true_force = t->force_scale * out.force;
+  now->deformation = rig->x - t->in_series * now->true_force;
+  ed_rig_settle(&t->rig, rig, now->true_force, &now->saturated);
+  return isfinite(now->true_force) ? ED_OK : ED_E_NOT_FINITE;
 }
 
 static void write_row(const ed_substructure *t, const double *target, double command, const readings *now, double *row)

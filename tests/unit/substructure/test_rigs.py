@@ -147,3 +147,11 @@ def test_improper_and_too_large_rigs_are_refused() -> None:
         rigs.RigTransfer((1.0, 1.0), (2.0, 1.0)).discrete(STEP)
     with pytest.raises(InputError, match="order 13"):
         rigs.RigTransfer((1.0,), (1.0,) * 14).discrete(STEP)
+
+
+def test_specimen_at_another_size_behind_a_flexible_rig() -> None:
+    """Three springs side by side, sheared half as much: 1.5 k, in series with the rig."""
+    rig = rigs.ideal().discrete(STEP / 5)
+    found = steady(rig, 1.0, flexibility=2e7, scales=(3.0, 0.5))
+    assert found.true_force == pytest.approx(1.5 * STIFFNESS * found.deformation, abs=1e-6 * STIFFNESS * 5e-3)
+    assert transfer(found, 1.0) == pytest.approx(1.0 / 1.15, rel=1e-3)
