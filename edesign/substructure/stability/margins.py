@@ -1,0 +1,248 @@
+"""Verdict on the loop of a substructure test: stable or not, its margins, and the damping each mode is left with."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.optimize import brentq
+
+from edesign.substructure.stability.loop import Loop
+from edesign.substructure.stability.roots import StructureMode, further_roots, loop_roots, structure_modes
+from edesign.substructure.stability.sweep import GAIN_OF_INTEREST, Sweep, sweep
+
+FREQUENCY_TOLERANCE = 1e-13
+"""Of a crossing; some hundred rounding errors."""
+
+
+@dataclass(frozen=True)
+class Crossing:
+    """Extra pure delay at which a root of the loop lies on the imaginary axis.
+
+    Attributes:
+        delay: s; beyond what rig and compensator have already; less than zero: a lead.
+        frequency: Hz.
+        mode: number, from 1, of the structure's mode whose frequency is nearest.
+        grows: whether a longer delay makes that vibration grow; False: makes it decay.
+    """
+
+    delay: float
+    frequency: float
+    mode: int
+    grows: bool
+
+
+@dataclass(frozen=True)
+class LoopMode:
+    """What the loop makes of a mode of the structure.
+
+    Attributes:
+        number: from 1.
+        frequency, damping: of the structure itself, Hz and ratio; nan: it does not swing.
+        loop_frequency, loop_damping: in the loop as it is, Hz and ratio; nan: the root was lost.
+        share: p, of the mode's stiffness that is the specimen's.
+        delay: of rig and compensator at the mode's frequency, -phase(G C)/omega, s.
+        amplitude: |G C| there.
+        critical_delay: extra delay at which this mode goes, s; inf: none; less than zero: it has gone already.
+    """
+
+    number: int
+    frequency: float
+    damping: float
+    loop_frequency: float
+    loop_damping: float
+    share: float
+    delay: float
+    amplitude: float
+    critical_delay: float
+
+    @property
+    def damping_error(self) -> float:
+        """Damping ratio that the loop adds; less than zero: takes away."""
+        return self.loop_damping - self.damping
+
+    @property
+    def simple_damping_error(self) -> float:
+        """The same by the formula of small delays, -p omega tau / 2 (thesis Eq. 6.6 for the specimen's part)."""
+        return -self.share * math.pi * self.frequency * self.delay
+
+
+@dataclass(frozen=True)
+class LoopStability:
+    """Verdict and margins.
+
+    Attributes:
+        stable: by the count of unstable roots.
+        unstable_roots: in the right half plane, a pair counted twice, up to the highest frequency of the sweep.
+        bounded: False: the loop does not fade, |L| >= 1 however high the frequency, and has roots without end there.
+        gain_margin: least factor above 1 on the specimen's force that makes the loop unstable; inf: none below 20. Of
+            an unstable loop: the largest factor below 1 with a root on the axis; 0: none.
+        delay_margin: extra delay that makes the loop unstable, s; inf: none. Of an unstable loop, less than zero: the
+            delay to be taken away until a root comes back; -inf: that does not help.
+        lead_margin: extra lead, s, as above for a stable loop; nan for an unstable one.
+        first_mode: number of the mode that goes first; 0: none.
+        crossings: by delay, from the least extra one.
+        modes: from the lowest.
+        other_roots: 1/s, near the imaginary axis or unstable: of rig, compensator and delay; not all of them.
+        sweep: the loop over frequency, for figures.
+    """
+
+    stable: bool
+    unstable_roots: int
+    bounded: bool
+    gain_margin: float
+    delay_margin: float
+    lead_margin: float
+    first_mode: int
+    crossings: tuple[Crossing, ...]
+    modes: tuple[LoopMode, ...]
+    other_roots: tuple[complex, ...]
+    sweep: Sweep
+
+
+def loop_stability(loop: Loop, highest_frequency: float | None = None) -> LoopStability:
+    """Whether a substructure test is stable, and with what margins.
+
+    Args:
+        loop: with rig and compensator as they are; without them: the partition itself.
+        highest_frequency: Hz, see `sweep`; give half the rate of the main step for a compensator that would grow
+            without bound.
+
+    Raises:
+        InputError: the structure itself is undamped, or a part of the loop has no finite transfer function.
+    """
+    own = structure_modes(loop)
+    swept = sweep(loop, own, highest_frequency)
+    roots = loop_roots(loop, own)
+    found = _crossings(loop, swept, own)
+    stable = swept.bounded and swept.unstable_roots == 0
+    late = [one for one in found if one.delay > 0.0]
+    early = [one for one in found if one.delay < 0.0]
+    if stable:
+        first = min((one for one in late if one.grows), key=lambda one: one.delay, default=None)
+        delay_margin = first.delay if first else math.inf
+        lead_margin = min((-one.delay for one in early if not one.grows), default=math.inf)
+    else:
+        first = max((one for one in early if one.grows), key=lambda one: one.delay, default=None)
+        delay_margin, lead_margin = (first.delay if first else -math.inf), math.nan
+    return LoopStability(
+        stable,
+        swept.unstable_roots,
+        swept.bounded,
+        _gain_margin(loop, swept, stable),
+        delay_margin,
+        lead_margin,
+        first.mode if first else 0,
+        found,
+        tuple(_mode(loop, i + 1, own[i], roots[i], found) for i in range(len(own))),
+        further_roots(loop, _dips(swept), float(swept.omega[-1]), roots, swept.unstable_roots),
+        swept,
+    )
+
+
+def critical_delays(loop: Loop, highest_frequency: float | None = None) -> tuple[Crossing, ...]:
+    """Pure delay of the specimen's force, rig and compensator left out, at which each mode goes; the least one first.
+
+    Args:
+        loop: its rig and compensator are not looked at.
+        highest_frequency: Hz, see `sweep`.
+
+    Raises:
+        InputError: as `loop_stability`.
+    """
+    bare = Loop(loop.mass, loop.damping, loop.stiffness, loop.interface, loop.specimen)
+    modes = structure_modes(bare)
+    found = _crossings(bare, sweep(bare, modes, highest_frequency), modes)
+    return tuple(one for one in found if one.delay >= 0.0 and one.grows)
+
+
+def _crossings(loop: Loop, swept: Sweep, modes: Sequence[StructureMode]) -> tuple[Crossing, ...]:
+    """Where |L| = 1: the delay that brings L to -1, and the lead one turn before it."""
+    size = np.abs(swept.transfer)
+    with np.errstate(divide="ignore"):
+        level = np.log(size)
+    own = np.array([mode.omega for mode in modes])
+    found = []
+    for i in _sign_changes(level):
+        omega = _root(lambda w: math.log(abs(_transfer(loop, w))), swept.omega[i], swept.omega[i + 1])
+        delay = float((np.angle(_transfer(loop, omega)) + np.pi) % (2.0 * np.pi)) / omega
+        mode = int(np.argmin(np.abs(np.log(np.maximum(own, np.finfo(float).tiny) / omega)))) + 1
+        turn = 2.0 * np.pi / omega
+        grows = bool(level[i] > 0.0)
+        found += [Crossing(at, omega / (2.0 * np.pi), mode, grows) for at in (delay, delay - turn)]
+    return tuple(sorted(found, key=lambda one: abs(one.delay)))
+
+
+def _gain_margin(loop: Loop, swept: Sweep, stable: bool) -> float:
+    """Factor on L that brings it to -1 where it is real and negative."""
+    L = swept.transfer
+    factors = []
+    for i in _sign_changes(L.imag):
+        if L[i].real < 0.0 and L[i + 1].real < 0.0:
+            omega = _root(lambda w: _transfer(loop, w).imag, swept.omega[i], swept.omega[i + 1])
+            factors.append(-1.0 / _transfer(loop, omega).real)
+    if stable:
+        return min((factor for factor in factors if 1.0 < factor < GAIN_OF_INTEREST), default=math.inf)
+    return max((factor for factor in factors if factor < 1.0), default=0.0)
+
+
+def _mode(loop: Loop, number: int, own: StructureMode, root: complex, crossings: Sequence[Crossing]) -> LoopMode:
+    """One mode's figures."""
+    s = np.array([1j * own.omega])
+    deformation = abs(loop.interface @ own.shape) ** 2
+    inertia = float(np.real(np.conj(own.shape) @ loop.mass @ own.shape)) * own.omega**2
+    share = float(loop.specimen_at(s)[0].real * deformation / inertia) if own.omega > 0.0 else math.nan
+    actuation = complex(loop.actuation(s)[0])
+    mine = (one.delay for one in crossings if one.mode == number and one.grows)
+    return LoopMode(
+        number,
+        own.omega / (2.0 * math.pi),
+        -own.root.real / abs(own.root),
+        abs(root) / (2.0 * math.pi),
+        -root.real / abs(root),
+        share,
+        _phase_delay(loop, own.omega),
+        abs(actuation),
+        _nearest_ahead(tuple(mine), gone=root.real > 0.0),
+    )
+
+
+def _nearest_ahead(delays: Sequence[float], gone: bool) -> float:
+    """The least delay ahead; of a mode that has gone: the last behind."""
+    if gone:
+        return max((delay for delay in delays if delay <= 0.0), default=-math.inf)
+    return min((delay for delay in delays if delay >= 0.0), default=math.inf)
+
+
+def _phase_delay(loop: Loop, omega: float) -> float:
+    """-phase/omega of G C with the phase followed from zero frequency, s."""
+    if omega <= 0.0:
+        return math.nan
+    values = loop.actuation(1j * np.linspace(0.0, omega, 200))
+    return float(-np.unwrap(np.angle(values))[-1] / omega)
+
+
+def _dips(swept: Sweep) -> np.ndarray:
+    """Frequencies of the minima of |R|, rad/s; a root may be near to each."""
+    size = np.abs(swept.ratio)
+    inner = size[1:-1]
+    lowest = (inner <= size[:-2]) & (inner <= size[2:]) & (inner < 1.0)
+    return np.asarray(swept.omega[1:-1][lowest])
+
+
+def _sign_changes(values: np.ndarray) -> list[int]:
+    """Indices i with a change of sign between i and i + 1; above zero frequency, where L may be infinite."""
+    with np.errstate(invalid="ignore"):
+        changes = values[1:-1] * values[2:] < 0.0
+    return [int(i) + 1 for i in np.nonzero(changes)[0]]
+
+
+def _root(function: Callable[[float], float], low: float, high: float) -> float:
+    """Zero between two frequencies, rad/s."""
+    return float(brentq(function, low, high, xtol=FREQUENCY_TOLERANCE * high, rtol=FREQUENCY_TOLERANCE))
+
+
+def _transfer(loop: Loop, omega: float) -> complex:
+    return complex(loop.transfer(np.array([1j * omega]))[0])

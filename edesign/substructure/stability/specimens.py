@@ -1,0 +1,74 @@
+"""Complex stiffness of a specimen: spring, dashpot and mass, complex spring, or a damper law at an amplitude."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from edesign.core import LawValues
+from edesign.damper.harmonic import complex_stiffness
+from edesign.errors import InputError
+from edesign.substructure.stability.loop import ComplexStiffness
+
+
+def linear_specimen(stiffness: float, damping: float = 0.0, mass: float = 0.0) -> ComplexStiffness:
+    """Spring, N/m, with a dashpot, N s/m, and a mass, kg, that moves with the interface: k + i c w - m w^2."""
+
+    def value(omega: np.ndarray) -> np.ndarray:
+        return np.asarray(stiffness + 1j * damping * omega - mass * omega**2)
+
+    return value
+
+
+def complex_spring(stiffness: float, loss_factor: float) -> ComplexStiffness:
+    """k (1 + i n) at every frequency; stiffness in N/m."""
+
+    def value(omega: np.ndarray) -> np.ndarray:
+        return np.full(np.shape(omega), stiffness * (1.0 + 1j * loss_factor))
+
+    return value
+
+
+def tabulated_specimen(frequency: np.ndarray, stiffness: np.ndarray) -> ComplexStiffness:
+    """Complex stiffness through given values: a cubic spline over frequency, constant outside them.
+
+    Off the imaginary axis it is continued by its Taylor series to the second order, exact for spring, dashpot and mass.
+
+    Args:
+        frequency: (n,), Hz, rising, n >= 4.
+        stiffness: (n,), N/m, complex.
+
+    Raises:
+        InputError: fewer than four, or frequencies that do not rise.
+    """
+    if frequency.size < 4 or not np.all(np.diff(frequency) > 0.0):
+        raise InputError("a specimen's stiffness over frequency takes at least four rising frequencies")
+    omega = 2.0 * np.pi * frequency
+    spline = CubicSpline(omega, np.asarray(stiffness, dtype=complex))
+    slope, curvature = spline.derivative(1), spline.derivative(2)
+
+    def value(at: np.ndarray) -> np.ndarray:
+        real, imag = np.real(at), np.imag(at)
+        inside = np.clip(real, omega[0], omega[-1])
+        off = np.where(inside == real, 1j * imag, 0.0)
+        return np.asarray(spline(inside) + slope(inside) * off + 0.5 * curvature(inside) * off**2)
+
+    return value
+
+
+def linearised_law(law: LawValues, amplitude: float, frequency: np.ndarray, brace: float = 0.0) -> ComplexStiffness:
+    """A damper law as it is in steady sines of one amplitude.
+
+    Args:
+        law: with parameters and amendments.
+        amplitude: of the deformation, m.
+        frequency: (n,), Hz, rising, n >= 4; at each the law runs through 12 cycles.
+        brace: stiffness in series, N/m; 0: rigid.
+
+    Raises:
+        InputError: amplitude or a frequency not greater than zero, or as `tabulated_specimen`.
+    """
+    if not (amplitude > 0.0 and np.all(frequency > 0.0)):
+        raise InputError("a law is linearised at an amplitude and frequencies greater than zero")
+    values = np.array([complex_stiffness(law, amplitude, f, brace) for f in frequency.tolist()])
+    return tabulated_specimen(frequency, values)
