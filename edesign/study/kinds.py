@@ -2,3 +2,4 @@
 
 STUDY = "study"
 BUILDING = "building"
+SUBSTRUCTURE = "substructure"

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 import scipy
 
-from edesign.core.compensator import MEMORY, AdaptiveTimeSeries, DifferenceEquation, Signal, Term, Triple
+from edesign.core.compensator import MEMORY, AdaptiveTimeSeries, DifferenceEquation, Signal, Term
 from edesign.errors import InputError
 
 _INTERPOLATED = 4
@@ -148,44 +149,45 @@ def butterworth(order: int, cutoff: float, step: float) -> np.ndarray:
     return np.ascontiguousarray(np.delete(sections, 3, axis=1))
 
 
-def ats(
-    window: float,
-    every: int,
-    step: float,
-    *,
-    initial: Triple,
-    least: Triple,
-    largest: Triple,
-    rate: Triple,
-    threshold: float,
-    sections: np.ndarray,
-    differences: bool,
-) -> AdaptiveTimeSeries:
-    """Return the adaptive time series compensator; window in s, otherwise as `AdaptiveTimeSeries`.
+def pi_phase_lead(proportional: float, integral: float, lead: float, lag: float, step: float) -> DifferenceEquation:
+    """Return (p + i/s) (lead s + 1) / (lag s + 1) on the target less what is measured, both by the bilinear rule.
+
+    Args:
+        proportional: p, dimensionless.
+        integral: i, 1/s.
+        lead, lag: s.
+        step: main step, s.
+
+    Source: sample controller of the virtual RTHS benchmark, Silva, Gomez, Maghareh, Dyke & Spencer (2020).
+    """
+    half = 0.5 * integral * step
+    controller = np.array([proportional + half, half - proportional]), np.array([1.0, -1.0])
+    forward, backward = 2.0 * lead / step, 2.0 * lag / step
+    lead_filter = np.array([forward + 1.0, 1.0 - forward]), np.array([backward + 1.0, 1.0 - backward])
+    above, below = (np.convolve(a, b) for a, b in zip(controller, lead_filter, strict=True))
+    above, below = above / below[0], below / below[0]
+    terms = [Term("target", late, float(value)) for late, value in enumerate(above)]
+    terms += [Term("measured", late, -float(value)) for late, value in enumerate(above)]
+    terms += [Term("command", late, -float(value)) for late, value in enumerate(below) if late > 0]
+    return DifferenceEquation(tuple(terms))
+
+
+def ats(window: float, every: int, step: float, adaptive: AdaptiveTimeSeries) -> AdaptiveTimeSeries:
+    """Return the adaptive time series compensator over a window (s) with equal weights.
+
+    `adaptive` has limits, rates and filter; of each `every` main steps one counts.
 
     Source: Chae, Kazemibidokhti & Ricles (2013), Earthquake Engng Struct. Dyn. 42, 1697-1715; thesis 6.2.2.
     """
-    return AdaptiveTimeSeries(
-        initial, least, largest, rate, threshold, sections, differences, round(window / step), every
-    )
+    return replace(adaptive, window=round(window / step), every=every, forgetting=None)
 
 
-def modified_ats(
-    forgetting: float,
-    *,
-    initial: Triple,
-    least: Triple,
-    largest: Triple,
-    rate: Triple,
-    threshold: float,
-    sections: np.ndarray,
-    differences: bool,
-) -> AdaptiveTimeSeries:
+def modified_ats(forgetting: float, adaptive: AdaptiveTimeSeries) -> AdaptiveTimeSeries:
     """Return the modified adaptive time series compensator, whose samples lose weight by `forgetting` each step.
 
     Source: Malloy & Blakeborough in the thesis, 6.2.3, Eqs. 6.18-6.27.
     """
-    return AdaptiveTimeSeries(initial, least, largest, rate, threshold, sections, differences, forgetting=forgetting)
+    return replace(adaptive, forgetting=forgetting)
 
 
 def response(compensator: DifferenceEquation, step: float, s: np.ndarray) -> np.ndarray:

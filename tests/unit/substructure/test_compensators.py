@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import shutil
 import subprocess
+from dataclasses import replace
 from math import pi
 from pathlib import Path
 
@@ -26,15 +27,15 @@ from edesign.errors import InputError
 from edesign.substructure import compensators, rigs
 
 STEP = 1e-3  # s
-ADAPTIVE = {
-    "initial": (1.0, 0.01, 6e-5),
-    "least": (0.7, 0.0, 0.0),
-    "largest": (1.3, 0.04, 8e-4),
-    "rate": (2.0, 0.05, 1e-3),
-    "threshold": 1e-4,
-    "sections": compensators.butterworth(6, 20.0, STEP),
-    "differences": False,
-}
+ADAPTIVE = AdaptiveTimeSeries(
+    initial=(1.0, 0.01, 6e-5),
+    least=(0.7, 0.0, 0.0),
+    largest=(1.3, 0.04, 8e-4),
+    rate=(2.0, 0.05, 1e-3),
+    threshold=1e-4,
+    sections=compensators.butterworth(6, 20.0, STEP),
+    differences=False,
+)
 
 
 def polynomial_motion(order: int, n: int = 60) -> np.ndarray:
@@ -109,9 +110,9 @@ def test_adaptive_time_series_finds_a_pure_delay(forgetting: float | None) -> No
     """
     delay, gain = 10.3e-3, 0.99
     if forgetting is None:
-        compensator = compensators.ats(1.0, 16, STEP, **ADAPTIVE)
+        compensator = compensators.ats(1.0, 16, STEP, ADAPTIVE)
     else:
-        compensator = compensators.modified_ats(forgetting, **ADAPTIVE)
+        compensator = compensators.modified_ats(forgetting, ADAPTIVE)
     loop = SubstructureLoop(
         STEP, 5, compensator, rigs.pure_delay(delay, gain).discrete(STEP / 5), LawValues("kelvin_voigt", (1e6, 0.0))
     )
@@ -125,8 +126,8 @@ def test_adaptive_time_series_finds_a_pure_delay(forgetting: float | None) -> No
 
 def test_alphas_wait_keep_their_limits_and_their_rates() -> None:
     """Thesis 6.2.4: initial values until 0.1 mm is exceeded, then changes of at most the rate, within the limits."""
-    slow = {**ADAPTIVE, "largest": (1.3, 0.011, 8e-4), "rate": (2.0, 0.001, 1e-3)}
-    compensator = compensators.modified_ats(0.996, **slow)
+    slow = replace(ADAPTIVE, largest=(1.3, 0.011, 8e-4), rate=(2.0, 0.001, 1e-3))
+    compensator = compensators.modified_ats(0.996, slow)
     rig = rigs.pure_delay(20e-3).discrete(STEP / 5)
     found = SubstructureLoop(STEP, 5, compensator, rig, LawValues("kelvin_voigt", (1e6, 0.0))).run(sines(4000))
     first = int(np.argmax(np.abs(found.measured) > 1e-4))
@@ -190,8 +191,8 @@ ALL: dict[str, Compensator] = {
     "lead": compensators.phase_lead(0.02, 0.004, STEP),
     "proportional": DifferenceEquation((Term("target", 0, 1.2), Term("measured", 0, -0.2))),
     "live": LiveDelay(3, 8e-3, 0.0, 0.05, 0.3, 1e-4),
-    "ats": compensators.ats(0.5, 16, STEP, **ADAPTIVE),
-    "modified": compensators.modified_ats(0.996, **{**ADAPTIVE, "differences": True}),
+    "ats": compensators.ats(0.5, 16, STEP, ADAPTIVE),
+    "modified": compensators.modified_ats(0.996, replace(ADAPTIVE, differences=True)),
 }
 
 PROGRAM = """

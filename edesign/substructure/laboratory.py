@@ -1,0 +1,303 @@
+"""What a file of substructure tests says of laboratory and structure, as the loop takes it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+
+from edesign.core.compensator import AdaptiveTimeSeries, Compensator, LiveDelay
+from edesign.core.damper import CoreDamper, LawValues
+from edesign.core.substructure import LinearRig, RigLimits, Sensors, ServoHydraulicRig
+from edesign.damper.law_file import Source, read_law_file, resolve
+from edesign.damper.specimen import Specimen
+from edesign.errors import InputError
+from edesign.project.dampers import DamperLaw, LawDescription, Prototype
+from edesign.project.damping import ModalDamping, NoDamping, RayleighDamping
+from edesign.project.substructure import compensators as kinds
+from edesign.project.substructure import rig as rig_kinds
+from edesign.project.substructure.rts_file import RtsFile
+from edesign.project.substructure.structure import ProjectStructure, ShearBuilding
+from edesign.substructure import compensators, rigs
+from edesign.substructure.numerical import LinearPart, shear_building
+from edesign.substructure.project_structure import project_part
+from edesign.substructure.rigs import RigTransfer
+
+STIFF_OIL = 1e15
+"""N/m of an oil column that does not give way: 1e-6 of the displacement of the stiffest specimen of 1 GN/m."""
+
+
+@dataclass(frozen=True)
+class TestedDamper:
+    """The virtual damper in the laboratory.
+
+    Attributes:
+        values: law and effects, as the core takes them.
+        scales: of force and deformation, F = scales[0] law(scales[1] u).
+        declared: the law without the effects that the tests are to find.
+        specimen: its layers; None: the law has no size.
+        temperature_C: degC; None: that of the parameters.
+        warnings: of the law at this temperature.
+    """
+
+    values: LawValues
+    scales: tuple[float, float]
+    declared: DamperLaw
+    specimen: Specimen | None
+    temperature_C: float | None
+    warnings: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class TestedStructure:
+    """The structure in the computer.
+
+    Attributes:
+        part: its matrices.
+        floors: (n_floors, n) horizontal displacement of each floor by those of the degrees.
+        warnings: what the linear part leaves out.
+    """
+
+    part: LinearPart
+    floors: np.ndarray
+    warnings: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Laboratory:
+    """What all tests of a file share.
+
+    Attributes:
+        structure: None: there are only given targets.
+        damper: in the rig; None: the rig moves alone.
+        rig, limits, flexibility, corrected: of the rig, as of `SubstructureLoop`.
+        transfer: of the rig, with the specimen as a spring for a servo-hydraulic one.
+        sensors: of displacement and force.
+    """
+
+    structure: TestedStructure | None
+    damper: TestedDamper | None
+    rig: LinearRig | ServoHydraulicRig
+    transfer: RigTransfer
+    limits: RigLimits
+    flexibility: float
+    corrected: bool
+    sensors: Sensors
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Of structure and damper."""
+        of_structure = self.structure.warnings if self.structure is not None else ()
+        return (*of_structure, *(self.damper.warnings if self.damper is not None else ()))
+
+
+def laboratory(file: RtsFile) -> Laboratory:
+    """Return the laboratory of a checked file.
+
+    Raises:
+        InputError: the law or the structure cannot be tested so; the message says why, and where it stands.
+    """
+    structure, scales = _structure(file)
+    damper = _damper(file, scales)
+    plant = file.plant
+    transfer = rig_transfer(plant, stiffness_of(damper))
+    limits = plant.limits
+    return Laboratory(
+        structure=structure,
+        damper=damper,
+        rig=_rig(plant, transfer, file.sub_step),
+        transfer=transfer,
+        limits=RigLimits(limits.stroke or inf, limits.velocity or inf, limits.force or inf),
+        flexibility=plant.flexibility.stiffness if plant.flexibility is not None else 0.0,
+        corrected=plant.flexibility.corrected if plant.flexibility is not None else False,
+        sensors=_sensors(file),
+    )
+
+
+def _structure(file: RtsFile) -> tuple[TestedStructure | None, tuple[float, float] | None]:
+    """The structure, and the size of the damper in it if a project says it."""
+    described = file.structure
+    if isinstance(described, ShearBuilding):
+        count = len(described.masses)
+        part = shear_building(described.masses, described.stiffnesses, _damping(described), described.storey)
+        return TestedStructure(part, np.eye(count), ()), None
+    if not isinstance(described, ProjectStructure):
+        return None, None
+    assert file.project is not None
+    if len(described.physical) != 1:
+        where = file.where("structure", "physical")
+        raise InputError(
+            f"{where}: structure.physical: one actuator moves one device; {len(described.physical)} are named"
+        )
+    found = project_part(file.project, described.physical[0], vertical=False)
+    device = found.device
+    structure = TestedStructure(found.part, found.floors, found.warnings)
+    return structure, (device.force_scale, device.deformation_scale)
+
+
+def _damping(described: ShearBuilding) -> NoDamping | RayleighDamping | ModalDamping:
+    given = described.damping
+    if given.kind == "rayleigh":
+        first, second = given.modes
+        return RayleighDamping(
+            kind="rayleigh", ratio=given.ratio, modes=(first, second), stiffness="initial", state="initial"
+        )
+    if given.kind == "modal":
+        modes = given.modes or len(described.masses)
+        return ModalDamping(kind="modal", ratio=given.ratio, modes=modes, state="initial")
+    return NoDamping(kind="none")
+
+
+def _damper(file: RtsFile, scales: tuple[float, float] | None) -> TestedDamper | None:
+    placed = file.law
+    if placed is None:
+        return None
+    described: LawDescription = placed.law
+    source = asked = Source(placed.path, placed.root, placed.keys)
+    if placed.law.file is not None:
+        described, source = read_law_file(placed.path.parent / placed.law.file)
+    bare = resolve(described, source, placed.law.temperature, asked)
+    found = bare
+    if file.specimen.effects:
+        own = Source(file.path, file.root, ("specimen",))
+        whole = described.model_copy(update={"effects": (*described.effects, *file.specimen.effects)})
+        found = resolve(whole, own, placed.law.temperature, asked)
+    prototype = placed.law.prototype or described.prototype
+    own_scales, specimen = _size(file, prototype)
+    force, deformation = scales or own_scales
+    return TestedDamper(
+        values=found.for_core,
+        scales=(force * placed.law.property_factor if scales is None else force, deformation),
+        declared=placed.law,
+        specimen=specimen,
+        temperature_C=placed.law.temperature,
+        warnings=found.warnings,
+    )
+
+
+def _size(file: RtsFile, prototype: Prototype | None) -> tuple[tuple[float, float], Specimen | None]:
+    """Scales of force and deformation, and the layers."""
+    said = file.specimen
+    if prototype is None:
+        return (float(said.number), 1.0), None
+    layers = said.layers or prototype.layers
+    area = said.layer_area or prototype.layer_area
+    thickness = said.layer_thickness or prototype.layer_thickness
+    force = said.number * layers * area / (prototype.layers * prototype.layer_area)
+    name = file.specimen.law if isinstance(file.specimen.law, str) else "specimen"
+    return (force, prototype.layer_thickness / thickness), Specimen(name, said.number * layers, area, thickness)
+
+
+def stiffness_of(damper: TestedDamper | None) -> float:
+    """Return the stiffness of a damper to a tenth of a millimetre in a tenth of a second, N/m; 0 without a damper."""
+    if damper is None:
+        return 0.0
+    small = 1e-4
+    core = CoreDamper(damper.values.law, damper.values.values, amendments=damper.values.amendments)
+    reach = damper.scales[1] * small
+    _, force, _ = core.step(core.start(), 0.1, (0.0, reach / 0.1), (reach, reach / 0.1))
+    return damper.scales[0] * force / small
+
+
+def rig_transfer(plant: rig_kinds.RigModel, specimen_stiffness: float) -> RigTransfer:
+    """Return the transfer function of a rig of a file; of a servo-hydraulic one with a spring (N/m) as specimen."""
+    match plant:
+        case rig_kinds.IdealRig():
+            return rigs.ideal()
+        case rig_kinds.DelayRig():
+            return rigs.pure_delay(plant.delay, plant.gain)
+        case rig_kinds.FirstOrderRig():
+            return rigs.first_order(plant.time_constant, plant.delay, plant.gain)
+        case rig_kinds.SecondOrderRig():
+            return rigs.second_order(plant.frequency, plant.damping, plant.delay, plant.gain)
+        case rig_kinds.TransferFunctionRig():
+            return RigTransfer(plant.numerator, plant.denominator, plant.delay)
+        case rig_kinds.ServoHydraulicRig():
+            softness = specimen_stiffness / plant.oil_stiffness if plant.oil_stiffness else 0.0
+            return rigs.servo_hydraulic(plant.proportional_gain, plant.valve_time_constant, plant.delay, softness)
+
+
+def _rig(plant: rig_kinds.RigModel, transfer: RigTransfer, sub_step: float) -> LinearRig | ServoHydraulicRig:
+    if not isinstance(plant, rig_kinds.ServoHydraulicRig):
+        return transfer.discrete(sub_step)
+    return ServoHydraulicRig(
+        plant.proportional_gain, plant.oil_stiffness or STIFF_OIL, plant.valve_time_constant, plant.delay
+    )
+
+
+def _sensors(file: RtsFile) -> Sensors:
+    said = file.sensors
+    reach, force = file.displacement_range, file.force_range
+
+    def quantum(largest: float | None) -> float:
+        return 2.0 * largest / 2.0**said.bits if said.bits is not None and largest is not None else 0.0
+
+    return Sensors(
+        displacement_noise=file.encoder_noise,
+        displacement_quantum=quantum(reach),
+        displacement_range=reach or inf,
+        force_noise=said.force_noise,
+        force_quantum=quantum(force),
+        force_range=force or inf,
+        force_delay=said.force_delay,
+    )
+
+
+def compensator_of(described: kinds.Compensator, step: float, rig: RigTransfer) -> Compensator:
+    """Return a compensator of a file.
+
+    Args:
+        described: the block of the file.
+        step: main step, s.
+        rig: whose series `model_feedforward` takes where the file states none.
+
+    Raises:
+        InputError: it cannot look back so far.
+    """
+    match described:
+        case kinds.NoCompensator():
+            return compensators.none()
+        case kinds.PolynomialCompensator(order=order, delay=delay):
+            spacing = step if described.spacing == "step" else None
+            return compensators.polynomial(order, delay, step, spacing)
+        case kinds.LeastSquaresPolynomialCompensator():
+            return compensators.least_squares_polynomial(described.order, described.points, described.delay, step)
+        case kinds.LinearAccelerationCompensator():
+            return compensators.linear_acceleration(described.delay, step)
+        case kinds.InverseCompensator():
+            return compensators.inverse(described.delay, step)
+        case kinds.PhaseLeadCompensator():
+            return compensators.phase_lead(described.lead, described.lag, step)
+        case kinds.FixedAlphaCompensator():
+            return compensators.fixed_alpha(described.alpha, step)
+        case kinds.ModelFeedforwardCompensator():
+            return compensators.fixed_alpha(described.alpha or rig.inverse_series(2), step)
+        case kinds.SmithCompensator():
+            return compensators.smith(described.delay, described.gain, described.stiffness, described.damping, step)
+        case kinds.PiPhaseLeadCompensator():
+            return compensators.pi_phase_lead(
+                described.proportional, described.integral, described.lead, described.lag, step
+            )
+        case kinds.LiveDelayCompensator():
+            least, largest = described.limits
+            return LiveDelay(described.order, described.delay, least, largest, described.share, described.threshold)
+        case kinds.AtsCompensator():
+            adaptive = _adaptive(described, step)
+            return compensators.ats(described.window, described.every, step, adaptive)
+        case kinds.ModifiedAtsCompensator():
+            return compensators.modified_ats(described.forgetting, _adaptive(described, step))
+
+
+def _adaptive(described: kinds.AtsCompensator | kinds.ModifiedAtsCompensator, step: float) -> AdaptiveTimeSeries:
+    limits, rates, filtered = described.limits, described.rates, described.filter
+    none = np.zeros((0, 5))
+    return AdaptiveTimeSeries(
+        initial=described.initial,
+        least=(limits.a0[0], limits.a1[0], limits.a2[0]),
+        largest=(limits.a0[1], limits.a1[1], limits.a2[1]),
+        rate=(rates.a0, rates.a1, rates.a2),
+        threshold=described.threshold,
+        sections=none if filtered is None else compensators.butterworth(filtered.order, filtered.cutoff, step),
+        differences=described.derivatives == "differences",
+    )

@@ -1,0 +1,97 @@
+"""Run the virtual tests of a file into an archive."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+
+from edesign.archive.csv_files import write_csv_file
+from edesign.archive.dataset import Group
+from edesign.archive.files import make_folder, source_file
+from edesign.archive.owner import check_owner
+from edesign.archive.writer import ArchiveWriter
+from edesign.project.substructure.rts_file import RtsFile
+from edesign.study.kinds import SUBSTRUCTURE
+from edesign.study.provenance import circumstances, versions
+from edesign.substructure.archived import groups
+from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
+
+HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")
+
+
+def run_tests(
+    file: RtsFile,
+    archive_path: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
+    tell: Callable[[str], None] = lambda line: None,
+    csv_folder: Path | None = None,
+) -> tuple[Path, tuple[TestResults, ...]]:
+    """Run all virtual tests of a file, and archive them.
+
+    Args:
+        file: from `load_rts_file`.
+        archive_path: the archive; by default what the file says.
+        overwrite: True replaces the archive of something else too.
+        tell: called with the name of each run at its beginning.
+        csv_folder: where each run is written as CSV as well; made if it does not exist.
+
+    Returns:
+        The archive, and the results test by test.
+
+    Raises:
+        InputError: structure, law, compensator or record cannot be used so.
+        ArchiveError: the archive or a CSV file cannot be written, or is that of something else.
+    """
+    file.check_unchanged()
+    path = Path(archive_path) if archive_path is not None else file.archive_path
+    root = _root(file, path)
+    check_owner(path, root, overwrite)
+    laboratory = VirtualLaboratory(file)
+    root.attributes["warnings"] = list(laboratory.laboratory.warnings)
+    if csv_folder is not None:
+        make_folder(csv_folder)
+    found = []
+    with ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
+        for results in laboratory.run(tell):
+            for place, group in groups(results, file.outputs.histories):
+                writer.write(place, group)
+            for run in results.runs:
+                if csv_folder is not None and run.record is not None:
+                    write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
+            found.append(results)
+        writer.finish({"status": "completed"})
+    return path, tuple(found)
+
+
+def write_run(run: VirtualTest, path: Path) -> None:
+    """Write a run as CSV, as a laboratory records it: time, target, command, displacement at the specimen, force.
+
+    Raises:
+        ArchiveError: it cannot be written.
+    """
+    record = run.record
+    assert record is not None
+    mm = (record.target, record.command, record.measured, record.actuator)
+    columns = [run.time, *(1e3 * one for one in mm), 1e-3 * record.force]
+    write_csv_file(list(HEADERS), zip(*(column.tolist() for column in columns), strict=True), path, digits=9)
+
+
+def _root(file: RtsFile, path: Path) -> Group:
+    root = Group(
+        attributes={
+            "title": file.title or file.path.stem,
+            "kind": SUBSTRUCTURE,
+            "rts_file": file.path.name,
+            "rts_checksum": file.checksum,
+            "source_file": source_file(file.path, path),
+            "response_error_limit": file.criteria.response_error,
+            **versions(),
+            "planned": [],
+            "status": "running",
+        }
+    )
+    root.add("rts_text", (), file.text, "", "text of the file of substructure tests")
+    if file.project is not None:
+        root.add("project_text", (), file.project.text, "", "text of the project file")
+    return root
