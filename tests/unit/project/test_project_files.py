@@ -90,7 +90,8 @@ def test_a_name_is_one_line(tmp_path: Path, name: str) -> None:
 def test_every_key_is_documented() -> None:
     import edesign.project.building.building
     import edesign.project.reference
-    import edesign.project.study  # noqa: F401 - so that what is asked does not depend on the other tests
+    import edesign.project.study
+    import edesign.project.substructure.rts_file  # noqa: F401 - so that what is asked does not depend on the other tests
 
     pages = (
         "project_file",
@@ -101,6 +102,7 @@ def test_every_key_is_documented() -> None:
         "reference_files",
         "building_file",
         "section_selection",
+        "rts_file",
     )
     text = "".join((THESIS.parents[2] / "docs" / f"{page}.md").read_text(encoding="utf-8") for page in pages)
     waiting, keys = [Model], set()

@@ -1,0 +1,98 @@
+"""Cross checks of rig, sensors and loop."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from edesign.project.problems import Keys, Problems
+from edesign.project.substructure.rig import RigModel, ServoHydraulicRig, TransferFunctionRig
+from edesign.project.substructure.rts_file import RtsFile
+
+LONGEST_STEP = 0.1
+"""Of the loop, s."""
+
+
+def check_plant(rig: RigModel, keys: Keys, problems: Problems) -> None:
+    """Check a rig.
+
+    Args:
+        rig: without schema problems.
+        keys: of the rig.
+        problems: collects what is wrong.
+    """
+    if isinstance(rig, TransferFunctionRig):
+        _transfer_function(rig, keys, problems)
+    if isinstance(rig, ServoHydraulicRig) and (rig.limits.velocity is None) != (rig.limits.force is None):
+        missing = "velocity" if rig.limits.velocity is None else "force"
+        message = "this key is missing; the flow through a valve falls with the force, so both limits belong together"
+        problems.under((*keys, "limits"), missing, message)
+
+
+def _transfer_function(rig: TransferFunctionRig, keys: Keys, problems: Problems) -> None:
+    numerator, denominator = (*keys, "numerator"), (*keys, "denominator")
+    for at, coefficients in ((numerator, rig.numerator), (denominator, rig.denominator)):
+        if coefficients[0] == 0.0 and len(coefficients) > 1:
+            problems.at_value((*at, 0), "the coefficient of the highest power is 0; leave it out")
+            return
+    orders = f"order {len(rig.numerator) - 1} over order {len(rig.denominator) - 1}"
+    if len(rig.numerator) > len(rig.denominator):
+        problems.at_value(numerator, f"the transfer function is improper ({orders}): it would run ahead of its command")
+    elif len(rig.numerator) == len(rig.denominator) > 1:
+        problems.at_value(numerator, f"the actuator would jump with its command ({orders}); a lower order is needed")
+    if rig.denominator[-1] == 0.0:
+        problems.at_value((*denominator, len(rig.denominator) - 1), "there is a pole at 0: the rig would drift away")
+        return
+    gain = rig.numerator[-1] / rig.denominator[-1]
+    if gain == 0.0:
+        problems.at_value(numerator, "the gain at rest is 0: the rig would come back from every command")
+    elif gain < 0.0:
+        problems.at_value(numerator, f"the gain at rest is {gain:.3g}: the rig would move against its command")
+    poles = np.roots(rig.denominator)
+    if poles.size and (worst := poles[np.argmax(poles.real)]).real >= -1e-12 * abs(poles).max():
+        real = f"{worst.real + 0.0:.3g}"
+        pole = real if worst.imag == 0.0 else f"{real} +- {abs(worst.imag):.3g}i"
+        problems.at_value(denominator, f"the rig is unstable on its own: it has a pole at {pole} 1/s")
+
+
+def check_sensors(rts: RtsFile, problems: Problems) -> None:
+    """Check the sensors; the rig of the file is known."""
+    sensors, limits = rts.sensors, rts.plant.limits
+    for key, limit, value in (
+        ("displacement_range", "stroke", rts.displacement_range),
+        ("force_range", "force", rts.force_range),
+    ):
+        if sensors.bits is not None and value is None:
+            message = f"this key is missing; `bits` divide a range, and the rig has no limit of {limit} to take for it"
+            problems.under(("sensors",), key, message)
+    if (
+        sensors.displacement_range is not None
+        and limits.stroke is not None
+        and sensors.displacement_range < limits.stroke
+    ):
+        message = f"the encoder ends at {1e3 * sensors.displacement_range:.4g} mm, before the stroke of the actuator"
+        problems.at_value(("sensors", "displacement_range"), f"{message}, {1e3 * limits.stroke:.4g} mm")
+    if sensors.force_range is not None and limits.force is not None and sensors.force_range < limits.force:
+        message = f"the load cell ends at {1e-3 * sensors.force_range:.4g} kN, before the force of the actuator"
+        problems.at_value(("sensors", "force_range"), f"{message}, {1e-3 * limits.force:.4g} kN")
+
+
+def check_loop(rts: RtsFile, problems: Problems) -> None:
+    """Check steps, and parameters of the integration."""
+    if rts.loop.main_step > LONGEST_STEP:
+        message = f"{rts.loop.main_step:.4g} s is no step of a loop; at most {LONGEST_STEP:g} s is possible"
+        problems.at_value(("loop", "main_step"), message)
+    if "rho_inf" in rts.integration.model_fields_set and rts.integration.method != "kr_alpha":
+        message = f"`{rts.integration.method}` has no spectral radius to choose; it is of `kr_alpha`"
+        problems.at_key(("integration", "rho_inf"), message)
+
+
+def nyquist(rts: RtsFile) -> float:
+    """Return half the rate of the main step, Hz."""
+    return 0.5 / rts.loop.main_step
+
+
+def corner(time_constant: float) -> float:
+    """Return the corner frequency of a time constant, Hz."""
+    return 1.0 / (2.0 * math.pi * time_constant)

@@ -1,0 +1,125 @@
+"""Cross checks of the structure: devices that exist and move together, storeys, modes, and a step that is stable."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from edesign.project.analyses import HistoryAnalysis
+from edesign.project.problems import Keys, Problems, did_you_mean, listed, unknown_name
+from edesign.project.project import Project
+from edesign.project.substructure.devices import devices_of
+from edesign.project.substructure.rts_file import RtsFile
+from edesign.project.substructure.structure import ProjectStructure, ShearBuilding, ShearModal, ShearRayleigh
+
+_KEYS: Keys = ("structure",)
+LARGEST_STEP = {"newmark_explicit": 2.0, "central_difference": 2.0, "bogacki_shampine": math.sqrt(3.0)}
+"""Largest product of circular frequency and step with which an explicit method does not diverge."""
+
+
+def check_structure(rts: RtsFile, problems: Problems) -> None:
+    """Check what stands in the computer; the file has no schema problems."""
+    if isinstance(rts.structure, ProjectStructure) and rts.project is not None:
+        _physical(rts.structure, rts.project, problems)
+        _analysis(rts.structure, rts.project, problems)
+        for key in ("masses", "damping"):
+            if getattr(rts.project, key) is None:
+                message = f"the numerical part needs `{key}`, and {rts.project.path} has none"
+                problems.at_value((*_KEYS, "project"), message)
+    if isinstance(rts.structure, ShearBuilding) and _storeys(rts.structure, problems):
+        _modes(rts.structure, problems)
+        _stable(rts, rts.structure, problems)
+
+
+def frequencies(building: ShearBuilding) -> tuple[float, ...]:
+    """Return the natural frequencies of a shear building without the specimen, Hz, the lowest first."""
+    k = np.asarray(building.stiffnesses)
+    above = np.append(k[1:], 0.0)
+    stiffness = np.diag(k + above) - np.diag(k[1:], 1) - np.diag(k[1:], -1)
+    root = 1.0 / np.sqrt(np.asarray(building.masses))
+    squares = np.linalg.eigvalsh(root[:, None] * stiffness * root)
+    return tuple(float(w) / (2.0 * math.pi) for w in np.sqrt(np.maximum(squares, 0.0)))
+
+
+def _physical(structure: ProjectStructure, project: Project, problems: Problems) -> None:
+    known = devices_of(project)
+    keys = (*_KEYS, "physical")
+    if not known:
+        problems.at_value(keys, f"{project.path} has no devices under `dampers`")
+        return
+    given = structure.physical
+    for i, name in enumerate(given):
+        if name not in known:
+            problems.at_item(keys, i, f"{unknown_name('device', name, known)}; they are named by kind, bay and storey")
+        elif name in given[:i]:
+            problems.at_item(keys, i, f"`{name}` comes twice")
+        elif known[name][0].brace != "rigid":
+            message = f"`{name}` has a brace in series; the laboratory has the device alone. Give it `brace: rigid`"
+            problems.at_item(keys, i, f"{message} in the project, and the brace to the frame")
+    there = [known[name] for name in dict.fromkeys(given) if name in known]
+    together = {(device.kind, storey) for device, storey in there}
+    if len(there) > 1 and (len(together) > 1 or not all(storey for _, storey in there)):
+        message = f"{listed(given)} deform differently, and one actuator moves them all; name devices of one storey"
+        problems.at_value(keys, f"{message} and kind")
+    elif len({device.law for device, _ in there}) > 1:
+        problems.at_value(keys, f"{listed(given)} have different laws; the specimen has one")
+
+
+def _analysis(structure: ProjectStructure, project: Project, problems: Problems) -> None:
+    if structure.analysis is None:
+        return
+    keys = (*_KEYS, "analysis")
+    histories = [one.name for one in project.analyses if isinstance(one, HistoryAnalysis)]
+    found = next((one for one in project.analyses if one.name == structure.analysis), None)
+    if found is None:
+        hint = did_you_mean(structure.analysis, histories)
+        message = f"there is no analysis `{structure.analysis}`{hint} (histories there: {listed(histories)})"
+        problems.at_value(keys, message)
+    elif not isinstance(found, HistoryAnalysis):
+        problems.at_value(keys, f"`{found.name}` is a {found.kind} analysis; a history is needed: {listed(histories)}")
+    elif not found.dampers:
+        message = f"`{found.name}` has `dampers: false`, so no device that could be tested"
+        others = [one.name for one in project.analyses if isinstance(one, HistoryAnalysis) and one.dampers]
+        problems.at_value(keys, message + did_you_mean(found.name, others))
+
+
+def _storeys(building: ShearBuilding, problems: Problems) -> bool:
+    """Whether there is one stiffness for each mass."""
+    count = len(building.masses)
+    if len(building.stiffnesses) != count:
+        message = f"{len(building.stiffnesses)} stiffnesses for {count} masses; each storey carries one floor"
+        problems.at_value((*_KEYS, "stiffnesses"), message)
+        return False
+    if building.storey > count:
+        problems.at_value((*_KEYS, "storey"), f"there is no storey {building.storey}; they are numbered 1 to {count}")
+    return True
+
+
+def _modes(building: ShearBuilding, problems: Problems) -> None:
+    damping, count = building.damping, len(building.masses)
+    keys = (*_KEYS, "damping", "modes")
+    numbered = f"there are modes 1 to {count}" if count > 1 else "there is mode 1 only, for which `kind: modal` does"
+    if isinstance(damping, ShearRayleigh):
+        for i, mode in enumerate(damping.modes):
+            if mode > count:
+                problems.at_value((*keys, i), f"there is no mode {mode}; {numbered}")
+        if damping.modes[0] == damping.modes[1]:
+            problems.at_value((*keys, 1), f"mode {damping.modes[0]} stands here twice; two different ones are needed")
+    elif isinstance(damping, ShearModal) and damping.modes is not None and damping.modes > count:
+        problems.at_value(keys, f"there are {damping.modes} modes asked for, and {count} of them")
+
+
+def _stable(rts: RtsFile, building: ShearBuilding, problems: Problems) -> None:
+    """Explicit methods diverge beyond a step that the highest mode gives."""
+    method = rts.integration.method
+    if method not in LARGEST_STEP:
+        return
+    highest = frequencies(building)[-1]
+    largest = LARGEST_STEP[method] / (2.0 * math.pi * highest)
+    if rts.loop.main_step > largest:
+        message = (
+            f"with `{method}` mode {len(building.masses)} ({highest:.4g} Hz) diverges: the step may be at most "
+            f"{1e3 * largest:.3g} ms, and it is {1e3 * rts.loop.main_step:.4g} ms; or take `kr_alpha`"
+        )
+        problems.at_value(("loop", "main_step"), message)

@@ -1,0 +1,202 @@
+"""The whole file of substructure tests."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, ClassVar, Literal
+
+from pydantic import Field, PrivateAttr
+
+from edesign.project.analyses import HistoryAnalysis
+from edesign.project.base import FormatVersion, Model
+from edesign.project.dampers import DamperLaw
+from edesign.project.file_model import FileModel
+from edesign.project.project import Identifier, Project
+from edesign.project.records import Record
+from edesign.project.substructure.compensators import Compensator
+from edesign.project.substructure.devices import law_of
+from edesign.project.substructure.loop import Integration, Loop, Sensors
+from edesign.project.substructure.programme import AnyTest, PseudoDynamicTest, RtsTest
+from edesign.project.substructure.rig import AnyRig, RigFile, RigInFile, RigModel
+from edesign.project.substructure.specimen import PlacedLaw, Specimen
+from edesign.project.substructure.structure import ProjectStructure, Structure
+from edesign.project.units import PositiveFactor, PositiveRatio
+
+Channel = Literal["target", "measured", "command", "force", "alpha", "energy"]
+CHANNELS: tuple[Channel, ...] = ("target", "measured", "command", "force", "alpha", "energy")
+
+
+class RtsCriteria(Model):
+    """The largest error of the response, and the least factor between the delay and the critical one."""
+
+    response_error: PositiveRatio = 0.05
+    delay_margin: PositiveFactor = 2.0
+
+
+class RtsOutputs(Model):
+    """What is kept, beside the indicators; `archive` None: the name of the file with .h5."""
+
+    archive: Annotated[str, Field(min_length=1)] | None = None
+    histories: tuple[Channel, ...] = CHANNELS
+
+
+@dataclass(frozen=True)
+class Motion:
+    """The ground motion of a test.
+
+    Attributes:
+        record: name, or SUITE/RECORDING.
+        scale: factor of the record; None with a peak.
+        pga: peak acceleration that it is scaled to, m/s2; None with a factor.
+        free_vibration: time after its end, s.
+        of_project: whether the record is one of the project, otherwise it is one of the file.
+    """
+
+    record: str
+    scale: float | None
+    pga: float | None
+    free_vibration: float
+    of_project: bool
+
+
+class RtsFile(FileModel):
+    """Validated substructure tests; all values are in SI. Made by `load_rts_file`, which also reads what they name."""
+
+    kind: ClassVar[str] = "rts_file"
+
+    edesign_rts: FormatVersion
+    title: str = ""
+    structure: Structure | None = None
+    specimen: Specimen = Specimen()
+    rig: AnyRig
+    sensors: Sensors = Sensors()
+    loop: Loop = Loop()
+    integration: Integration = Integration()
+    compensators: Annotated[dict[Identifier, Compensator], Field(min_length=1)]
+    tests: tuple[AnyTest, ...] = ()
+    records: dict[Identifier, Record] = {}
+    criteria: RtsCriteria = RtsCriteria()
+    outputs: RtsOutputs = RtsOutputs()
+
+    _path: Path = PrivateAttr(default=Path("rts.yaml"))
+    _project: Project | None = PrivateAttr(default=None)
+    _rig_file: RigFile | None = PrivateAttr(default=None)
+
+    def set_named(self, project: Project | None, rig_file: RigFile | None) -> RtsFile:
+        """Tell the file, once, the project and the rig file that it names."""
+        self._project, self._rig_file = project, rig_file
+        return self
+
+    @property
+    def project(self) -> Project | None:
+        """The project whose devices are tested; None: the structure is a shear building, or there is none."""
+        return self._project
+
+    @property
+    def rig_file(self) -> RigFile | None:
+        """The rig file; None: the rig stands in this file."""
+        return self._rig_file
+
+    @property
+    def plant(self) -> RigModel:
+        """The rig, wherever it stands, with the limits and the flexibility that are given here.
+
+        Raises:
+            ValueError: the file was not made by `load_rts_file` (a mistake of the caller, not of the user).
+        """
+        if not isinstance(self.rig, RigInFile):
+            return self.rig
+        if self._rig_file is None:
+            raise ValueError("these tests have no rig; use load_rts_file")
+        given: dict[str, object] = {
+            key: getattr(self.rig, key) for key in ("limits", "flexibility") if key in self.rig.model_fields_set
+        }
+        return self._rig_file.rig.model_copy(update=given)
+
+    @property
+    def encoder_noise(self) -> float:
+        """Standard deviation of the measured displacement, m: that of the sensors, of the rig file, or none."""
+        if self.sensors.encoder_noise is not None:
+            return self.sensors.encoder_noise
+        of_rig = self._rig_file.encoder_noise if self._rig_file is not None else None
+        return of_rig or 0.0
+
+    @property
+    def displacement_range(self) -> float | None:
+        """Range of the encoder to either side, m; None: it has none."""
+        own = self.sensors.displacement_range
+        return own if own is not None else self.plant.limits.stroke
+
+    @property
+    def force_range(self) -> float | None:
+        """Range of the load cell to either side, N; None: it has none."""
+        own = self.sensors.force_range
+        return own if own is not None else self.plant.limits.force
+
+    @property
+    def sub_step(self) -> float:
+        """Time step of the rig, s."""
+        return self.loop.main_step / self.loop.sub_steps
+
+    @property
+    def law(self) -> PlacedLaw | None:
+        """The law of the specimen, at its temperature, and where it stands; None: there is no specimen."""
+        chosen = self.specimen.law
+        placed: PlacedLaw | None = None
+        if self.specimen.law_file is not None:
+            placed = self._placed(DamperLaw(file=self.specimen.law_file), "law_file")
+        elif isinstance(chosen, DamperLaw):
+            placed = self._placed(chosen, "law")
+        elif self._project is not None:
+            physical = self.structure.physical if isinstance(self.structure, ProjectStructure) else ()
+            name = chosen or law_of(self._project, physical)
+            laws = self._project.dampers.laws if self._project.dampers is not None else {}
+            if name in laws:
+                keys = ("dampers", "laws", name)
+                placed = PlacedLaw(self._heated(laws[name]), self._project.path, self._project.root, keys)
+        return placed
+
+    def _placed(self, law: DamperLaw, key: str) -> PlacedLaw:
+        return PlacedLaw(self._heated(law), self.path, self.root, ("specimen", key))
+
+    def _heated(self, law: DamperLaw) -> DamperLaw:
+        if self.specimen.temperature is None:
+            return law
+        return law.model_copy(update={"temperature": self.specimen.temperature})
+
+    @property
+    def analysis(self) -> HistoryAnalysis | None:
+        """The history of the project that tests take their record from; None: none is named."""
+        name = self.structure.analysis if isinstance(self.structure, ProjectStructure) else None
+        known = self._project.analyses if self._project is not None else ()
+        return next((one for one in known if one.name == name and isinstance(one, HistoryAnalysis)), None)
+
+    def motion(self, test: RtsTest | PseudoDynamicTest) -> Motion:
+        """Return the ground motion of a test: its own record, or that of the analysis.
+
+        Raises:
+            ValueError: there is neither (refused when the file is read).
+        """
+        free = test.free_vibration if isinstance(test, RtsTest) else None
+        if test.record is not None:
+            of_project = test.record.partition("/")[0] not in self.records
+            return Motion(test.record, test.scale or 1.0, None, free or 0.0, of_project)
+        analysis = self.analysis
+        if analysis is None:
+            raise ValueError(f"the test {test.name} has no record; use load_rts_file")
+        scale, pga = (test.scale, None) if test.scale is not None else (analysis.scale, analysis.pga)
+        factor = 1.0 if scale is None and pga is None else scale
+        return Motion(analysis.record, factor, pga, analysis.free_vibration if free is None else free, True)
+
+    @property
+    def checksum(self) -> str:
+        """SHA-256 of the texts of this file and of the project (UTF-8), hexadecimal."""
+        whole = self._text if self._project is None else f"{self._text}\n{self._project.text}"
+        return hashlib.sha256(whole.encode("utf-8")).hexdigest()
+
+    @property
+    def archive_path(self) -> Path:
+        """Where the archive goes unless the command line says otherwise."""
+        return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")

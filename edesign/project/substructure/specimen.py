@@ -1,0 +1,63 @@
+"""What stands in the laboratory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project.base import Model, by_shape
+from edesign.project.dampers import Count, DamperLaw, Effect, Layers
+from edesign.project.problems import Keys
+from edesign.project.temperature import Temperature
+from edesign.project.units import PositiveArea, PositiveLength
+from edesign.project.yaml_nodes import Node
+
+LawChoice = Annotated[
+    Annotated[Annotated[str, Field(min_length=1)], Tag("?plain")] | Annotated[DamperLaw, Tag("?mapping")],
+    Discriminator(by_shape),
+]
+
+
+class Specimen(Model):
+    """The virtual damper.
+
+    `law` is the name of a law of the project, or a law as projects have it; `law_file` is a file of `edesign fit` or
+    `calibrate`. Without both the physical devices say it. `effects` are in the forces of the specimen, and not in
+    the law that the written campaign names. `temperature` (degC) replaces that of the law. The size is that of the
+    law's prototype unless given; `number` of them stand side by side.
+    """
+
+    law: LawChoice | None = None
+    law_file: Annotated[str, Field(min_length=1)] | None = None
+    effects: tuple[Effect, ...] = ()
+    temperature: Temperature | None = None
+    number: Count = 1
+    layers: Layers | None = None
+    layer_area: PositiveArea | None = None
+    layer_thickness: PositiveLength | None = None
+
+    @property
+    def size_keys(self) -> tuple[str, ...]:
+        """The keys of the size that are given."""
+        names = ("number", "layers", "layer_area", "layer_thickness")
+        return tuple(name for name in names if name in self.model_fields_set)
+
+
+@dataclass(frozen=True)
+class PlacedLaw:
+    """A law, and where it stands.
+
+    Attributes:
+        law: type and parameters, or the name of a law file; its temperature is that of the specimen.
+        path: of the file that it stands in; a law file is relative to its folder.
+        root: the YAML tree of that file.
+        keys: of the law in it.
+    """
+
+    law: DamperLaw
+    path: Path
+    root: Node
+    keys: Keys

