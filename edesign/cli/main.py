@@ -24,6 +24,7 @@ from edesign.cli.laws import laws
 from edesign.cli.match import match
 from edesign.cli.new import new
 from edesign.cli.report import report
+from edesign.cli.rts import app as rts
 from edesign.cli.run import run
 from edesign.cli.sections import sections
 from edesign.cli.show import show
@@ -58,6 +59,7 @@ _PROJECTS = (new, check, run, design, show, compare, report, extract)
 _PARTS = (spectrum, match, sections, laws, test, characterise, fit, calibrate)
 for command in (*_PROJECTS, *_PARTS):
     app.command()(command)
+app.add_typer(rts)
 
 
 def _version(asked: bool) -> None:

@@ -12,7 +12,7 @@ from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.project.study_loader import parse_study
-from edesign.study.kinds import BUILDING, STUDY
+from edesign.study.kinds import BUILDING, STUDY, SUBSTRUCTURE
 
 
 def is_study_archive(archive: Archive) -> bool:
@@ -23,6 +23,11 @@ def is_study_archive(archive: Archive) -> bool:
 def is_building_archive(archive: Archive) -> bool:
     """Whether an archive is that of the elastic design of a building."""
     return archive.attributes.get("kind") == BUILDING
+
+
+def is_substructure_archive(archive: Archive) -> bool:
+    """Whether an archive is that of virtual substructure tests."""
+    return archive.attributes.get("kind") == SUBSTRUCTURE
 
 
 def archived_project(archive: Archive) -> Project | None:

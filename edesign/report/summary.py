@@ -13,7 +13,7 @@ from edesign.assess.measures import response_measures
 from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean, listed
-from edesign.report.archived import is_building_archive
+from edesign.report.archived import is_building_archive, is_substructure_archive
 from edesign.study.plan import ANALYSES
 from edesign.study.record_results import RECORDS
 from edesign.study.warnings import ATTRIBUTE, warnings_of
@@ -51,6 +51,10 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
         from edesign.report.building_summary import building_summary
 
         return {"archive": finite(about | damage), "building": building_summary(archive)}
+    if is_substructure_archive(archive):
+        from edesign.report.substructure_tables import substructure_summary
+
+        return {"archive": finite(about | damage), "tests": substructure_summary(archive)}
     found = {"archive": finite(about | damage), "analyses": [entry(name, results(archive, name)) for name in names]}
     return found if analysis is not None else {**found, "records": finite(record_entries(archive, RECORDS))}
 

@@ -10,7 +10,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
 from edesign.errors import EdesignError
-from edesign.report.archived import is_building_archive, is_study_archive
+from edesign.report.archived import is_building_archive, is_study_archive, is_substructure_archive
 from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
 from edesign.report.measure_columns import FRAME_COLUMNS, ROUNDING
 from edesign.report.record_tables import tables_of
@@ -45,6 +45,10 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
         from edesign.report.building_tables import building_tables
 
         return [_heading(archive), *building_tables(archive)]
+    if is_substructure_archive(archive):
+        from edesign.report.substructure_tables import substructure_tables
+
+        return [_heading(archive), *(table for table in substructure_tables(archive) if table.rows)]
     if is_study_archive(archive):
         try:
             return [_heading(archive), warnings_table(archive), *tables_of(archive), *study_tables(archive)]

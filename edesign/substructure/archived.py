@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -59,18 +58,16 @@ def _run(run: VirtualTest, histories: Sequence[str]) -> Group:
     group = Group(
         attributes={"kind": run.kind, "outcome": run.outcome, "reason": run.reason, "saturated": list(run.saturated)}
     )
-    for name, value, text in (
-        ("response_error", run.response_error, "root mean square error of the damper's deformation over the direct one"),
-        ("peak_error", run.peak_error, "relative error of its largest magnitude"),
-    ):
-        group.add(name, (), value, "1", text)
+    text = "root mean square error of the damper's deformation over the direct one"
+    group.add("response_error", (), run.response_error, "1", text)
+    group.add("peak_error", (), run.peak_error, "1", "relative error of its largest magnitude")
     for i, unit in enumerate(("1", "s", "s^2")):
-        group.add(f"mean_alpha_{i}", (), run.alpha[i], unit, f"mean of alpha_{i} from where it begins to adapt")
+        group.add(f"mean_alpha_{i}", (), run.alpha[i], unit, f"mean of alpha_{i} while the specimen moves")
     if run.tracking is not None:
         for name, (text, unit) in definitions().items():
             value = getattr(run.tracking, name, None)
             if isinstance(value, (int, float)):
-                group.add(name, (), math.nan if value is None else value, unit, text)
+                group.add(name, (), float(value), unit, text)
         group.attributes["untold"] = [f"{name}: {why}" for name, why in run.tracking.untold.items()]
     _add_histories(group, run, histories)
     return group

@@ -49,6 +49,7 @@ def run_tests(
     check_owner(path, root, overwrite)
     laboratory = VirtualLaboratory(file)
     root.attributes["warnings"] = list(laboratory.laboratory.warnings)
+    root.attributes["runs"] = [f"{test.name}/{name}" for test in laboratory.tests for name in laboratory.compensators]
     if csv_folder is not None:
         make_folder(csv_folder)
     found = []

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from edesign.core.compensator import AdaptiveTimeSeries, Compensator
 from edesign.core.substructure import (
     SATURATED,
     LoopRecord,
@@ -76,7 +77,8 @@ class VirtualTest:
         response_error: root mean square of the error of the damper's deformation over that of the direct analysis; NaN
             without a structure.
         peak_error: relative error of its largest magnitude.
-        alpha: (3,) means of the adaptive coefficients from where they begin to adapt; NaN otherwise.
+        alpha: (3,) means of the adaptive coefficients between the first and the last motion above the threshold; NaN of
+            other compensators.
         outcome: `done`, `unstable` or `failed`.
         reason: why, if it is not done.
         saturated: what the rig could not do.
@@ -250,7 +252,7 @@ class VirtualLaboratory:
             tracking=tracked,
             response_error=response,
             peak_error=peak,
-            alpha=_mean_alpha(record),
+            alpha=_mean_alpha(record, self.compensators[compensator]),
             outcome=outcome,
             reason=reason,
             saturated=tuple(text for bit, text in SATURATED.items() if bits & bit),
@@ -269,12 +271,12 @@ def response_errors(found: np.ndarray, direct: np.ndarray) -> tuple[float, float
     return float(np.sqrt(np.mean((found - direct) ** 2))) / size, float(np.max(np.abs(found))) / peak - 1.0
 
 
-def _mean_alpha(record: LoopRecord) -> np.ndarray:
-    """From where they leave their initial values: a quiet start would only repeat these."""
-    changed = np.flatnonzero(np.any(record.alpha != record.alpha[0], axis=1))
-    if not changed.size:
-        return np.full(3, np.nan) if not record.alpha.any() else record.alpha[0]
-    return np.asarray(np.mean(record.alpha[changed[0] :], axis=0))
+def _mean_alpha(record: LoopRecord, compensator: Compensator) -> np.ndarray:
+    """From the first to the last displacement above the threshold: before and after, rest and noise would count."""
+    moving = np.flatnonzero(np.abs(record.measured) > getattr(compensator, "threshold", np.inf))
+    if not isinstance(compensator, AdaptiveTimeSeries) or not moving.size:
+        return np.full(3, np.nan)
+    return np.asarray(np.mean(record.alpha[moving[0] : moving[-1] + 1], axis=0))
 
 
 def _failed(test: CommandTest | RtsTest, compensator: str, reason: str) -> VirtualTest:

@@ -1,0 +1,161 @@
+"""Virtual substructure tests as tables and as plain data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.report.table import Table, number
+from edesign.substructure.archived import PLACE
+
+_NAN = math.nan
+
+
+@dataclass(frozen=True)
+class Run:
+    """A test with one compensator, as it stands in an archive."""
+
+    test: str
+    compensator: str
+    group: Group
+
+    def value(self, name: str) -> float:
+        """Return an indicator, NaN where it has none."""
+        variable = self.group.variables.get(name)
+        return float(variable.values) if variable is not None else _NAN
+
+    @property
+    def outcome(self) -> str:
+        """`done`, `unstable` or `failed`."""
+        return str(self.group.attributes["outcome"])
+
+
+def runs(archive: Archive) -> Iterator[Run]:
+    """Yield the runs of an archive in the order of its file.
+
+    Raises:
+        ArchiveError: a group is missing or damaged.
+    """
+    planned = archive.attributes.get("runs")
+    for name in map(str, planned if isinstance(planned, list) else []):
+        if archive.has(f"{PLACE}/{name}"):
+            test, _, compensator = name.partition("/")
+            yield Run(test, compensator, archive.group(f"{PLACE}/{name}").without("time"))
+
+
+def substructure_tables(archive: Archive) -> list[Table]:
+    """Return how well each compensator followed, and what the error did to the structure.
+
+    Raises:
+        ArchiveError: a group is missing or damaged.
+    """
+    found = list(runs(archive))
+    warned = archive.attributes.get("warnings")
+    notes = [str(line) for line in warned] if isinstance(warned, list) else []
+    return [_tracking(found), _response(archive, found, notes), _alphas(found)]
+
+
+def _tracking(found: list[Run]) -> Table:
+    table = Table(
+        "How the specimen followed its target",
+        ("test", "compensator", "NRMS [%]", "root [%]", "late [ms]", "A-1 [%]", "peak [%]", "work [J]"),
+        left=2,
+        notes=[
+            "NRMS: squared errors over squared targets, without a root as Eq. 6.28 of the thesis",
+            "prints it; `root`: with it, as its tables hold. `late`: mean delay of zero crossings.",
+            "A: amplitude by the frequency evaluation index. `peak`: largest error over largest",
+            "target. `work`: what the error feeds into the structure.",
+        ],
+    )
+    for run in found:
+        if run.outcome == "done":
+            table.rows.append(
+                [
+                    run.test,
+                    run.compensator,
+                    _shown(run.value("nrms"), 0.01),
+                    _shown(run.value("nrms_root"), 0.01),
+                    _shown(run.value("crossing_delay_mean"), 1e-3),
+                    _shown(run.value("frequency_index_amplitude") - 1.0, 0.01, 2),
+                    _shown(run.value("maximum_error"), 0.01),
+                    _shown(run.value("energy_error"), 1.0),
+                ]
+            )
+        else:
+            table.rows.append([run.test, run.compensator, run.outcome, "-", "-", "-", "-", "-"])
+    return table
+
+
+def _response(archive: Archive, found: list[Run], notes: list[str]) -> Table:
+    limit = archive.attributes.get("response_error_limit")
+    most = float(limit) if isinstance(limit, (int, float)) else math.inf
+    table = Table(
+        "What the test did to the response of the structure",
+        ("test", "compensator", "error rms [%]", "of peak [%]", "verdict"),
+        left=2,
+        sentences=4,
+        notes=[f"Against the direct analysis of the same structure; at most {100.0 * most:.3g} % are allowed.", *notes],
+    )
+    for run in found:
+        error = run.value("response_error")
+        if run.outcome == "done" and math.isnan(error):
+            continue  # a given target: nothing responds
+        table.rows.append(
+            [
+                run.test,
+                run.compensator,
+                _shown(error, 0.01),
+                _shown(run.value("peak_error"), 0.01),
+                _verdict(run, error, most),
+            ]
+        )
+    return table
+
+
+def _verdict(run: Run, error: float, most: float) -> str:
+    if run.outcome != "done":
+        return f"{run.outcome}: {run.group.attributes['reason']}"
+    saturated = run.group.attributes["saturated"]
+    words = "good" if error <= most else "too wrong"
+    if isinstance(saturated, list) and saturated:
+        words += f", and the rig reached its limit of {' and '.join(map(str, saturated))}"
+    return words
+
+
+def _alphas(found: list[Run]) -> Table:
+    table = Table(
+        "Means of the adaptive coefficients while the specimen moves",
+        ("test", "compensator", "alpha_0", "alpha_1 [ms]", "alpha_2 [1e-6 s2]"),
+        left=2,
+    )
+    for run in found:
+        values = [run.value(f"mean_alpha_{i}") for i in range(3)]
+        if not any(map(math.isnan, values)):
+            shown = (_shown(value, scale, 5) for value, scale in zip(values, (1.0, 1e-3, 1e-6), strict=True))
+            table.rows.append([run.test, run.compensator, *shown])
+    return table
+
+
+def substructure_summary(archive: Archive) -> list[dict[str, object]]:
+    """Return the runs for JSON, SI units: names, outcome, indicators; None stands for what cannot be told.
+
+    Raises:
+        ArchiveError: a group is missing or damaged.
+    """
+    found: list[dict[str, object]] = []
+    for run in runs(archive):
+        values: dict[str, object] = {
+            name: None if math.isnan(float(variable.values)) else float(variable.values)
+            for name, variable in run.group.variables.items()
+            if not variable.dims and variable.unit != ""
+        }
+        about = {name: run.group.attributes.get(name) for name in ("kind", "outcome", "reason", "saturated", "untold")}
+        found.append({"test": run.test, "compensator": run.compensator, **about, **values})
+    return found
+
+
+def _shown(value: float, scale: float, digits: int = 3) -> str:
+    return number(None if math.isnan(value) else value, digits, scale)
