@@ -3,47 +3,46 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.table import Table, number
-from edesign.substructure.archived import PLACE
+from edesign.substructure.archived import INDICATORS
 
 _NAN = math.nan
 
 
 @dataclass(frozen=True)
 class Run:
-    """A test with one compensator, as it stands in an archive."""
+    """A test with one compensator, as it stands in an archive: the group of indicators, and its number there."""
 
     test: str
     compensator: str
     group: Group
+    number: int
 
     def value(self, name: str) -> float:
         """Return an indicator, NaN where it has none."""
         variable = self.group.variables.get(name)
-        return float(variable.values) if variable is not None else _NAN
+        return float(variable.values[self.number]) if variable is not None else _NAN
 
-    @property
-    def outcome(self) -> str:
-        """`done`, `unstable` or `failed`."""
-        return str(self.group.attributes["outcome"])
+    def text(self, name: str) -> str:
+        """Return a text of the run."""
+        return str(self.group.variables[name].values[self.number])
 
 
-def runs(archive: Archive) -> Iterator[Run]:
-    """Yield the runs of an archive in the order of its file.
+def runs(archive: Archive) -> list[Run]:
+    """Return the runs of an archive in the order of its file; none of one that was interrupted.
 
     Raises:
-        ArchiveError: a group is missing or damaged.
+        ArchiveError: the group is damaged.
     """
-    planned = archive.attributes.get("runs")
-    for name in map(str, planned if isinstance(planned, list) else []):
-        if archive.has(f"{PLACE}/{name}"):
-            test, _, compensator = name.partition("/")
-            yield Run(test, compensator, archive.group(f"{PLACE}/{name}").without("time"))
+    if not archive.has(INDICATORS):
+        return []
+    group = archive.group(INDICATORS)
+    names = [str(name).partition("/") for name in group.coords["run"].values]
+    return [Run(test, compensator, group, i) for i, (test, _, compensator) in enumerate(names)]
 
 
 def substructure_tables(archive: Archive) -> list[Table]:
@@ -52,7 +51,7 @@ def substructure_tables(archive: Archive) -> list[Table]:
     Raises:
         ArchiveError: a group is missing or damaged.
     """
-    found = list(runs(archive))
+    found = runs(archive)
     warned = archive.attributes.get("warnings")
     notes = [str(line) for line in warned] if isinstance(warned, list) else []
     return [_tracking(found), _response(archive, found, notes), _alphas(found)]
@@ -71,7 +70,7 @@ def _tracking(found: list[Run]) -> Table:
         ],
     )
     for run in found:
-        if run.outcome == "done":
+        if run.text("outcome") == "done":
             table.rows.append(
                 [
                     run.test,
@@ -85,7 +84,7 @@ def _tracking(found: list[Run]) -> Table:
                 ]
             )
         else:
-            table.rows.append([run.test, run.compensator, run.outcome, "-", "-", "-", "-", "-"])
+            table.rows.append([run.test, run.compensator, run.text("outcome"), "-", "-", "-", "-", "-"])
     return table
 
 
@@ -101,7 +100,7 @@ def _response(archive: Archive, found: list[Run], notes: list[str]) -> Table:
     )
     for run in found:
         error = run.value("response_error")
-        if run.outcome == "done" and math.isnan(error):
+        if run.text("outcome") == "done" and math.isnan(error):
             continue  # a given target: nothing responds
         table.rows.append(
             [
@@ -116,12 +115,11 @@ def _response(archive: Archive, found: list[Run], notes: list[str]) -> Table:
 
 
 def _verdict(run: Run, error: float, most: float) -> str:
-    if run.outcome != "done":
-        return f"{run.outcome}: {run.group.attributes['reason']}"
-    saturated = run.group.attributes["saturated"]
+    if run.text("outcome") != "done":
+        return f"{run.text('outcome')}: {run.text('reason')}"
     words = "good" if error <= most else "too wrong"
-    if isinstance(saturated, list) and saturated:
-        words += f", and the rig reached its limit of {' and '.join(map(str, saturated))}"
+    if saturated := run.text("saturated"):
+        words += f"; the rig met its limit of {saturated}"
     return words
 
 
@@ -147,12 +145,12 @@ def substructure_summary(archive: Archive) -> list[dict[str, object]]:
     """
     found: list[dict[str, object]] = []
     for run in runs(archive):
-        values: dict[str, object] = {
-            name: None if math.isnan(float(variable.values)) else float(variable.values)
+        about = {name: run.text(name) for name in ("kind", "outcome", "reason", "saturated")}
+        values = {
+            name: None if math.isnan(run.value(name)) else run.value(name)
             for name, variable in run.group.variables.items()
-            if not variable.dims and variable.unit != ""
+            if variable.unit != ""
         }
-        about = {name: run.group.attributes.get(name) for name in ("kind", "outcome", "reason", "saturated", "untold")}
         found.append({"test": run.test, "compensator": run.compensator, **about, **values})
     return found
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -11,6 +11,8 @@ from edesign.substructure.indicators import definitions
 from edesign.substructure.virtual_tests import TestResults, VirtualTest
 
 PLACE = "tests"
+INDICATORS = "indicators"
+"""Where what was found of all runs stands side by side."""
 HISTORIES = {
     "target": (
         ("target", "m", "target displacement of the specimen"),
@@ -29,7 +31,7 @@ HISTORIES = {
 
 
 def groups(results: TestResults, histories: Sequence[str]) -> Iterator[tuple[str, Group]]:
-    """Yield the groups of a test with their places: what drove it, then one for each compensator.
+    """Yield the groups of a test with their places: what drove it, then the histories of each compensator.
 
     Args:
         results: of the test.
@@ -37,7 +39,40 @@ def groups(results: TestResults, histories: Sequence[str]) -> Iterator[tuple[str
     """
     yield f"{PLACE}/{results.name}", _test(results)
     for run in results.runs:
-        yield f"{PLACE}/{results.name}/{run.compensator}", _run(run, histories)
+        group = Group(attributes={"outcome": run.outcome, "reason": run.reason})
+        _add_histories(group, run, histories)
+        yield f"{PLACE}/{results.name}/{run.compensator}", group
+
+
+def indicators(runs: Sequence[VirtualTest]) -> Group:
+    """Return what was found of each run, side by side."""
+    names = np.array([f"{run.test}/{run.compensator}" for run in runs])
+    group = Group(coords={"run": Variable(("run",), names, "", "test/compensator")})
+    for name, text in (
+        ("kind", "of the test"),
+        ("outcome", "done, unstable or failed"),
+        ("reason", "why it is not done"),
+    ):
+        group.add(name, ("run",), np.array([getattr(run, name) for run in runs]), "", text)
+    group.add("saturated", ("run",), np.array([", ".join(run.saturated) for run in runs]), "", "limits that were met")
+    text = "root mean square error of the damper's deformation over the direct one"
+    group.add("response_error", ("run",), [run.response_error for run in runs], "1", text)
+    text = "relative error of the largest deformation"
+    group.add("peak_error", ("run",), [run.peak_error for run in runs], "1", text)
+    for i, unit in enumerate(("1", "s", "s^2")):
+        text = f"mean of alpha_{i} while the specimen moves"
+        group.add(f"mean_alpha_{i}", ("run",), [run.alpha[i] for run in runs], unit, text)
+    for name, (text, unit) in definitions().items():
+        values = [getattr(run.tracking, name, np.nan) for run in runs]
+        if all(isinstance(value, (int, float)) for value in values):
+            group.add(name, ("run",), np.array(values, dtype=float), unit, text)
+    untold = [f"{run.test}/{run.compensator}: {name}: {why}" for run in runs for name, why in _untold(run).items()]
+    group.attributes["untold"] = untold
+    return group
+
+
+def _untold(run: VirtualTest) -> Mapping[str, str]:
+    return run.tracking.untold if run.tracking is not None else {}
 
 
 def _test(results: TestResults) -> Group:
@@ -51,25 +86,6 @@ def _test(results: TestResults) -> Group:
         group.add("direct_force", ("time",), direct.force, "N", "force of the damper, without a test")
         group.coords["floor"] = Variable(("floor",), np.arange(1, direct.floors.shape[1] + 1), "1", "floor, from below")
         group.add("direct_floors", ("time", "floor"), direct.floors, "m", "displacement of the floors, without a test")
-    return group
-
-
-def _run(run: VirtualTest, histories: Sequence[str]) -> Group:
-    group = Group(
-        attributes={"kind": run.kind, "outcome": run.outcome, "reason": run.reason, "saturated": list(run.saturated)}
-    )
-    text = "root mean square error of the damper's deformation over the direct one"
-    group.add("response_error", (), run.response_error, "1", text)
-    group.add("peak_error", (), run.peak_error, "1", "relative error of its largest magnitude")
-    for i, unit in enumerate(("1", "s", "s^2")):
-        group.add(f"mean_alpha_{i}", (), run.alpha[i], unit, f"mean of alpha_{i} while the specimen moves")
-    if run.tracking is not None:
-        for name, (text, unit) in definitions().items():
-            value = getattr(run.tracking, name, None)
-            if isinstance(value, (int, float)):
-                group.add(name, (), float(value), unit, text)
-        group.attributes["untold"] = [f"{name}: {why}" for name, why in run.tracking.untold.items()]
-    _add_histories(group, run, histories)
     return group
 
 

@@ -14,7 +14,7 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
-from edesign.substructure.archived import groups
+from edesign.substructure.archived import INDICATORS, groups, indicators
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
 
 HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")
@@ -49,7 +49,6 @@ def run_tests(
     check_owner(path, root, overwrite)
     laboratory = VirtualLaboratory(file)
     root.attributes["warnings"] = list(laboratory.laboratory.warnings)
-    root.attributes["runs"] = [f"{test.name}/{name}" for test in laboratory.tests for name in laboratory.compensators]
     if csv_folder is not None:
         make_folder(csv_folder)
     found = []
@@ -61,6 +60,7 @@ def run_tests(
                 if csv_folder is not None and run.record is not None:
                     write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
             found.append(results)
+        writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
         writer.finish({"status": "completed"})
     return path, tuple(found)
 
