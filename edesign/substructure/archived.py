@@ -14,11 +14,7 @@ PLACE = "tests"
 INDICATORS = "indicators"
 """Where what was found of all runs stands side by side."""
 HISTORIES = {
-    "target": (
-        ("target", "m", "target displacement of the specimen"),
-        ("target_velocity", "m/s", "target velocity"),
-        ("target_acceleration", "m/s^2", "target acceleration"),
-    ),
+    "target": (("target", "m", "target displacement of the specimen"),),
     "measured": (
         ("measured", "m", "displacement of the specimen as read"),
         ("deformation", "m", "displacement of the specimen, true"),
