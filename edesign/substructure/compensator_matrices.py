@@ -46,8 +46,8 @@ class StateSpace:
 def state_space(equation: DifferenceEquation) -> StateSpace:
     """Return the matrices of a difference equation, in observer form.
 
-    There are as many states as main steps that command and force correction look back, each by itself: none that could
-    be spared, but where a numerator and a denominator have a factor in common.
+    There are as many states as main steps that command and force correction look back, each by itself. None can be
+    spared, unless a numerator and a denominator have a factor in common, or the correction depends on past commands.
     """
     direct, late, past = _coefficients(equation.terms)
     n = len(late)
@@ -55,13 +55,12 @@ def state_space(equation: DifferenceEquation) -> StateSpace:
     A[:, :1] += past[:, None]
     of_command = np.eye(1, n)[0]
     force_direct, force_late, force_past = _coefficients(equation.force_terms)
-    same = sum(term.coefficient for term in equation.force_terms if term.of == "command" and term.lag == 0)
     m = len(force_late)
     return StateSpace(
         np.block([[A, np.zeros((n, m))], [np.outer(force_past, of_command), np.eye(m, k=1)]]),
         np.vstack([B, force_late + np.outer(force_past, direct)]),
-        np.vstack([np.concatenate([of_command, np.zeros(m)]), np.concatenate([same * of_command, np.eye(1, m)[0]])]),
-        np.vstack([direct, force_direct + same * direct]),
+        np.vstack([np.concatenate([of_command, np.zeros(m)]), np.concatenate([np.zeros(n), np.eye(1, m)[0]])]),
+        np.vstack([direct, force_direct]),
     )
 
 

@@ -1,0 +1,1 @@
+../../core_c/include/edcompensator.h
