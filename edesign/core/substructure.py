@@ -121,15 +121,19 @@ class Sensors:
     force_delay: float = 0.0
 
 
-@dataclass(frozen=True)
-class NumericalPart:
-    """One main step of the structure in the computer: z' = A z + B w, y' = C z + D w, at rest before the first.
+@dataclass(frozen=True, eq=False)
+class Recursion:
+    """One main step of the numerical part: z' = A z + B w, y' = C z + D w.
 
-    w = (F_k, F_(k-1), a_g,k, a_g,k+1); y': displacement, velocity, acceleration of the interface at the end of the
-    step, then what else is recorded.
+    w = (F_k, F_(k-1), a_g,k, a_g,k+1) is what is known at the start of the step, in N and m/s2. y' is at its end:
+    target displacement (m), velocity (m/s) and acceleration (m/s2) of the specimen's deformation, then displacements
+    of all n degrees (m). Before the first step z = 0, at rest; so the ground motion should begin with zero.
 
     Attributes:
-        A: (s, s); B: (s, 4); C: (3 + n, s); D: (3 + n, 4).
+        A: (s, s).
+        B: (s, 4).
+        C: (3 + n, s).
+        D: (3 + n, 4).
     """
 
     A: np.ndarray
@@ -202,7 +206,7 @@ class SubstructureLoop:
         rig: LinearRig | ServoHydraulicRig,
         specimen: LawValues,
         sensors: Sensors | None = None,
-        numerical: NumericalPart | None = None,
+        numerical: Recursion | None = None,
         limits: RigLimits | None = None,
         flexibility: float = 0.0,
         corrected: bool = False,
@@ -237,7 +241,7 @@ class SubstructureLoop:
         lib.ed_substructure_ask(handle, STOP)
         del keep
 
-    def _fill_numerical(self, data: Any, numerical: NumericalPart) -> list[Any]:
+    def _fill_numerical(self, data: Any, numerical: Recursion) -> list[Any]:
         states, rows = len(numerical.A), len(numerical.C)
         shapes = {"A": (states, states), "B": (states, 4), "C": (rows, states), "D": (rows, 4)}
         data.n_states, data.n_outputs = states, rows - 3

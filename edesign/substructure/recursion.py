@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 
 import numpy as np
 
+from edesign.core.substructure import Recursion
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
 from edesign.project.problems import unknown_name
@@ -38,27 +38,6 @@ TARGETS = 3
 
 _SLACK = 1e-9  # of the largest step: a step at the limit itself is allowed
 _UNDAMPED = 1e-9  # damping ratio that is rounding errors of the poles
-
-
-@dataclass(frozen=True, eq=False)
-class Recursion:
-    """One main step of the numerical part: z' = A z + B w, y' = C z + D w.
-
-    w = (F_k, F_(k-1), a_g,k, a_g,k+1) is what is known at the start of the step, in N and m/s2. y' is at its end:
-    target displacement (m), velocity (m/s) and acceleration (m/s2) of the specimen's deformation, then displacements
-    of all n degrees (m). Before the first step z = 0, at rest; so the ground motion should begin with zero.
-
-    Attributes:
-        A: (s, s).
-        B: (s, 4).
-        C: (3 + n, s).
-        D: (3 + n, 4).
-    """
-
-    A: np.ndarray
-    B: np.ndarray
-    C: np.ndarray
-    D: np.ndarray
 
 
 def recursion(

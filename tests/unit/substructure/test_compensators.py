@@ -22,7 +22,7 @@ from edesign.core.compensator import (
     run_compensator,
 )
 from edesign.core.damper import LawValues
-from edesign.core.substructure import NumericalPart, SubstructureLoop
+from edesign.core.substructure import Recursion, SubstructureLoop
 from edesign.errors import InputError
 from edesign.substructure import compensators, rigs
 
@@ -157,7 +157,7 @@ def test_smith_predictor_makes_the_loop_the_ideal_one() -> None:
     step = np.array([[1.0 - h * h * r, h], [-h * r, 1.0]])
     force = np.outer([-h * h, -h], [1.0 / mass, 0.0, 1.0, 0.0])
     zero, none = np.zeros((1, 2)), np.zeros((1, 4))
-    numerical = NumericalPart(
+    numerical = Recursion(
         step, force, np.vstack([step[0], step[1], zero[0]]), np.vstack([force[0], force[1], none[0]])
     )
     ground = 0.5 * np.sin(2 * pi * 1.5 * STEP * np.arange(3000))
