@@ -5,6 +5,7 @@ from __future__ import annotations
 import shutil
 import subprocess
 from pathlib import Path
+from typing import get_args
 
 import numpy as np
 import pytest
@@ -21,6 +22,7 @@ from edesign.core.compensator import (
 from edesign.core.compensator_source import HEADER, header_text, hexadecimal, least_sizes
 from edesign.core.errors import CoreError
 from edesign.errors import InputError
+from edesign.project.substructure import compensators as kinds
 from edesign.substructure import compensators
 from edesign.substructure.compensator_matrices import INPUTS, OUTPUTS, state_space
 from edesign.substructure.export import FILES, MATRICES, export, identifier
@@ -271,6 +273,19 @@ def test_wrong_parameters_write_nothing(tmp_path: Path) -> None:
     with pytest.raises(CoreError):
         export(DifferenceEquation((Term("command", 0, 1.0),)), STEP, tmp_path / "new", "loop")
     assert not (tmp_path / "new").exists()
+
+
+def test_every_kind_has_a_section_of_the_documentation() -> None:
+    """docs/compensators.md, with a weakness each, and every key of the file but those that the page explains once."""
+    page = (Path(__file__).parents[3] / "docs" / "compensators.md").read_text(encoding="utf-8")
+    sections = {text.split("\n", 1)[0]: text for text in page.split("\n## ")[1:]}
+    for tagged in get_args(get_args(kinds.Compensator)[0]):
+        model = get_args(tagged)[0]
+        (kind,) = get_args(model.model_fields["kind"].annotation)
+        assert "**Weakness**" in sections[kind]
+        shared = {"kind", *(kinds.AtsCompensator.model_fields if kind == "modified_ats" else ())}
+        for key in set(model.model_fields) - shared:
+            assert f"`{key}`" in sections[kind], f"{kind}: {key}"
 
 
 def test_header_is_the_one_that_the_core_was_built_from() -> None:
