@@ -11,7 +11,7 @@ from edesign.core.compensator import AdaptiveTimeSeries, Compensator
 from edesign.core.substructure import (
     SATURATED,
     LoopRecord,
-    NumericalPart,
+    Recursion,
     SubstructureLoop,
 )
 from edesign.errors import AnalysisError, InputError
@@ -149,15 +149,20 @@ class VirtualLaboratory:
             InputError: a record or command cannot be read.
         """
         for test in self.tests:
-            drive = self._drive(test)
-            direct = self._direct(drive) if drive.ground is not None else None
+            drive = self.drive(test)
+            direct = self.direct(drive) if drive.ground is not None else None
             runs = []
             for name in self.compensators:
                 tell(f"{test.name}, {name}")
                 runs.append(self._run(test, name, drive, direct))
             yield TestResults(test.name, test.kind, drive, direct, tuple(runs))
 
-    def _drive(self, test: CommandTest | RtsTest) -> Drive:
+    def drive(self, test: CommandTest | RtsTest) -> Drive:
+        """Return what drives a test.
+
+        Raises:
+            InputError: its record or command cannot be read.
+        """
         file, step = self.file, self.file.loop.main_step
         if isinstance(test, CommandTest):
             target = command_motion(test.command, step, file.folder)
@@ -175,16 +180,22 @@ class VirtualLaboratory:
             said += f", linear between its samples {1e3 * record.time_step:.4g} ms apart"
         return Drive(time, ground, None, said)
 
-    def _numerical(self, step: float, method: str, force: str) -> NumericalPart:
+    def _numerical(self, step: float, method: str, force: str) -> Recursion:
         structure = self.laboratory.structure
         assert structure is not None
         rho = self.file.integration.rho_inf
         stiffness = stiffness_of(self.damper)
-        found = recursion(structure.part, step, method, force, specimen_stiffness=stiffness, rho=rho)
-        return NumericalPart(found.A, found.B, found.C, found.D)
+        return recursion(structure.part, step, method, force, specimen_stiffness=stiffness, rho=rho)
 
-    def _direct(self, drive: Drive) -> Direct:
-        """The loop with nothing in between: an ideal rig, exact integration, steps so fine that they do not count."""
+    def direct(self, drive: Drive) -> Direct:
+        """Return the response without laboratory: an ideal rig, exact integration, steps too fine to count.
+
+        Args:
+            drive: with a ground motion.
+
+        Raises:
+            AnalysisError: the law of the damper fails.
+        """
         assert drive.ground is not None and self.laboratory.structure is not None
         step = self.file.loop.main_step / FINER
         time = step * np.arange(FINER * (len(drive.time) - 1) + 1)
