@@ -48,12 +48,12 @@ def ahead(equation: DifferenceEquation) -> Response:
 
 
 def feedback(proportional: float, integral: float, lead: float, lag: float) -> Response:
-    """Measured over target of the PI controller with a phase lead; it compares samples a main step apart."""
+    """Measured over target of the PI controller with a phase lead."""
     equation = compensators.pi_phase_lead(proportional, integral, lead, lag, STEP)
 
     def closed(s: np.ndarray) -> np.ndarray:
         opened = compensators.response(equation, STEP, s) * np.exp(-s * DELAY)
-        return np.asarray(opened / (1.0 + opened * np.exp(-s * STEP)))
+        return np.asarray(opened / (1.0 + opened))
 
     return closed
 

@@ -73,14 +73,14 @@ typedef struct {
   double memory[ED_OF_SIGNALS][ED_COMPENSATOR_MEMORY]; /* rings */
   double force;       /* to add to the measured force */
   double delay;       /* LIVE_DELAY, s */
-  double target_crossing[2], measured_crossing; /* times of the last ones: downwards, upwards */
-  double target_peak, measured_peak;            /* magnitudes since the last crossing */
+  double crossing[2][2]; /* of target and measured: times of the last ones downwards and upwards that were not compared; -1: none */
+  double peak[2];        /* of both: magnitude since the last crossing */
   double alpha[3];
   double independence; /* of x, v, a in the data: smallest pivot of their correlation matrix, 1 to 0 */
   int adapting, limited; /* bits 0 to 2: alpha_0 to alpha_2 at a limit or rate */
   double command, last_target, last_velocity;
   double filter[2][ED_COMPENSATOR_SECTIONS][2];
-  double filtered[2]; /* measured displacement and velocity of the last step */
+  double filtered[2]; /* of the last step: measured displacement and velocity; LIVE_DELAY: target and measured displacement */
   double M[6], W[3];  /* 00 01 02 11 12 22 */
   double row[ED_COMPENSATOR_WINDOW][4]; /* ring of x, v, a, u */
 } ed_compensator;
@@ -93,7 +93,7 @@ static inline void ed_compensator_start(const ed_compensator_parameters *p, ed_c
   s->delay = p->delay;
   for (int i = 0; i < 3; i++)
     s->alpha[i] = p->initial[i];
-  s->target_crossing[0] = s->target_crossing[1] = s->measured_crossing = -1.0;
+  s->crossing[0][0] = s->crossing[0][1] = s->crossing[1][0] = s->crossing[1][1] = -1.0;
 }
 
 /* ---- difference equations --------------------------------------------------------------------------------------- */
@@ -131,26 +131,38 @@ static inline double ed_compensator_crossing(double before, double now, double t
   return t - step * now / (now - before);
 }
 
+/* Takes a crossing of one signal, and compares it with the last one of the other in the same direction, once: the measured signal may be
+ * late, or ahead of the target where the delay is taken for too long. */
+static inline void ed_compensator_pair(const ed_compensator_parameters *p, ed_compensator *s, int measured, int upwards, double time,
+                                       double peak)
+{
+  double *own = &s->crossing[measured][upwards], *other = &s->crossing[!measured][upwards];
+  *own = peak > p->threshold ? time : -1.0;
+  if (*own < 0.0 || *other < 0.0 || time - *other > p->largest_delay)
+    return;
+  s->delay = fmin(fmax(s->delay + p->share * (measured ? time - *other : *other - time), p->least_delay), p->largest_delay);
+  *own = *other = -1.0;
+}
+
+/* signal: 0 target, 1 measured. */
+static inline void ed_compensator_look_for_crossing(const ed_compensator_parameters *p, ed_compensator *s, int signal, double now,
+                                                    double t)
+{
+  int upwards = 0;
+  const double time = ed_compensator_crossing(s->filtered[signal], now, t, p->step, &upwards);
+  if (time >= 0.0) {
+    ed_compensator_pair(p, s, signal, upwards, time, s->peak[signal]);
+    s->peak[signal] = 0.0;
+  }
+  s->peak[signal] = fmax(s->peak[signal], fabs(now));
+  s->filtered[signal] = now;
+}
+
 static inline void ed_compensator_find_delay(const ed_compensator_parameters *p, ed_compensator *s, double x, double measured)
 {
   const double t = (double)s->steps * p->step; /* of the measurement; the target is a step ahead */
-  int upwards = 0;
-  const double of_target = ed_compensator_crossing(s->last_target, x, t + p->step, p->step, &upwards);
-  if (of_target >= 0.0) {
-    s->target_crossing[upwards] = s->target_peak > p->threshold ? of_target : -1.0;
-    s->target_peak = 0.0;
-  }
-  s->target_peak = fmax(s->target_peak, fabs(x));
-  const double of_measured = ed_compensator_crossing(s->filtered[0], measured, t, p->step, &upwards);
-  if (of_measured >= 0.0) {
-    const double late = of_measured - s->target_crossing[upwards];
-    if (s->target_crossing[upwards] >= 0.0 && s->measured_peak > p->threshold && fabs(late) <= p->largest_delay)
-      s->delay = fmin(fmax(s->delay + p->share * late, p->least_delay), p->largest_delay);
-    s->measured_peak = 0.0;
-  }
-  s->measured_peak = fmax(s->measured_peak, fabs(measured));
-  s->filtered[0] = measured;
-  s->last_target = x;
+  ed_compensator_look_for_crossing(p, s, 1, measured, t);
+  ed_compensator_look_for_crossing(p, s, 0, x, t + p->step);
 }
 
 static inline double ed_compensator_extrapolate(const ed_compensator_parameters *p, const ed_compensator *s)

@@ -396,8 +396,7 @@ typedef struct {
   int unseen_delay;      /* main steps that pass between the target and the compensator */
   const ed_rig_model *rig;
   const ed_sensors *sensors;
-  /* F = force_scale * law(deformation_scale * u) > 0. The brace of the damper is, at its own size, what stands in series with it: oil
-   * and flexibility of the rig. It must outlive the test. */
+  /* F = force_scale * law(deformation_scale * u), both > 0. It has no brace, and must outlive the test. */
   ed_damper *specimen;
   double force_scale, deformation_scale;
   double abort_displacement; /* of the target or the specimen, m; infinite: none */

@@ -56,11 +56,6 @@ class LinearRig:
     d: float = 1.0
     d_v: float = 0.0
 
-    @property
-    def series_flexibility(self) -> float:
-        """Of the actuator itself, m/N."""
-        return 0.0
-
     def fill(self, model: Any) -> None:
         """Write it into the core's struct."""
         n = len(self.A)
@@ -89,11 +84,6 @@ class ServoHydraulicRig:
     oil: float
     valve_lag: float = 0.0
     delay: float = 0.0
-
-    @property
-    def series_flexibility(self) -> float:
-        """Of the actuator itself, m/N."""
-        return 1.0 / self.oil
 
     def fill(self, model: Any) -> None:
         """Write it into the core's struct."""
@@ -214,9 +204,7 @@ class SubstructureLoop:
         abort: float = inf,
         scales: tuple[float, float] = (1.0, 1.0),
     ) -> None:
-        bend = rig.series_flexibility + (1.0 / flexibility if flexibility > 0.0 else 0.0)
-        brace = 1.0 / (bend * scales[0] * scales[1]) if bend > 0.0 else 0.0
-        self._specimen = CoreDamper(specimen.law, specimen.values, brace=brace, amendments=specimen.amendments)
+        self._specimen = CoreDamper(specimen.law, specimen.values, amendments=specimen.amendments)
         self.step, self._given = step, numerical is None
         data, model, read = ffi.new("ed_substructure_input *"), ffi.new("ed_rig_model *"), ffi.new("ed_sensors *")
         rig.fill(model)

@@ -152,6 +152,8 @@ def butterworth(order: int, cutoff: float, step: float) -> np.ndarray:
 def pi_phase_lead(proportional: float, integral: float, lead: float, lag: float, step: float) -> DifferenceEquation:
     """Return (p + i/s) (lead s + 1) / (lag s + 1) on the target less what is measured, both by the bilinear rule.
 
+    Target and measured are of one instant, the start of the main step.
+
     Args:
         proportional: p, dimensionless.
         integral: i, 1/s.
@@ -166,7 +168,7 @@ def pi_phase_lead(proportional: float, integral: float, lead: float, lag: float,
     lead_filter = np.array([forward + 1.0, 1.0 - forward]), np.array([backward + 1.0, 1.0 - backward])
     above, below = (np.convolve(a, b) for a, b in zip(controller, lead_filter, strict=True))
     above, below = above / below[0], below / below[0]
-    terms = [Term("target", late, float(value)) for late, value in enumerate(above)]
+    terms = [Term("target", late + 1, float(value)) for late, value in enumerate(above)]
     terms += [Term("measured", late, -float(value)) for late, value in enumerate(above)]
     terms += [Term("command", late, -float(value)) for late, value in enumerate(below) if late > 0]
     return DifferenceEquation(tuple(terms))

@@ -11,15 +11,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { INPUTS = 4, TARGETS = 3, MOST_UNSEEN = 1000, MOST_STATES = 3000, MOST_SAMPLES = 10000000 };
+enum { INPUTS = 4, TARGETS = 3, MOST_UNSEEN = 1000, MOST_STATES = 3000, MOST_SAMPLES = 10000000, MOST_ITERATIONS = 200 };
 
 static const double TOLERANCE = 1e-6; /* relative, of SUNDIALS for laws without an exact step */
+/* Error of a specimen's displacement in series, of the largest so far: below the resolution of any encoder. */
+static const double SETTLED = 1e-6;
 
 struct ed_substructure {
   double step, h;
   int sub_steps, n_states, n_outputs, unseen_delay;
   double abort_displacement, force_scale, deformation_scale;
   double in_series;          /* flexibility of what stands in series with the specimen, m/N */
+  double tangent, largest;   /* of the specimen in series: last stiffness over a sub-step, and largest displacement so far */
   ed_compensator_parameters compensator;
   ed_rig_model rig;
   ed_sensors sensors;
@@ -163,9 +166,8 @@ static const char *wrong_input(const ed_substructure_input *in)
     return "the compensator has another step than the loop";
   if (!(in->force_scale > 0.0) || !isfinite(in->force_scale) || !(in->deformation_scale > 0.0) || !isfinite(in->deformation_scale))
     return "the scales of the specimen must be above 0";
-  const double series = ed_rig_series(in->rig), brace = in->specimen->brace * in->force_scale * in->deformation_scale;
-  if (fabs(brace - series) > 1e-12 * series)
-    return "the brace of the specimen is not the stiffness of oil and rig in series with it";
+  if (in->specimen->brace > 0.0)
+    return "the specimen has a brace; what gives way in the rig is its flexibility";
   return NULL;
 }
 
@@ -190,7 +192,7 @@ static int make(ed_substructure *t, const ed_substructure_input *in)
   t->abort_displacement = in->abort_displacement;
   t->force_scale = in->force_scale;
   t->deformation_scale = in->deformation_scale;
-  t->in_series = ed_rig_series(in->rig) > 0.0 ? 1.0 / ed_rig_series(in->rig) : 0.0;
+  t->in_series = ed_rig_flexibility(in->rig);
   t->compensator = *in->compensator;
   t->rig = *in->rig;
   t->sensors = *in->sensors;
@@ -266,6 +268,7 @@ static void begin(ed_substructure *t, unsigned long long seed)
   ed_damper_start(t->specimen, t->law);
   ed_compensator_start(&t->compensator, &t->compensating);
   memset(&t->moving, 0, sizeof t->moving);
+  t->tangent = t->largest = 0.0;
   t->displacement_sensor = (ed_sensor){.noise = s->displacement_noise, .quantum = s->displacement_quantum, .range = s->displacement_range,
                                        .state = 2 * seed};
   t->force_sensor = (ed_sensor){.noise = s->force_noise, .quantum = s->force_quantum, .range = s->force_range, .state = 2 * seed + 1};
@@ -307,31 +310,83 @@ typedef struct {
   int saturated;
 } readings;
 
+/* The law over a path of its own size, from the committed state; force and, to the direction, its derivative at the size of the device. */
+static int try_path(ed_substructure *t, const ed_path *path, const ed_path direction[2], double *force, double *slope)
+{
+  ed_damper_force out = {0};
+  memcpy(t->trial, t->law, sizeof *t->trial * (size_t)ed_damper_state_size(t->specimen));
+  const int status = ed_damper_advance(t->specimen, t->system, t->law, path, direction, t->trial, &out);
+  *force = t->force_scale * out.force;
+  *slope = t->force_scale * out.slope[0];
+  return status != ED_OK || isfinite(*force) ? status : ED_E_NOT_FINITE;
+}
+
+static void commit(ed_substructure *t)
+{
+  double *swap = t->law;
+  t->law = t->trial;
+  t->trial = swap;
+}
+
+/* The specimen behind oil and rig that give way: force(x) = stiffness (drive - x) at the end of the sub-step, over which x rises in a
+ * ramp. A force that grows with x leaves one solution; Newton's method finds it, and where it does not halve its steps or leaves the
+ * bracket of what was tried, the middle of that. */
+static int move_in_series(ed_substructure *t, double drive, readings *now)
+{
+  const double stiffness = 1.0 / t->in_series, from = now->deformation, scale = t->deformation_scale;
+  double low = -HUGE_VAL, high = HUGE_VAL, last = HUGE_VAL;
+  double x = from + (stiffness * (drive - from) - now->true_force) / (stiffness + fmax(t->tangent, 0.0));
+  for (int i = 0; i < MOST_ITERATIONS; i++) {
+    const ed_path path = {.h = t->h, .c = {scale * from, scale * (x - from) / t->h}}, along[2] = {{.h = t->h, .c = {0.0, scale / t->h}}};
+    double force, slope;
+    const int status = try_path(t, &path, along, &force, &slope);
+    if (status != ED_OK)
+      return status;
+    const double rest = stiffness * (drive - x) - force;
+    t->largest = fmax(t->largest, fabs(x));
+    if (fabs(rest) <= SETTLED * stiffness * t->largest || x == low || x == high) {
+      t->tangent = isfinite(slope) ? slope : 0.0;
+      now->true_force = force;
+      now->deformation = x;
+      commit(t);
+      return ED_OK;
+    }
+    *(rest > 0.0 ? &low : &high) = x;
+    /* a power of the velocity has an infinite slope at rest */
+    const double change = rest / (stiffness + (isfinite(slope) ? fmax(slope, 0.0) : 0.0));
+    const int slow = fabs(change) > 0.5 * last && isfinite(high - low);
+    last = fabs(change);
+    x = slow || !(x + change > low && x + change < high) ? 0.5 * (low + high) : x + change;
+  }
+  return ED_E_NOT_CONVERGED;
+}
+
+/* The specimen moves as the rig. */
+static int move_with_rig(ed_substructure *t, double from, double start, const ed_rig_state *rig, readings *now)
+{
+  const double scale = t->deformation_scale;
+  const ed_path none[2] = {{0}};
+  ed_path path;
+  double slope;
+  ed_path_hermite(&path, t->h, scale * from, scale * start, scale * rig->x, scale * rig->v);
+  const int status = try_path(t, &path, none, &now->true_force, &slope);
+  now->deformation = rig->x;
+  commit(t);
+  return status;
+}
+
 /* Drive, specimen and force over a sub-step. */
 static int move_specimen(ed_substructure *t, double w, readings *now)
 {
   ed_rig_state *rig = &t->moving;
   const double from = rig->x;
   double start;
-  ed_path path;
-  const ed_path none[2] = {{0}};
-  ed_damper_force out = {0};
   ed_rig_move(&t->rig, rig, t->h, w, now->true_force, &start, &now->saturated);
   if (!isfinite(rig->x + rig->v))
     return ED_E_NOT_FINITE;
-  const double scale = t->deformation_scale;
-  ed_path_hermite(&path, t->h, scale * from, scale * start, scale * rig->x, scale * rig->v);
-  memcpy(t->trial, t->law, sizeof *t->trial * (size_t)ed_damper_state_size(t->specimen));
-  const int status = ed_damper_advance(t->specimen, t->system, t->law, &path, none, t->trial, &out);
-  if (status != ED_OK)
-    return status;
-  double *swap = t->law;
-  t->law = t->trial;
-  t->trial = swap;
-  now->true_force = t->force_scale * out.force;
-  now->deformation = rig->x - t->in_series * now->true_force;
+  const int status = t->in_series > 0.0 ? move_in_series(t, rig->x, now) : move_with_rig(t, from, start, rig, now);
   ed_rig_settle(&t->rig, rig, now->true_force, &now->saturated);
-  return isfinite(now->true_force) ? ED_OK : ED_E_NOT_FINITE;
+  return status;
 }
 
 static void write_row(const ed_substructure *t, const double *target, double command, const readings *now, double *row)

@@ -4,12 +4,10 @@
 
 #include "edcore.h"
 
-/* Of what stands in series with the specimen; 0: rigid. */
-static inline double ed_rig_series(const ed_rig_model *model)
+/* Of oil and rig, which stand in series with the specimen, m/N. */
+static inline double ed_rig_flexibility(const ed_rig_model *model)
 {
-  const double bend = (model->kind == ED_RIG_SERVO_HYDRAULIC ? 1.0 / model->oil : 0.0) +
-                      (model->flexibility > 0.0 ? 1.0 / model->flexibility : 0.0);
-  return bend > 0.0 ? 1.0 / bend : 0.0;
+  return (model->kind == ED_RIG_SERVO_HYDRAULIC ? 1.0 / model->oil : 0.0) + (model->flexibility > 0.0 ? 1.0 / model->flexibility : 0.0);
 }
 
 enum { ED_SATURATED_STROKE = 1, ED_SATURATED_VELOCITY = 2, ED_SATURATED_FORCE = 4, ED_SATURATED_SENSOR = 8 };

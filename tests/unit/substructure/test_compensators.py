@@ -139,9 +139,10 @@ def test_alphas_wait_keep_their_limits_and_their_rates() -> None:
     assert found.limited[-1] & 2
 
 
-def test_live_delay_follows_zero_crossings() -> None:
-    """The delay of the rig, from a start of 2 ms; crossings between samples err by the curvature of a sine, some us."""
-    compensator = LiveDelay(order=3, delay=2e-3, least=0.0, largest=0.05, share=0.5, threshold=1e-4)
+@pytest.mark.parametrize("start", [2e-3, 12.4e-3, 25e-3])
+def test_live_delay_follows_zero_crossings(start: float) -> None:
+    """The delay of the rig from any start; crossings between samples err by the curvature of a sine, some us."""
+    compensator = LiveDelay(order=3, delay=start, least=0.0, largest=0.05, share=0.5, threshold=1e-4)
     motion = np.zeros((8000, 3))
     motion[:, 0] = 5e-3 * np.sin(2 * pi * 2.0 * STEP * np.arange(8000))
     rig = rigs.pure_delay(12.4e-3).discrete(STEP / 5)
