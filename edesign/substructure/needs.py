@@ -1,0 +1,114 @@
+"""What tests need of the rig: stroke, velocity and force, and the displacement at which they should be aborted."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.core.damper import CoreDamper
+from edesign.project.substructure.rig import RigModel, ServoHydraulicRig
+from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
+
+ABORT = 1.5
+"""Times the largest displacement that a test asks for. Errors of a response that is worth anything stay far below half
+of it, and a loop that feeds the structure passes it within some cycles, before force and damage grow much more."""
+
+
+@dataclass(frozen=True)
+class Need:
+    """What the rig must do in a test, without the error of the loop.
+
+    Attributes:
+        test: its name.
+        deformation: largest of the specimen, m.
+        stroke: of the actuator, with what the rig gives way, m.
+        velocity: m/s.
+        force: N.
+        stroke_use, velocity_use, force_use: over the limits of the rig; 0: it has no limit.
+    """
+
+    test: str
+    deformation: float
+    stroke: float
+    velocity: float
+    force: float
+    stroke_use: float
+    velocity_use: float
+    force_use: float
+
+    @property
+    def possible(self) -> bool:
+        """Whether the rig can do it."""
+        return max(self.stroke_use, self.velocity_use, self.force_use) <= 1.0
+
+
+@dataclass(frozen=True)
+class AbortLevel:
+    """Displacement of specimen or actuator at which a test should end, m, and why."""
+
+    displacement: float
+    reason: str
+
+
+def needs_of(laboratory: VirtualLaboratory, tests: Sequence[tuple[str, Drive, Direct | None]]) -> tuple[Need, ...]:
+    """Return what each test needs: of the direct analysis, or of the command that is given.
+
+    Args:
+        laboratory: of the file.
+        tests: name, what drives it, and its direct analysis if there is one.
+    """
+    return tuple(_need(laboratory, *test) for test in tests)
+
+
+def _need(laboratory: VirtualLaboratory, name: str, drive: Drive, direct: Direct | None) -> Need:
+    if direct is not None:
+        deformation, force = direct.deformation, direct.force
+    else:
+        assert drive.target is not None
+        deformation, force = drive.target[:, 0], _force(laboratory, drive)
+    lab, step = laboratory.laboratory, laboratory.file.loop.main_step
+    piston = deformation + _gives_way(laboratory.file.plant) * force
+    needed = [_peak(piston), _peak(np.gradient(piston, step)), _peak(force)]
+    limits = lab.limits
+    uses = [value / limit for value, limit in zip(needed, (limits.stroke, limits.velocity, limits.force), strict=True)]
+    return Need(name, _peak(deformation), *needed, *uses)
+
+
+def _gives_way(plant: RigModel) -> float:
+    """Flexibility of the rig, and of the oil of a servo-hydraulic one, m/N."""
+    oil = plant.oil_stiffness if isinstance(plant, ServoHydraulicRig) else None
+    of_rig = 1.0 / plant.flexibility.stiffness if plant.flexibility is not None else 0.0
+    return of_rig + (1.0 / oil if oil is not None else 0.0)
+
+
+def _force(laboratory: VirtualLaboratory, drive: Drive) -> np.ndarray:
+    """Of the damper under a given target, (n,) N."""
+    assert drive.target is not None
+    damper = laboratory.damper
+    force, deformation = damper.scales
+    core = CoreDamper(damper.values.law, damper.values.values, amendments=damper.values.amendments)
+    x, v = deformation * drive.target[:, 0], deformation * drive.target[:, 1]
+    return np.asarray(force * core.force(drive.time, x, v))
+
+
+def abort_level(needs: Sequence[Need], stroke: float) -> AbortLevel:
+    """Return the displacement at which tests should end.
+
+    Args:
+        needs: of all tests, at least one.
+        stroke: of the rig, m; inf: without a limit.
+    """
+    largest = max(needs, key=lambda need: need.stroke)
+    level = ABORT * largest.stroke
+    said = f"{ABORT:g} times the {1e3 * largest.stroke:.4g} mm of {largest.test}"
+    if level < stroke:
+        return AbortLevel(level, f"{said}: only a loop that grows gets there")
+    return AbortLevel(stroke, f"the stroke; {said} would be beyond it")
+
+
+def _peak(values: np.ndarray) -> float:
+    found = float(np.max(np.abs(values)))
+    return found if math.isfinite(found) else math.inf

@@ -1,0 +1,116 @@
+"""Which compensator to take: the least error among those that are safe enough, and of equals the simplest."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+ROUNDING = 0.1
+"""Of the accepted response error: expected errors that differ by less decide nothing. Of 5 % it is half a percent of
+the response, and a law that is linearised does not tell it more closely."""
+_FEEDBACK = ("smith", "pi_phase_lead")
+_ADAPTIVE = ("live_delay", "ats", "modified_ats")
+
+
+@dataclass(frozen=True)
+class Candidate:
+    """A compensator by its worst test.
+
+    Attributes:
+        name, kind: of it.
+        stable: in every test.
+        margin_factor: least factor on the delay that is left until a test is unstable.
+        error: largest expected error, of the response or, without a loop, of tracking.
+        of_response: whether it is that of the response.
+    """
+
+    name: str
+    kind: str
+    stable: bool
+    margin_factor: float
+    error: float
+    of_response: bool
+
+    @property
+    def simplicity(self) -> int:
+        """0 none, 1 constant, 2 with feedback or a model of the specimen, 3 adaptive."""
+        if self.kind == "none":
+            return 0
+        return 3 if self.kind in _ADAPTIVE else 2 if self.kind in _FEEDBACK else 1
+
+
+@dataclass(frozen=True)
+class Recommendation:
+    """A compensator with the reason.
+
+    Attributes:
+        compensator: its name; empty: none is stable with the margin that is asked for.
+        reason: in sentences.
+        accurate: whether its error is accepted.
+    """
+
+    compensator: str
+    reason: str
+    accurate: bool
+
+
+def recommended(candidates: Sequence[Candidate], delay_margin: float, response_error: float) -> Recommendation:
+    """Return the compensator of least error among the safe ones; the simpler of those that are equal.
+
+    Args:
+        candidates: in the order of the file.
+        delay_margin: least factor on the delay that is left.
+        response_error: that is accepted.
+    """
+    if not candidates:
+        return Recommendation("", "There is no test of kind command or rts to judge by.", accurate=False)
+    stable = [one for one in candidates if one.stable]
+    safe = [one for one in stable if one.margin_factor >= delay_margin and math.isfinite(one.error)]
+    if not safe:
+        return Recommendation("", _why_none(stable, delay_margin), accurate=False)
+    least = min(one.error for one in safe)
+    equal = [one for one in safe if one.error <= least + ROUNDING * response_error]
+    best = min(equal, key=lambda one: (one.simplicity, one.error))
+    accurate = best.error <= response_error
+    reason = _why(best, least, safe, delay_margin, response_error)
+    return Recommendation(best.name, reason, accurate)
+
+
+def _why(best: Candidate, least: float, safe: Sequence[Candidate], delay_margin: float, response_error: float) -> str:
+    said = [_quality(best, delay_margin), *_rival(best, least, safe)]
+    if best.simplicity == 1:
+        said.append("It relies on the rig as the file states it; an adaptive one follows a rig that differs")
+    if best.error > response_error:
+        said.append(f"The error is larger than the {_percent(response_error)} that are accepted")
+    return ". ".join(said) + "."
+
+
+def _quality(best: Candidate, delay_margin: float) -> str:
+    if not best.of_response:
+        return f"Expected tracking error {_percent(best.error)}"
+    error = f"Expected response error {_percent(best.error)}"
+    if math.isinf(best.margin_factor):
+        return f"{error}, stable whatever the delay"
+    return f"{error}, stable up to {best.margin_factor:.3g} times the delay that is left (asked: {delay_margin:g})"
+
+
+def _rival(best: Candidate, least: float, safe: Sequence[Candidate]) -> list[str]:
+    """The best of the others, in words; none if there are none."""
+    rival = min((one for one in safe if one is not best), key=lambda one: one.error, default=None)
+    if rival is None:
+        return []
+    if best.error > least:
+        return [f"{rival.name} has {_percent(rival.error)}, which is the same within rounding, but is less simple"]
+    return [f"The next best is {rival.name} with {_percent(rival.error)}"]
+
+
+def _why_none(stable: Sequence[Candidate], delay_margin: float) -> str:
+    if not stable:
+        return "Every compensator of the file leaves the test unstable."
+    names = ", ".join(f"{one.name} ({one.margin_factor:.3g})" for one in stable)
+    return f"None has a margin of {delay_margin:g} times the delay that is left; stable with less: {names}."
+
+
+def _percent(value: float) -> str:
+    return f"{100.0 * value:.3g} %"
