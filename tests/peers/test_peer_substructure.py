@@ -49,7 +49,7 @@ def test_scale() -> None:
     assert SCALE == 0.18 and STEP == 1e-3
 
 
-@pytest.mark.parametrize("integrator", ["NewmarkExplicit", "AlphaOS"])
+@pytest.mark.parametrize("integrator", ["NewmarkExplicit", pytest.param("AlphaOS", marks=pytest.mark.slow)])
 def test_peaks(integrator: str, tmp_path: Path) -> None:
     """Within 0.05 % of edesign with all integrators that the refusal of iterations names."""
     record = tmp_path / "session.csv"
@@ -72,6 +72,7 @@ def test_iterating_integrator_is_refused(tmp_path: Path) -> None:
     assert "NewmarkExplicit" in str(fault) and math.isnan(found["peak"])
 
 
+@pytest.mark.slow
 def test_iterating_integrator_may_be_allowed(tmp_path: Path) -> None:
     """A virtual specimen starts each trial from the committed state."""
     with laboratory(allow_iterations=True) as lab:
