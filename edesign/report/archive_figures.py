@@ -12,7 +12,7 @@ from edesign.archive.files import make_folder
 from edesign.archive.reader import Archive, open_archive
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean
-from edesign.report.archived import is_building_archive
+from edesign.report.archived import is_building_archive, is_substructure_archive
 from edesign.report.axial_figures import axial_figures
 from edesign.report.building_curves import mode_shapes, spectra, storey_curves
 from edesign.report.building_figures import elevations
@@ -43,8 +43,17 @@ def building_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         yield from chain.from_iterable(figures(archive) for figures in BUILDING_FIGURES)
 
 
+def substructure_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """Give all figures of virtual substructure tests; none of other archives."""
+    if is_substructure_archive(archive):
+        from edesign.report.substructure_figures import substructure_figures
+
+        yield from substructure_figures(archive)
+
+
 FIGURES = (
     building_drawings,
+    substructure_drawings,
     record_figures,
     mode_figures,
     design_figures,

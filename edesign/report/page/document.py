@@ -11,7 +11,7 @@ from edesign.archive.files import check_file, write_text
 from edesign.archive.reader import Archive, DamagedArchive, open_archive, read_archive
 from edesign.assess.sets import NOT_RUN
 from edesign.errors import ArchiveError, InputError
-from edesign.report.archived import is_building_archive
+from edesign.report.archived import is_building_archive, is_substructure_archive
 from edesign.report.page.render import Cover, render
 from edesign.report.page.section import Section
 from edesign.report.page.sections.building import building_sections
@@ -48,6 +48,7 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     provenance,
 )
 """In the order of the page; those without content are left out."""
+CHECKSUMS = ("input_checksum", "project_checksum", "rts_checksum")
 PAGE_SUFFIXES = (".html", ".htm")
 
 
@@ -94,13 +95,19 @@ def page_text(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], N
         with open_archive(archive) as opened:
             return page_text(opened, tell)
     source = Source(archive, tell)
-    made = [*building_sections(source), *(section for make in SECTIONS if (section := make(source)))]
-    return render(_cover(source), made)
+    own, others = building_sections(source), SECTIONS
+    if is_substructure_archive(archive):
+        from edesign.report.page.sections.substructure import substructure_sections
+
+        own, others = substructure_sections(source), (provenance,)
+    return render(_cover(source), [*own, *(section for make in others if (section := make(source)))])
 
 
 def _kind(source: Source) -> str:
     if is_building_archive(source.archive):
         return "Design report"
+    if is_substructure_archive(source.archive):
+        return "Substructure test report"
     return "Study report" if source.text("study_text") else "Analysis report"
 
 
@@ -109,7 +116,10 @@ def _cover(source: Source) -> Cover:
     date = str(source.provenance.get("created", ""))[:10]
     who = f"edesign {about.get('edesign_version', '')}"
     told = [source.archive.damage_in_short()]
-    if not source.archive.complete:
+    checksum = next((about[name] for name in CHECKSUMS if about.get(name)), "unknown")
+    if is_substructure_archive(source.archive) and not source.archive.complete:
+        told.append("The run goes on or was interrupted: indicators and verdicts come at its end.")
+    elif not source.archive.complete:
         missing = [item["name"] for item in source.entries if item["status"] == NOT_RUN]
         told.append(
             f"The run goes on or was interrupted: {len(missing)} of {len(source.entries)} analyses have no result yet."
@@ -120,6 +130,6 @@ def _cover(source: Source) -> Cover:
         about=" · ".join(part for part in (date, who, source.archive.path.name) if part),
         banner=" ".join(filter(None, told)),
         footer=f"Made by edesign {__version__} from {source.archive.path.name}, input SHA-256 "
-        f"{str(about.get('input_checksum') or about.get('project_checksum') or 'unknown')[:16]}. "
+        f"{str(checksum)[:16]}. "
         "All numbers are computed from the archive.",
     )

@@ -17,7 +17,9 @@ ROOT = (
     ("Libraries", "libraries"),
     ("Study file", "study_file"),
     ("Project file", "project_file"),
+    ("File of tests", "rts_file"),
     ("SHA-256 of the input files", "project_checksum"),
+    ("SHA-256 of the texts of tests and project", "rts_checksum"),
     ("SHA-256 of files and records", "input_checksum"),
 )
 

@@ -1,0 +1,216 @@
+"""The sections of virtual substructure tests: verdict, what was tested, rig, tracking, response, limits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import replace
+from functools import wraps
+from typing import TYPE_CHECKING
+
+from edesign.archive.reader import Archive
+from edesign.errors import ArchiveError
+from edesign.report.captions import plain
+from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
+from edesign.report.page.source import Source
+from edesign.report.substructure_alpha_figures import alpha_figures
+from edesign.report.substructure_diagram import loop_diagrams
+from edesign.report.substructure_limits import limits_table, runs_so_far_table, untold_table
+from edesign.report.substructure_response_figures import energy_error_figures, loop_figures, response_figures
+from edesign.report.substructure_results import NONE, SubstructureResults
+from edesign.report.substructure_rig_figures import rig_figures
+from edesign.report.substructure_tables import Run, substructure_tables
+from edesign.report.substructure_tracking_figures import synchronisation_figures, tracking_figures
+from edesign.report.summary import input_warnings
+from edesign.report.table import Table
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Drawn = Callable[[SubstructureResults], Iterator[tuple[str, str, "Figure"]]]
+TEXTS = (("rts_text", "The file of tests"), ("project_text", "The project file"), ("rig_text", "The rig file"))
+NO_LIMIT = "No run met a limit of the rig or of its coefficients."
+ALL_TOLD = "All indicators could be told of all runs."
+
+
+def substructure_sections(source: Source) -> list[Section]:
+    """Return the sections of virtual substructure tests; the first names what is lost."""
+    results = SubstructureResults(source.archive)
+    tables = _tables(results)
+    others = [
+        _tested(source, results),
+        Section("rig", "The rig with and without compensation", (), _pictures(source, results, rig_figures)),
+        _tracking(source, results, tables),
+        _response(source, results, tables),
+        _coefficients(source, results, tables),
+        _limits(results),
+        _untold(results),
+    ]
+    return [section for section in (_verdict(source, results), *others) if section]
+
+
+def _tables(results: SubstructureResults) -> list[Table]:
+    """Of tracking, response and coefficients; none without indicators."""
+    if not results.runs:
+        return []
+    try:
+        return substructure_tables(results.archive)
+    except (ArchiveError, KeyError) as error:
+        results.lost.append(f"tables: {error}")
+        return []
+
+
+def _pictures(source: Source, results: SubstructureResults, *drawn: Drawn) -> tuple[Part, ...]:
+    def of_archive(draw: Drawn) -> Callable[[Archive], Iterator[tuple[str, str, Figure]]]:
+        @wraps(draw)
+        def pictures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+            return draw(results)
+
+        return pictures
+
+    return source.pictures(*map(of_archive, drawn))
+
+
+def _some(tables: list[Table], number: int) -> tuple[Part, ...]:
+    """A table without its title, which the section has, and with its lines below as one paragraph."""
+    found = [replace(table, title="", notes=[" ".join(table.notes)] if table.notes else []) for table in tables]
+    return tuple(table for table in found[number : number + 1] if table.rows)
+
+
+def _verdict(source: Source, results: SubstructureResults) -> Section:
+    """Which compensator keeps the response right, what did not end well, and what is doubtful."""
+    parts: list[Part] = []
+    if results.lost:
+        parts.append(Warnings("What cannot be read of the archive", tuple(results.lost)))
+    bad = [f"{run.test}, {run.compensator}: {run.text('outcome')}, {run.text('reason')}" for run in _not_done(results)]
+    parts += [Warnings("Runs that did not reach their end", tuple(bad))] if bad else []
+    doubts = input_warnings(results.archive)
+    parts += [Warnings("Warnings", tuple(doubts))] if doubts else []
+    tiles = [tile for test in results.tests for tile in _tiles(results, test)]
+    parts += [Headlines(tuple(tiles))] if tiles else []
+    so_far = runs_so_far_table(results)
+    parts += [so_far] if so_far.rows else []
+    return Section("summary", "Verdict", tuple(_sentences(results)), tuple(parts))
+
+
+def _not_done(results: SubstructureResults) -> list[Run]:
+    return [run for run in results.runs if run.text("outcome") != "done"]
+
+
+def _tiles(results: SubstructureResults, test: str) -> Iterator[Headline]:
+    """The error of the best run of a test, and of the one without compensation."""
+    best = results.best(test)
+    none = next((name for name in results.compensators(test) if results.kind(name) == NONE), None)
+    for name in dict.fromkeys(filter(None, (best, none))):
+        run = results.run(test, name)
+        if run is None:
+            continue
+        error = run.value("response_error")
+        closed = not math.isnan(error)
+        shown = error if closed else run.value("nrms_root")
+        if run.text("outcome") != "done":
+            yield Headline(run.text("outcome"), f"{test}, {name}", run.text("reason"), "bad")
+        elif not math.isnan(shown):
+            state = ("good" if error <= _most(results) else "bad") if closed else ""
+            what = "error of the response" if closed else "NRMS of tracking"
+            detail = f"{what}; {results.in_words(test, name)}" if closed else f"{what}, {_late(results, test, name)}"
+            yield Headline(f"{plain(100.0 * shown)}\N{NO-BREAK SPACE}%", f"{test}, {name}", detail, state)
+
+
+def _late(results: SubstructureResults, test: str, name: str) -> str:
+    return results.in_words(test, name).partition(",")[0]
+
+
+def _most(results: SubstructureResults) -> float:
+    """Largest error of the response that the file allows."""
+    limit = results.archive.attributes.get("response_error_limit")
+    return float(limit) if isinstance(limit, (int, float)) else math.inf
+
+
+def _sentences(results: SubstructureResults) -> Iterator[str]:
+    """The verdict on each test with a structure, in words."""
+    most = _most(results)
+    allowed = f"at most {plain(100.0 * most)} % are allowed" if math.isfinite(most) else "no limit is set"
+    found = False
+    for test in results.tests:
+        runs = [run for run in results.runs if run.test == test]
+        judged = [run for run in runs if not math.isnan(run.value("response_error")) or run.text("outcome") != "done"]
+        if not judged or not results.is_closed(test):
+            continue
+        found = True
+        good = [run for run in judged if run.text("outcome") == "done" and run.value("response_error") <= most]
+        yield f"{test}: {_judgement(good, judged)}; {allowed}."
+    if not found and results.runs:
+        yield "Targets are given in all tests: they tell how the rig follows, and nothing of a response."
+
+
+def _judgement(good: list[Run], judged: list[Run]) -> str:
+    """Who keeps the response right, and how wrong the others are."""
+    wrong = [run for run in judged if run not in good]
+    words = []
+    if good:
+        names = _listed(_with_error(run) for run in good)
+        words.append(f"{names} {'keeps' if len(good) == 1 else 'keep'} the response right")
+    if wrong:
+        names = _listed(_with_error(run) for run in wrong)
+        words.append(f"{names} {'does' if len(wrong) == 1 else 'do'} not")
+    return ", ".join(words) if good else f"no compensator keeps the response right: {words[0]}"
+
+
+def _with_error(run: Run) -> str:
+    name = "the test without compensation" if run.compensator == NONE else run.compensator
+    if run.text("outcome") != "done":
+        return f"{name} ({run.text('outcome')})"
+    return f"{name} ({plain(100.0 * run.value('response_error'))} %)"
+
+
+def _listed(names: Iterable[str]) -> str:
+    *most, last = names
+    return f"{', '.join(most)} and {last}" if most else last
+
+
+def _tested(source: Source, results: SubstructureResults) -> Section:
+    """File, structure, law, rig and loop in words and as a diagram."""
+    described = results.described
+    rows = described.rows()
+    parts: list[Part] = [Facts(tuple(rows))] if rows else []
+    parts += _pictures(source, results, loop_diagrams)
+    driven = {test: str(results.driven(test).attributes.get("source") or "") for test in results.tests}
+    motions = [(test, what) for test, what in driven.items() if what and results.is_closed(test)]
+    parts += [Facts(tuple((f"Ground motion of {test}", what) for test, what in motions))] if motions else []
+    for name, what in TEXTS:
+        text = source.text(name)
+        if text:
+            parts.append(Folded(f"{what}, {len(text.splitlines())} lines", text=text))
+    return Section("tested", "What was tested", (), tuple(parts), tuple(described.told))
+
+
+def _tracking(source: Source, results: SubstructureResults, tables: list[Table]) -> Section:
+    pictures = _pictures(source, results, tracking_figures, synchronisation_figures)
+    return Section("tracking", "How the specimen followed its target", (), (*_some(tables, 0), *pictures))
+
+
+def _response(source: Source, results: SubstructureResults, tables: list[Table]) -> Section:
+    pictures = _pictures(source, results, response_figures, loop_figures, energy_error_figures)
+    return Section("test-response", "What the test did to structure and specimen", (), (*_some(tables, 1), *pictures))
+
+
+def _coefficients(source: Source, results: SubstructureResults, tables: list[Table]) -> Section:
+    pictures = _pictures(source, results, alpha_figures)
+    return Section(
+        "coefficients", "Adaptive coefficients, means while the specimen moves", (), (*_some(tables, 2), *pictures)
+    )
+
+
+def _limits(results: SubstructureResults) -> Section:
+    table = limits_table(results)
+    if not table.rows and results.runs:
+        return Section("limits", "Limits that were met", (), (Facts((("Limits", NO_LIMIT),)),))
+    return Section("limits", "Limits that were met", (), (table,) if table.rows else ())
+
+
+def _untold(results: SubstructureResults) -> Section:
+    table = untold_table(results)
+    if not table.rows and results.runs:
+        return Section("untold", "Indicators that could not be told", (), (Facts((("Indicators", ALL_TOLD),)),))
+    return Section("untold", "Indicators that could not be told", (), (table,) if table.rows else ())

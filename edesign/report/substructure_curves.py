@@ -1,0 +1,118 @@
+"""Long histories of substructure tests as curves: thinned out, and windows in which single cycles can be seen."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from edesign.report.figures import MEAN, legend_label
+from edesign.report.thin_out import thin_out
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+POINTS = 72.0  # in an inch
+TOLERANCE = 0.1  # points
+WIDTH = 6.8  # inches of figures over time
+LETTER, HANDLE = 0.062, 0.55  # inches of a letter of a legend, and of what stands before its text
+MANY = 4000  # points of a curve
+CYCLES = 4  # in a window
+
+
+def curve(
+    axis: Axes,
+    x: np.ndarray,
+    y: np.ndarray,
+    size: tuple[float, float],
+    spans: tuple[float, float] | None = None,
+    **style: Any,
+) -> None:
+    """Draw a curve without the points that nobody can see.
+
+    Args:
+        axis: to draw on.
+        x, y: (n,) in the units of the axis.
+        size: of the axis, inches.
+        spans: which values the axis has in width and height; None: those of the curve.
+        style: of the line.
+    """
+    good = np.isfinite(x) & np.isfinite(y)
+    x, y = x[good], y[good]
+    if not x.size:
+        return
+    wide, tall = spans if spans is not None else (float(np.ptp(x)), float(np.ptp(y)))
+    scale = np.array([POINTS * size[0] / (wide or 1.0), POINTS * size[1] / (tall or 1.0)])
+    points = thin_out(_fewer(np.column_stack([x, y]) * scale), TOLERANCE) / scale
+    axis.plot(points[:, 0], points[:, 1], **style)
+
+
+def _fewer(points: np.ndarray) -> np.ndarray:
+    """Leave out points of a polyline in points of the page, which a subdivision would take long over.
+
+    Of one that goes forwards, as over time, the extremes in each piece of the abscissa are kept; of another a point for
+    each piece of its length.
+    """
+    if len(points) < MANY:
+        return points
+    steps = np.diff(points, axis=0)
+    if np.all(steps[:, 0] >= 0.0):
+        piece = np.floor((points[:, 0] - points[0, 0]) / (2.0 * TOLERANCE)).astype(int)
+        order = np.lexsort((points[:, 1], piece))
+        first = np.flatnonzero(np.diff(piece[order], prepend=-1))
+        kept = np.concatenate([order[first], order[np.append(first[1:], len(order)) - 1], [0, len(points) - 1]])
+        return np.asarray(points[np.unique(kept)])
+    along = np.concatenate([[0.0], np.cumsum(np.hypot(*steps.T))])
+    kept = np.flatnonzero(np.diff(np.floor(along / (2.0 * TOLERANCE)), prepend=-1.0, append=np.inf)[:-1])
+    return np.asarray(points[np.union1d(kept, [len(points) - 1])])
+
+
+def window(time: np.ndarray, target: np.ndarray, error: np.ndarray) -> tuple[float, float]:
+    """Return from when to when a few cycles around the largest error are, s.
+
+    Args:
+        time: (n,) s.
+        target: (n,) whose cycles count.
+        error: (n,) of what the largest is looked for.
+    """
+    if time.size < 2:
+        return (0.0, 1.0)
+    at = int(np.argmax(np.abs(error)))
+    change = np.flatnonzero(np.diff(np.signbit(target - np.mean(target))))
+    here = int(np.searchsorted(change, at))
+    low, high = here - CYCLES, here + CYCLES
+    begin = time[change[low]] if 0 <= low < change.size else time[0]
+    end = time[change[high]] if high < change.size else time[-1]
+    return float(begin), float(end)
+
+
+def within(time: np.ndarray, limits: tuple[float, float]) -> slice:
+    """Return the samples of a window."""
+    first, last = np.searchsorted(time, limits)
+    return slice(int(first), int(last) + 1)
+
+
+def largest(values: Sequence[np.ndarray]) -> float:
+    """Return the largest finite magnitude in histories, 0 if there is none."""
+    found = [np.max(np.abs(one[np.isfinite(one)]), initial=0.0) for one in values]
+    return float(max(found, default=0.0))
+
+
+def around_zero(axis: Axes, reach: float) -> None:
+    """Give the ordinate the same reach to both sides, with a line at zero."""
+    axis.axhline(0.0, color=MEAN, lw=0.4, zorder=0.9)
+    axis.set_ylim(-1.1 * reach or -1.0, 1.1 * reach or 1.0)
+
+
+def legend_below(figure: Figure, lines: Sequence[tuple[str, str, str]]) -> None:
+    """Put a legend below a figure: label, colour and style of each line."""
+    from matplotlib.lines import Line2D
+
+    handles = [
+        Line2D([], [], color=color, ls=style, lw=1.3, label=legend_label(label)) for label, color, style in lines
+    ]
+    widest = HANDLE + LETTER * max(len(label) for label, _, _ in lines)
+    across = max(1, min(len(handles), int(figure.get_figwidth() / widest)))
+    figure.legend(handles=handles, loc="outside lower center", ncols=across)

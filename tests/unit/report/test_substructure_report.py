@@ -1,0 +1,252 @@
+"""The report of virtual substructure tests: sections, figures, and archives that are damaged or not complete."""
+
+from __future__ import annotations
+
+import io
+import re
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive, open_archive
+from edesign.archive.writer import ArchiveWriter
+from edesign.cli.main import main
+from edesign.project.substructure import load_rts_file
+from edesign.report.archive_figures import all_figures, draw_figures
+from edesign.report.captions import plain
+from edesign.report.page.document import page_text
+from edesign.report.substructure_curves import TOLERANCE, _fewer, window
+from edesign.report.substructure_limits import limits_table, runs_so_far_table, untold_table
+from edesign.report.substructure_results import SubstructureResults
+from edesign.report.substructure_rig_figures import delay
+from edesign.report.table import Table
+from edesign.report.tables import overview
+from edesign.report.text import print_tables
+from edesign.substructure.rigs import second_order
+from edesign.substructure.run import run_tests
+
+RECORD = "time_s,acceleration_m_s2\n" + "".join(
+    f"{0.02 * i:.2f},{2.0 * np.sin(2.0 * np.pi * 1.8 * 0.02 * i) * np.exp(-0.5 * 0.02 * i):.6f}\n" for i in range(151)
+)
+TESTS = """\
+edesign_rts: 1
+title: Short
+structure: {masses: [143.26 t, 100 t], stiffnesses: [22.6e6 N/m, 22.6e6 N/m], damping: {kind: modal, ratio: 2 %}}
+specimen: {law: {type: kelvin_voigt, parameters: {k: 4.346 kN/mm, c: 60 kN*s/m}}}
+rig: RIG
+sensors: {encoder_noise: 1 um, force_noise: 20 N, bits: 16}
+loop: {main_step: 2 ms, sub_steps: 2, unseen_delay: 1 step}
+compensators:
+  none: {kind: none}
+  cubic: {kind: polynomial, order: 3, delay: 10 ms}
+  modified: {kind: modified_ats, initial: [1.0, 10 ms, 6e-5 s^2], rates: {a1: 0.01 s/s}}
+  live: {kind: live_delay, delay: 8 ms}
+records:
+  shake: {file: shake.csv, acceleration_unit: m/s^2, columns: {time: 1, acceleration: 2}}
+tests:
+  - {name: cycles, kind: command, command: {type: sine, displacement: 5 mm, frequency: [1 Hz, 2 Hz], cycles: 2}}
+  - {name: shaken, kind: rts, record: shake, scale: 0.3}
+"""
+RIG = (
+    "{kind: second_order, frequency: 21.4 Hz, damping: 0.4, delay: 4.25 ms, gain: 0.99488, "
+    "limits: {stroke: 50 mm, force: 100 kN}}"
+)
+SECTIONS = "summary tested rig tracking test-response coefficients limits untold provenance"
+
+
+def _ran(folder: Path, text: str) -> Path:
+    (folder / "shake.csv").write_text(RECORD, encoding="utf-8")
+    (folder / "short.yaml").write_text(text, encoding="utf-8")
+    return run_tests(load_rts_file(folder / "short.yaml"))[0]
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    folder = tmp_path_factory.mktemp("rts")
+    archive = _ran(folder, TESTS.replace("RIG", RIG))
+    for name in ("short.yaml", "shake.csv"):  # the archive is enough
+        (folder / name).unlink()
+    return archive
+
+
+@pytest.fixture(scope="module")
+def page(path: Path) -> str:
+    return page_text(path)
+
+
+@pytest.fixture(scope="module")
+def one_test(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """An archive with one test and two compensators."""
+    first, _, last = TESTS.replace("RIG", RIG).partition("  - {name: cycles")
+    kept = [line for line in first.splitlines(keepends=True) if not line.startswith(("  cubic", "  live"))]
+    return _ran(tmp_path_factory.mktemp("one"), "".join([*kept, last.partition("\n")[2]]))
+
+
+@pytest.fixture
+def archive(path: Path) -> Iterator[Archive]:
+    with open_archive(path) as opened:
+        yield opened
+
+
+def test_the_page_has_all_sections_and_figures(page: str) -> None:
+    assert re.findall(r'<section id="([a-z-]+)"', page) == SECTIONS.split()
+    figures = set(re.findall(r'<figure class="picture" id="figure-([A-Za-z0-9_]+)"', page))
+    kinds = ("tracking", "synchronisation", "alpha", "live_delay", "specimen", "interface_energy")
+    each = {f"{kind}_{test}" for kind in kinds for test in ("cycles", "shaken")}
+    assert figures == {"loop", "rig", "structure_shaken", *each}
+    assert "What could not be shown" not in page and len(page) < 1.5e6
+    assert "second_order, frequency 21.4 Hz" in page and "late in all" in page
+
+
+def test_the_verdict_says_which_compensator_keeps_the_response_right(archive: Archive, page: str) -> None:
+    results = SubstructureResults(archive)
+    best = results.best("shaken")
+    assert best in ("cubic", "modified", "live")
+    errors = {run.compensator: run.value("response_error") for run in results.runs if run.test == "shaken"}
+    assert errors[best] == min(errors[name] for name in ("cubic", "modified", "live"))
+    said = re.search(r"<p>shaken: (.*?)</p>", page)
+    assert said is not None and f"{best} (" in said.group(1) and "at most 5.00 % are allowed" in said.group(1)
+    good, _, wrong = said.group(1).partition(" the response right")
+    for name, error in errors.items():
+        who = "the test without compensation" if name == "none" else name
+        assert who in (good if error <= 0.05 else wrong)
+
+
+def test_figures_are_drawn_as_files(archive: Archive, tmp_path: Path) -> None:
+    names = [name for name, _, _ in all_figures(archive)]
+    assert names[:2] == ["loop", "rig"] and len(names) == len(set(names)) == 15
+    written = draw_figures(archive, tmp_path / "figures", "png")
+    assert [file.stem for file in written] == names and all(file.stat().st_size > 5000 for file in written)
+
+
+def test_captions_have_the_numbers_of_the_archive(archive: Archive) -> None:
+    captions = {name: caption for name, caption, _ in all_figures(archive)}
+    direct = archive.group("tests/shaken").variables["direct_deformation"].values
+    assert f"damper: direct {plain(1e3 * np.max(np.abs(direct)))}" in captions["structure_shaken"]
+    rig = second_order(21.4, 0.4, 4.25e-3, 0.99488)
+    assert f"without compensation {1e3 * delay(rig, 1.5):.1f} ms" in captions["rig"]
+    assert "live" in captions["rig"].partition("Not shown")[2]  # it has no transfer function of its own
+    assert "The dashed line is the law under the target" in captions["specimen_cycles"]
+    assert "The dashed line is the direct analysis" in captions["specimen_shaken"]
+
+
+def test_the_law_under_the_target_is_that_of_the_specimen(archive: Archive) -> None:
+    """k x + c v of the target, and the specimen's own force where the rig follows."""
+    from edesign.report.substructure_response_figures import _wanted
+
+    found, _ = _wanted(SubstructureResults(archive), "cycles")
+    assert found is not None
+    force = 4.346e6 * found.deformation + 60e3 * np.gradient(found.deformation, found.time)
+    assert np.max(np.abs(found.force - force)) < 1e-6 * np.max(np.abs(force))
+
+
+def test_limits_and_what_cannot_be_told_are_tables(archive: Archive) -> None:
+    results = SubstructureResults(archive)
+    rows = limits_table(results).rows
+    assert ["cycles", "modified", "alpha_1"] in [row[:3] for row in rows]  # a rate of 0.01 s/s is met
+    limited = archive.group("tests/cycles/modified").variables["limited"].values
+    shown = next(float(row[3]) for row in rows if row[:3] == ["cycles", "modified", "alpha_1"])
+    assert shown == pytest.approx(100.0 * np.mean((limited.astype(int) & 2) > 0), rel=5e-3)
+    said = untold_table(results).rows
+    assert len(said) == len(results.runs[0].group.attributes["untold"])
+    assert not runs_so_far_table(results).rows
+
+
+def test_tables_fit_on_80_columns(archive: Archive) -> None:
+    results = SubstructureResults(archive)
+    tables = [*overview(archive), limits_table(results), untold_table(results)]
+    stream = io.StringIO()
+    print_tables([Table(of.title, of.columns, of.rows, [], of.left, of.sentences) for of in tables], stream)
+    assert max(map(len, stream.getvalue().splitlines())) <= 80
+
+
+def test_an_interrupted_archive_shows_the_runs_so_far(one_test: Path, tmp_path: Path) -> None:
+    with open_archive(one_test) as whole, ArchiveWriter(tmp_path / "part.h5", whole.group()) as writer:
+        for place in ("tests/shaken", "tests/shaken/none", "tests/shaken/modified"):
+            writer.write(place, whole.group(place))
+        shutil.copy(tmp_path / "part.h5.partial", tmp_path / "copy.h5.partial")
+    with open_archive(tmp_path / "copy.h5.partial") as archive:
+        page = page_text(archive)
+        rows = runs_so_far_table(SubstructureResults(archive)).rows
+    assert rows == [["shaken", "none", "done", "-"], ["shaken", "modified", "done", "-"]]
+    assert "indicators and verdicts come at its end" in page and "Runs so far" in page
+    assert all(f"figure-{name}" in page for name in ("tracking_shaken", "structure_shaken", "alpha_shaken"))
+
+
+@pytest.mark.parametrize("lost", ["indicators", "tests/shaken", "tests/shaken/modified"])
+def test_of_a_damaged_archive_the_rest_is_shown(
+    one_test: Path, tmp_path: Path, lost: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    damaged = tmp_path / "damaged.h5"
+    shutil.copy(one_test, damaged)
+    with h5py.File(damaged, "a") as file:
+        del file[lost][next(name for name in file[lost] if isinstance(file[lost][name], h5py.Dataset))]
+    assert main(["report", str(damaged)]) == 4
+    said = capsys.readouterr().err
+    assert lost in said and "Traceback" not in said
+    page = damaged.with_suffix(".html").read_text(encoding="utf-8")
+    assert "damaged" in page and "figure-loop" in page
+
+
+def test_figures_of_a_damaged_archive_are_drawn(
+    one_test: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    damaged = tmp_path / "damaged.h5"
+    shutil.copy(one_test, damaged)
+    with h5py.File(damaged, "a") as file:
+        del file["tests/shaken/none/measured"]
+    assert main(["show", str(damaged), "--figures", str(tmp_path / "figures")]) == 4
+    assert "tests/shaken/none" in capsys.readouterr().err
+    assert (tmp_path / "figures" / "tracking_shaken.svg").is_file()
+
+
+def test_a_rig_in_a_file_is_that_beside_the_tests_or_is_said_to_be_missing(tmp_path: Path) -> None:
+    (tmp_path / "rig.yaml").write_text(f"rig: {RIG}\n", encoding="utf-8")
+    text = TESTS.replace("RIG", "{file: rig.yaml}").partition("  - {name: shaken")[0]
+    archive = _ran(tmp_path, text)
+    with open_archive(archive) as opened:
+        described = SubstructureResults(opened).described
+        assert described.plant is not None and described.plant.kind == "second_order"
+    (tmp_path / "rig.yaml").unlink()
+    with open_archive(archive) as opened:
+        described = SubstructureResults(opened).described
+        if "rig_text" not in opened.group().variables:
+            assert described.plant is None and "which is not at hand" in described.told[0]
+            assert ("Rig", "that of rig.yaml") in described.rows()
+        page = page_text(opened)
+        assert "figure-loop" in page and "Targets are given in all tests" in page
+
+
+def test_a_text_of_another_version_is_told(tmp_path: Path) -> None:
+    root = Group(attributes={"kind": "substructure", "title": "Later", "rts_file": "later.yaml"})
+    root.add("rts_text", (), "edesign_rts: 1\nrig: {kind: magnetic}\n", "", "text")
+    with ArchiveWriter(tmp_path / "later.h5", root) as writer:
+        writer.finish({"status": "completed"})
+    page = page_text(tmp_path / "later.h5")
+    assert "This version cannot read the text of later.yaml" in page and "rts_text" not in page
+
+
+def test_extremes_and_shape_of_long_curves_are_kept() -> None:
+    """Over time no peak is lost; of a loop no point is farther away than a piece of its length."""
+    time = np.linspace(0.0, 400.0, 50_001)
+    wave = 50.0 * np.sin(7.0 * time) + np.random.default_rng(1).normal(size=time.size)
+    kept = _fewer(np.column_stack([time, wave]))
+    assert len(kept) < 10_000 and np.max(kept[:, 1]) == np.max(wave) and np.min(kept[:, 1]) == np.min(wave)
+    assert np.all(np.diff(kept[:, 0]) >= 0.0) and kept[-1, 0] == time[-1]
+    loop = np.column_stack([100.0 * np.cos(0.05 * time), 80.0 * np.sin(0.05 * time)])
+    fewer = _fewer(loop)
+    assert len(fewer) < len(loop)
+    assert np.max(np.hypot(*np.diff(fewer, axis=0).T)) < 4.0 * TOLERANCE
+
+
+def test_a_window_has_whole_cycles_around_the_largest_error() -> None:
+    time = np.linspace(0.0, 10.0, 2001)
+    error = np.exp(-((time - 6.0) ** 2))
+    begin, end = window(time, np.sin(2.0 * np.pi * time), error)
+    assert begin < 6.0 < end and end - begin == pytest.approx(4.0, abs=0.02)
+    assert window(time, np.zeros_like(time), error) == (0.0, 10.0)
