@@ -102,7 +102,7 @@ def alpha_figure(chosen: Sequence[Adaptive], rows: Sequence[Coefficient]) -> Fig
         for one in chosen:
             values = one.series.of(row.variable)
             if values is not None:
-                thick = 0.7 if one.series.color == BEST else 2.0
+                thick = 0.7 if one is chosen[-1] else 2.0
                 curve(axis, one.series.time, row.factor * values, SIZE, color=one.series.color, lw=thick)
         drawn |= _near_limits(
             axis, [row.factor * limit for one in chosen for pair in one.limits[i : i + 1] for limit in pair]

@@ -19,6 +19,7 @@ TOLERANCE = 0.1  # points
 WIDTH = 6.8  # inches of figures over time
 LETTER, HANDLE = 0.062, 0.55  # inches of a letter of a legend, and of what stands before its text
 MANY = 4000  # points of a curve
+LONGEST = 36  # characters of a label
 CYCLES = 4  # in a window
 
 
@@ -107,12 +108,14 @@ def around_zero(axis: Axes, reach: float) -> None:
 
 
 def legend_below(figure: Figure, lines: Sequence[tuple[str, str, str]]) -> None:
-    """Put a legend below a figure: label, colour and style of each line."""
+    """Put a legend below a figure: label, colour and style of each line; long labels are cut."""
     from matplotlib.lines import Line2D
 
+    named = [label if len(label) <= LONGEST else f"{label[: LONGEST - 1]}…" for label, _, _ in lines]
     handles = [
-        Line2D([], [], color=color, ls=style, lw=1.3, label=legend_label(label)) for label, color, style in lines
+        Line2D([], [], color=color, ls=style, lw=1.3, label=legend_label(label))
+        for label, (_, color, style) in zip(named, lines, strict=True)
     ]
-    widest = HANDLE + LETTER * max(len(label) for label, _, _ in lines)
+    widest = HANDLE + LETTER * max(map(len, named))
     across = max(1, min(len(handles), int(figure.get_figwidth() / widest)))
     figure.legend(handles=handles, loc="outside lower center", ncols=across)

@@ -67,10 +67,11 @@ def loop_diagram(described: ArchivedTests, secant: tuple[float, float] | None) -
     )
     top = BOTTOM + max(HEAD + LINE * max(len(lines) for _, lines, _ in blocks), 24.0)
     tall = top + 6.0
-    figure, ((axis,),) = new_figure(1, 1, WIDE / 20.0, tall / 20.0)
+    low = 0.0 if file.structure is not None else 9.0  # no force goes back below
+    figure, ((axis,),) = new_figure(1, 1, WIDE / 20.0, (tall - low) / 20.0)
     axis.set_axis_off()
     axis.set_xlim(0.0, WIDE)
-    axis.set_ylim(0.0, tall)
+    axis.set_ylim(low, tall)
     for left, (title, lines, color) in zip(LEFTS, blocks, strict=True):
         axis.add_patch(
             FancyBboxPatch(
@@ -150,7 +151,8 @@ def _numerical(described: ArchivedTests, secant: tuple[float, float] | None) -> 
             lines.append(f"with specimen {_hertz(part.frequencies(secant[0]))}")
     elif isinstance(file.structure, ShearBuilding):
         lines += [f"{len(file.structure.masses)} storeys", f"specimen in storey {file.structure.storey}"]
-    return (*lines, file.integration.method.replace("_", " "))
+    method = file.integration.method.replace("_", " ")
+    return (*lines, "exact integration" if method == "exact" else f"by {method}")
 
 
 def _hertz(frequencies: np.ndarray) -> str:

@@ -8,8 +8,11 @@ from edesign.report.captions import plain
 from edesign.report.substructure_results import SubstructureResults
 from edesign.report.table import Table
 
+NONE_MET = "No limit of the rig or of coefficients was met, as far as that was kept."
 COEFFICIENTS = ("alpha_0", "alpha_1", "alpha_2")
 """By the bits of `limited`."""
+ADAPTIVE = ("ats", "modified_ats", "live_delay")
+"""Kinds of compensators that have coefficients with limits."""
 
 
 def limits_table(results: SubstructureResults) -> Table:
@@ -18,15 +21,25 @@ def limits_table(results: SubstructureResults) -> Table:
         "Limits that were met",
         ("test", "compensator", "limit", "steps [%]"),
         left=3,
-        notes=[
-            "Of coefficients: the least or largest value or the largest rate; steps with that over all steps.",
-            "Of the rig: its motion was held there.",
-        ],
     )
     for test in results.tests:
         for name in results.compensators(test):
             table.rows += [[test, name, *cells] for cells in _rig(results, test, name) + _series(results, test, name)]
+    if table.rows:
+        table.notes.append("Of coefficients: least or largest value, or largest rate; steps with that over all steps.")
+        table.notes.append("Of the rig: its motion was held there.")
+    else:
+        table.notes.append(NONE_MET)
+    if unknown := sorted({name for test in results.tests for name in _unknown(results, test)}):
+        table.notes.append(f"Not known of {', '.join(unknown)}: coefficients were not kept over time.")
     return table
+
+
+def _unknown(results: SubstructureResults, test: str) -> list[str]:
+    """The adaptive compensators of a test of which nothing tells whether they met a limit."""
+    adaptive = [name for name in results.compensators(test) if results.kind(name) in ADAPTIVE]
+    found = {name: results.histories(test, name) for name in adaptive}
+    return [name for name, group in found.items() if group is not None and "limited" not in group.variables]
 
 
 def _rig(results: SubstructureResults, test: str, name: str) -> list[list[str]]:

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FROM, TO = 0.1, 50.0  # Hz
+LEAST = 0.1  # amplitude in the figure
 MOST = 6  # compensators in the figure
 OTHERS = tuple(color for color in VARIANTS if color not in (FIRST, BEST))
 Transfer = Callable[[np.ndarray], np.ndarray]
@@ -30,11 +31,12 @@ Transfer = Callable[[np.ndarray], np.ndarray]
 
 @dataclass(frozen=True)
 class Path:
-    """From target to displacement: a label, a colour, and the transfer function over s."""
+    """From target to displacement: a label, the transfer function over s, a colour, and the style of the line."""
 
     label: str
-    color: str
     transfer: Transfer
+    color: str
+    style: str = "-"
 
 
 def rig_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
@@ -64,7 +66,7 @@ def delay(transfer: Transfer, frequency: float) -> float:
 
 def _paths(results: SubstructureResults, rig: RigTransfer) -> tuple[list[Path], list[str]]:
     """The rig alone and behind each compensator; and the compensators that cannot be drawn so."""
-    paths, without = [Path("without compensation", FIRST, rig)], []
+    paths, without = [Path("without compensation", rig, FIRST)], []
     best = next((results.best(test) for test in sorted(results.tests, key=results.is_closed, reverse=True)), None)
     file = results.described.file
     assert file is not None
@@ -77,9 +79,12 @@ def _paths(results: SubstructureResults, rig: RigTransfer) -> tuple[list[Path], 
         if command is None or len(paths) > MOST:
             without.append(name)
             continue
-        color = BEST if name == best else OTHERS[others % len(OTHERS)]
-        others += color != BEST
-        paths.append(Path(name, color, _behind(command, rig, unseen)))
+        transfer = _behind(command, rig, unseen)
+        if name == best:
+            paths.append(Path(name, transfer, BEST))
+            continue
+        paths.append(Path(name, transfer, OTHERS[others % len(OTHERS)], "-" if others < len(OTHERS) else ":"))
+        others += 1
     return paths, without
 
 
@@ -129,18 +134,20 @@ def rig_figure(paths: Sequence[Path], lines: Sequence[float], step: float) -> Fi
         lines: frequencies that are marked, Hz.
         step: main step, s; half its rate is the highest frequency.
     """
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
     figure, axes = new_figure(3, 1, 5.6, 5.2)
     frequency = np.geomspace(FROM, min(TO, 0.5 / step), 400)
     omega = 2.0 * np.pi * frequency
     late, peak = [], 1.0
     for path in paths:
-        width = 1.1 if path.color in (FIRST, BEST) else 2.4  # compensators that agree lie on each other
+        width = 1.1 if path.color in (FIRST, BEST) else 1.9  # compensators that agree lie on each other
         found = path.transfer(1j * omega)
         peak = max(peak, float(np.max(np.abs(found))))
         phase = np.unwrap(np.angle(found))
         late.append(-1e3 * phase / omega)
         for (axis,), values in zip(axes, (np.abs(found), np.degrees(phase), late[-1]), strict=True):
-            axis.plot(frequency, values, color=path.color, lw=width, zorder=3.2 - 0.2 * width)
+            axis.plot(frequency, values, color=path.color, lw=width, ls=path.style, zorder=3.2 - 0.2 * width)
     for axis, level, label in zip(
         (row[0] for row in axes), (1.0, 0.0, 0.0), ("amplitude (–)", "phase (degrees)", "delay (ms)"), strict=True
     ):
@@ -151,10 +158,15 @@ def rig_figure(paths: Sequence[Path], lines: Sequence[float], step: float) -> Fi
         axis.set_xlim(frequency[0], frequency[-1])
         axis.set_ylabel(label)
         axis.tick_params(labelbottom=axis is axes[-1][0])
-    axes[0][0].set_ylim(0.0, min(1.1 * peak, 4.0))
+    amplitude = axes[0][0]
+    amplitude.set_yscale("log")
+    amplitude.set_ylim(LEAST, max(1.3 * peak, 2.0))
+    amplitude.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    amplitude.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    amplitude.yaxis.set_minor_formatter(NullFormatter())
     axes[1][0].set_ylim(-180.0, 45.0)
     axes[1][0].set_yticks([-180, -135, -90, -45, 0, 45])
     axes[-1][0].set_xlabel("frequency (Hz)")
     figure.align_ylabels()
-    legend_below(figure, [(path.label, path.color, "-") for path in paths])
+    legend_below(figure, [(path.label, path.color, path.style) for path in paths])
     return figure

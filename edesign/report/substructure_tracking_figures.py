@@ -80,8 +80,7 @@ def tracking_figure(series: Sequence[Series]) -> Figure:
     for one in series:
         part = within(one.time, seen)
         own = _mm(one, "target")[part]
-        apart = largest([own - target[part][: own.size]]) > 0.01 * largest([own]) if one is not last else False
-        if apart:  # a structure answers what is measured: each run has its own target
+        if _differ(own, target[part]):  # a structure answers what is measured: each run has its own target
             own_targets.append((f"its target, {one.label}", one.color, ":"))
             curve(some, one.time[part], own, size, color=one.color, lw=0.8, ls=":")
         curve(some, one.time[part], _mm(one, "measured")[part], size, color=one.color, lw=1.0)
@@ -103,6 +102,12 @@ def tracking_figure(series: Sequence[Series]) -> Figure:
     lines = [(f"measured, {one.label}", one.color, "-") for one in series]
     legend_below(figure, [(f"target, {last.label}" if own_targets else "target", MEAN, "--"), *lines, *own_targets])
     return figure
+
+
+def _differ(one: np.ndarray, other: np.ndarray) -> bool:
+    """Whether two histories are visibly apart, as far as both go: one may be that of a test which diverged."""
+    both = min(one.size, other.size)
+    return largest([one[:both] - other[:both]]) > 0.01 * largest([one[:both]])
 
 
 @styled

@@ -59,6 +59,13 @@ RIG = (
 SECTIONS = "summary tested rig tracking test-response coefficients limits untold provenance"
 
 
+def _one_test(text: str) -> str:
+    """The file with the test under a record only, without compensation and with the modified ATS."""
+    first, _, last = text.partition("  - {name: cycles")
+    kept = [line for line in first.splitlines(keepends=True) if not line.startswith(("  cubic", "  live"))]
+    return "".join([*kept, last.partition("\n")[2]])
+
+
 def _ran(folder: Path, text: str) -> Path:
     (folder / "shake.csv").write_text(RECORD, encoding="utf-8")
     (folder / "short.yaml").write_text(text, encoding="utf-8")
@@ -82,9 +89,7 @@ def page(path: Path) -> str:
 @pytest.fixture(scope="module")
 def one_test(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An archive with one test and two compensators."""
-    first, _, last = TESTS.replace("RIG", RIG).partition("  - {name: cycles")
-    kept = [line for line in first.splitlines(keepends=True) if not line.startswith(("  cubic", "  live"))]
-    return _ran(tmp_path_factory.mktemp("one"), "".join([*kept, last.partition("\n")[2]]))
+    return _ran(tmp_path_factory.mktemp("one"), _one_test(TESTS.replace("RIG", RIG)))
 
 
 @pytest.fixture
@@ -163,6 +168,24 @@ def test_tables_fit_on_80_columns(archive: Archive) -> None:
     stream = io.StringIO()
     print_tables([Table(of.title, of.columns, of.rows, [], of.left, of.sentences) for of in tables], stream)
     assert max(map(len, stream.getvalue().splitlines())) <= 80
+
+
+def test_a_test_that_diverged_is_shown_as_far_as_it_went(tmp_path: Path) -> None:
+    rig = RIG.replace("4.25 ms", "60 ms").replace("100 kN", "9 MN")
+    archive = _ran(tmp_path, _one_test(TESTS.replace("RIG", rig).replace("k: 4.346", "k: 200")))
+    page = page_text(archive)
+    assert "no compensator keeps the response right" in page and "What could not be shown" not in page
+    assert len(re.findall(r"<li>shaken, (?:none|modified): unstable, diverged", page)) == 2
+    assert "figure-tracking_shaken" in page and "figure-structure_shaken" in page
+
+
+def test_what_was_not_kept_is_not_drawn_and_not_judged(tmp_path: Path) -> None:
+    text = _one_test(TESTS.replace("RIG", RIG)) + "outputs: {histories: [target]}\n"
+    with open_archive(_ran(tmp_path, text)) as archive:
+        names = [name for name, _, _ in all_figures(archive)]
+        table = limits_table(SubstructureResults(archive))
+    assert names == ["loop", "rig", "structure_shaken"]
+    assert not table.rows and "Not known of modified" in table.notes[-1]
 
 
 def test_an_interrupted_archive_shows_the_runs_so_far(one_test: Path, tmp_path: Path) -> None:

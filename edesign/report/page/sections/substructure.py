@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
 Drawn = Callable[[SubstructureResults], Iterator[tuple[str, str, "Figure"]]]
 TEXTS = (("rts_text", "The file of tests"), ("project_text", "The project file"), ("rig_text", "The rig file"))
-NO_LIMIT = "No run met a limit of the rig or of its coefficients."
+LIMITS = "Limits that were met"
 ALL_TOLD = "All indicators could be told of all runs."
 
 
@@ -203,14 +203,14 @@ def _coefficients(source: Source, results: SubstructureResults, tables: list[Tab
 
 
 def _limits(results: SubstructureResults) -> Section:
-    table = limits_table(results)
+    table = replace(limits_table(results), title="")
     if not table.rows and results.runs:
-        return Section("limits", "Limits that were met", (), (Facts((("Limits", NO_LIMIT),)),))
-    return Section("limits", "Limits that were met", (), (table,) if table.rows else ())
+        return Section("limits", LIMITS, (), (Facts((("Limits", " ".join(table.notes)),)),))
+    return Section("limits", LIMITS, (), (table,) if table.rows else ())
 
 
 def _untold(results: SubstructureResults) -> Section:
-    table = untold_table(results)
+    table = replace(untold_table(results), title="")
     if not table.rows and results.runs:
         return Section("untold", "Indicators that could not be told", (), (Facts((("Indicators", ALL_TOLD),)),))
     return Section("untold", "Indicators that could not be told", (), (table,) if table.rows else ())
