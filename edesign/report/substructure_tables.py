@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 import math
+import textwrap
 from dataclasses import dataclass
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.table import Table, number
-from edesign.substructure.archived import INDICATORS
+from edesign.report.text import PAPER
+from edesign.substructure.archived import INDICATORS, PLACE
 
+METHODS = {
+    "pseudo_dynamic": "pseudo-dynamic",
+    "effective_force": "effective force",
+    "shaking_table": "shaking table",
+}
+ROUNDING = 1e-12
+"""Ratios, s and J below it are rounding of a perfect rig."""
 _NAN = math.nan
 
 
@@ -54,7 +63,33 @@ def substructure_tables(archive: Archive) -> list[Table]:
     found = runs(archive)
     warned = archive.attributes.get("warnings")
     notes = [str(line) for line in warned] if isinstance(warned, list) else []
-    return [_tracking(found), _response(archive, found, notes), _alphas(found)]
+    return [_tracking(found), _response(archive, found, notes), _alphas(found), other_methods(archive)]
+
+
+def other_methods(archive: Archive) -> Table:
+    """Return what tests by other methods showed: pseudo-dynamic, effective force, shaking table.
+
+    Raises:
+        ArchiveError: a group is damaged.
+    """
+    table = Table("Tests by other methods", ("test", "method", "what it shows", "value"), left=3)
+    for test in archive.names(PLACE):
+        group = archive.group(f"{PLACE}/{test}").without("time")
+        kind = str(group.attributes.get("kind"))
+        if kind not in METHODS:
+            continue
+        cells = [test, METHODS[kind]]
+        for variable in group.variables.values():
+            unit = "" if variable.unit == "1" else f" {variable.unit}"
+            table.rows.append([*cells, variable.long_name, f"{_shown(float(variable.values), 1.0)}{unit}"])
+            cells = ["", ""]
+        told = group.attributes.get("told")
+        words = [str(line) for line in told] if isinstance(told, list) else []
+        if group.attributes["outcome"] != "done":
+            words.insert(0, str(group.attributes["outcome"]))
+        if words:
+            table.notes += textwrap.wrap(f"{test}: {'. '.join(words)}", PAPER)
+    return table
 
 
 def _tracking(found: list[Run]) -> Table:
@@ -156,4 +191,4 @@ def substructure_summary(archive: Archive) -> list[dict[str, object]]:
 
 
 def _shown(value: float, scale: float, digits: int = 3) -> str:
-    return number(None if math.isnan(value) else value, digits, scale)
+    return number(None if math.isnan(value) else value, digits, scale, negligible=ROUNDING)

@@ -14,7 +14,8 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
-from edesign.substructure.archived import INDICATORS, groups, indicators
+from edesign.substructure.archived import INDICATORS, PLACE, groups, indicators
+from edesign.substructure.method_tests import method_group
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
 
 HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")
@@ -60,6 +61,8 @@ def run_tests(
                 if csv_folder is not None and run.record is not None:
                     write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
             found.append(results)
+        for other in laboratory.run_others(tell):
+            writer.write(f"{PLACE}/{other.name}", method_group(other))
         writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
         writer.finish({"status": "completed"})
     return path, tuple(found)

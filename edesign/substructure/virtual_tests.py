@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.core.compensator import AdaptiveTimeSeries, Compensator
+from edesign.core.damper import LawValues
 from edesign.core.substructure import (
     SATURATED,
     LoopRecord,
@@ -16,12 +17,14 @@ from edesign.core.substructure import (
 )
 from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.project_records import find_recordings
-from edesign.project.substructure.programme import CommandTest, RtsTest
+from edesign.project.dampers import DamperLaw
+from edesign.project.substructure.programme import CommandTest, PseudoDynamicTest, RtsTest
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure import compensators, rigs
 from edesign.substructure.commands import command_motion
 from edesign.substructure.indicators import Tracking, tracking
 from edesign.substructure.laboratory import Laboratory, TestedDamper, compensator_of, laboratory, stiffness_of
+from edesign.substructure.method_tests import MethodResults, run_method
 from edesign.substructure.recursion import recursion
 
 FINER = 4
@@ -29,6 +32,10 @@ FINER = 4
 1 ms of a structure of 2 Hz, a sixteenth of that here."""
 DIVERGED = 10.0
 """Times the largest direct deformation at which a test counts as unstable: its loop feeds the structure by then."""
+NOTHING = TestedDamper(
+    LawValues("kelvin_voigt", (0.0, 0.0)), (1.0, 1.0), DamperLaw(type="kelvin_voigt"), None, None, ()
+)
+"""In a rig that moves alone."""
 
 
 @dataclass(frozen=True)
@@ -130,14 +137,13 @@ class VirtualLaboratory:
     def __init__(self, file: RtsFile) -> None:
         self.file = file
         self.laboratory: Laboratory = laboratory(file)
-        if self.laboratory.damper is None:
-            raise InputError(f"{file.path}: specimen: a virtual test needs a law; give `law` or `law_file`")
-        self.damper: TestedDamper = self.laboratory.damper
+        self.damper: TestedDamper = self.laboratory.damper or NOTHING
         step = file.loop.main_step
         self.compensators = {
             name: compensator_of(one, step, self.laboratory.transfer) for name, one in file.compensators.items()
         }
         self.tests = tuple(test for test in file.tests if isinstance(test, (CommandTest, RtsTest)))
+        self.others = tuple(test for test in file.tests if not isinstance(test, (CommandTest, RtsTest)))
 
     def run(self, tell: Callable[[str], None] = lambda line: None) -> Iterator[TestResults]:
         """Yield the results test by test.
@@ -157,7 +163,22 @@ class VirtualLaboratory:
                 runs.append(self._run(test, name, drive, direct))
             yield TestResults(test.name, test.kind, drive, direct, tuple(runs))
 
-    def drive(self, test: CommandTest | RtsTest) -> Drive:
+    def run_others(self, tell: Callable[[str], None] = lambda line: None) -> Iterator[MethodResults]:
+        """Yield the results of the tests by other methods; arguments and errors as `run`."""
+        for test in self.others:
+            tell(test.name)
+            record = test if isinstance(test, PseudoDynamicTest) else RtsTest(name=test.name, kind="rts")
+            if self.file.analysis is None and record.record is None:
+                where = self.file.where("tests", self.file.tests.index(test))
+                raise InputError(
+                    f"{where}: test {test.name}: name the `analysis` of the structure whose record it takes"
+                )
+            drive = self.drive(record)
+            assert drive.ground is not None
+            abort = DIVERGED * float(np.max(np.abs(self.direct(drive).deformation)))
+            yield run_method(test, self.laboratory, drive.time, drive.ground, abort)
+
+    def drive(self, test: CommandTest | RtsTest | PseudoDynamicTest) -> Drive:
         """Return what drives a test.
 
         Raises:

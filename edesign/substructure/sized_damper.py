@@ -1,0 +1,52 @@
+"""A damper law at the size of the device."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from edesign.core.damper import TOLERANCE, CoreDamper, LawValues, Method
+
+
+class SizedDamper(CoreDamper):
+    """A damper F = scales[0] law(scales[1] u) that is moved step by step, or by a whole history.
+
+    Args:
+        law: with its effects.
+        scales: of force and deformation.
+
+    Raises:
+        CoreError: a parameter is not allowed.
+    """
+
+    def __init__(self, law: LawValues, scales: tuple[float, float]) -> None:
+        super().__init__(law.law, law.values, amendments=law.amendments)
+        self.scales = scales
+
+    def force(
+        self,
+        time: ArrayLike,
+        deformation: ArrayLike,
+        velocity: ArrayLike,
+        method: Method = "best",
+        tolerance: float = TOLERANCE,
+    ) -> np.ndarray:
+        """Return the force history (n,) N of the device, as `CoreDamper.force`."""
+        scale = self.scales[1]
+        u, v = scale * np.asarray(deformation, dtype=float), scale * np.asarray(velocity, dtype=float)
+        return self.scales[0] * super().force(time, u, v, method, tolerance)
+
+    def step(
+        self,
+        state: np.ndarray,
+        duration: float,
+        before: tuple[float, float],
+        after: tuple[float, float],
+        method: Method = "best",
+        tolerance: float = TOLERANCE,
+    ) -> tuple[np.ndarray, float, tuple[float, float]]:
+        """Do one step of the device, as `CoreDamper.step`."""
+        force, scale = self.scales
+        start, end = (scale * before[0], scale * before[1]), (scale * after[0], scale * after[1])
+        found, value, (of_u, of_v) = super().step(state, duration, start, end, method, tolerance)
+        return found, force * value, (force * scale * of_u, force * scale * of_v)
