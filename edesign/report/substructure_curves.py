@@ -46,7 +46,8 @@ def curve(
         return
     wide, tall = spans if spans is not None else (float(np.ptp(x)), float(np.ptp(y)))
     scale = np.array([POINTS * size[0] / (wide or 1.0), POINTS * size[1] / (tall or 1.0)])
-    points = thin_out(_fewer(np.column_stack([x, y]) * scale), TOLERANCE) / scale
+    points = _fewer(np.column_stack([x, y]) * scale)
+    points = (thin_out(points, TOLERANCE) if len(points) > MANY else points) / scale
     axis.plot(points[:, 0], points[:, 1], **style)
 
 
@@ -60,7 +61,7 @@ def _fewer(points: np.ndarray) -> np.ndarray:
         return points
     steps = np.diff(points, axis=0)
     if np.all(steps[:, 0] >= 0.0):
-        piece = np.floor((points[:, 0] - points[0, 0]) / (2.0 * TOLERANCE)).astype(int)
+        piece = np.floor((points[:, 0] - points[0, 0]) / (3.0 * TOLERANCE)).astype(int)
         order = np.lexsort((points[:, 1], piece))
         first = np.flatnonzero(np.diff(piece[order], prepend=-1))
         kept = np.concatenate([order[first], order[np.append(first[1:], len(order)) - 1], [0, len(points) - 1]])
