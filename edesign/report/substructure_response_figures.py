@@ -49,10 +49,16 @@ def loop_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figur
         yield file_name("specimen", test), caption, loop_figure(found, wanted, what, seen)
 
 
+def _is_bare(series: Series) -> bool:
+    """Whether the rig moved without a specimen: what the load cell read is noise."""
+    force = series.of("true_force")
+    return force is not None and not np.any(force)
+
+
 def _loop(series: Series) -> Loop | None:
     for deformation, force in (("deformation", "true_force"), ("measured", "force")):
         x, y = series.of(deformation), series.of(force)
-        if x is not None and y is not None:
+        if x is not None and y is not None and not _is_bare(series):
             return Loop(series.time, x, y)
     return None
 
@@ -224,7 +230,7 @@ def _peaks(rows: Sequence[Response]) -> str:
 def energy_error_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
     """Give for each test the work that the error feeds into the structure: name of the file, caption, figure."""
     for test in results.tests:
-        found = [one for one in results.shown(test) if one.of("interface_energy_error") is not None]
+        found = [one for one in results.shown(test) if np.any(_energy(one)) and not _is_bare(one)]
         if found:
             closed = results.is_closed(test)
             fed = "the test feeds energy into the structure, as negative damping would"
@@ -239,8 +245,7 @@ def energy_error_figures(results: SubstructureResults) -> Iterator[tuple[str, st
 
 def _energy(series: Series) -> np.ndarray:
     values = series.of("interface_energy_error")
-    assert values is not None
-    return values
+    return values if values is not None else np.zeros(1)
 
 
 @styled

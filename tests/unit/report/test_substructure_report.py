@@ -188,6 +188,18 @@ def test_what_was_not_kept_is_not_drawn_and_not_judged(tmp_path: Path) -> None:
     assert not table.rows and "Not known of modified" in table.notes[-1]
 
 
+def test_other_methods_have_a_section_and_a_rig_without_specimen_no_loops(tmp_path: Path) -> None:
+    slow = "  - {name: slow, kind: pseudo_dynamic, record: shake, scale: 0.3, error: {kind: undershoot, share: 2 %}}\n"
+    page = page_text(_ran(tmp_path, _one_test(TESTS.replace("RIG", RIG)) + slow))
+    assert 'id="other-methods"' in page and "pseudo-dynamic" in page
+    left = ("structure", "specimen", "  cubic", "  live", "  - {name: shaken")
+    lines = [line for line in TESTS.replace("RIG", RIG).splitlines(keepends=True) if not line.startswith(left)]
+    (tmp_path / "bare").mkdir()
+    with open_archive(_ran(tmp_path / "bare", "".join(lines))) as archive:
+        names = [name for name, _, _ in all_figures(archive)]
+    assert names == ["loop", "rig", "tracking_cycles", "synchronisation_cycles", "alpha_cycles"]
+
+
 def test_an_interrupted_archive_shows_the_runs_so_far(one_test: Path, tmp_path: Path) -> None:
     with open_archive(one_test) as whole, ArchiveWriter(tmp_path / "part.h5", whole.group()) as writer:
         for place in ("tests/shaken", "tests/shaken/none", "tests/shaken/modified"):

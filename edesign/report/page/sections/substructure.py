@@ -23,6 +23,7 @@ from edesign.report.substructure_tables import Run, substructure_tables
 from edesign.report.substructure_tracking_figures import synchronisation_figures, tracking_figures
 from edesign.report.summary import input_warnings
 from edesign.report.table import Table
+from edesign.substructure.archived import INDICATORS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -43,6 +44,7 @@ def substructure_sections(source: Source) -> list[Section]:
         _tracking(source, results, tables),
         _response(source, results, tables),
         _coefficients(source, results, tables),
+        Section("other-methods", "Tests by other methods", (), _some(tables, 3)),
         _limits(results),
         _untold(results),
     ]
@@ -50,8 +52,8 @@ def substructure_sections(source: Source) -> list[Section]:
 
 
 def _tables(results: SubstructureResults) -> list[Table]:
-    """Of tracking, response and coefficients; none without indicators."""
-    if not results.runs:
+    """Of tracking, response, coefficients and other methods; none without indicators."""
+    if not results.archive.has(INDICATORS):
         return []
     try:
         return substructure_tables(results.archive)
