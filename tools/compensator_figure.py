@@ -27,7 +27,7 @@ DELAY, STEP = 10e-3, 1e-3  # s
 HIGHEST = 10.0  # Hz
 QUOTED = (1.0, 2.0, 5.0, 10.0)  # Hz
 SINES = ((3e-3, 0.7, 0.1), (2e-3, 1.9, 1.0), (1e-3, 3.8, 2.0))  # m, Hz, rad: to which the adaptive ones adapt
-PI = (0.5, 100.0, 2e-3, 1.5e-3)  # -, 1/s, s, s
+PI = (0.5, 100.0, 8e-3, 0.5e-3)  # -, 1/s, s, s
 COLOURS = ("#8a8f98", "#1f5fa8", "#d9822b", "#3aa08f", "#7b3f98", "#c0392b", "#5a5f66", "#b8860b", "#111111")
 Response = Callable[[np.ndarray], np.ndarray]
 
@@ -50,10 +50,15 @@ def ahead(equation: DifferenceEquation) -> Response:
 def feedback(proportional: float, integral: float, lead: float, lag: float) -> Response:
     """Measured over target of the PI controller with a phase lead."""
     equation = compensators.pi_phase_lead(proportional, integral, lead, lag, STEP)
+    own = tuple(term for term in equation.terms if term.of == "command")
+    seen = tuple(Term("target", term.lag, -term.coefficient) for term in equation.terms if term.of == "measured")
+    back = DifferenceEquation((*seen, *own))
 
     def closed(s: np.ndarray) -> np.ndarray:
-        opened = compensators.response(equation, STEP, s) * np.exp(-s * DELAY)
-        return np.asarray(opened / (1.0 + opened))
+        # what is measured is that of a step before the command
+        late, rig = np.exp(-s * STEP), np.exp(-s * DELAY)
+        opened = compensators.response(equation, STEP, s) * rig
+        return np.asarray(opened / (1.0 + compensators.response(back, STEP, s) * late * rig))
 
     return closed
 

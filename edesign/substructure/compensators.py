@@ -150,27 +150,27 @@ def butterworth(order: int, cutoff: float, step: float) -> np.ndarray:
 
 
 def pi_phase_lead(proportional: float, integral: float, lead: float, lag: float, step: float) -> DifferenceEquation:
-    """Return (p + i/s) (lead s + 1) / (lag s + 1) on the target less what is measured, both by the bilinear rule.
+    """Return (p + i/s) on the target led by (lead s + 1) / (lag s + 1), less what is measured; by the bilinear rule.
 
     Target and measured are of one instant, the start of the main step.
 
     Args:
         proportional: p, dimensionless.
         integral: i, 1/s.
-        lead, lag: s.
+        lead, lag: of the filter before the loop, s.
         step: main step, s.
 
     Source: sample controller of the virtual RTHS benchmark, Silva, Gomez, Maghareh, Dyke & Spencer (2020).
     """
-    half = 0.5 * integral * step
-    controller = np.array([proportional + half, half - proportional]), np.array([1.0, -1.0])
-    forward, backward = 2.0 * lead / step, 2.0 * lag / step
-    lead_filter = np.array([forward + 1.0, 1.0 - forward]), np.array([backward + 1.0, 1.0 - backward])
-    above, below = (np.convolve(a, b) for a, b in zip(controller, lead_filter, strict=True))
-    above, below = above / below[0], below / below[0]
-    terms = [Term("target", late + 1, float(value)) for late, value in enumerate(above)]
-    terms += [Term("measured", late, -float(value)) for late, value in enumerate(above)]
-    terms += [Term("command", late, -float(value)) for late, value in enumerate(below) if late > 0]
+    controller, below = scipy.signal.bilinear([proportional, integral], [1.0, 0.0], fs=1.0 / step)
+    ahead, ahead_below = scipy.signal.bilinear([lead, 1.0], [lag, 1.0], fs=1.0 / step)
+    of_target, of_measured = np.convolve(controller, ahead), np.convolve(controller, ahead_below)
+    own = np.convolve(below, ahead_below)
+    terms = [Term("target", late + 1, float(value)) for late, value in enumerate(of_target)]
+    terms += [Term("measured", late, -float(value)) for late, value in enumerate(of_measured)]
+    terms += [
+        Term("command", late, -float(value)) for late, value in enumerate(np.convolve(below, ahead_below)) if late
+    ]
     return DifferenceEquation(tuple(terms))
 
 

@@ -11,7 +11,9 @@ from edesign.archive.dataset import Group
 from edesign.archive.files import make_folder, source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
+from edesign.project.substructure.rig import RigInFile
 from edesign.project.substructure.rts_file import RtsFile
+from edesign.project.yaml_file import read_yaml_text
 from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
 from edesign.substructure.archived import INDICATORS, PLACE, groups, indicators
@@ -96,6 +98,9 @@ def _root(file: RtsFile, path: Path) -> Group:
         }
     )
     root.add("rts_text", (), file.text, "", "text of the file of substructure tests")
+    if isinstance(file.rig, RigInFile):
+        text = read_yaml_text(file.folder / file.rig.file, "rig file")
+        root.add("rig_text", (), text, "", "text of the rig file")
     if file.project is not None:
         root.add("project_text", (), file.project.text, "", "text of the project file")
     return root

@@ -117,6 +117,8 @@ class TestResults:
         runs: one for each compensator.
     """
 
+    __test__ = False  # no test of pytest
+
     name: str
     kind: str
     drive: Drive

@@ -184,9 +184,9 @@ class SmithCompensator(Model):
 
 
 class PiPhaseLeadCompensator(Model):
-    """A PI controller of the tracking error, then a phase lead: the sample of the benchmark of Silva et al. (2020).
+    """A PI controller behind a phase lead of the target: the sample of the benchmark of Silva et al. (2020).
 
-    (proportional + integral / s) (lead s + 1) / (lag s + 1) on the target less what is measured.
+    (proportional + integral / s) on the target led by (lead s + 1) / (lag s + 1), less what is measured.
     """
 
     kind: Literal["pi_phase_lead"]

@@ -158,9 +158,7 @@ def test_smith_predictor_makes_the_loop_the_ideal_one() -> None:
     step = np.array([[1.0 - h * h * r, h], [-h * r, 1.0]])
     force = np.outer([-h * h, -h], [1.0 / mass, 0.0, 1.0, 0.0])
     zero, none = np.zeros((1, 2)), np.zeros((1, 4))
-    numerical = Recursion(
-        step, force, np.vstack([step[0], step[1], zero[0]]), np.vstack([force[0], force[1], none[0]])
-    )
+    numerical = Recursion(step, force, np.vstack([step[0], step[1], zero[0]]), np.vstack([force[0], force[1], none[0]]))
     ground = 0.5 * np.sin(2 * pi * 1.5 * STEP * np.arange(3000))
     runs = [
         SubstructureLoop(
