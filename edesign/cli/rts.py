@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from edesign.cli.rts_after import identify, judge
 from edesign.errors import AnalysisError
 
 File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
@@ -17,6 +18,8 @@ app = typer.Typer(
     no_args_is_help=True,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+app.command()(identify)
+app.command()(judge)
 
 
 @app.command()

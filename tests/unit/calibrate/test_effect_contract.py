@@ -151,10 +151,11 @@ def test_a_finer_form_begins_as_the_one_it_is_finer_than(
     assert part[0].finer and part[0].name == coarse.name
 
 
-def test_softening_and_heat_have_finer_forms_and_faults_of_instruments_have_none() -> None:
+def test_softening_and_heat_have_finer_forms_and_of_the_faults_of_instruments_the_delay_alone() -> None:
     names = {part[0].name for _, _, part in FINER}
     assert {"payne", "mullins", "self_heating", "degradation", "ageing", "temperature_law"} <= names
-    assert not names & {"gain", "lag", "hum", "offset", "drift", "inertia", "friction"}
+    assert not names & {"gain", "hum", "offset", "drift", "inertia", "friction"}
+    assert {(coarse.form, part[0].form) for coarse, _, part in FINER if coarse.name == "lag"} == {("delay", "actuator")}
 
 
 @pytest.mark.parametrize("form", FORMS, ids=lambda form: f"{form.name}.{form.form}")

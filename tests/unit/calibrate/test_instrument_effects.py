@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from scipy.signal import lfilter
+from scipy.signal import lfilter, lsim
 from scipy.special import j0
 
 from edesign.calibrate.dampers.effect import Form
@@ -22,6 +22,7 @@ from edesign.calibrate.problem import Part, PredictionError, Use
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
+from edesign.damper.start import Start
 
 ROUNDING = 1e-9
 W = 2.0 * np.pi
@@ -92,7 +93,57 @@ def test_a_delay_is_that_of_a_sine() -> None:
     time = trial.motion.time - trial.motion.time[0]
     np.testing.assert_allclose(late.displacement[1:], 0.01 * np.sin(W * (time[1:] - 0.0123)), atol=0.01 * 5e-6)
     np.testing.assert_allclose(late.velocity[1:], 0.01 * W * np.cos(W * (time[1:] - 0.0123)), atol=0.01 * W * 5e-6)
-    assert late.displacement[0] == pytest.approx(-0.0123 * trial.motion.velocity[0])  # as it began, before the record
+    assert late.displacement[0] == 0.0 == late.velocity[0]  # at rest, before the record
+    moving = replace(trial, start=Start(0.0, 0.01 * W, 0.1, True))
+    gone_on = lag.Delay().actuator({"lag": 0.0123}, moving, trial.motion)
+    assert gone_on.displacement[0] == pytest.approx(-0.0123 * trial.motion.velocity[0])  # as it began
+
+
+@pytest.mark.parametrize("from_rest", [True, False])
+def test_an_actuator_makes_the_motion_of_its_transfer_function(from_rest: bool) -> None:
+    """x'' + 2 zeta w x' + w2 x = w2 u(t - tau), from rest or long after the beginning, at 60 samples in a cycle."""
+    trial, p = _trial(60.0, 5.0), {"lag": 0.0102, "f": 21.4, "zeta": 0.4}
+    time, w = trial.motion.time - trial.motion.time[0], W * p["f"]
+    delay = p["lag"] - p["zeta"] / (np.pi * p["f"])
+    response = np.exp(-1j * W * delay) / (1.0 + 2j * p["zeta"] * W / w - (W / w) ** 2)
+    exact = [0.01 * np.imag((1j * W) ** order * response * np.exp(1j * W * time)) for order in (0, 1)]
+    if not from_rest:
+        trial = replace(trial, start=Start(0.0, 0.01 * W, 0.1, True))
+    made = lag.Actuator().actuator(p, trial, trial.motion)
+    settled = time > 0.5
+    np.testing.assert_allclose(made.displacement[settled], exact[0][settled], atol=0.01 * 2e-5)
+    np.testing.assert_allclose(made.velocity[settled], exact[1][settled], atol=0.01 * W * 2e-5)
+    if from_rest:
+        fine = np.linspace(0.0, 0.5, 50_001)
+        sine = np.where(fine > delay, 0.01 * np.sin(W * (fine - delay)), 0.0)
+        _, begun, _ = lsim(([w**2], [1.0, 2.0 * p["zeta"] * w, w**2]), sine, fine)
+        # between its samples a swing of 21 Hz from rest is a cubic
+        np.testing.assert_allclose(made.displacement[:30], np.interp(time[:30], fine, begun), atol=0.01 * 5e-3)
+
+
+def test_a_stiff_actuator_is_a_plain_delay_and_a_gain_is_one_of_the_displacement() -> None:
+    trial = _trial(60.0, 5.0)
+    stiff = lag.Actuator().actuator({"lag": 0.0102, "f": 200.0, "zeta": 0.7}, trial, trial.motion)
+    plain = lag.Delay().actuator({"lag": 0.0102}, trial, trial.motion)
+    np.testing.assert_allclose(stiff.displacement[2:], plain.displacement[2:], atol=0.01 * 1e-3)  # begun from rest
+    p = {"lag": 0.0102, "f": 21.4, "zeta": 0.4}
+    larger = lag.ActuatorWithGain().actuator({**p, "g": 0.03}, trial, trial.motion)
+    np.testing.assert_allclose(
+        larger.displacement, 1.03 * lag.Actuator().actuator(p, trial, trial.motion).displacement, rtol=1e-12
+    )
+
+
+def test_an_actuator_is_asked_for_where_a_delay_was_found() -> None:
+    """No candidate of a search by itself; as simple as a delay where it is stiff."""
+    assert lag.Actuator not in lag.FORMS
+    assert [type(form) for form in lag.Delay().finer()] == [lag.Actuator]
+    assert [type(form) for form in lag.Actuator().finer()] == [lag.ActuatorWithGain]
+    for form in (lag.Actuator(), lag.ActuatorWithGain()):
+        unknowns = form.unknowns(_sizes())
+        for start in form.starts(_sizes()):
+            assert all(u.lower < value < u.upper for u, value in zip(unknowns, start, strict=True))
+    ((simpler, values),) = lag.Actuator().simpler({"lag": 0.01, "f": 150.0, "zeta": 0.5})
+    assert type(simpler) is lag.Delay and values["lag"] == 0.01
 
 
 def test_a_late_motion_makes_a_late_force() -> None:

@@ -15,18 +15,25 @@ from edesign.calibrate.unknown import Unknown
 _LONGEST, _SLOWEST = 0.05, 20.0
 """Of the slowest period, s, up to this one: more is another test, not a lag; no logger is a second late."""
 _STARTS = (0.002, 0.02)  # of it: what a long lag does is not linear in it where tests are fast
+_SWINGS, _DAMPED, _STIFF = 20.0, 0.5, 200.0
+"""Frequency (Hz) and damping from which that of an actuator is sought, as servo-hydraulic ones have 10 to 40 Hz; and
+the highest one: at a twentieth of it the motion is 0.25 % larger than behind a plain delay.
+"""
 
 
-def _later(motion: Motion, lag: float, skew: float = 0.0) -> Motion:
+def _later(motion: Motion, lag: float, skew: float = 0.0, from_rest: bool = False) -> Motion:
     """A motion late by a time, s, and a share of the time since its beginning: what it makes of force is as late.
 
+    Before the record it went on as it begins, or was at rest where it begins; after it goes on as it ends.
     The force itself has cusps at reversals, that no interpolation between its samples follows.
     """
     time = motion.time
     then = time - lag - skew * (time - time[0])
     known = np.clip(then, time[0], time[-1])
     u, v, a = (motion.spline.at(one, known) for one in (motion.displacement, motion.velocity, motion.acceleration))
-    return Motion(time, u + v * (then - known), v, np.where(then == known, a, 0.0))  # on as it was, beyond the record
+    if from_rest:
+        v = np.where(then < time[0], 0.0, v)
+    return Motion(time, u + v * (then - known), v, np.where(then == known, a, 0.0))
 
 
 def _period(sizes: Sizes) -> float:
@@ -57,7 +64,11 @@ class Delay(_Lag):
         return tuple((share * _period(sizes),) for share in _STARTS)
 
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
-        return _later(motion, p["lag"])
+        return _later(motion, p["lag"], from_rest=trial.start is None)
+
+    def finer(self) -> tuple[Form, ...]:
+        """An actuator that swings behind what was recorded."""
+        return (Actuator(),)
 
 
 class Growing(_Lag):
@@ -93,7 +104,7 @@ class Growing(_Lag):
         return ((Delay(), p),)
 
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
-        return _later(motion, p["lag"] + p["grown"] * trial.order / p["N"], p["skew"])
+        return _later(motion, p["lag"] + p["grown"] * trial.order / p["N"], p["skew"], trial.start is None)
 
 
 class Filter(_Lag):
@@ -155,6 +166,102 @@ class DisplacementFilter(Filter):
 
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
         return force
+
+
+class Actuator(_Lag):
+    """The displacement was recorded before the actuator, as its target: the specimen moves by P(s) times that, late.
+
+    P(s) = e^(-tau s) / (1 + 2 zeta s/w + s^2/w^2), w = 2 pi f; slow motions are late by lag = tau + 2 zeta/w. No
+    candidate of a search: beside other effects it would take for its own what dashpots and masses do. It is asked
+    where a plain delay was found and more than noise is left.
+    """
+
+    refined: int = 4
+    form: ClassVar[str] = "actuator"
+    title: ClassVar[str] = "actuator that follows the recorded displacement late, as its target"
+    signature: ClassVar[str] = (
+        "as a delay, and more force in fast motions than in slow ones: the actuator overshoots below its own frequency"
+    )
+    source: ClassVar[str] = (
+        "Horiuchi et al. (1999), Earthquake Engng Struct. Dyn. 28, 1121-1141; thesis 6.2 (target, command, measured)"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        longest = _LONGEST * _period(sizes)
+        least = 1.0 / (np.pi * longest)  # of damping 1 and the longest lag
+        return (
+            Unknown("lag", "s", -longest, longest, 0.1 * longest),
+            Unknown("f", "Hz", min(least, 0.2 * _SWINGS), _STIFF, _SWINGS, logarithmic=True),
+            Unknown("zeta", "", 0.1, 0.99, _DAMPED, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((share * _period(sizes), _SWINGS, _DAMPED) for share in _STARTS)
+
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """A plain delay, of an actuator that is stiff next to the motion."""
+        return ((Delay(), p),)
+
+    def finer(self) -> tuple[Form, ...]:
+        """With a gain."""
+        return (ActuatorWithGain(),)
+
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        from_rest, swings = trial.start is None, p["zeta"] / (np.pi * p["f"])
+        return _later(_swung(motion, p["f"], p["zeta"], from_rest), p["lag"] - swings, from_rest=from_rest)
+
+
+class ActuatorWithGain(Actuator):
+    """As `actuator`, and the specimen moves by (1 + g) times as much."""
+
+    form: ClassVar[str] = "actuator_with_gain"
+    title: ClassVar[str] = "actuator that follows the recorded displacement late, as its target, with a gain"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), Unknown("g", "", -0.5, 1.0, 0.1))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*row, 0.01) for row in super().starts(sizes))
+
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """Without the gain."""
+        return ((Actuator(), p),)
+
+    def finer(self) -> tuple[Form, ...]:
+        return ()
+
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        made, gain = super().actuator(p, trial, motion), 1.0 + p["g"]
+        return Motion(motion.time, gain * made.displacement, gain * made.velocity, gain * made.acceleration)
+
+
+def _swung(motion: Motion, frequency: float, damping: float, from_rest: bool) -> Motion:
+    """A motion behind a second order of a frequency (Hz) and damping; before it was at rest, or went on as it begins.
+
+    What it begins with is taken off and added again as the response to a ramp, exact however coarse the samples.
+    """
+    since = motion.time - motion.time[0]
+    u, v, a = motion.displacement[0], motion.velocity[0], motion.acceleration[0]
+    ramp, step = _ramp_and_step(since, frequency, damping, from_rest)
+    return Motion(
+        motion.time,
+        swung_force(motion, motion.displacement - u - v * since, frequency, damping) + u + v * ramp,
+        swung_force(motion, motion.velocity - v, frequency, damping) + v * step,
+        swung_force(motion, motion.acceleration - a, frequency, damping) + a * step,
+    )
+
+
+def _ramp_and_step(
+    since: np.ndarray, frequency: float, damping: float, from_rest: bool
+) -> tuple[np.ndarray, np.ndarray]:
+    """Responses (n,) of a second order to a ramp of 1/s and to its velocity, begun at rest or settled."""
+    w = 2.0 * np.pi * frequency
+    late = 2.0 * damping / w
+    if not from_rest:
+        return since - late, np.ones_like(since)
+    swings, decay = w * np.sqrt(1.0 - damping**2), np.exp(-damping * w * since)
+    cosine, sine = decay * np.cos(swings * since), decay * np.sin(swings * since) / swings
+    return since - late + late * cosine + (2.0 * damping**2 - 1.0) * sine, 1.0 - cosine - damping * w * sine
 
 
 FORMS = (Delay, Growing, Filter, SecondOrder, DisplacementFilter)

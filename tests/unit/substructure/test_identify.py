@@ -1,0 +1,214 @@
+"""Rigs identified from records: accuracy against the rig that made them, refusals, files."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.cli.main import main
+from edesign.damper import signals
+from edesign.errors import InputError
+from edesign.project.substructure.loader import read_rig_file
+from edesign.substructure import rigs
+from edesign.substructure.alpha_fit import fitted_alpha
+from edesign.substructure.identified import rig_data, rig_file_text
+from edesign.substructure.identify import ACCURACY, identify
+from edesign.substructure.laboratory import rig_transfer
+from edesign.substructure.measured import read_measured
+from edesign.substructure.rig_response import rig_response
+from edesign.substructure.rigs import RigTransfer
+
+STEP = 2e-3
+THESIS = rigs.second_order(21.4, 0.4, 4.25e-3, 0.99488)
+
+
+def command(duration: float = 60.0, seed: int = 3, step: float = STEP) -> tuple[np.ndarray, np.ndarray]:
+    """White noise of 0.1 to 5 Hz, 5.5 mm, as thesis 6.2.4."""
+    return signals.random(duration, (0.1, 5.0), seed, peak=5.5e-3, sampling_rate=1.0 / step)
+
+
+def write(path: Path, time: np.ndarray, u: np.ndarray, x: np.ndarray, headers: str = "") -> Path:
+    titles = headers or "time_s,command_mm,displacement_mm"
+    table = np.column_stack([time, 1e3 * u, 1e3 * x])
+    np.savetxt(path, table, delimiter=",", header=titles, comments="", fmt="%.10g")
+    return path
+
+
+def record(path: Path, transfer: RigTransfer, duration: float = 15.0, seed: int = 3) -> Path:
+    """A record of a rig with noise of 1 % of the command's deviation."""
+    time, u = command(duration, seed)
+    shaken = 0.01 * np.std(u) * np.random.default_rng(seed).standard_normal(u.size)
+    return write(path, time, u, rig_response(transfer, u, STEP) + shaken)
+
+
+@pytest.mark.parametrize("transfer", [rigs.pure_delay(0.0123), rigs.first_order(0.004, 0.0063), THESIS])
+def test_the_response_is_that_of_many_sub_steps(transfer: RigTransfer) -> None:
+    """Exact for a command that is linear between samples: another step inside changes nothing but rounding."""
+    time, u = command(4.0)
+    fine = np.linspace(time[0], time[-1], 10 * (time.size - 1) + 1)
+    exact = rig_response(transfer, np.interp(fine, time, u), STEP / 10.0)[::10]
+    np.testing.assert_allclose(rig_response(transfer, u, STEP), exact, atol=1e-9 * np.max(np.abs(u)))
+
+
+def test_the_response_to_a_sine_is_that_of_the_transfer_function() -> None:
+    # the command is linear between 250 samples of a cycle: (w h)^2 / 12 = 5e-5 of it
+    time, w = STEP * np.arange(4000), 2.0 * np.pi * 2.0
+    found = rig_response(THESIS, np.sin(w * time), STEP)
+    exact = np.imag(THESIS(np.array([1j * w]))[0] * np.exp(1j * w * time))
+    np.testing.assert_allclose(found[500:], exact[500:], atol=1e-4)
+
+
+@pytest.mark.parametrize(
+    ("transfer", "order"), [(rigs.pure_delay(0.0102), 0), (rigs.first_order(0.004, 0.006), 1), (THESIS, 2)]
+)
+def test_a_rig_is_found_in_white_noise_within_its_bar(tmp_path: Path, transfer: RigTransfer, order: int) -> None:
+    """0.2 ms of delay and 10 % of frequency at 1 % of noise from 60 s, and the order of the rig."""
+    found = identify(record(tmp_path / "open_loop.csv", transfer, 60.0))
+    chosen = found.chosen
+    assert chosen.order == order
+    assert chosen.low_frequency_delay.value == pytest.approx(transfer.low_frequency_delay, abs=0.2 * ACCURACY)
+    assert chosen.parameters["delay"].value == pytest.approx(transfer.delay, abs=2.0 * ACCURACY)
+    assert chosen.parameters["gain"].value == pytest.approx(transfer.gain, abs=1e-3)
+    assert chosen.left == pytest.approx(0.01, rel=0.05)
+    assert chosen.independent > 0.9
+    if order == 2:
+        assert chosen.parameters["frequency"].value == pytest.approx(21.4, rel=0.1)
+        assert chosen.parameters["damping"].value == pytest.approx(0.4, rel=0.1)
+
+
+def test_standard_errors_are_those_of_records_with_other_noise(tmp_path: Path) -> None:
+    """Of eight records: a deviation within a factor of two of the true one with 98 % (chi-square of 7)."""
+    found = [identify(record(tmp_path / "one.csv", THESIS, seed=seed), 2).chosen for seed in range(8)]
+    for name in ("delay", "frequency", "damping", "gain"):
+        scatter = float(np.std([fit.parameters[name].value for fit in found], ddof=1))
+        told = float(np.mean([fit.parameters[name].standard_error for fit in found]))
+        assert 0.5 < scatter / told < 2.0, name
+
+
+def test_an_order_may_be_asked_for(tmp_path: Path) -> None:
+    found = identify(record(tmp_path / "open_loop.csv", THESIS), 0)
+    assert found.chosen.order == 0 and "as asked for" in found.why
+    assert found.chosen.independent < 0.5 and "not white noise" in found.notes[0]
+    with pytest.raises(InputError, match="order 0, 1 or 2"):
+        identify(tmp_path / "open_loop.csv", 3)
+
+
+def test_alpha_of_a_record_is_that_of_the_inverse_rig() -> None:
+    """Without noise: backward differences of 2 ms are late by 1 and 2 ms, which the alphas of x', x'' make good.
+
+    a2 is short by a1 times half a step, and differs by what the series leaves out at 5 Hz.
+    """
+    _, u = command()
+    a0, a1, a2 = fitted_alpha(u, rig_response(THESIS, u, STEP), STEP)
+    exact = THESIS.inverse_series(2)
+    assert a0 == pytest.approx(exact[0], abs=1e-3)
+    assert a1 == pytest.approx(exact[1], abs=0.5e-3)
+    assert a2 == pytest.approx(exact[2] + 0.5 * STEP * exact[1], rel=0.2)
+
+
+def test_the_rig_file_is_read_as_the_same_rig(tmp_path: Path) -> None:
+    source = record(tmp_path / "open_loop.csv", THESIS)
+    path = tmp_path / "rig.yaml"
+    assert main(["rts", "identify", str(source), "--output", str(path)]) == 0
+    found, file = identify(source), read_rig_file(path)
+    assert rig_transfer(file.rig, 0.0).low_frequency_delay == pytest.approx(
+        found.chosen.low_frequency_delay.value, rel=1e-4
+    )
+    assert file.encoder_noise == pytest.approx(found.chosen.noise, rel=1e-4)
+    assert file.alpha == pytest.approx(found.alpha, rel=1e-4)
+    assert "frequency" in file.standard_errors and "open_loop.csv" in file.source
+    assert (
+        main(["rts", "identify", str(source), "--order", "0", "--output", str(path)]) == 0
+    )  # its own file is replaced
+    path.write_text("rig: {kind: ideal}\n")
+    assert main(["rts", "identify", str(source), "--order", "0", "--output", str(path)]) == 2
+    assert rig_data(found)["rig"]["kind"] == "second_order"
+    assert rig_file_text(found).startswith("rig: {kind: second_order")
+
+
+def _still(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    return t, u, 0.0 * x
+
+
+def _short(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    return t[:200], u[3000:3200], x[3000:3200]
+
+
+def _swapped(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    return t, x, u
+
+
+def _opposite(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    return t, u, -x
+
+
+def _clipped(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    return t, u, np.minimum(x, 0.7 * np.max(x))
+
+
+def _two_clocks(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    return t, u, np.interp(t * (1.0 - 2e-5), t, x)  # 1.2 ms in 60 s
+
+
+def _far_apart(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    return t, u, np.interp(t * (1.0 - 3e-3), t, x)
+
+
+def _gap(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    return tuple(np.delete(one, 1234) for one in (t, u, x))
+
+
+def _unrelated(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    return t, u, command(seed=99)[1]
+
+
+@pytest.mark.parametrize(
+    ("spoilt", "says"),
+    [
+        (_still, "the displacement is the same in all lines"),
+        (_short, "are too short"),
+        (_swapped, "leads the command by 10.* swapped"),
+        (_opposite, "opposite sign"),
+        (_clipped, "cut off at"),
+        (_two_clocks, "drifts from .* two clocks"),
+        (_far_apart, "drifts from .* two clocks"),
+        (_gap, "uneven"),
+        (_unrelated, "is this the displacement of that command"),
+    ],
+    ids=lambda one: getattr(one, "__name__", ""),
+)
+def test_a_record_that_no_rig_makes_is_refused_in_one_sentence(tmp_path: Path, spoilt, says: str) -> None:  # type: ignore[no-untyped-def]
+    time, u = command()
+    x = rig_response(THESIS, u, STEP) + 2e-6 * np.random.default_rng(1).standard_normal(u.size)
+    path = write(tmp_path / "bad.csv", *spoilt(time, u, x))
+    with pytest.raises(InputError, match=says) as refused:
+        identify(path)
+    assert "bad.csv" in str(refused.value) and "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("headers", "says"),
+    [
+        ("time_s,comand_mm,displacement_mm", "did you mean `command`"),
+        ("time_s,target_mm,displacement_mm", "no column of command"),
+        ("time_s,command_kN,displacement_mm", "the unit `kN` is none of command"),
+        ("time_s,command,displacement_mm", "the unit is missing"),
+        ("time_s,command_mm,Command (mm)", "there is a column of command already"),
+    ],
+)
+def test_headers_are_checked(tmp_path: Path, headers: str, says: str) -> None:
+    time, u = command(4.0)
+    with pytest.raises(InputError, match=says):
+        identify(write(tmp_path / "bad.csv", time, u, u, headers))
+
+
+def test_headers_of_machines_and_other_units_are_read(tmp_path: Path) -> None:
+    path = tmp_path / "machine.csv"
+    lines = [f"{0.5 * k};{np.sin(0.1 * k):.6f};{0.1 * k};7" for k in range(50)]
+    path.write_text("Time (ms);Encoder (cm);Load [N];Valve (V)\n" + "\n".join(lines))
+    found = read_measured(path, "displacement", "force")
+    assert found.step == pytest.approx(5e-4) and found.unread == ("Valve (V)",)
+    assert found["displacement"][1] == pytest.approx(0.01 * np.sin(0.1), abs=1e-8)
+    assert found["force"][10] == pytest.approx(1.0)
