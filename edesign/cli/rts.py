@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from edesign.cli.rts_after import identify, judge
+from edesign.cli.rts_before import check, export, serve
 from edesign.errors import AnalysisError
 
 File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
@@ -18,6 +19,9 @@ app = typer.Typer(
     no_args_is_help=True,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
+app.command()(check)
+app.command()(export)
+app.command()(serve)
 app.command()(identify)
 app.command()(judge)
 

@@ -168,9 +168,7 @@ def pi_phase_lead(proportional: float, integral: float, lead: float, lag: float,
     own = np.convolve(below, ahead_below)
     terms = [Term("target", late + 1, float(value)) for late, value in enumerate(of_target)]
     terms += [Term("measured", late, -float(value)) for late, value in enumerate(of_measured)]
-    terms += [
-        Term("command", late, -float(value)) for late, value in enumerate(np.convolve(below, ahead_below)) if late
-    ]
+    terms += [Term("command", late, -float(value)) for late, value in enumerate(own) if late]
     return DifferenceEquation(tuple(terms))
 
 
