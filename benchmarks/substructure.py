@@ -17,9 +17,10 @@ from edesign.core.damper import LawValues
 from edesign.core.substructure import LinearRig, Recursion, Sensors, ServoHydraulicRig, SubstructureLoop
 from edesign.damper.thesis_tables import prototype_damper
 from edesign.project.damping import ModalDamping
-from edesign.substructure import compensators, rigs
-from edesign.substructure.numerical import shear_building
-from edesign.substructure.recursion import recursion
+from edesign.substructure.compensation import compensators
+from edesign.substructure.rig import rigs
+from edesign.substructure.structure.numerical import shear_building
+from edesign.substructure.structure.recursion import recursion
 
 STEP, SUB_STEPS, DURATION = 1e-3, 5, 30.0  # s, -, s
 SENSORS = Sensors(displacement_noise=1e-6, force_noise=20.0)

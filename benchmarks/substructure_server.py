@@ -23,7 +23,7 @@ from benchmarks.peers.opensees_laboratory import el_centro, start_client
 from edesign.damper.thesis_tables import prototype_damper
 from edesign.errors import EdesignError
 from edesign.stopping import stoppable
-from edesign.substructure.serve import SessionSummary, serve
+from edesign.substructure.server.serve import SessionSummary, serve
 
 
 @dataclass

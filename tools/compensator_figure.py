@@ -18,7 +18,8 @@ from edesign.core.compensator import AdaptiveTimeSeries, Compensator, Difference
 from edesign.core.damper import LawValues
 from edesign.core.substructure import SubstructureLoop
 from edesign.report.figures import new_figure, save, styled
-from edesign.substructure import compensators, rigs
+from edesign.substructure.compensation import compensators
+from edesign.substructure.rig import rigs
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

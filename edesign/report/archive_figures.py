@@ -46,7 +46,7 @@ def building_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 def substructure_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Give all figures of virtual substructure tests; none of other archives."""
     if is_substructure_archive(archive):
-        from edesign.report.substructure_figures import substructure_figures
+        from edesign.report.substructure.figures import substructure_figures
 
         yield from substructure_figures(archive)
 

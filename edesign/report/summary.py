@@ -52,7 +52,7 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
 
         return {"archive": finite(about | damage), "building": building_summary(archive)}
     if is_substructure_archive(archive):
-        from edesign.report.substructure_tables import substructure_summary
+        from edesign.report.substructure.tables import substructure_summary
 
         return {"archive": finite(about | damage), "tests": substructure_summary(archive)}
     found = {"archive": finite(about | damage), "analyses": [entry(name, results(archive, name)) for name in names]}

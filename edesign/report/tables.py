@@ -46,7 +46,7 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
 
         return [_heading(archive), *building_tables(archive)]
     if is_substructure_archive(archive):
-        from edesign.report.substructure_tables import substructure_tables
+        from edesign.report.substructure.tables import substructure_tables
 
         return [_heading(archive), *(table for table in substructure_tables(archive) if table.rows)]
     if is_study_archive(archive):

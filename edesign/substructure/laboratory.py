@@ -19,10 +19,11 @@ from edesign.project.substructure import compensators as kinds
 from edesign.project.substructure import rig as rig_kinds
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure, ShearBuilding
-from edesign.substructure import compensators, rigs
-from edesign.substructure.numerical import LinearPart, shear_building
-from edesign.substructure.project_structure import project_part
-from edesign.substructure.rigs import RigTransfer
+from edesign.substructure.compensation import compensators
+from edesign.substructure.rig import rigs
+from edesign.substructure.rig.rigs import RigTransfer
+from edesign.substructure.structure.numerical import LinearPart, shear_building
+from edesign.substructure.structure.project_structure import project_part
 
 STIFF_OIL = 1e15
 """N/m of an oil column that does not give way: 1e-6 of the displacement of the stiffest specimen of 1 GN/m."""

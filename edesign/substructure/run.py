@@ -17,7 +17,7 @@ from edesign.project.yaml_file import read_yaml_text
 from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
 from edesign.substructure.archived import INDICATORS, PLACE, groups, indicators
-from edesign.substructure.method_tests import method_group
+from edesign.substructure.methods.method_tests import method_group
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
 
 HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")

@@ -20,12 +20,13 @@ from edesign.ground_motion.project_records import find_recordings
 from edesign.project.dampers import DamperLaw
 from edesign.project.substructure.programme import CommandTest, PseudoDynamicTest, RtsTest
 from edesign.project.substructure.rts_file import RtsFile
-from edesign.substructure import compensators, rigs
 from edesign.substructure.commands import command_motion
+from edesign.substructure.compensation import compensators
 from edesign.substructure.indicators import Tracking, tracking
 from edesign.substructure.laboratory import Laboratory, TestedDamper, compensator_of, laboratory, stiffness_of
-from edesign.substructure.method_tests import MethodResults, run_method
-from edesign.substructure.recursion import recursion
+from edesign.substructure.methods.method_tests import MethodResults, run_method
+from edesign.substructure.rig import rigs
+from edesign.substructure.structure.recursion import recursion
 
 FINER = 4
 """How many times as fine as the main step the direct analysis is. Its error is of second order in the step: 0.012 % at

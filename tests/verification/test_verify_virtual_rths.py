@@ -31,15 +31,15 @@ from edesign.core.substructure import LinearRig, LoopRecord, Recursion, Sensors,
 from edesign.ground_motion.project_records import find_recordings
 from edesign.project import load_project
 from edesign.project.substructure import parse_rts_file
-from edesign.substructure import compensators
+from edesign.substructure.compensation import compensators
 from edesign.substructure.indicators import benchmark_criteria
 from edesign.substructure.laboratory import TestedStructure as Structure  # pytest would collect `Test...`
-from edesign.substructure.numerical import LinearPart, modal_damping_matrix, natural_modes
-from edesign.substructure.recursion import recursion
-from edesign.substructure.rigs import RigTransfer
+from edesign.substructure.rig.rigs import RigTransfer
 from edesign.substructure.stability.loop import Loop, Transfer, ideal
 from edesign.substructure.stability.margins import critical_delays, loop_stability
 from edesign.substructure.stability.specimens import linear_specimen
+from edesign.substructure.structure.numerical import LinearPart, modal_damping_matrix, natural_modes
+from edesign.substructure.structure.recursion import recursion
 from edesign.substructure.virtual_tests import VirtualLaboratory
 
 PROJECT = Path(__file__).parents[2] / "projects" / "thesis_one_storey" / "project.yaml"

@@ -14,7 +14,7 @@ from edesign.substructure.methods.comparison import checked_ground, positive
 from edesign.substructure.methods.comparison import response_error as error_of
 from edesign.substructure.methods.rate import motion_frequency, steady_stiffness
 from edesign.substructure.methods.state_space import LinearSystem, fixed_base, respond
-from edesign.substructure.numerical import LinearPart
+from edesign.substructure.structure.numerical import LinearPart
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,8 @@ from edesign.substructure.methods.comparison import checked_ground, positive
 from edesign.substructure.methods.comparison import response_error as error_of
 from edesign.substructure.methods.rate import RateEffect, motion_frequency, rate_effect
 from edesign.substructure.methods.state_space import fixed_base, respond
-from edesign.substructure.numerical import LinearPart
-from edesign.substructure.recursion import largest_step
+from edesign.substructure.structure.numerical import LinearPart
+from edesign.substructure.structure.recursion import largest_step
 
 Feedback = Literal["measured", "computed"]
 Physical = Literal["specimen", "structure"]

@@ -16,7 +16,7 @@ from edesign.substructure.indicators.untold import Untold
 from edesign.substructure.methods.comparison import checked_ground, positive
 from edesign.substructure.methods.comparison import response_error as error_of
 from edesign.substructure.methods.state_space import LinearSystem, fixed_base, respond
-from edesign.substructure.numerical import LinearPart
+from edesign.substructure.structure.numerical import LinearPart
 
 GAIN_MARGIN = 2.0
 """Of the table's own loop where nothing else is said: 6 dB, a usual one of servo loops."""

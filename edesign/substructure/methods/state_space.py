@@ -11,7 +11,7 @@ import scipy
 from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
-from edesign.substructure.numerical import LinearPart
+from edesign.substructure.structure.numerical import LinearPart
 
 BALANCE = 1e-10
 """Error of the damper's force over the largest force so far, at which the iteration for balance ends."""

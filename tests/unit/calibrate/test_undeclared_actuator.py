@@ -19,8 +19,9 @@ from edesign.damper.specimen import Specimen
 from edesign.damper.test_files import LawChoice
 from edesign.damper.test_record import DamperTest
 from edesign.one_thread import one_thread
-from edesign.substructure import compensators, rigs
-from edesign.substructure.rigs import RigTransfer
+from edesign.substructure.compensation import compensators
+from edesign.substructure.rig import rigs
+from edesign.substructure.rig.rigs import RigTransfer
 
 STEP = 1e-3
 SINES = ((2.0, 0.5, 5), (5.0, 1.0, 8), (8.0, 0.5, 5), (2.0, 3.0, 15), (3.0, 1.5, 10))  # mm, Hz, cycles

@@ -20,14 +20,14 @@ from edesign.project.substructure import load_rts_file
 from edesign.report.archive_figures import all_figures, draw_figures
 from edesign.report.captions import plain
 from edesign.report.page.document import page_text
-from edesign.report.substructure_curves import TOLERANCE, _fewer, window
-from edesign.report.substructure_limits import limits_table, runs_so_far_table, untold_table
-from edesign.report.substructure_results import SubstructureResults
-from edesign.report.substructure_rig_figures import delay
+from edesign.report.substructure.curves import TOLERANCE, _fewer, window
+from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
+from edesign.report.substructure.results import SubstructureResults
+from edesign.report.substructure.rig_figures import delay
 from edesign.report.table import Table
 from edesign.report.tables import overview
 from edesign.report.text import print_tables
-from edesign.substructure.rigs import second_order
+from edesign.substructure.rig.rigs import second_order
 from edesign.substructure.run import run_tests
 
 RECORD = "time_s,acceleration_m_s2\n" + "".join(
@@ -142,7 +142,7 @@ def test_captions_have_the_numbers_of_the_archive(archive: Archive) -> None:
 
 def test_the_law_under_the_target_is_that_of_the_specimen(archive: Archive) -> None:
     """k x + c v of the target, and the specimen's own force where the rig follows."""
-    from edesign.report.substructure_response_figures import _wanted
+    from edesign.report.substructure.response_figures import _wanted
 
     found, _ = _wanted(SubstructureResults(archive), "cycles")
     assert found is not None

@@ -10,13 +10,13 @@ import numpy as np
 import pytest
 
 from edesign.project.substructure import parse_rts_file
-from edesign.report.substructure_advice_tables import advice_tables
+from edesign.report.substructure.advice_tables import advice_tables
 from edesign.report.text import print_tables
-from edesign.substructure.advice import Advice, advise
-from edesign.substructure.needs import ABORT, Need, abort_level
-from edesign.substructure.recommendation import Candidate, recommended
-from edesign.substructure.rigs import second_order
-from edesign.substructure.transfers import converged_series, force_over_step, phase_delay
+from edesign.substructure.advice.advice import Advice, advise
+from edesign.substructure.advice.needs import ABORT, Need, abort_level
+from edesign.substructure.advice.recommendation import Candidate, recommended
+from edesign.substructure.advice.transfers import converged_series, force_over_step, phase_delay
+from edesign.substructure.rig.rigs import second_order
 from edesign.substructure.virtual_tests import TestResults as Results
 from edesign.substructure.virtual_tests import VirtualLaboratory
 

@@ -10,8 +10,8 @@ import pytest
 import scipy
 
 from edesign.project.substructure import parse_rts_file
-from edesign.substructure.advice import advise
-from edesign.substructure.expectation import ExpectedTest
+from edesign.substructure.advice.advice import advise
+from edesign.substructure.advice.expectation import ExpectedTest
 from edesign.substructure.virtual_tests import VirtualLaboratory, VirtualTest
 
 PARTITIONS = 100

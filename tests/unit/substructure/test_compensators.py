@@ -24,7 +24,8 @@ from edesign.core.compensator import (
 from edesign.core.damper import LawValues
 from edesign.core.substructure import Recursion, SubstructureLoop
 from edesign.errors import InputError
-from edesign.substructure import compensators, rigs
+from edesign.substructure.compensation import compensators
+from edesign.substructure.rig import rigs
 
 STEP = 1e-3  # s
 ADAPTIVE = AdaptiveTimeSeries(

@@ -23,9 +23,9 @@ from edesign.core.compensator_source import HEADER, header_text, hexadecimal, le
 from edesign.core.errors import CoreError
 from edesign.errors import InputError
 from edesign.project.substructure import compensators as kinds
-from edesign.substructure import compensators
-from edesign.substructure.compensator_matrices import INPUTS, OUTPUTS, state_space
-from edesign.substructure.export import FILES, MATRICES, export, identifier
+from edesign.substructure.compensation import compensators
+from edesign.substructure.compensation.compensator_matrices import INPUTS, OUTPUTS, state_space
+from edesign.substructure.compensation.export import FILES, MATRICES, export, identifier
 
 STEP = 1e-3  # s
 FLAGS = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror", "-O2"]

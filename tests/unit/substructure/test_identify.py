@@ -11,14 +11,14 @@ from edesign.cli.main import main
 from edesign.damper import signals
 from edesign.errors import InputError
 from edesign.project.substructure.loader import read_rig_file
-from edesign.substructure import rigs
-from edesign.substructure.alpha_fit import fitted_alpha
-from edesign.substructure.identified import rig_data, rig_file_text
-from edesign.substructure.identify import ACCURACY, identify
+from edesign.substructure.compensation.alpha_fit import fitted_alpha
+from edesign.substructure.judgement.measured import read_measured
 from edesign.substructure.laboratory import rig_transfer
-from edesign.substructure.measured import read_measured
-from edesign.substructure.rig_response import rig_response
-from edesign.substructure.rigs import RigTransfer
+from edesign.substructure.rig import rigs
+from edesign.substructure.rig.identified import rig_data, rig_file_text
+from edesign.substructure.rig.identify import ACCURACY, identify
+from edesign.substructure.rig.rig_response import rig_response
+from edesign.substructure.rig.rigs import RigTransfer
 
 STEP = 2e-3
 THESIS = rigs.second_order(21.4, 0.4, 4.25e-3, 0.99488)

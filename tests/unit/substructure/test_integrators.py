@@ -15,8 +15,8 @@ import scipy
 
 from edesign.errors import InputError
 from edesign.project.damping import RayleighDamping
-from edesign.substructure.numerical import LinearPart, shear_building
-from edesign.substructure.recursion import (
+from edesign.substructure.structure.numerical import LinearPart, shear_building
+from edesign.substructure.structure.recursion import (
     METHODS,
     Recursion,
     largest_step,

@@ -16,13 +16,13 @@ from edesign.damper.campaign import load_campaign
 from edesign.errors import InputError
 from edesign.project.substructure import load_rts_file
 from edesign.project.substructure.rts_file import RtsFile
-from edesign.substructure.judge import REPRODUCED, judge
-from edesign.substructure.measured import read_measured
-from edesign.substructure.measured_force import response_to_force
-from edesign.substructure.numerical import LinearPart
-from edesign.substructure.record_campaign import write_test_campaign
-from edesign.substructure.recursion import recursion
+from edesign.substructure.judgement.judge import REPRODUCED, judge
+from edesign.substructure.judgement.measured import read_measured
+from edesign.substructure.judgement.measured_force import response_to_force
+from edesign.substructure.judgement.record_campaign import write_test_campaign
 from edesign.substructure.run import HEADERS, write_run
+from edesign.substructure.structure.numerical import LinearPart
+from edesign.substructure.structure.recursion import recursion
 from edesign.substructure.virtual_tests import VirtualLaboratory, VirtualTest
 
 RTS = Path(__file__).parents[3] / "projects" / "thesis_substructure" / "one_storey.yaml"

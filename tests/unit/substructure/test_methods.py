@@ -30,7 +30,7 @@ from edesign.substructure.methods.pseudo_dynamic import apparent_damping, modes_
 from edesign.substructure.methods.rate import motion_frequency, rate_effect
 from edesign.substructure.methods.shaking_table import table_transfer
 from edesign.substructure.methods.state_space import fixed_base, respond
-from edesign.substructure.numerical import LinearPart, shear_building
+from edesign.substructure.structure.numerical import LinearPart, shear_building
 
 TURN = 2.0 * math.pi
 LABORATORIES = ("specimen", "structure")

@@ -15,9 +15,9 @@ from edesign.project.damping import ModalDamping, NoDamping, RayleighDamping
 from edesign.project.project import Project
 from edesign.study.analyses import run_analysis
 from edesign.study.structure import make_structure
-from edesign.substructure.numerical import LinearPart, shear_building
-from edesign.substructure.project_structure import project_part
-from edesign.substructure.recursion import Recursion, recursion
+from edesign.substructure.structure.numerical import LinearPart, shear_building
+from edesign.substructure.structure.project_structure import project_part
+from edesign.substructure.structure.recursion import Recursion, recursion
 
 PROJECTS = Path(__file__).parents[3] / "projects"
 NONE = NoDamping(kind="none")

@@ -17,7 +17,8 @@ from edesign.core.substructure import (
     SubstructureLoop,
 )
 from edesign.errors import InputError
-from edesign.substructure import compensators, rigs
+from edesign.substructure.compensation import compensators
+from edesign.substructure.rig import rigs
 
 STEP, STIFFNESS = 1e-3, 2e6
 SPRING = LawValues("kelvin_voigt", (STIFFNESS, 0.0))

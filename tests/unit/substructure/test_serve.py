@@ -25,8 +25,8 @@ from edesign.damper.read_test import read_test
 from edesign.damper.thesis_tables import prototype_damper
 from edesign.errors import ArchiveError, EdesignError, InputError
 from edesign.stopping import stoppable
-from edesign.substructure.protocol import NotTheProtocol, check_first_size, parse_greeting
-from edesign.substructure.serve import SessionError, SessionSummary, serve
+from edesign.substructure.server.protocol import NotTheProtocol, check_first_size, parse_greeting
+from edesign.substructure.server.serve import SessionError, SessionSummary, serve
 
 K, C = 2e6, 3e4  # N/m, N s/m
 GREETING = (1, 1, 1, 0, 1, 0, 0, 0, 1, 0, 256)  # as genericClient sends it for one degree of freedom
@@ -422,7 +422,7 @@ def test_signals(number: int, tmp_path: Path) -> None:
     """The client can end, the record is written, and there is no traceback."""
     code = (
         "import sys; from pathlib import Path; from edesign.core.damper import CoreDamper\n"
-        "from edesign.substructure.serve import serve\n"
+        "from edesign.substructure.server.serve import serve\n"
         "say = lambda line: print(line, flush=True)\n"
         "serve(CoreDamper('kelvin_voigt', (1.0, 0.0)), (1.0, 1.0), 0, record=Path(sys.argv[1]), on_event=say)\n"
     )

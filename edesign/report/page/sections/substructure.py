@@ -13,14 +13,14 @@ from edesign.errors import ArchiveError
 from edesign.report.captions import plain
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.source import Source
-from edesign.report.substructure_alpha_figures import alpha_figures
-from edesign.report.substructure_diagram import loop_diagrams
-from edesign.report.substructure_limits import limits_table, runs_so_far_table, untold_table
-from edesign.report.substructure_response_figures import energy_error_figures, loop_figures, response_figures
-from edesign.report.substructure_results import NONE, SubstructureResults
-from edesign.report.substructure_rig_figures import rig_figures
-from edesign.report.substructure_tables import Run, substructure_tables
-from edesign.report.substructure_tracking_figures import synchronisation_figures, tracking_figures
+from edesign.report.substructure.alpha_figures import alpha_figures
+from edesign.report.substructure.diagram import loop_diagrams
+from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
+from edesign.report.substructure.response_figures import energy_error_figures, loop_figures, response_figures
+from edesign.report.substructure.results import NONE, SubstructureResults
+from edesign.report.substructure.rig_figures import rig_figures
+from edesign.report.substructure.tables import Run, substructure_tables
+from edesign.report.substructure.tracking_figures import synchronisation_figures, tracking_figures
 from edesign.report.summary import input_warnings
 from edesign.report.table import Table
 from edesign.substructure.archived import INDICATORS

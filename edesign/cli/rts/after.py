@@ -1,0 +1,118 @@
+"""`edesign rts identify` and `judge`: what a laboratory asks after it has measured."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from edesign.errors import AnalysisError, InputError
+
+if TYPE_CHECKING:
+    from edesign.project.substructure.rts_file import RtsFile
+    from edesign.substructure.judgement.record_campaign import Displacement
+
+Json = Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of tables.")]
+
+
+def identify(
+    record: Annotated[
+        Path,
+        typer.Argument(help="CSV with time, command and displacement of the rig alone or loaded.", show_default=False),
+    ],
+    order: Annotated[
+        int | None, typer.Option("--order", min=0, max=2, help="Of the rig; what the record asks for if not said.")
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Write a rig file (rig.yaml) for `rig: {file: ...}`.")
+    ] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a file that is not of this record.")] = False,
+    as_json: Json = False,
+) -> None:
+    """Find delay, order, gain and noise of a rig in a measured command and displacement."""
+    from edesign.archive.files import check_own_yaml, write_yaml
+    from edesign.one_thread import one_thread
+    from edesign.report.substructure.identified_rig_tables import identified_rig_tables
+    from edesign.report.text import print_tables
+    from edesign.substructure.rig.identified import rig_data, rig_file_text
+    from edesign.substructure.rig.identify import identify as find
+
+    if output is not None:
+        check_own_yaml(output, record, overwrite)
+    with one_thread():
+        found = find(record, order)
+    if output is not None:
+        write_yaml(rig_file_text(found), output, record)
+    if as_json:
+        print(json.dumps(rig_data(found), indent=2, allow_nan=False, ensure_ascii=False))
+        return
+    print_tables(identified_rig_tables(found))
+    if output is not None:
+        print(f"written: {output}")
+
+
+def judge(
+    record: Annotated[Path, typer.Argument(help="CSV with time, target, displacement, and force.", show_default=False)],
+    rts: Annotated[
+        Path | None, typer.Option("--rts", help="File of the test: judges the response of the structure too.")
+    ] = None,
+    test: Annotated[str | None, typer.Option("--test", help="Which test of it, if it has several.")] = None,
+    campaign: Annotated[
+        Path | None, typer.Option("--campaign", metavar="DIR", help="Write it as a campaign for `edesign calibrate`.")
+    ] = None,
+    displacement: Annotated[
+        str, typer.Option("--displacement", help="Of the campaign: target or encoder.")
+    ] = "encoder",
+    check: Annotated[bool, typer.Option("--check", help="Exit with 3 if a criterion is not met.")] = False,
+    as_json: Json = False,
+) -> None:
+    """Judge a measured substructure test: tracking, error of the response, force against the law."""
+    from edesign.one_thread import one_thread
+    from edesign.report.substructure.judgement_tables import judgement_data, judgement_tables
+    from edesign.report.text import print_tables
+    from edesign.substructure.judgement.judge import judge as judged
+
+    chosen, file = _displacement(displacement), _read(rts, test, campaign)
+    with one_thread():
+        found = judged(record, file, test)
+    written = _write_campaign(record, file, campaign, chosen)
+    if as_json:
+        print(json.dumps(judgement_data(found), indent=2, allow_nan=False, ensure_ascii=False))
+    else:
+        print_tables(judgement_tables(found))
+        if written is not None:
+            print(f"written: {written}")
+    if check and found.good is not True:
+        raise AnalysisError(f"{record}: {found.verdict}")
+
+
+def _displacement(name: str) -> Displacement:
+    from edesign.substructure.judgement.record_campaign import CHANNELS
+
+    chosen = next((one for one in CHANNELS if one == name), None)
+    if chosen is None:
+        raise InputError(f"--displacement: `{name}` is none of {', '.join(CHANNELS)}")
+    return chosen
+
+
+def _read(rts: Path | None, test: str | None, campaign: Path | None) -> RtsFile | None:
+    from edesign.building.building_sections import BuildingSections
+    from edesign.project.substructure import load_rts_file
+
+    if rts is not None:
+        return load_rts_file(rts, BuildingSections())
+    for option, value in (("--test", test), ("--campaign", campaign)):
+        if value is not None:
+            raise InputError(f"{option}: only with --rts, which says law and specimen")
+    return None
+
+
+def _write_campaign(record: Path, file: RtsFile | None, folder: Path | None, chosen: Displacement) -> Path | None:
+    from edesign.substructure.judgement.measured import read_measured
+    from edesign.substructure.judgement.record_campaign import CHANNELS, write_test_campaign
+
+    if folder is None or file is None:
+        return None
+    return write_test_campaign(read_measured(record, CHANNELS[chosen], "force"), file, folder, chosen).path

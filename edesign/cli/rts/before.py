@@ -1,0 +1,92 @@
+"""`edesign rts check`, `export` and `serve`: what a laboratory asks before and during a test."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from edesign.errors import InputError
+
+File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
+
+
+def check(file: File) -> None:
+    """Say, without running the loop, whether it is stable, how wrong it will be, and which compensator suits."""
+    from edesign.building.building_sections import BuildingSections
+    from edesign.cli.stages import Tell, in_stages
+    from edesign.project.substructure import load_rts_file
+    from edesign.report.substructure.advice_tables import advice_tables
+    from edesign.report.text import print_tables
+    from edesign.substructure.advice.advice import Advice, advise
+    from edesign.substructure.virtual_tests import VirtualLaboratory
+
+    tests = load_rts_file(file, BuildingSections())
+
+    def work(tell: Tell) -> Advice:
+        tell("linearising the loop")
+        return advise(VirtualLaboratory(tests))
+
+    print_tables(advice_tables(in_stages(work)))
+
+
+def export(
+    file: File,
+    compensator: Annotated[str, typer.Argument(help="Which compensator of the file.", show_default=False)],
+    output: Annotated[Path, typer.Option("--output", "-o", metavar="DIR", help="Where the files go.")],
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace other files of the same names.")] = False,
+) -> None:
+    """Write a compensator as C99 for a signal processor, with a self test, a timing program, and matrices."""
+    from edesign.building.building_sections import BuildingSections
+    from edesign.project.problems import unknown_name
+    from edesign.project.substructure import load_rts_file
+    from edesign.substructure.compensation.export import export as write
+    from edesign.substructure.laboratory import compensator_of, laboratory
+
+    tests = load_rts_file(file, BuildingSections())
+    if compensator not in tests.compensators:
+        raise InputError(f"{file}: {unknown_name('compensator', compensator, tests.compensators)}")
+    step = tests.loop.main_step
+    made = compensator_of(tests.compensators[compensator], step, laboratory(tests).transfer)
+    for path in write(made, step, output, compensator, overwrite=overwrite):
+        print(path)
+
+
+def serve(
+    file: File,
+    port: Annotated[int, typer.Option("--port", "-p", min=0, max=65535, help="Of TCP; 0 for a free one.")] = 8090,
+    host: Annotated[
+        str, typer.Option("--host", help="Address of this machine; 0.0.0.0 lets everybody in who reaches it.")
+    ] = "127.0.0.1",
+    between: Annotated[
+        bool, typer.Option("--between", help="The specimen stands between the client's two degrees of freedom.")
+    ] = False,
+    iterations: Annotated[
+        bool, typer.Option("--iterations", help="Let an implicit client try several displacements a step.")
+    ] = False,
+    record: Annotated[Path | None, typer.Option("--record", help="Write the committed steps to a CSV file.")] = None,
+) -> None:
+    """Be the laboratory of OpenSees' genericClient: the virtual specimen of the file behind a TCP port."""
+    from edesign.building.building_sections import BuildingSections
+    from edesign.core.damper import CoreDamper
+    from edesign.project.substructure import load_rts_file
+    from edesign.substructure.laboratory import laboratory
+    from edesign.substructure.server.serve import serve as wait
+
+    damper = laboratory(load_rts_file(file, BuildingSections())).damper
+    if damper is None:
+        raise InputError(f"{file}: specimen: a laboratory needs a law; give `law` or `law_file`")
+    values = damper.values
+    found = wait(
+        CoreDamper(values.law, values.values, amendments=values.amendments),
+        damper.scales,
+        port,
+        host,
+        interface=(-1.0, 1.0) if between else (1.0,),
+        allow_iterations=iterations,
+        record=record,
+        on_event=lambda line: print(line, file=sys.stderr, flush=True),
+    )
+    print(found.text())

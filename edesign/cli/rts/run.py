@@ -1,0 +1,53 @@
+"""`edesign rts run`: virtual tests into an archive."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from edesign.errors import AnalysisError
+
+File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
+
+
+def run(
+    file: File,
+    archive: Annotated[
+        Path | None, typer.Option("--archive", "-a", help="Where to write; by default what the file says.")
+    ] = None,
+    csv: Annotated[
+        Path | None, typer.Option("--csv", metavar="DIR", help="Write each run as a CSV file there as well.")
+    ] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace the archive of something else.")] = False,
+    check: Annotated[bool, typer.Option("--check", help="Exit with 3 if a response is too wrong.")] = False,
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
+) -> None:
+    """Run the virtual tests of a file with all its compensators, archive them, and print a summary."""
+    from edesign.building.building_sections import BuildingSections
+    from edesign.cli.stages import Tell, in_stages
+    from edesign.project.substructure import load_rts_file
+    from edesign.report.tables import overview
+    from edesign.report.text import print_tables
+    from edesign.substructure.run import run_tests
+    from edesign.substructure.virtual_tests import TestResults
+
+    tests = load_rts_file(file, BuildingSections())
+
+    def work(tell: Tell) -> tuple[Path, tuple[TestResults, ...]]:
+        tell(f"reading {file}")
+        return run_tests(tests, archive, overwrite, tell, csv)
+
+    path, found = in_stages(work, quiet)
+    if not quiet:
+        print_tables(overview(path))
+        print(f"archive: {path}")
+    bad = [
+        f"{one.test}, {one.compensator}"
+        for results in found
+        for one in results.runs
+        if one.outcome != "done" or one.response_error > tests.criteria.response_error
+    ]
+    if check and bad:
+        raise AnalysisError(f"{file}: {len(bad)} runs are unstable or too wrong ({'; '.join(bad)}); all are in {path}")

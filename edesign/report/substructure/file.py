@@ -1,0 +1,127 @@
+"""The file of substructure tests whose text an archive holds, and the laboratory that it describes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from edesign.archive.reader import Archive
+from edesign.building.building_sections import BuildingSections
+from edesign.errors import EdesignError
+from edesign.project.loader import parse_project
+from edesign.project.project import Project
+from edesign.project.substructure.loader import read_rig_file
+from edesign.project.substructure.rig import IdealRig, RigFile, RigInFile, RigModel
+from edesign.project.substructure.rts_file import RtsFile
+from edesign.project.substructure.structure import ProjectStructure
+from edesign.project.substructure.summary import summary
+from edesign.project.yaml_file import check_model
+from edesign.substructure.laboratory import Laboratory, laboratory, rig_transfer
+from edesign.substructure.rig.rigs import RigTransfer
+
+RIG = "rig"
+TITLES = {
+    "structure": "Structure in the computer",
+    "specimen": "Specimen in the rig",
+    "rig": "Rig",
+    "loop": "Loop",
+    "compensate": "Compensators",
+    "tests": "Tests",
+    "runs": "Runs",
+}
+"""Of the lines of a summary."""
+
+
+@dataclass
+class ArchivedTests:
+    """What an archive says of its tests; no file need be at hand.
+
+    Attributes:
+        file: None: its text cannot be read.
+        told: sentences on what is not known, or comes from elsewhere.
+        plant: the rig; None: its file is not at hand.
+        laboratory: structure, damper and rig; None: they cannot be made from what is held.
+        transfer: of the rig; None: not known.
+    """
+
+    file: RtsFile | None
+    told: list[str] = field(default_factory=list)
+    plant: RigModel | None = None
+    laboratory: Laboratory | None = None
+    transfer: RigTransfer | None = None
+
+    def rows(self) -> list[tuple[str, str]]:
+        """Return what was tested, line by line: title and text."""
+        if self.file is None:
+            return []
+        file = self.file
+        if self.plant is None:  # all else can be told of a file whose rig is not known
+            file = file.model_copy(update={RIG: IdealRig(kind="ideal")})
+        said = summary(file)
+        if self.plant is None and isinstance(self.file.rig, RigInFile):
+            said[RIG] = f"that of {self.file.rig.file}"
+        return [(title, said[key].replace("\n", "; ")) for key, title in TITLES.items() if key in said]
+
+
+def archived_tests(archive: Archive) -> ArchivedTests:
+    """Return what an archive of substructure tests says of them; never raises for a text of another version."""
+    root = archive.group()
+    texts = {name: str(one.values) for name, one in root.variables.items() if one.values.ndim == 0}
+    if "rts_text" not in texts:
+        return ArchivedTests(None, ["The archive does not hold the text of the file of tests."])
+    path = Path(str(archive.attributes.get("rts_file") or "rts.yaml"))
+    try:
+        found, problems = check_model(texts["rts_text"], RtsFile, "substructure test file", "edesign_rts: 1")
+        if found is None or problems.found:
+            return ArchivedTests(None, [f"This version cannot read the text of {path.name}."])
+        found.read_from(path, texts["rts_text"], problems.root)
+        tests = ArchivedTests(found)
+        found.set_named(_project(found, texts, tests.told), _rig(found, texts, archive, tests.told))
+    except EdesignError as error:
+        return ArchivedTests(None, [f"The file of tests cannot be read: {error}."])
+    _make_laboratory(tests)
+    return tests
+
+
+def _project(file: RtsFile, texts: dict[str, str], told: list[str]) -> Project | None:
+    """The project; a file that needs one and has none cannot be used."""
+    if not isinstance(file.structure, ProjectStructure):
+        return None
+    return parse_project(texts.get("project_text", ""), Path(file.structure.project), BuildingSections(), files=False)
+
+
+def _rig(file: RtsFile, texts: dict[str, str], archive: Archive, told: list[str]) -> RigFile | None:
+    """The rig file, by its text, or as it stands beside the file of tests today."""
+    if not isinstance(file.rig, RigInFile):
+        return None
+    name = file.rig.file
+    if "rig_text" in texts:
+        found, problems = check_model(texts["rig_text"], RigFile, "rig file", "rig: {kind: second_order, ...}")
+        if found is not None and not problems.found:
+            return found
+        told.append(f"This version cannot read the text of the rig file {name}.")
+        return None
+    beside = archive.path.parent / str(archive.attributes.get("source_file") or file.path)
+    there = beside.parent / name
+    try:
+        found = read_rig_file(there) if there.is_file() else None
+    except EdesignError:
+        found = None
+    said = f"is read from {name} as it is today" if found is not None else f"stands in {name}, which is not at hand"
+    told.append(f"The archive does not hold the rig; it {said}.")
+    return found
+
+
+def _make_laboratory(tests: ArchivedTests) -> None:
+    file = tests.file
+    assert file is not None
+    if isinstance(file.rig, RigInFile) and file.rig_file is None:
+        return
+    tests.plant = file.plant
+    try:
+        tests.laboratory = laboratory(file)
+        tests.transfer = tests.laboratory.transfer
+    except (EdesignError, OSError) as error:
+        tests.told.append(f"Structure and law are not drawn: {error}.")
+        if tests.plant.kind != "servo_hydraulic":  # of which the specimen is a part
+            tests.transfer = rig_transfer(tests.plant, 0.0)

@@ -1,0 +1,58 @@
+"""Tables of a rig that was identified from a record."""
+
+from __future__ import annotations
+
+from edesign.report.table import Table, number
+from edesign.substructure.rig.identify import IdentifiedRig
+from edesign.substructure.rig.rig_fit import RigFit, RigParameter
+
+_UNITS = {"s": ("ms", 1e-3), "Hz": ("Hz", 1.0), "": ("-", 1.0)}
+
+
+def identified_rig_tables(found: IdentifiedRig) -> list[Table]:
+    """Return the parameters of the rig, the orders that were tried, and its alphas."""
+    return [_parameters(found), _orders(found), _alphas(found)]
+
+
+def _parameters(found: IdentifiedRig) -> Table:
+    fit = found.chosen
+    table = Table(f"Rig of {found.source.name}", ("parameter", "value", "std. error", "unit"))
+    for name, one in fit.parameters.items():
+        table.rows.append(_row(name.replace("_", " "), one))
+    table.rows.append(_row("delay of slow motions", fit.low_frequency_delay))
+    table.rows.append(["noise of the encoder", number(fit.noise, 3, 1e-6), "-", "um"])
+    table.notes += [found.why, *found.notes]
+    return table
+
+
+def _row(name: str, one: RigParameter) -> list[str]:
+    unit, scale = _UNITS[one.unit]
+    return [name, number(one.value, 5, scale), number(one.standard_error, 2, scale), unit]
+
+
+def _orders(found: IdentifiedRig) -> Table:
+    columns = ("order", "delay of slow motions [ms]", "left [%]", "independent [%]", "criterion")
+    table = Table("Orders that were tried", columns)
+    for fit, value in zip(found.tried, found.criteria, strict=True):
+        table.rows.append(_order_row(fit, value))
+    table.notes.append(
+        "left: root of squared error over squared displacement; independent: share of white noise in it;"
+    )
+    table.notes.append("criterion: BIC less that of the best order")
+    return table
+
+
+def _order_row(fit: RigFit, criterion: float) -> list[str]:
+    shares = [number(100.0 * fit.left, 3), number(100.0 * fit.independent, 3)]
+    return [str(fit.order), number(fit.low_frequency_delay.value, 4, 1e-3), *shares, f"{criterion:.0f}"]
+
+
+def _alphas(found: IdentifiedRig) -> Table:
+    table = Table("Coefficients of the inverse rig", ("from", "alpha_0", "alpha_1 [ms]", "alpha_2 [1e-6 s2]"))
+    for name, (a0, a1, a2) in (
+        ("the record, by least squares", found.alpha),
+        ("the rig, by its series", found.alpha_of_rig),
+    ):
+        table.rows.append([name, number(a0, 5), number(a1, 4, 1e-3), number(a2, 3, 1e-6)])
+    table.notes.append("least squares: filtered at 20 Hz, backward differences, as thesis 6.2.3")
+    return table

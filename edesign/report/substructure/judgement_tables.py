@@ -1,0 +1,103 @@
+"""How good a substructure test was, as tables and as plain data."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import Any
+
+import numpy as np
+
+from edesign.report.table import Table, number
+from edesign.substructure.indicators import Tracking, definitions
+from edesign.substructure.judgement.judge import Criterion, JudgedResponse, Judgement
+
+_SCALES = {"s": ("ms", 1e-3), "m": ("mm", 1e-3), "m2": ("mm2", 1e-6), "Hz": ("Hz", 1.0), "J": ("J", 1.0)}
+_SHARES = ("nrms", "nrms_root", "maximum_error", "peak_error_mean", "peak_error_largest", "energy_share")
+_UNTOLD = "not told"
+
+
+def judgement_tables(found: Judgement) -> list[Table]:
+    """Return how the specimen followed, what that did to the response, and the verdict."""
+    tables = [_tracking(found)]
+    if found.response is not None:
+        tables += [_response(found.response), _criteria(found)]
+    tables[-1].notes += [found.verdict, *found.notes]
+    return tables
+
+
+def judgement_data(found: Judgement) -> dict[str, Any]:
+    """Return a judgement as plain data in SI, for JSON; numbers that are not finite are null."""
+    response = None
+    if found.response is not None:
+        response = {
+            name: _plain(value) for name, value in vars(found.response).items() if not isinstance(value, np.ndarray)
+        }
+    return {
+        "source": str(found.source),
+        "step": found.step,
+        "samples": found.samples,
+        "tracking": {
+            entry.name: _plain(getattr(found.tracking, entry.name))
+            for entry in dataclasses.fields(found.tracking)
+            if entry.metadata
+        },
+        "response": response,
+        "criteria": [{**{k: _plain(v) for k, v in vars(one).items()}, "met": one.met} for one in found.criteria],
+        "good": found.good,
+        "verdict": found.verdict,
+        "notes": list(found.notes),
+    }
+
+
+def _plain(value: Any) -> Any:
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def _tracking(found: Judgement) -> Table:
+    table = Table(f"How the specimen followed in {found.source.name}", ("indicator", "value", "unit"))
+    for name, (_, unit) in definitions().items():
+        table.rows.append([name.replace("_", " "), *_shown(found.tracking, name, unit)])
+    table.notes.append("NRMS: squared errors over squared targets, without a root as thesis Eq. 6.28, and with it")
+    return table
+
+
+def _shown(found: Tracking, name: str, unit: str) -> tuple[str, str]:
+    value = getattr(found, name)
+    if isinstance(value, float) and math.isnan(value):
+        return _UNTOLD, ""
+    if name in _SHARES:
+        return number(100.0 * value, 3), "%"
+    shown, scale = _SCALES.get(unit, ("-" if unit == "1" else unit, 1.0))
+    return (str(value) if isinstance(value, int) else number(value, 4, scale)), shown
+
+
+def _response(found: JudgedResponse) -> Table:
+    table = Table(f"Response of the structure in {found.test}, {found.driven_by}", ("quantity", "value", "unit"))
+    shares = (
+        ("measured displacement against the direct analysis, rms", found.response_error),
+        ("its peak", found.peak_error),
+        ("recorded target against the direct analysis, rms", found.target_error),
+        ("target by the measured force against the recorded one, rms", found.reproduced),
+        ("force of the law against the measured one, NRMS", found.force_nrms),
+        ("its root", found.force_nrms_root),
+    )
+    table.rows += [[text, number(100.0 * value, 3), "%"] for text, value in shares]
+    critical = "none" if math.isinf(found.critical_delay) else number(found.critical_delay, 4, 1e-3)
+    table.rows.append(["critical delay of the loop", critical, "ms"])
+    table.notes.append("law and measured force: both under the measured displacement")
+    return table
+
+
+def _criteria(found: Judgement) -> Table:
+    table = Table("Criteria", ("criterion", "value", "limit", "met"))
+    table.rows += [_criterion(one) for one in found.criteria]
+    return table
+
+
+def _criterion(one: Criterion) -> list[str]:
+    met = "yes" if one.met else "no"
+    if one.at_least:
+        value = "no limit" if math.isinf(one.value) else number(one.value, 3)
+        return [one.name, value, f"at least {one.limit:g}", met]
+    return [one.name, f"{number(100.0 * one.value, 3)} %", f"{100.0 * one.limit:g} %", met]

@@ -1,0 +1,82 @@
+"""Limits that virtual substructure tests met, and indicators that could not be told, as tables."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.report.captions import plain
+from edesign.report.substructure.results import SubstructureResults
+from edesign.report.table import Table
+
+NONE_MET = "No limit of the rig or of coefficients was met, as far as that was kept."
+COEFFICIENTS = ("alpha_0", "alpha_1", "alpha_2")
+"""By the bits of `limited`."""
+ADAPTIVE = ("ats", "modified_ats", "live_delay")
+"""Kinds of compensators that have coefficients with limits."""
+
+
+def limits_table(results: SubstructureResults) -> Table:
+    """Return which limits of rig and compensators each run met; no rows if none was met."""
+    table = Table(
+        "Limits that were met",
+        ("test", "compensator", "limit", "steps [%]"),
+        left=3,
+    )
+    for test in results.tests:
+        for name in results.compensators(test):
+            table.rows += [[test, name, *cells] for cells in _rig(results, test, name) + _series(results, test, name)]
+    if table.rows:
+        table.notes.append("Of coefficients: least or largest value, or largest rate; steps with that over all steps.")
+        table.notes.append("Of the rig: its motion was held there.")
+    else:
+        table.notes.append(NONE_MET)
+    if unknown := sorted({name for test in results.tests for name in _unknown(results, test)}):
+        table.notes.append(f"Not known of {', '.join(unknown)}: coefficients were not kept over time.")
+    return table
+
+
+def _unknown(results: SubstructureResults, test: str) -> list[str]:
+    """The adaptive compensators of a test of which nothing tells whether they met a limit."""
+    adaptive = [name for name in results.compensators(test) if results.kind(name) in ADAPTIVE]
+    found = {name: results.histories(test, name) for name in adaptive}
+    return [name for name, group in found.items() if group is not None and "limited" not in group.variables]
+
+
+def _rig(results: SubstructureResults, test: str, name: str) -> list[list[str]]:
+    run = results.run(test, name)
+    met = run.text("saturated") if run is not None else ""
+    return [[f"rig: {what}", "-"] for what in met.split(", ") if what]
+
+
+def _series(results: SubstructureResults, test: str, name: str) -> list[list[str]]:
+    series = results.series(test, name)
+    limited = series.of("limited") if series is not None else None
+    if limited is None or not limited.size:
+        return []
+    bits = limited.astype(int)
+    shares = [float(np.mean((bits >> i) & 1)) for i in range(len(COEFFICIENTS))]
+    return [[what, plain(100.0 * share)] for what, share in zip(COEFFICIENTS, shares, strict=True) if share]
+
+
+def untold_table(results: SubstructureResults) -> Table:
+    """Return which indicators could not be told of which run, and why; no rows if all could."""
+    table = Table("Indicators that could not be told", ("test", "compensator", "indicator", "why"), left=4, sentences=3)
+    said = results.runs[0].group.attributes.get("untold") if results.runs else None
+    for line in said if isinstance(said, list) else []:
+        place, _, rest = str(line).partition(": ")
+        test, _, compensator = place.partition("/")
+        indicator, _, why = rest.partition(": ")
+        table.rows.append([test, compensator, indicator, why])
+    return table
+
+
+def runs_so_far_table(results: SubstructureResults) -> Table:
+    """Return how the runs ended whose indicators are not archived, as those of an interrupted archive."""
+    table = Table("Runs so far", ("test", "compensator", "outcome", "why"), left=4, sentences=3)
+    for test in results.tests:
+        for name in results.compensators(test):
+            group = results.histories(test, name)
+            if results.run(test, name) is None and group is not None:
+                said = [str(group.attributes.get(key) or "-") for key in ("outcome", "reason")]
+                table.rows.append([test, name, *said])
+    return table

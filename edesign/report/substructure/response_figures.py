@@ -1,0 +1,263 @@
+"""What a substructure test did: loops of the specimen, response of the structure, energy of the interface error."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.core.damper import CoreDamper
+from edesign.errors import EdesignError
+from edesign.report.captions import file_name, plain
+from edesign.report.figures import MEAN, legend_label, new_figure, styled
+from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_below, window, within
+from edesign.report.substructure.results import Series, SubstructureResults, times
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+HIGH = 1.1  # inches of a row
+PANEL = (3.1, 2.6)  # inches of loops
+MOST_STEPS = 20_000
+"""Of the law under a target: cubics between fewer samples are as good, and a law may need an equation solver."""
+MANY = 60  # reversals, of more the loops of a window are drawn
+
+
+@dataclass(frozen=True)
+class Loop:
+    """Deformation (m) and force (N) over time (s)."""
+
+    time: np.ndarray
+    deformation: np.ndarray
+    force: np.ndarray
+
+
+def loop_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
+    """Give for each test the loops of the specimen beside the law: name of the file, caption, figure."""
+    for test in results.tests:
+        found = [(one, loop) for one in results.shown(test) if (loop := _loop(one)) is not None]
+        if not found:
+            continue
+        wanted, what = _wanted(results, test)
+        seen = _seen(found[-1][1])
+        shown = f" Shown are the cycles from {plain(seen[0])} to {plain(seen[1])} s." if seen is not None else ""
+        forces = [f"{one.label} {plain(1e-3 * largest([loop.force]))} kN" for one, loop in found]
+        dashed = f" The dashed line is {what}." if wanted is not None else ""
+        caption = f"Force over deformation of the specimen, {test}. Largest: {'; '.join(forces)}.{dashed}{shown}"
+        yield file_name("specimen", test), caption, loop_figure(found, wanted, what, seen)
+
+
+def _is_bare(series: Series) -> bool:
+    """Whether the rig moved without a specimen: what the load cell read is noise."""
+    force = series.of("true_force")
+    return force is not None and not np.any(force)
+
+
+def _loop(series: Series) -> Loop | None:
+    for deformation, force in (("deformation", "true_force"), ("measured", "force")):
+        x, y = series.of(deformation), series.of(force)
+        if x is not None and y is not None and not _is_bare(series):
+            return Loop(series.time, x, y)
+    return None
+
+
+def _wanted(results: SubstructureResults, test: str) -> tuple[Loop | None, str]:
+    """The specimen as it should have moved: under the direct analysis, or by its law under a given target."""
+    driven = results.driven(test)
+    if {"direct_deformation", "direct_force"} <= set(driven.variables):
+        values = (np.asarray(driven.variables[name].values) for name in ("direct_deformation", "direct_force"))
+        return Loop(times(driven), *values), "the direct analysis"
+    lab, shown = results.described.laboratory, results.shown(test)
+    target = shown[-1].of("target") if shown else None
+    if lab is None or lab.damper is None or target is None or target.size < 2:
+        return None, ""
+    every = -(-target.size // MOST_STEPS)
+    time, target = shown[-1].time[::every], target[::every]
+    damper = lab.damper
+    force, deformation = damper.scales
+    try:
+        core = CoreDamper(damper.values.law, damper.values.values, amendments=damper.values.amendments)
+        found = core.force(time, deformation * target, deformation * np.gradient(target, time))
+    except (EdesignError, ValueError):
+        return None, ""
+    return Loop(time, target, force * found), "the law under the target"
+
+
+def _seen(loop: Loop) -> tuple[float, float] | None:
+    """A window around the largest force of a history of many cycles, None to see all of it."""
+    reversals = np.count_nonzero(np.diff(np.signbit(np.diff(loop.deformation[::10]))))
+    return window(loop.time, loop.deformation, loop.force) if reversals > MANY else None
+
+
+@styled
+def loop_figure(
+    found: Sequence[tuple[Series, Loop]], wanted: Loop | None, what: str, seen: tuple[float, float] | None
+) -> Figure:
+    """Draw loops as Figs. 6.23 and 6.27 of the thesis, a panel for each run.
+
+    Args:
+        found: the runs.
+        wanted: how the specimen should have moved, drawn in each panel; None: not known.
+        what: this is, in words.
+        seen: a window in s; None: all of the history.
+    """
+    figure, axes = new_figure(1, len(found), 0.5 + PANEL[0] * len(found), PANEL[1] + 0.7)
+    loops = [_part(loop, seen) for _, loop in found]
+    aim = _part(wanted, seen) if wanted is not None else None
+    both = [*loops, aim] if aim is not None else loops
+    wide, tall = 1e3 * largest([one.deformation for one in both]), 1e-3 * largest([one.force for one in both])
+    spans = (2.0 * wide or 1.0, 2.0 * tall or 1.0)
+    for axis, (one, _), loop in zip(axes[0], found, loops, strict=True):
+        curve(axis, 1e3 * loop.deformation, 1e-3 * loop.force, PANEL, spans, color=one.color, lw=1.5)
+        if aim is not None:
+            curve(axis, 1e3 * aim.deformation, 1e-3 * aim.force, PANEL, spans, color=MEAN, lw=0.6, ls="--")
+        axis.set_title(legend_label(one.label))
+        around_zero(axis, tall)
+        axis.axvline(0.0, color=MEAN, lw=0.4, zorder=0.9)
+        axis.set_xlim(-1.08 * wide or -1.0, 1.08 * wide or 1.0)
+        axis.set_xlabel("deformation (mm)")
+    axes[0][0].set_ylabel("force (kN)")
+    if aim is not None:
+        legend_below(figure, [(what, MEAN, "--")])
+    return figure
+
+
+def _part(loop: Loop, seen: tuple[float, float] | None) -> Loop:
+    if seen is None:
+        return loop
+    part = within(loop.time, seen)
+    return Loop(loop.time[part], loop.deformation[part], loop.force[part])
+
+
+@dataclass(frozen=True)
+class Response:
+    """A history of the structure by name, mm: direct (time, values), and each run (series, values)."""
+
+    title: str
+    time: np.ndarray
+    direct: np.ndarray
+    found: list[tuple[Series, np.ndarray]]
+
+
+def response_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
+    """Give for each test with a structure its response beside the direct analysis: name, caption, figure."""
+    for test in results.tests:
+        rows = _responses(results, test)
+        if rows:
+            caption = (
+                f"Response of the structure, {test}, beside the direct analysis without a test. "
+                f"The lowest panel is the shaded window with the largest error. {_peaks(rows)}"
+            )
+            yield file_name("structure", test), caption, response_figure(rows)
+
+
+def _responses(results: SubstructureResults, test: str) -> list[Response]:
+    driven = results.driven(test)
+    rows: list[Response] = []
+    for title, name, direct in (
+        ("damper", "deformation", "direct_deformation"),
+        ("top floor", "floors", "direct_floors"),
+    ):
+        if direct not in driven.variables:
+            continue
+        found = [
+            (one, 1e3 * (values if values.ndim == 1 else values[:, -1]))
+            for one in results.shown(test)
+            if (values := one.of(name)) is not None and values.size
+        ]
+        values = np.asarray(driven.variables[direct].values)
+        if found and values.size and not _known(rows, values):
+            rows.append(Response(title, times(driven), 1e3 * (values if values.ndim == 1 else values[:, -1]), found))
+    return rows
+
+
+def _known(rows: Sequence[Response], values: np.ndarray) -> bool:
+    """Whether a history is shown already: the only floor moves as its damper."""
+    last = 1e3 * (values if values.ndim == 1 else values[:, -1])
+    return any(largest([row.direct - last]) < 0.01 * largest([last]) for row in rows)
+
+
+@styled
+def response_figure(rows: Sequence[Response]) -> Figure:
+    """Draw the response of the structure in tests beside the direct analysis, and a window of the first row.
+
+    Args:
+        rows: at least one.
+    """
+    figure, axes = new_figure(len(rows) + 1, 1, WIDTH, 0.9 + 1.25 * (len(rows) + 1))
+    first = rows[0]
+    one, values = first.found[0]
+    count = min(values.size, first.direct.size)
+    seen = window(first.time[:count], first.direct[:count], values[:count] - first.direct[:count])
+    for (axis,), row in zip(axes, (*rows, first), strict=True):
+        zoomed = axis is axes[-1][0]
+        limits = seen if zoomed else (0.0, float(row.time[-1]) or 1.0)
+        size = (WIDTH - 0.7, HIGH)
+        for series, values in row.found:
+            part = within(series.time, limits)
+            curve(axis, series.time[part], values[part], size, color=series.color, lw=0.9 if zoomed else 0.7)
+        part = within(row.time, limits)
+        curve(
+            axis,
+            row.time[part],
+            row.direct[part],
+            size,
+            color=MEAN,
+            lw=0.8 if zoomed else 0.5,
+            ls="--" if zoomed else "-",
+        )
+        around_zero(axis, largest([row.direct[part], *(v[within(s.time, limits)] for s, v in row.found)]))
+        axis.set_xlim(*limits)
+        axis.set_ylabel(f"{row.title}\n(mm)")
+        if not zoomed:
+            axis.axvspan(*seen, color="#d5dbe4", zorder=0.5, lw=0)
+    axes[-1][0].set_xlabel("time (s)")
+    figure.align_ylabels()
+    legend_below(figure, [("direct analysis", MEAN, "--"), *((s.label, s.color, "-") for s, _ in first.found)])
+    return figure
+
+
+def _peaks(rows: Sequence[Response]) -> str:
+    texts = []
+    for row in rows:
+        runs = [f"{series.label} {plain(largest([values]))}" for series, values in row.found]
+        texts.append(f"{row.title}: direct {plain(largest([row.direct]))}, {', '.join(runs)} mm")
+    return f"Largest values: {'; '.join(texts)}."
+
+
+def energy_error_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
+    """Give for each test the work that the error feeds into the structure: name of the file, caption, figure."""
+    for test in results.tests:
+        found = [one for one in results.shown(test) if np.any(_energy(one)) and not _is_bare(one)]
+        if found:
+            closed = results.is_closed(test)
+            fed = "the test feeds energy into the structure, as negative damping would"
+            fed = fed if closed else "a structure would be fed with energy, as by negative damping"
+            ends = [f"{one.label} {plain(float(_energy(one)[-1]))} J" for one in found]
+            caption = (
+                f"Work of the specimen's force along the tracking error, {test}. Where it rises, {fed}. "
+                f"At the end: {'; '.join(ends)}."
+            )
+            yield file_name("interface_energy", test), caption, energy_figure(found)
+
+
+def _energy(series: Series) -> np.ndarray:
+    values = series.of("interface_energy_error")
+    return values if values is not None else np.zeros(1)
+
+
+@styled
+def energy_figure(found: Sequence[Series]) -> Figure:
+    """Draw the work of the interface error over time."""
+    figure, ((axis,),) = new_figure(1, 1, WIDTH, 2.2)
+    spans = (max(float(one.time[-1]) for one in found) or 1.0, max(float(np.ptp(_energy(one))) for one in found) or 1.0)
+    for one in found:
+        curve(axis, one.time, _energy(one), (WIDTH - 0.7, 1.4), spans, color=one.color, lw=1.0)
+    axis.axhline(0.0, color=MEAN, lw=0.4, zorder=0.9)
+    axis.set_xlim(0.0, spans[0])
+    axis.set_xlabel("time (s)")
+    axis.set_ylabel("interface energy\nerror (J)")
+    legend_below(figure, [(one.label, one.color, "-") for one in found])
+    return figure

@@ -1,0 +1,213 @@
+"""Virtual substructure tests as sections and figures read them: runs, histories, and which are shown."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive, DamagedArchive
+from edesign.errors import ArchiveError
+from edesign.report.captions import plain
+from edesign.report.figures import AFTER, VARIANTS
+from edesign.report.substructure.file import ArchivedTests, archived_tests
+from edesign.report.substructure.tables import Run, runs
+from edesign.substructure.archived import PLACE
+
+NONE = "none"
+"""Kind of the compensator that does nothing."""
+FIRST, BEST = VARIANTS[0], AFTER
+"""Colours of the run without compensation, and of the best one."""
+
+
+@dataclass(frozen=True)
+class Series:
+    """A run as it is drawn.
+
+    Attributes:
+        compensator: its name.
+        label: of its lines.
+        color: of its lines.
+        group: its histories.
+    """
+
+    compensator: str
+    label: str
+    color: str
+    group: Group
+
+    def of(self, name: str) -> np.ndarray | None:
+        """Return a history, None if it was not kept."""
+        variable = self.group.variables.get(name)
+        return None if variable is None else np.asarray(variable.values, dtype=float)
+
+    @property
+    def time(self) -> np.ndarray:
+        """(n,) s."""
+        return times(self.group)
+
+
+def times(group: Group) -> np.ndarray:
+    """Return the instants (n,) of the histories of a group, s; none where it has none."""
+    return np.asarray(group.coords["time"].values, dtype=float) if "time" in group.coords else np.zeros(0)
+
+
+class SubstructureResults:
+    """The results of an archive of virtual substructure tests, complete or not.
+
+    Args:
+        archive: open.
+
+    Attributes:
+        archive: the open archive.
+        lost: why groups of it cannot be read.
+    """
+
+    def __init__(self, archive: Archive) -> None:
+        self.archive = archive
+        self.lost: list[str] = []
+        self._groups: dict[str, Group | None] = {}
+
+    @cached_property
+    def described(self) -> ArchivedTests:
+        """The file of tests, as far as it can be read."""
+        return archived_tests(self.archive)
+
+    @cached_property
+    def runs(self) -> list[Run]:
+        """The runs in the order of the file; none of an archive that was not completed."""
+        try:
+            return runs(self.archive)
+        except ArchiveError as error:
+            self._note(error)
+            return []
+
+    @cached_property
+    def tests(self) -> list[str]:
+        """Names of the tests, in the order of the file where it is known."""
+        there = self._names(PLACE)
+        file = self.described.file
+        order = [run.test for run in self.runs] + [test.name for test in (file.tests if file is not None else ())]
+        return [name for name in dict.fromkeys(order) if name in there] + [name for name in there if name not in order]
+
+    def compensators(self, test: str) -> list[str]:
+        """Return the names of the compensators with which a test was run, in the order of the file."""
+        there = self._names(f"{PLACE}/{test}")
+        file = self.described.file
+        order = [run.compensator for run in self.runs if run.test == test] or list(file.compensators if file else ())
+        return [name for name in order if name in there] + [name for name in there if name not in order]
+
+    def driven(self, test: str) -> Group:
+        """Return what drove a test, and the direct analysis; empty if it cannot be read."""
+        return self._group(f"{PLACE}/{test}") or Group()
+
+    def run(self, test: str, compensator: str) -> Run | None:
+        """Return what was found of a run, None before the end of all."""
+        return next((run for run in self.runs if (run.test, run.compensator) == (test, compensator)), None)
+
+    def histories(self, test: str, compensator: str) -> Group | None:
+        """Return the group of a run, None if it cannot be read."""
+        return self._group(f"{PLACE}/{test}/{compensator}")
+
+    def series(self, test: str, compensator: str, color: str = BEST) -> Series | None:
+        """Return a run with its histories, None if it cannot be read or has none."""
+        group = self.histories(test, compensator)
+        if group is None or not times(group).size:
+            return None
+        label = "without compensation" if self.kind(compensator) == NONE else compensator
+        return Series(compensator, label, color, group)
+
+    def kind(self, compensator: str) -> str:
+        """Return the kind of a compensator; its name if the file cannot be read."""
+        file = self.described.file
+        known = file.compensators.get(compensator) if file is not None else None
+        return known.kind if known is not None else compensator
+
+    def best(self, test: str) -> str | None:
+        """Return the compensator with the least error among those that compensate; None: there is none."""
+        names = [name for name in self.compensators(test) if self.kind(name) != NONE]
+        errors = {name: self.error(test, name) for name in names}
+        known = {name: error for name, error in errors.items() if not math.isnan(error)}
+        return min(known, key=lambda name: known[name]) if known else None
+
+    def error(self, test: str, compensator: str) -> float:
+        """Return the error of the response of a run, of a given target that of tracking; infinite if not done."""
+        run = self.run(test, compensator)
+        if run is not None:
+            response = run.value("response_error")
+            error = run.value("nrms_root") if math.isnan(response) else response
+            return error if run.text("outcome") == "done" else math.inf
+        series = self.series(test, compensator)
+        target, measured = (series.of(name) if series is not None else None for name in ("target", "measured"))
+        if series is None or target is None or measured is None or not np.any(target):
+            return math.nan
+        if series.group.attributes.get("outcome") != "done":
+            return math.inf
+        return math.sqrt(float(np.sum((measured - target) ** 2) / np.sum(target**2)))
+
+    def shown(self, test: str) -> list[Series]:
+        """Return the runs of a test that figures show: without compensation, then the best."""
+        names = self.compensators(test)
+        chosen = [name for name in names if self.kind(name) == NONE][:1] + [name for name in [self.best(test)] if name]
+        found = [self.series(test, name, FIRST if self.kind(name) == NONE else BEST) for name in (chosen or names[:1])]
+        return [series for series in found if series is not None]
+
+    def is_closed(self, test: str) -> bool:
+        """Whether a structure made the target of a test."""
+        return "ground" in self.driven(test).variables
+
+    @cached_property
+    def secant(self) -> tuple[float, float] | None:
+        """The largest force of the specimen over its largest deformation, N/m, and that deformation, m; None: unknown.
+
+        They are those of the first direct analysis, without one of the first test.
+        """
+        driven = [self.driven(test).variables for test in self.tests]
+        pairs = [(of.get("direct_deformation"), of.get("direct_force")) for of in driven]
+        moved = [one.group.variables for test in self.tests for one in self.shown(test)[-1:]]
+        pairs += [(of.get("deformation"), of.get("true_force")) for of in moved]
+        for deformation, force in pairs:
+            if deformation is not None and force is not None and np.any(deformation.values):
+                reach = float(np.max(np.abs(deformation.values)))
+                return float(np.max(np.abs(force.values))) / reach, reach
+        return None
+
+    def in_words(self, test: str, compensator: str) -> str:
+        """Return error and delay of a run in words, "" if they are not known."""
+        run = self.run(test, compensator)
+        if run is None:
+            return ""
+        if run.text("outcome") != "done":
+            return run.text("outcome")
+        late, error = 1e3 * run.value("crossing_delay_mean"), 100.0 * run.value("nrms_root")
+        words = [f"{plain(abs(late))} ms {'late' if late >= 0.0 else 'early'}"] if not math.isnan(late) else []
+        words += [f"NRMS {plain(error)} %"] if not math.isnan(error) else []
+        return ", ".join(words)
+
+    def _names(self, place: str) -> list[str]:
+        try:
+            return self.archive.names(place)
+        except ArchiveError as error:
+            self._note(error)
+            return []
+
+    def _group(self, place: str) -> Group | None:
+        if place not in self._groups:
+            self._groups[place] = self._read(place)
+        return self._groups[place]
+
+    def _read(self, place: str) -> Group | None:
+        try:
+            return self.archive.group(place)
+        except ArchiveError as error:
+            self._note(error)
+            return None
+
+    def _note(self, error: ArchiveError) -> None:
+        if isinstance(error, DamagedArchive) and error.changed:
+            raise error  # a run writes it: the caller reads again
+        if str(error) not in self.lost:
+            self.lost.append(str(error))

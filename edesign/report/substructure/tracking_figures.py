@@ -1,0 +1,158 @@
+"""How a rig followed its target: both over time with the error, and measured displacement over target."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.report.captions import file_name, plain
+from edesign.report.figures import MEAN, legend_label, new_figure, styled
+from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_below, window, within
+from edesign.report.substructure.results import Series, SubstructureResults
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+SYNCHRONISED = 2.9  # inches of a square
+HIGH = 1.1  # inches of a row
+
+
+def tracking_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
+    """Give for each test target and measured displacement with the error: name of the file, caption, figure."""
+    for test in results.tests:
+        series = _tracked(results, test)
+        if series:
+            caption = (
+                f"Target and measured displacement, {test}. Above the whole target, in the middle the shaded window "
+                f"with the largest error, below the error. {_numbers(results, test, series)}"
+            )
+            yield file_name("tracking", test), caption, tracking_figure(series)
+
+
+def synchronisation_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
+    """Give for each test the measured displacement over the target: name of the file, caption, figure."""
+    for test in results.tests:
+        series = _tracked(results, test)
+        if series:
+            told = [results.in_words(test, one.compensator) for one in series]
+            caption = (
+                f"Synchronisation, {test}: measured displacement over target. A rig that follows stays on the dashed "
+                "line of 45 degrees; a late one goes round it in loops, and a wrong amplitude turns them."
+            )
+            yield file_name("synchronisation", test), caption, synchronisation_figure(series, told)
+
+
+def _tracked(results: SubstructureResults, test: str) -> list[Series]:
+    """The runs that kept target and measured displacement."""
+    return [one for one in results.shown(test) if one.of("target") is not None and one.of("measured") is not None]
+
+
+def _mm(series: Series, name: str) -> np.ndarray:
+    values = series.of(name)
+    assert values is not None
+    return 1e3 * values
+
+
+def _error(series: Series) -> np.ndarray:
+    return _mm(series, "measured") - _mm(series, "target")
+
+
+@styled
+def tracking_figure(series: Sequence[Series]) -> Figure:
+    """Draw the target, some of its cycles with what was measured, and the error, as Figs. 6.11 and 6.20 of the thesis.
+
+    Args:
+        series: at least one; the target is that of the last.
+    """
+    figure, axes = new_figure(3, 1, WIDTH, 4.6)
+    whole, some, wrong = (row[0] for row in axes)
+    size = (WIDTH - 0.7, HIGH)
+    last = series[-1]
+    target = _mm(last, "target")
+    seen = window(series[0].time, _mm(series[0], "target"), _error(series[0]))
+    curve(whole, last.time, target, size, color=MEAN, lw=0.6)
+    around_zero(whole, largest([target]))
+    whole.axvspan(*seen, color="#d5dbe4", zorder=0.5, lw=0)
+    own_targets = []
+    for one in series:
+        part = within(one.time, seen)
+        own = _mm(one, "target")[part]
+        if _differ(own, target[part]):  # a structure answers what is measured: each run has its own target
+            own_targets.append((f"its target, {one.label}", one.color, ":"))
+            curve(some, one.time[part], own, size, color=one.color, lw=0.8, ls=":")
+        curve(some, one.time[part], _mm(one, "measured")[part], size, color=one.color, lw=1.0)
+        curve(wrong, one.time, _error(one), size, color=one.color, lw=0.6)
+    part = within(last.time, seen)
+    curve(some, last.time[part], target[part], size, color=MEAN, lw=0.9, ls="--")
+    some.set_xlim(*seen)
+    around_zero(
+        some, largest([_mm(one, name)[within(one.time, seen)] for one in series for name in ("target", "measured")])
+    )
+    around_zero(wrong, largest([_error(one) for one in series]))
+    end = max(float(one.time[-1]) for one in series)
+    for axis, label in ((whole, "target (mm)"), (some, "displacement\n(mm)"), (wrong, "error (mm)")):
+        axis.set_ylabel(label)
+        if axis is not some:
+            axis.set_xlim(0.0, end or 1.0)
+    wrong.set_xlabel("time (s)")
+    figure.align_ylabels()
+    lines = [(f"measured, {one.label}", one.color, "-") for one in series]
+    legend_below(figure, [(f"target, {last.label}" if own_targets else "target", MEAN, "--"), *lines, *own_targets])
+    return figure
+
+
+def _differ(one: np.ndarray, other: np.ndarray) -> bool:
+    """Whether two histories are visibly apart, as far as both go: one may be that of a test which diverged."""
+    both = min(one.size, other.size)
+    return largest([one[:both] - other[:both]]) > 0.01 * largest([one[:both]])
+
+
+@styled
+def synchronisation_figure(series: Sequence[Series], told: Sequence[str]) -> Figure:
+    """Draw measured displacement over target, a square for each run, as Figs. 6.13, 6.21 and 6.25 of the thesis.
+
+    Args:
+        series: at least one.
+        told: delay and error of each in words.
+    """
+    figure, axes = new_figure(1, len(series), 0.5 + SYNCHRONISED * len(series), SYNCHRONISED + 0.5)
+    reach = 1.08 * largest([_mm(one, name) for one in series for name in ("target", "measured")]) or 1.0
+    for axis, one, words in zip(axes[0], series, told, strict=True):
+        size = (SYNCHRONISED - 0.5, SYNCHRONISED - 0.5)
+        spans = (2.0 * reach, 2.0 * reach)
+        curve(axis, _mm(one, "target"), _mm(one, "measured"), size, spans, color=one.color, lw=0.4)
+        axis.plot([-reach, reach], [-reach, reach], color=MEAN, lw=0.7, ls="--")
+        _square(axis, reach, one.label, words)
+    axes[0][0].set_ylabel("measured (mm)")
+    return figure
+
+
+def _square(axis: Axes, reach: float, label: str, words: str) -> None:
+    axis.set_xlim(-reach, reach)
+    axis.set_ylim(-reach, reach)
+    axis.set_aspect("equal")
+    axis.set_title(legend_label(label))
+    axis.set_xlabel("target (mm)")
+    box = {"boxstyle": "square,pad=0.15", "fc": "white", "ec": "none"}
+    axis.annotate(
+        words.replace(", ", "\n"),
+        (1.0, 0.0),
+        (-3.0, 4.0),
+        "axes fraction",
+        textcoords="offset points",
+        ha="right",
+        bbox=box,
+    )
+
+
+def _numbers(results: SubstructureResults, test: str, series: Sequence[Series]) -> str:
+    """Largest error and delay of each run in words."""
+    texts = []
+    for one in series:
+        words = results.in_words(test, one.compensator)
+        size = f"largest error {plain(largest([_error(one)]))} mm"
+        texts.append(f"{one.label}: {', '.join(filter(None, (size, words)))}")
+    return f"{'; '.join(texts)}."

@@ -1,0 +1,330 @@
+"""What is to be expected of a test: its damper linearised, its rig and compensators as transfer functions."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.damper.harmonic import complex_stiffness
+from edesign.project.substructure import compensators as kinds
+from edesign.substructure.advice.transfers import (
+    CompensatorTransfer,
+    followed,
+    force_over_step,
+    late,
+    of_adaptive_series,
+    of_equation,
+    of_live_delay,
+    phase_delay,
+    rig_response,
+)
+from edesign.substructure.stability.expected import expected_errors
+from edesign.substructure.stability.loop import ComplexStiffness, Loop, Transfer
+from edesign.substructure.stability.margins import LoopMode, LoopStability, critical_delays, loop_stability
+from edesign.substructure.stability.specimens import linearised_law
+from edesign.substructure.structure.numerical import LinearPart
+from edesign.substructure.structure.recursion import OVER_THE_STEP
+from edesign.substructure.virtual_tests import Drive, VirtualLaboratory, response_errors
+
+EFFECTIVE_AMPLITUDE = 0.65
+"""Of the largest deformation, at which a law stands for its motion under an earthquake.
+
+Source: effective strain of the equivalent linear method, Schnabel, Lysmer & Seed (1972), SHAKE, report EERC 72-12.
+"""
+MOVES_SPECIMEN = 0.01
+"""Share of a mode's stiffness from which it moves the specimen. With less, a delay of a radian takes half a percent of
+damping at most, p omega tau / 2."""
+FREQUENCIES = 40
+"""At which the law is linearised, evenly spaced on a logarithmic scale: some ten a decade, over which it is smooth."""
+LOWEST = 0.05
+"""Of the lowest frequency of the structure: below, its displacements are those at rest."""
+GROUND_STEP = 0.004
+"""s, between samples of the ground motion in expected errors; records have hardly anything above 50 Hz."""
+SETTLED = 1e-6
+"""Relative change of the frequency at which the law and the mode agree."""
+ROUNDS = 50
+
+
+@dataclass(frozen=True)
+class Linearisation:
+    """The damper as it is in a test.
+
+    Attributes:
+        largest: deformation in the direct analysis, m.
+        amplitude: at which the law is linearised, m.
+        frequency: of the first mode that moves the specimen, Hz.
+        stiffness: there, with the loss as imaginary part, N/m.
+    """
+
+    largest: float
+    amplitude: float
+    frequency: float
+    stiffness: complex
+
+    @property
+    def loss_factor(self) -> float:
+        """Imaginary over real part."""
+        return self.stiffness.imag / self.stiffness.real
+
+
+@dataclass(frozen=True)
+class ModeAdvice:
+    """A mode of the structure and what the rig does to it without compensation.
+
+    Attributes:
+        number: from 1.
+        without_specimen, frequency: Hz, the latter with it.
+        damping: ratio, with the specimen.
+        share: k_E / k, of its stiffness that is the specimen's.
+        rig_delay: s, at its frequency.
+        rig_amplitude: measured over command, there.
+        critical_delay: of the force, at which it goes, s; inf: no delay does that.
+        margin_factor: critical delay over that of rig and force; inf: the rig is not late.
+    """
+
+    number: int
+    without_specimen: float
+    frequency: float
+    damping: float
+    share: float
+    rig_delay: float
+    rig_amplitude: float
+    critical_delay: float
+    margin_factor: float
+
+
+@dataclass(frozen=True)
+class ExpectedTest:
+    """What is to be expected of a test with a compensator.
+
+    Attributes:
+        compensator: its name.
+        as_what: how it was taken, in words.
+        stability: verdict and margins; None: the test has no loop, or the compensator is unstable with the rig alone.
+        stable: the verdict.
+        delay_left: of rig, compensator and force at the mode that goes first, s; NaN: none goes.
+        margin_factor: (delay left + delay margin) over the delay left, which counts as a main step at least.
+        limited: whether limits of the file keep it from what it would find.
+        tracking_rms, tracking_peak: of measured less target, over those of the target.
+        response_rms: error of the deformation over that of the direct analysis; inf: it grows; NaN: there is no loop.
+        response_peak: relative error of its peak.
+    """
+
+    compensator: str
+    as_what: str
+    stability: LoopStability | None
+    stable: bool
+    delay_left: float
+    margin_factor: float
+    limited: bool
+    tracking_rms: float
+    tracking_peak: float
+    response_rms: float
+    response_peak: float
+
+
+def force_delay(laboratory: VirtualLaboratory) -> float:
+    """Return the delay of the force beside that of the rig, s: of its sensor, and half a step if it is held over it."""
+    file = laboratory.file
+    held = file.loop.force == "held" and file.integration.method in OVER_THE_STEP
+    return laboratory.laboratory.sensors.force_delay + (0.5 * file.loop.main_step if held else 0.0)
+
+
+@dataclass(frozen=True)
+class Bench:
+    """Rig, linearised damper and structure of a test.
+
+    Attributes:
+        laboratory: of the file.
+        part: of the structure; None: targets are given.
+        linearisation: of the damper.
+        specimen: its complex stiffness.
+        rig: displacement of the specimen over command.
+    """
+
+    laboratory: VirtualLaboratory
+    part: LinearPart | None
+    linearisation: Linearisation
+    specimen: ComplexStiffness
+    rig: Transfer
+
+    @classmethod
+    def of(cls, laboratory: VirtualLaboratory, motion: np.ndarray, part: LinearPart | None) -> Bench:
+        """Return the bench for a test.
+
+        Args:
+            laboratory: of the file.
+            motion: (n,) deformation of the damper at main steps, of the direct analysis or as given, m.
+            part: of the structure; None: the motion is given.
+
+        Raises:
+            InputError: the damper does not move, or the structure is unstable.
+        """
+        largest = float(np.max(np.abs(motion)))
+        step, damper = laboratory.file.loop.main_step, laboratory.damper
+        amplitude = EFFECTIVE_AMPLITUDE * largest
+        dominant = mean_frequency(motion, step)
+        lowest = min(dominant, *part.frequencies()[:1]) if part is not None else dominant
+        band = np.geomspace(LOWEST * max(lowest, LOWEST * dominant), 0.5 / step, FREQUENCIES)
+        force, deformation = damper.scales
+        law = linearised_law(damper.values, amplitude * deformation, band)
+
+        def specimen(omega: np.ndarray) -> np.ndarray:
+            return np.asarray(force * deformation * law(omega))
+
+        frequency = first_moving(part, specimen) if part is not None else dominant
+        exact = complex_stiffness(damper.values, amplitude * deformation, frequency)
+        at = Linearisation(largest, amplitude, frequency, force * deformation * exact)
+        rig = rig_response(laboratory.file.plant, laboratory.laboratory.transfer, specimen, step)
+        return cls(laboratory, part, at, specimen, rig)
+
+    def loop(self, rig: Transfer | None = None) -> Loop:
+        """The loop with what there is between target and force; None: the structure itself."""
+        assert self.part is not None
+        part, between = self.part, {} if rig is None else {"rig": rig}
+        return Loop(part.mass, part.damping, part.stiffness, part.interface, self.specimen, **between)
+
+    def modes(self) -> tuple[ModeAdvice, ...]:
+        """Return the modes of the structure, from the lowest; none without a structure.
+
+        Raises:
+            InputError: a mode has no damping.
+        """
+        if self.part is None:
+            return ()
+        itself, highest = self.loop(), 0.5 / self.laboratory.file.loop.main_step
+        crossings, bare = critical_delays(itself, highest), self.part.frequencies()
+        found = []
+        for mode in loop_stability(itself, highest).modes:
+            critical = min((one.delay for one in crossings if one.mode == mode.number), default=math.inf)
+            found.append(self._mode(mode, float(bare[mode.number - 1]), critical))
+        return tuple(found)
+
+    def _mode(self, mode: LoopMode, bare: float, critical: float) -> ModeAdvice:
+        delay = phase_delay(self.rig, mode.frequency)
+        late_by = delay + force_delay(self.laboratory)
+        factor = critical / late_by if late_by > 0.0 else math.inf
+        amplitude = abs(complex(self.rig(np.array([2j * np.pi * mode.frequency]))[0]))
+        return ModeAdvice(
+            mode.number, bare, mode.frequency, mode.damping, mode.share, delay, amplitude, critical, factor
+        )
+
+    def compensator(self, name: str, motion: np.ndarray) -> CompensatorTransfer:
+        """Return a compensator of the file, with the delay that it does not see.
+
+        Args:
+            name: of it.
+            motion: (n,) that an adaptive one learns from, m.
+        """
+        file = self.laboratory.file
+        described, step = file.compensators[name], file.loop.main_step
+        match described:
+            case kinds.LiveDelayCompensator():
+                found = of_live_delay(described, phase_delay(self.rig, self.linearisation.frequency))
+            case kinds.AtsCompensator() | kinds.ModifiedAtsCompensator():
+                found = of_adaptive_series(described, self.rig, motion, step)
+            case _:
+                equation = self.laboratory.compensators[name]
+                found = of_equation(equation, self.rig, self.laboratory.laboratory.transfer, step)  # type: ignore[arg-type]
+        unseen = 0.0 if described.kind == "none" else file.loop.unseen_delay * step
+        force = late(unseen, found.force) if found.force is not None else None
+        return CompensatorTransfer(
+            late(unseen, found.command), force, found.as_what, found.settles, found.alpha, found.limited
+        )
+
+    def expected(self, name: str, drive: Drive, motion: np.ndarray) -> ExpectedTest:
+        """Return what is to be expected with a compensator.
+
+        Args:
+            name: of the compensator.
+            drive: of the test.
+            motion: (n,) deformation of the damper, as of `of`, m.
+
+        Raises:
+            InputError: a part of the loop has no finite transfer function.
+        """
+        compensator, nan = self.compensator(name, motion), math.nan
+        if not compensator.settles:
+            said, grown = "unstable with the rig alone", math.inf
+            return ExpectedTest(name, said, None, False, nan, 0.0, False, nan, nan, grown, grown)
+        if self.part is not None:
+            return self._in_loop(name, compensator, drive)
+        tracking = _tracking(motion, self._measured(compensator, motion, self.laboratory.file.loop.main_step))
+        said, held = compensator.as_what, compensator.limited
+        return ExpectedTest(name, said, None, True, nan, math.inf, held, *tracking, nan, nan)
+
+    def _in_loop(self, name: str, compensator: CompensatorTransfer, drive: Drive) -> ExpectedTest:
+        assert self.part is not None and drive.ground is not None
+        step, every = self.laboratory.file.loop.main_step, self._every
+        loop = self.loop(self._seen(compensator))
+        verdict = loop_stability(loop, 0.5 / step)
+        found = expected_errors(loop, verdict, self.part.influence, drive.ground[::every], every * step)
+        tracking, response = (math.nan, math.nan), (math.inf, math.inf)
+        if math.isfinite(found.response_rms):
+            measured = self._measured(compensator, found.target, float(found.time[1] - found.time[0]))
+            tracking, response = _tracking(found.target, measured), response_errors(measured, found.direct)
+        said, held, margin = compensator.as_what, compensator.limited, _margin(verdict, step)
+        return ExpectedTest(name, said, verdict, verdict.stable, *margin, held, *tracking, *response)
+
+    @property
+    def _every(self) -> int:
+        """Of the samples of the ground motion, each how manieth counts."""
+        return max(int(GROUND_STEP / self.laboratory.file.loop.main_step), 1)
+
+    def _measured(self, compensator: CompensatorTransfer, target: np.ndarray, step: float) -> np.ndarray:
+        return followed(target, step, lambda s: self.rig(s) * compensator.command(s))
+
+    def _seen(self, compensator: CompensatorTransfer) -> Transfer:
+        """What the numerical part gets of the force, over the force of the target."""
+        file = self.laboratory.file
+        sensor = self.laboratory.laboratory.sensors.force_delay
+        over_step = force_over_step(file.loop.force, file.loop.main_step)
+        holds = file.integration.method in OVER_THE_STEP
+
+        def seen(s: np.ndarray) -> np.ndarray:
+            s = np.asarray(s, dtype=complex)
+            value = self.rig(s) * compensator.command(s) * np.exp(-s * sensor)
+            if compensator.force is not None:
+                value = value + compensator.force(s) / self.specimen(-1j * s)
+            return np.asarray(value * over_step(s) if holds else value)
+
+        return seen
+
+
+def mean_frequency(motion: np.ndarray, step: float) -> float:
+    """Return the mean frequency of a motion, weighted by its power, Hz; step in s."""
+    power = np.abs(np.fft.rfft(motion)) ** 2
+    return float(np.sum(power * np.fft.rfftfreq(motion.size, step)) / np.sum(power))
+
+
+def first_moving(part: LinearPart, specimen: ComplexStiffness) -> float:
+    """Return the frequency of the first mode that moves the specimen, Hz; with the specimen's stiffness there."""
+
+    def at(stiffness: float) -> float:
+        omega, shapes = part.modes(stiffness)
+        shares = stiffness * (part.interface @ shapes) ** 2 / np.maximum(omega, np.finfo(float).tiny) ** 2
+        moving = np.flatnonzero(shares >= MOVES_SPECIMEN)
+        return float(omega[moving[0] if moving.size else np.argmax(shares)])
+
+    omega = at(0.0) or 1.0
+    for _ in range(ROUNDS):
+        before, omega = omega, at(float(np.real(specimen(np.array([omega + 0j]))[0])))
+        if abs(omega - before) <= SETTLED * omega:
+            break
+    return omega / (2.0 * math.pi)
+
+
+def _margin(verdict: LoopStability, step: float) -> tuple[float, float]:
+    """Delay that is left at the mode that goes first, and the factor on it (at least a step) until that goes."""
+    if verdict.first_mode == 0:
+        return math.nan, math.inf if verdict.stable else 0.0
+    left = verdict.modes[verdict.first_mode - 1].delay
+    return left, 1.0 + verdict.delay_margin / max(left, step) if verdict.stable else 0.0
+
+
+def _tracking(target: np.ndarray, measured: np.ndarray) -> tuple[float, float]:
+    error = measured - target
+    rms = float(np.sqrt(np.mean(error**2) / np.mean(target**2)))
+    return rms, float(np.max(np.abs(error)) / np.max(np.abs(target)))

@@ -1,0 +1,266 @@
+"""Rig, compensators and the step of the loop of a file as transfer functions, for its stability and expected errors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from edesign.core.compensator import DifferenceEquation, Term
+from edesign.project.substructure import compensators as kinds
+from edesign.project.substructure import rig as rig_kinds
+from edesign.substructure.compensation.compensator_matrices import state_space
+from edesign.substructure.rig.rigs import RigTransfer
+from edesign.substructure.stability.loop import ComplexStiffness, Transfer
+
+REST = 1.0
+"""s after the end of a history in which it is brought to rest; some hundred times the delay of a rig."""
+_ORDER = {"target": 0, "velocity": 1, "acceleration": 2}
+
+
+@dataclass(frozen=True)
+class CompensatorTransfer:
+    """A compensator beside its rig.
+
+    Attributes:
+        command: command over the target that it is given.
+        force: what it adds to the measured force over that target, N/m; None: nothing.
+        as_what: how it counts here, in words.
+        settles: whether it is stable by itself, with the rig where it feeds back what is measured.
+        alpha: (3,) coefficients of an adaptive series, 1, s, s2; None: it has none.
+        limited: whether limits of the file hold one of them.
+    """
+
+    command: Transfer
+    force: Transfer | None
+    as_what: str
+    settles: bool = True
+    alpha: np.ndarray | None = None
+    limited: bool = False
+
+
+def rig_response(plant: rig_kinds.RigModel, transfer: RigTransfer, specimen: ComplexStiffness, step: float) -> Transfer:
+    """Return displacement of the specimen over command, the specimen loading the rig.
+
+    Args:
+        plant: the rig of the file.
+        transfer: of it; of a servo-hydraulic one another is made, with the specimen as it is at each frequency.
+        specimen: its complex stiffness.
+        step: main step, s: so late is what is corrected of the flexibility.
+    """
+    flexibility = plant.flexibility
+
+    def response(s: np.ndarray) -> np.ndarray:
+        stiffness = np.asarray(specimen(-1j * s))
+        reach = 1.0 / (1.0 + stiffness / flexibility.stiffness) if flexibility else np.ones_like(stiffness)
+        piston = _servo(plant, s, reach * stiffness) if _is_servo(plant) else transfer(s)
+        if flexibility and flexibility.corrected:
+            piston = piston / (1.0 - np.exp(-s * step) * (1.0 - reach) * piston)
+        return np.asarray(reach * piston)
+
+    return response
+
+
+def _is_servo(plant: rig_kinds.RigModel) -> bool:
+    return isinstance(plant, rig_kinds.ServoHydraulicRig)
+
+
+def _servo(plant: rig_kinds.RigModel, s: np.ndarray, load: np.ndarray) -> np.ndarray:
+    """Piston over command with a load (N/m) on the piston; the loop is closed on the piston."""
+    assert isinstance(plant, rig_kinds.ServoHydraulicRig)
+    soft = 1.0 + load / plant.oil_stiffness if plant.oil_stiffness else 1.0
+    gain = plant.proportional_gain
+    below = soft * s * (plant.valve_time_constant * s + 1.0) + gain
+    return np.asarray(gain * np.exp(-s * plant.delay) / below)
+
+
+def force_over_step(force: str, step: float) -> Transfer:
+    """Return what the numerical part takes for the force over a step, over the force itself.
+
+    Held: (1 - z) / (s T), half a step late. Extrapolated: ((1 - z) / (s T))^2 (1 + s T), late in third order only;
+    z = exp(-s T).
+
+    Args:
+        force: `held` or `extrapolated`.
+        step: main step T, s.
+
+    Source: zero-order and first-order hold; Franklin, Powell & Workman, Digital Control of Dynamic Systems, 5.2.
+    """
+
+    def transfer(s: np.ndarray) -> np.ndarray:
+        turn = np.asarray(s, dtype=complex) * step
+        small = np.abs(turn) < 1e-6  # where the quotient loses digits its series holds to the last
+        mean = np.where(small, 1.0 - 0.5 * turn, -np.expm1(-turn) / np.where(small, 1.0, turn))
+        return np.asarray(mean if force == "held" else mean**2 * (1.0 + turn))
+
+    return transfer
+
+
+def late(delay: float, transfer: Transfer) -> Transfer:
+    """Return a transfer function behind a delay, s."""
+    return lambda s: np.asarray(np.exp(-s * delay) * transfer(s))
+
+
+def phase_delay(transfer: Transfer, frequency: float) -> float:
+    """Return what a sine comes late by, -phase/omega with the phase followed from rest, s; frequency in Hz."""
+    omega = 2.0 * math.pi * frequency
+    phase = np.unwrap(np.angle(transfer(1j * np.linspace(0.0, omega, 200))))
+    return float(-phase[-1] / omega)
+
+
+def of_equation(equation: DifferenceEquation, rig: Transfer, plain: RigTransfer, step: float) -> CompensatorTransfer:
+    """Return a compensator with constant coefficients; what it takes from the measured displacement closes a loop.
+
+    Args:
+        equation: of the compensator.
+        rig: displacement of the specimen over command.
+        plain: the rig as far as a state space has it, for whether the two are stable together.
+        step: main step, s.
+    """
+
+    def command(s: np.ndarray) -> np.ndarray:
+        below = 1.0 - _sum(equation.terms, ("command",), s, step)
+        measured = _sum(equation.terms, ("measured",), s, step)
+        if any(term.of == "measured" for term in equation.terms):
+            below = below - measured * np.exp(-s * step) * rig(s)
+        return np.asarray(_sum(equation.terms, _ORDER, s, step) / below)
+
+    def force(s: np.ndarray) -> np.ndarray:
+        sent = command(s)
+        of_target = _sum(equation.force_terms, _ORDER, s, step)
+        of_command = _sum(equation.force_terms, ("command",), s, step)
+        of_measured = _sum(equation.force_terms, ("measured",), s, step) * np.exp(-s * step) * rig(s)
+        return np.asarray(of_target + (of_command + of_measured) * sent)
+
+    added = force if equation.force_terms else None
+    return CompensatorTransfer(command, added, "as it is", settles(equation, plain, step))
+
+
+def _sum(terms: Iterable[Term], signals: Iterable[str], s: np.ndarray, step: float) -> np.ndarray:
+    found = np.zeros(np.shape(s), dtype=complex)
+    for term in terms:
+        if term.of in signals:
+            found += term.coefficient * s ** _ORDER.get(term.of, 0) * np.exp(-s * term.lag * step)
+    return found
+
+
+def settles(equation: DifferenceEquation, rig: RigTransfer, step: float) -> bool:
+    """Whether a compensator with the rig comes to rest for a target at rest.
+
+    Args:
+        equation: of the compensator.
+        rig: loaded as it is; a delay between two steps is linear between them.
+        step: main step, s.
+    """
+    own = state_space(equation)
+    measured, direct = own.B[:, 3], own.D[0, 3]
+    if not (np.any(measured) or direct):
+        return _decays(own.A)
+    denominator = tuple(np.trim_zeros(np.array(rig.denominator), "f").tolist())
+    moved = replace(rig, denominator=denominator).discrete(step)
+    n, m = own.states, len(moved.A)
+    whole = math.floor(rig.delay / step)
+    part, places = rig.delay / step - whole, whole + 3
+    size = n + m + places  # compensator, rig, and commands from the last one back
+
+    def advance(state: np.ndarray) -> np.ndarray:
+        z, r, sent = np.split(state, [n, n + m])
+        arrived = (1.0 - part) * sent[whole] + part * sent[whole + 1]
+        position = moved.c @ r + moved.d * arrived
+        command = own.C[0] @ z + direct * position
+        line = np.concatenate(([command], sent[:-1]))
+        arrives = (1.0 - part) * line[whole] + part * line[whole + 1]
+        ahead = moved.A @ r + moved.b0 * arrived + moved.b1 * arrives
+        return np.concatenate((own.A @ z + measured * position, ahead, line))
+
+    return _decays(np.array([advance(column) for column in np.eye(size)]).T)
+
+
+def _decays(matrix: np.ndarray) -> bool:
+    return not matrix.size or bool(np.max(np.abs(np.linalg.eigvals(matrix))) < 1.0)
+
+
+def of_live_delay(described: kinds.LiveDelayCompensator, rig_delay: float) -> CompensatorTransfer:
+    """Return the polynomial of a live delay that has found the delay of the rig, s."""
+    least, largest = described.limits
+    delay = min(max(rig_delay, least), largest)
+    order = described.order
+    weights = [(-1) ** j * math.comb(order + 1, j + 1) for j in range(order + 1)]
+
+    def command(s: np.ndarray) -> np.ndarray:
+        value = sum(weight * np.exp(-s * j * delay) for j, weight in enumerate(weights))
+        return np.asarray(value + np.zeros(np.shape(s)))
+
+    return CompensatorTransfer(command, None, f"with a found delay of {1e3 * delay:.4g} ms", limited=delay != rig_delay)
+
+
+def of_adaptive_series(
+    described: kinds.AtsCompensator | kinds.ModifiedAtsCompensator, rig: Transfer, motion: np.ndarray, step: float
+) -> CompensatorTransfer:
+    """Return an adaptive time series that has converged: the least squares over the motion, within its limits.
+
+    The compensator sees the measured motion with backward differences, both channels filtered.
+
+    Args:
+        described: the block of the file.
+        rig: displacement of the specimen over command.
+        motion: (n,) displacement of the specimen, m, at main steps.
+        step: main step, s.
+    """
+    alpha = converged_series(described, rig, motion, step)
+    limits = described.limits
+    held = np.clip(alpha, *np.transpose([limits.a0, limits.a1, limits.a2]))
+    derivatives = _differences(step) if described.derivatives == "differences" else lambda s: (s, s**2)
+
+    def command(s: np.ndarray) -> np.ndarray:
+        first, second = derivatives(s)
+        return np.asarray(held[0] + held[1] * first + held[2] * second)
+
+    said = f"converged: {held[0]:.5g}, {1e3 * held[1]:.4g} ms, {1e6 * held[2]:.4g}e-6 s2"
+    return CompensatorTransfer(command, None, said, alpha=held, limited=bool(np.any(held != alpha)))
+
+
+def converged_series(
+    described: kinds.AtsCompensator | kinds.ModifiedAtsCompensator, rig: Transfer, motion: np.ndarray, step: float
+) -> np.ndarray:
+    """Return alpha_0 (-), alpha_1 (s), alpha_2 (s2) of the least squares; arguments as `of_adaptive_series`.
+
+    For a slow motion they are the series of the inverse rig.
+    """
+    s = 2j * np.pi * np.fft.rfftfreq(motion.size, step)[1:]
+    weight = np.abs(np.fft.rfft(motion))[1:]
+    if (filtered := described.filter) is not None:
+        weight = weight / np.sqrt(1.0 + (np.abs(s) / (2.0 * np.pi * filtered.cutoff)) ** (2 * filtered.order))
+    kept = weight > 1e-6 * weight.max()  # the rest is rounding, and a rig may have no inverse up there
+    s, weight = s[kept], weight[kept]
+    first, second = _differences(step)(s)
+    rows = np.column_stack([np.ones_like(s), first, second]) * weight[:, None]
+    wanted = weight / rig(s)
+    size = np.linalg.norm(rows, axis=0)
+    rows, wanted = np.vstack([rows.real, rows.imag]) / size, np.concatenate([wanted.real, wanted.imag])
+    return np.asarray(np.linalg.lstsq(rows, wanted, rcond=None)[0] / size)
+
+
+def _differences(step: float) -> Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]:
+    def derivatives(s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        first = -np.expm1(-s * step) / step
+        return first, first**2
+
+    return derivatives
+
+
+def followed(history: np.ndarray, step: float, transfer: Transfer) -> np.ndarray:
+    """Return what a transfer function makes of a history from rest, (n,) of (n,); step in s.
+
+    It is brought to rest smoothly after its end, as what leads would otherwise see a jump.
+    """
+    rest = max(round(REST / step), 1)
+    back = min(rest, history.size - 1)
+    fade = 0.5 * (1.0 + np.cos(np.pi * np.arange(1, back + 1) / back))
+    after = (2.0 * history[-1] - history[-2 : -2 - back : -1]) * fade
+    size = int(2 ** math.ceil(math.log2(history.size + back + 2 * rest)))
+    s = 2j * np.pi * np.fft.rfftfreq(size, step)
+    spectrum = np.fft.rfft(np.concatenate((history, after)), size) * transfer(s)
+    return np.asarray(np.fft.irfft(spectrum, size)[: history.size])

@@ -1,0 +1,1 @@
+"""Compensators of the delay, and their export for a laboratory."""

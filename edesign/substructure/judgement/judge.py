@@ -1,0 +1,298 @@
+"""How good a test was: tracking, and with the file of the test the error of the building's response."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from edesign.calibrate.noise import smooth
+from edesign.core.damper import CoreDamper
+from edesign.errors import InputError
+from edesign.project.problems import unknown_name
+from edesign.project.substructure.programme import RtsTest
+from edesign.project.substructure.rts_file import RtsFile
+from edesign.substructure.advice.expectation import Bench
+from edesign.substructure.indicators import Tracking, Untold, tracking
+from edesign.substructure.indicators.correlation_delay import correlation_delay
+from edesign.substructure.indicators.tracking_error import nrms_root
+from edesign.substructure.judgement.measured import MeasuredRecord, clipped, read_measured
+from edesign.substructure.judgement.measured_force import response_to_force
+from edesign.substructure.laboratory import TestedDamper, stiffness_of
+from edesign.substructure.stability.margins import critical_delays
+from edesign.substructure.structure.recursion import recursion
+from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory, response_errors
+
+REPRODUCED = 0.05
+"""Root of squared error over squared target, by which the numerical part under the measured force may miss the recorded
+target. Noise of the load cell and another method of integration leave less than 1 %; a force of the wrong sign, unit
+or channel leaves all of it.
+"""
+
+
+@dataclass(frozen=True)
+class JudgedResponse:
+    """What a test says of the response of the structure.
+
+    Attributes:
+        test: of the file.
+        driven_by: the ground motion, in words.
+        reproduced: root of squared error over squared target, of the numerical part under the measured force.
+        response_error, peak_error: of the measured displacement against the direct analysis: root of squared error over
+            squares, relative error of the peak.
+        target_error: root of squared error over squares, of the recorded target against the direct analysis.
+        force_nrms, force_nrms_root: of the law under the measured displacement against the measured force, without and
+            with a root.
+        critical_delay: at which the loop would have become unstable, s; inf: at none.
+        margin: of it over the measured delay; inf: the specimen was not late.
+        time: (n,) s at main steps; target, measured, force, direct_deformation, by_force, law_force: (n,) SI.
+    """
+
+    test: str
+    driven_by: str
+    reproduced: float
+    response_error: float
+    peak_error: float
+    target_error: float
+    force_nrms: float
+    force_nrms_root: float
+    critical_delay: float
+    margin: float
+    time: np.ndarray
+    target: np.ndarray
+    measured: np.ndarray
+    force: np.ndarray
+    direct_deformation: np.ndarray
+    by_force: np.ndarray
+    law_force: np.ndarray
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """One thing that a good test keeps.
+
+    Attributes:
+        name: in words.
+        value: of the test, dimensionless.
+        limit: of the file; the value may not be above it, or with `at_least` not below.
+    """
+
+    name: str
+    value: float
+    limit: float
+    at_least: bool = False
+
+    @property
+    def met(self) -> bool:
+        """Whether it is kept; not if the value is not known."""
+        return self.value >= self.limit if self.at_least else self.value <= self.limit
+
+
+@dataclass(frozen=True)
+class Judgement:
+    """How good a test was.
+
+    Attributes:
+        source: the record.
+        step: between its samples, s.
+        samples: how many.
+        tracking: of the specimen.
+        response: None without a file of substructure tests.
+        criteria: of that file.
+        notes: what to mind, for people.
+    """
+
+    source: Path
+    step: float
+    samples: int
+    tracking: Tracking
+    response: JudgedResponse | None
+    criteria: tuple[Criterion, ...]
+    notes: tuple[str, ...]
+
+    @property
+    def good(self) -> bool | None:
+        """Whether all criteria are met; None: there are none."""
+        return all(one.met for one in self.criteria) if self.criteria else None
+
+    @property
+    def verdict(self) -> str:
+        """In one sentence."""
+        if not self.criteria:
+            return "no verdict: the file of the test (--rts) says what a good one is"
+        bad = [one.name for one in self.criteria if not one.met]
+        return f"not good: {' and '.join(bad)}" if bad else "good: all criteria are met"
+
+
+def judge(path: Path | str, file: RtsFile | None = None, test: str | None = None) -> Judgement:
+    """Judge a test by its record.
+
+    Args:
+        path: CSV with time, target, displacement, and force if there is one.
+        file: of substructure tests, from `load_rts_file`; None: tracking alone is judged.
+        test: of the file, of the kind `rts`; None: the only one.
+
+    Raises:
+        InputError: the record cannot be read, or is not of that test; the message says why.
+    """
+    record = read_measured(path, "target", "displacement", *(("force",) if file is not None else ()))
+    for name in ("displacement", "force"):
+        if name in record.channels and (level := clipped(record[name])) is not None:
+            raise InputError(f"{record.path}: the {name} is cut off at {level:.4g} (SI): the range of its sensor?")
+    followed = tracking(record["target"], record["displacement"], record.step, record.channels.get("force"))
+    response = None if file is None else _response(record, file, test, followed)
+    criteria = () if file is None or response is None else _criteria(file, response)
+    return Judgement(
+        record.path, record.step, record.time.size, followed, response, criteria, _notes(record, followed, response)
+    )
+
+
+def chosen_test(file: RtsFile, name: str | None) -> RtsTest:
+    """Return the test of the kind `rts` that is meant.
+
+    Raises:
+        InputError: there is none of that name, or a name is needed.
+    """
+    tests = {one.name: one for one in file.tests if isinstance(one, RtsTest)}
+    if name is not None and name not in tests:
+        raise InputError(f"{file.path}: {unknown_name('test of the kind `rts`', name, tests)}")
+    if name is None and len(tests) != 1:
+        which = f"--test NAME: which of {', '.join(tests)}?" if tests else "there is no test of the kind `rts`"
+        raise InputError(f"{file.path}: {which}")
+    return tests[name] if name is not None else next(iter(tests.values()))
+
+
+def _response(record: MeasuredRecord, file: RtsFile, name: str | None, followed: Tracking) -> JudgedResponse:
+    test = chosen_test(file, name)
+    laboratory = VirtualLaboratory(file)
+    drive = laboratory.drive(test)
+    whole = laboratory.direct(drive)
+    structure = laboratory.laboratory.structure
+    assert structure is not None and drive.ground is not None
+    time = _shared_time(record, drive)
+    target, measured, force = (_at(record, one, time) for one in ("target", "displacement", "force"))
+    by_force = _by_force(laboratory, force, drive.ground[: time.size])
+    _refuse_another_test(record, target, by_force, whole, file.loop.main_step)
+    direct = whole.deformation[: time.size]
+    response, peak = response_errors(measured, direct)
+    law = _law_force(laboratory.damper, time, measured)
+    part = structure.part
+    crossings = critical_delays(Bench.of(laboratory, whole.deformation, part).loop(), 0.5 / file.loop.main_step)
+    critical = min((one.delay for one in crossings if one.delay > 0.0), default=math.inf)
+    late = followed.correlation_delay
+    return JudgedResponse(
+        test=test.name,
+        driven_by=drive.source,
+        reproduced=nrms_root(target, by_force),
+        response_error=response,
+        peak_error=peak,
+        target_error=response_errors(target, direct)[0],
+        force_nrms=nrms_root(force, law) ** 2,
+        force_nrms_root=nrms_root(force, law),
+        critical_delay=critical,
+        margin=critical / late if late > 0.0 else math.inf,
+        time=time,
+        target=target,
+        measured=measured,
+        force=force,
+        direct_deformation=direct,
+        by_force=by_force,
+        law_force=law,
+    )
+
+
+def _shared_time(record: MeasuredRecord, drive: Drive) -> np.ndarray:
+    """Main steps (n,) s that record and test have both; the test begins at 0."""
+    first, last = float(record.time[0]), float(record.time[-1])
+    step = float(drive.time[1])
+    if first > 0.5 * max(step, record.step):
+        raise InputError(
+            f"{record.path}: the record begins at {first:.4g} s; time counts from the beginning of the ground motion, "
+            "at which the specimen is at rest"
+        )
+    shared = drive.time[drive.time <= last + 0.5 * step]
+    if shared.size < 2:
+        raise InputError(f"{record.path}: the record ends at {last:.4g} s, before the ground motion has begun")
+    return np.asarray(shared)
+
+
+def _at(record: MeasuredRecord, channel: str, time: np.ndarray) -> np.ndarray:
+    """A channel (n,) at main steps: its own samples where they are these, else linear between them."""
+    return np.interp(time, record.time, record[channel])
+
+
+def _by_force(laboratory: VirtualLaboratory, force: np.ndarray, ground: np.ndarray) -> np.ndarray:
+    file, structure = laboratory.file, laboratory.laboratory.structure
+    assert structure is not None
+    stiffness = stiffness_of(laboratory.damper)
+    loop, how = file.loop, file.integration
+    part = recursion(
+        structure.part, loop.main_step, how.method, loop.force, specimen_stiffness=stiffness, rho=how.rho_inf
+    )
+    return response_to_force(part, force, ground)[0]
+
+
+def _refuse_another_test(
+    record: MeasuredRecord, target: np.ndarray, by_force: np.ndarray, direct: Direct, step: float
+) -> None:
+    """Refuse a record whose target is shifted, or has nothing to do with the test."""
+    path = record.path
+    try:
+        shift = correlation_delay(direct.deformation[: target.size], target, step).delay
+    except Untold:
+        if nrms_root(target, by_force) <= REPRODUCED:
+            return  # a test that went wrong is still that test
+        raise InputError(
+            f"{path}: the target is not that of this test: it neither follows the direct analysis nor from the "
+            "measured force; another record, scale or structure?"
+        ) from None
+    if abs(shift) > _longest_shift(target, step):
+        raise InputError(
+            f"{path}: the target is {abs(shift):.4g} s {'late' if shift > 0.0 else 'early'} against that of the test; "
+            "time counts from the beginning of the ground motion"
+        )
+
+
+def _longest_shift(target: np.ndarray, step: float) -> float:
+    """Half a period of the target's root-mean-square frequency, s: a wrong response is not shifted by more."""
+    speed = float(np.sqrt(np.mean(np.diff(target) ** 2))) / step
+    size = float(np.sqrt(np.mean(target**2)))
+    return math.pi * size / speed if speed > 0.0 else math.inf
+
+
+def _law_force(damper: TestedDamper, time: np.ndarray, displacement: np.ndarray) -> np.ndarray:
+    """Force (n,) N of the law with its effects under the measured displacement, freed from noise that it would feel."""
+    force, deformation = damper.scales
+    core = CoreDamper(damper.values.law, damper.values.values, amendments=damper.values.amendments)
+    u, v, _, _ = smooth(time, deformation * displacement)
+    return np.asarray(force * core.force(time, u, v))
+
+
+def _criteria(file: RtsFile, response: JudgedResponse) -> tuple[Criterion, ...]:
+    return (
+        Criterion("target under the measured force", response.reproduced, REPRODUCED),
+        Criterion("error of the response", response.response_error, file.criteria.response_error),
+        Criterion("margin of the delay", response.margin, file.criteria.delay_margin, at_least=True),
+    )
+
+
+def _notes(record: MeasuredRecord, followed: Tracking, response: JudgedResponse | None) -> tuple[str, ...]:
+    notes = [f"{name}: {why}" for name, why in followed.untold.items() if "no force" not in why]
+    if response is not None:
+        notes += _of_force(response)
+    if record.unread:
+        notes.append(f"not read: {', '.join(f'`{header}`' for header in record.unread)}")
+    return tuple(notes)
+
+
+def _of_force(response: JudgedResponse) -> Iterable[str]:
+    """What may be wrong with a force that does not make the recorded target."""
+    if response.reproduced <= REPRODUCED:
+        return
+    if float(np.sum(response.force * response.law_force)) < 0.0:
+        yield "the measured force has the opposite sign of the law's: F > 0 pulls back for x > 0"
+    else:
+        yield "the measured force does not make the recorded target: unit or channel of the force, or another structure"

@@ -1,0 +1,1 @@
+"""The rig: transfer functions, and what a record tells of it."""

@@ -1,0 +1,289 @@
+"""The frame of a project as the numerical part: its tangent under gravity, condensed to the degrees with mass."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+import scipy
+
+from edesign.building.damping import rayleigh_coefficients
+from edesign.building.devices import Device
+from edesign.errors import InputError
+from edesign.project.damping import ModalDamping, RayleighDamping
+from edesign.project.materials import ElasticMaterial
+from edesign.project.problems import unknown_name
+from edesign.project.project import Project
+from edesign.study.dampers import attachments
+from edesign.study.structure import Structure, make_structure
+from edesign.substructure.structure.numerical import LinearPart, modal_damping_matrix
+
+LINEAR_LAWS = {"kelvin_voigt": 2, "viscous": 1}
+"""Laws that the matrices can hold, with the number of their parameters: (k, c) and (c)."""
+
+MOST_IN_SERIES = 0.01
+"""Share of the flexibility at the specimen that may belong to degrees without mass; it is left out."""
+
+WORTH_TELLING = 1e-4
+"""Such a share that is told: a force is not measured better."""
+
+ROUNDING = 1e-9
+
+DEGREES = ("ux", "uy", "rz")
+
+
+@dataclass(frozen=True, eq=False)
+class ProjectPart:
+    """A project's frame without one of its dampers.
+
+    Attributes:
+        part: the numerical part; the specimen's deformation and force are those of the whole device.
+        device: the damper that stands in the laboratory; its law at its size.
+        floors: (n_floors, n) horizontal displacement of each floor's leading node by displacements of the degrees.
+        warnings: what the linear part leaves out, sentences.
+    """
+
+    part: LinearPart
+    device: Device
+    floors: np.ndarray
+    warnings: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class _Condensed:
+    """Equations with mass, and how the others follow them statically.
+
+    Attributes:
+        heavy: (n,) numbers of the equations with mass.
+        shape: (n_equations, n) displacements of all equations by those with mass.
+        light: (m,) numbers of the equations without mass.
+        light_stiffness: factors of their stiffness; None: there are none.
+    """
+
+    heavy: np.ndarray
+    shape: np.ndarray
+    light: np.ndarray
+    light_stiffness: scipy.sparse.linalg.SuperLU | None
+
+    def reduce(self, matrix: scipy.sparse.csc_matrix) -> np.ndarray:
+        """Return shape' matrix shape, (n, n)."""
+        reduced = self.shape.T @ (matrix @ self.shape)
+        return np.asarray(0.5 * (reduced + reduced.T))
+
+    def flexibility(self, direction: np.ndarray) -> float:
+        """Return the deformation along (n_equations,) by a unit force there, the degrees with mass held, m/N."""
+        if self.light_stiffness is None:
+            return 0.0
+        along = direction[self.light]
+        return float(along @ self.light_stiffness.solve(along))
+
+
+def project_part(project: Project, device: str, vertical: bool = True) -> ProjectPart:
+    """Return the numerical part of a project whose damper `device` stands in the laboratory.
+
+    The stiffness is the tangent under the gravity combination, about which histories vibrate; with `corotational` or
+    `p_delta` elements it has the effect of the gravity forces. Degrees without mass are condensed statically, which is
+    exact but for forces of dampers on them. Inherent damping is that of histories: of the frame without dampers and
+    tuned masses. Tuned masses stay in the numerical part, and other dampers whose law is a spring and a dashpot.
+
+    Args:
+        project: the validated project.
+        device: name of the damper, e.g. "S_1_1".
+        vertical: whether masses resist vertical motion, if they do in the project. Without them the columns' fast axial
+            modes are gone, which limit the step of explicit methods and lengthen each.
+
+    Raises:
+        InputError: the device does not exist or has a brace in series; another damper is not linear or has a brace; the
+            frame has no mass or no `damping`, or is unstable without the damper; degrees without mass make up too much
+            of the flexibility at the specimen.
+        AnalysisError: no equilibrium under gravity, or no modes for the damping.
+        CoreError: the frame is a mechanism.
+
+    Source: static condensation: Chopra, Dynamics of Structures, 9.3.
+    """
+    if project.dampers is None or not project.dampers.devices:
+        raise InputError(f"{project.path}: the project has no dampers, of which one could stand in the laboratory")
+    if project.damping is None:
+        raise InputError(f"{project.path}: a substructure test needs `damping`; for none write {{kind: none}}")
+    structure = make_structure(project, dampers=True)
+    specimen = _specimen(project, structure, device)
+    unloaded = structure.analysis.stiffness()
+    structure.apply_gravity()
+    tangent = structure.analysis.stiffness()
+    along = structure.analysis.damper_directions().toarray()
+    condensed = _condense(project, tangent, _moving_masses(structure, vertical))
+    k, c = _other_dampers(project, structure, specimen)
+    dashpots = scipy.sparse.csc_matrix(along.T @ (c[:, None] * along))
+    springs = scipy.sparse.csc_matrix(along.T @ (k[:, None] * along))
+    mass = np.diag(structure.analysis.masses()[condensed.heavy])
+    direction = along[specimen.number]
+    stiffness = condensed.reduce(tangent + springs)
+    part = LinearPart(
+        mass,
+        _inherent_damping(project, structure, condensed, mass, unloaded) + condensed.reduce(dashpots),
+        stiffness,
+        _horizontal(structure)[condensed.heavy],
+        _interface(project, specimen, direction @ condensed.shape),
+        tuple(_equation_names(structure)[number] for number in condensed.heavy),
+    )
+    part.modes()  # refuses an unstable one
+    warnings = _in_series(project, specimen, condensed.flexibility(direction), part)
+    return ProjectPart(part, specimen, _floors(structure, condensed), (*warnings, *_yielding(project)))
+
+
+def _specimen(project: Project, structure: Structure, name: str) -> Device:
+    devices = {device.name: device for device in structure.frame.devices}
+    if name not in devices:
+        raise InputError(f"{project.path}: {unknown_name('damper', name, devices)}")
+    found = devices[name]
+    if found.brace > 0.0:
+        raise InputError(
+            f"{project.path}: the damper {name} has a brace in series ({found.brace:g} N/m); say what stands in the "
+            "laboratory: make the brace `rigid` and give the damper's own stiffness, or test both together as one law"
+        )
+    return found
+
+
+def _other_dampers(project: Project, structure: Structure, specimen: Device) -> tuple[np.ndarray, np.ndarray]:
+    """Stiffness and damping, (n_dampers,) each, of the dampers that stay in the numerical part."""
+    model = structure.frame.model
+    k, c = np.zeros(len(model.damper_names)), np.zeros(len(model.damper_names))
+    for device in structure.frame.devices:
+        if device.number == specimen.number:
+            continue
+        law = device.values
+        reason = None
+        if law.law not in LINEAR_LAWS:
+            reason = f"its law `{device.law}` ({law.law}) is no spring and dashpot; kelvin_voigt and viscous are"
+        elif law.amendments:
+            reason = f"its law `{device.law}` has effects"
+        elif device.brace > 0.0:
+            reason = "it has a brace in series"
+        if reason is not None:
+            raise InputError(
+                f"{project.path}: beside {specimen.name} the damper {device.name} would stay in the linear numerical "
+                f"part, and {reason}"
+            )
+        scale = device.force_scale * device.deformation_scale
+        values = (0.0, *law.values)[-2:]
+        k[device.number], c[device.number] = scale * values[0], scale * values[1]
+    for attached in attachments(project):
+        dashpot = f"{attached.name}_dashpot"
+        if dashpot in model.damper_names:
+            c[model.damper_names.index(dashpot)] = attached.damping
+    return k, c
+
+
+def _condense(project: Project, tangent: scipy.sparse.csc_matrix, masses: np.ndarray) -> _Condensed:
+    heavy, light = np.flatnonzero(masses > 0.0), np.flatnonzero(masses <= 0.0)
+    if heavy.size == 0:
+        raise InputError(f"{project.path}: the frame has no `masses`; without inertia there is no motion to integrate")
+    shape = np.zeros((masses.size, heavy.size))
+    shape[heavy, np.arange(heavy.size)] = 1.0
+    if light.size == 0:
+        return _Condensed(heavy, shape, light, None)
+    try:
+        factors = scipy.sparse.linalg.splu(tangent[light][:, light].tocsc())
+    except RuntimeError as error:
+        text = "degrees without mass are held by nothing once the damper stands in the laboratory"
+        raise InputError(f"{project.path}: {text}") from error
+    shape[light] = -factors.solve(tangent[light][:, heavy].toarray())
+    return _Condensed(heavy, shape, light, factors)
+
+
+def _moving_masses(structure: Structure, vertical: bool) -> np.ndarray:
+    """Masses of the equations, (n_equations,); without the vertical ones if they are to be left out."""
+    masses = structure.analysis.masses()
+    if not vertical:
+        upright = structure.analysis.equations[:, 1]
+        masses[upright[upright >= 0]] = 0.0
+    return masses
+
+
+def _inherent_damping(
+    project: Project,
+    structure: Structure,
+    condensed: _Condensed,
+    mass: np.ndarray,
+    unloaded: scipy.sparse.csc_matrix,
+) -> np.ndarray:
+    """Damping (n, n) N s/m as histories have it; the modes are those of the frame without tuned masses."""
+    damping = project.damping
+    if not isinstance(damping, (RayleighDamping, ModalDamping)):
+        return np.zeros_like(mass)
+    alone = make_structure(project)
+    if damping.state == "gravity":
+        alone.apply_gravity()
+    if isinstance(damping, RayleighDamping):
+        omega = alone.modes(max(damping.modes)).omega
+        first, second = (float(omega[number - 1]) for number in damping.modes)
+        a0, a1 = rayleigh_coefficients(first, second, damping.ratio)
+        base = unloaded if damping.stiffness == "initial" else structure.analysis.stiffness()
+        return np.asarray(a0 * mass + a1 * condensed.reduce(base))
+    modes = alone.modes(damping.modes)
+    more = structure.analysis.n_equations - modes.equations.shape[1]  # tuned masses have the last equations
+    padded = replace(modes, equations=np.pad(modes.equations, ((0, 0), (0, more))))
+    return modal_damping_matrix(mass, modes.omega, padded.equations[:, condensed.heavy].T, damping.ratio)
+
+
+def _interface(project: Project, specimen: Device, interface: np.ndarray) -> np.ndarray:
+    if np.abs(interface).max() <= ROUNDING * max(abs(coefficient) for coefficient, _, _ in specimen.terms):
+        raise InputError(
+            f"{project.path}: no degree with mass moves the damper {specimen.name}: the loop would have no inertia; "
+            "give `masses` at its ends"
+        )
+    return interface
+
+
+def _in_series(project: Project, specimen: Device, flexibility: float, part: LinearPart) -> list[str]:
+    """What is left out where the damper's force bends degrees without mass, which move at once."""
+    softness = np.linalg.solve(part.stiffness, part.interface) @ part.interface + flexibility
+    share = flexibility / softness
+    if share <= WORTH_TELLING:
+        return []
+    text = (
+        f"{100.0 * share:.2g} % of the flexibility at the damper {specimen.name} ({flexibility:.3g} m/N) belongs to "
+        "degrees without mass"
+    )
+    if share > MOST_IN_SERIES:
+        raise InputError(
+            f"{project.path}: {text}; they would answer the measured force at once, and no step can be made of that; "
+            "give masses there, e.g. `masses: {directions: both}`"
+        )
+    return [f"{text}; it is left out"]
+
+
+def _yielding(project: Project) -> list[str]:
+    """Materials of the frame that can yield."""
+    used = {run.material for run in project.frame.members.values()}
+    names = sorted(name for name in used if not isinstance(project.materials[name], ElasticMaterial))
+    return [f"the numerical part is linear: {', '.join(names)} would not yield in it"] if names else []
+
+
+def _horizontal(structure: Structure) -> np.ndarray:
+    """Displacements of the equations when the ground moves by 1 along x, (n_equations,)."""
+    influence = np.zeros(structure.analysis.n_equations)
+    across = structure.analysis.equations[:, 0]
+    influence[across[across >= 0]] = 1.0
+    return influence
+
+
+def _floors(structure: Structure, condensed: _Condensed) -> np.ndarray:
+    frame = structure.frame
+    across = [structure.analysis.equations[frame.nodes[name], 0] for name in frame.leading_nodes]
+    return np.array([condensed.shape[number] if number >= 0 else np.zeros(condensed.heavy.size) for number in across])
+
+
+def _equation_names(structure: Structure) -> list[str]:
+    """Name of each equation: that of the floor that it moves as a whole, or of its first node with the degree."""
+    analysis, frame = structure.analysis, structure.frame
+    names = [""] * analysis.n_equations
+    for floor in range(1, frame.frame.n_storeys + 1):
+        across = {int(analysis.equations[frame.nodes[name], 0]) for name in frame.floor_nodes(floor)}
+        if len(across) == 1 and min(across) >= 0:
+            names[min(across)] = f"floor {floor}"
+    for node, equations in zip(frame.model.node_names, analysis.equations, strict=True):
+        for degree, equation in zip(DEGREES, equations, strict=True):
+            if equation >= 0 and not names[equation]:
+                names[equation] = f"{node} {degree}"
+    return names
