@@ -23,10 +23,15 @@ def check(
     from edesign.report.visible import visible_line
     from edesign.space.check import check_building
     from edesign.study.check import check_project, check_study
+    from edesign.substructure.virtual_tests import VirtualLaboratory
 
     kind = file_kind(project)
     if kind == "substructure test":
-        found = summary(load_rts_file(project, BuildingSections()))
+        tests = load_rts_file(project, BuildingSections())
+        laboratory = VirtualLaboratory(tests)
+        _ = laboratory.drives  # records and commands are read
+        warned = "\n".join(laboratory.laboratory.warnings)
+        found = summary(tests) | ({"warnings": warned} if warned else {})
     elif kind == "building":
         found = check_building(load_building(project))
     else:

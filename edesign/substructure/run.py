@@ -51,20 +51,26 @@ def run_tests(
     root = _root(file, path)
     check_owner(path, root, overwrite)
     laboratory = VirtualLaboratory(file)
+    _ = laboratory.drives  # what is wrong with records and commands is told before anything is written
     root.attributes["warnings"] = list(laboratory.laboratory.warnings)
     if csv_folder is not None:
         make_folder(csv_folder)
     found = []
     with ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
-        for results in laboratory.run(tell):
-            for place, group in groups(results, file.outputs.histories):
-                writer.write(place, group)
-            for run in results.runs:
-                if csv_folder is not None and run.record is not None:
-                    write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
-            found.append(results)
-        for other in laboratory.run_others(tell):
-            writer.write(f"{PLACE}/{other.name}", method_group(other))
+        try:
+            for results in laboratory.run(tell):
+                for place, group in groups(results, file.outputs.histories):
+                    writer.write(place, group)
+                for run in results.runs:
+                    if csv_folder is not None and run.record is not None:
+                        write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
+                found.append(results)
+            for other in laboratory.run_others(tell):
+                writer.write(f"{PLACE}/{other.name}", method_group(other))
+        except BaseException:  # tests take seconds: the next run begins anew, and nothing half done is left
+            writer.close()
+            writer.partial.unlink(missing_ok=True)
+            raise
         writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
         writer.finish({"status": "completed"})
     return path, tuple(found)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -18,7 +19,8 @@ from edesign.core.substructure import (
 from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.project_records import find_recordings
 from edesign.project.dampers import DamperLaw
-from edesign.project.substructure.programme import CommandTest, PseudoDynamicTest, RtsTest
+from edesign.project.substructure.checks_tests import MOST_STEPS
+from edesign.project.substructure.programme import CommandTest, RecordTest, RtsTest
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.commands import command_motion
 from edesign.substructure.compensation import compensators
@@ -32,7 +34,7 @@ FINER = 4
 """How many times as fine as the main step the direct analysis is. Its error is of second order in the step: 0.012 % at
 1 ms of a structure of 2 Hz, a sixteenth of that here."""
 DIVERGED = 10.0
-"""Times the largest direct deformation at which a test counts as unstable: its loop feeds the structure by then."""
+"""Times the largest direct deformation, or given target, at which a test counts as unstable: its loop feeds itself."""
 NOTHING = TestedDamper(
     LawValues("kelvin_voigt", (0.0, 0.0)), (1.0, 1.0), DamperLaw(type="kelvin_voigt"), None, None, ()
 )
@@ -54,6 +56,11 @@ class Drive:
     ground: np.ndarray | None
     target: np.ndarray | None
     source: str
+
+    @property
+    def wanted(self) -> np.ndarray:
+        """Given target displacements (n,) m; zeros where the structure makes them."""
+        return np.zeros(self.time.size) if self.target is None else self.target[:, 0]
 
 
 @dataclass(frozen=True)
@@ -148,6 +155,11 @@ class VirtualLaboratory:
         self.tests = tuple(test for test in file.tests if isinstance(test, (CommandTest, RtsTest)))
         self.others = tuple(test for test in file.tests if not isinstance(test, (CommandTest, RtsTest)))
 
+    @cached_property
+    def drives(self) -> dict[str, Drive]:
+        """What drives each test, by its name; errors as `drive`."""
+        return {test.name: self.drive(test) for test in self.file.tests}
+
     def run(self, tell: Callable[[str], None] = lambda line: None) -> Iterator[TestResults]:
         """Yield the results test by test.
 
@@ -158,7 +170,7 @@ class VirtualLaboratory:
             InputError: a record or command cannot be read.
         """
         for test in self.tests:
-            drive = self.drive(test)
+            drive = self.drives[test.name]
             direct = self.direct(drive) if drive.ground is not None else None
             runs = []
             for name in self.compensators:
@@ -170,18 +182,12 @@ class VirtualLaboratory:
         """Yield the results of the tests by other methods; arguments and errors as `run`."""
         for test in self.others:
             tell(test.name)
-            record = test if isinstance(test, PseudoDynamicTest) else RtsTest(name=test.name, kind="rts")
-            if self.file.analysis is None and record.record is None:
-                where = self.file.where("tests", self.file.tests.index(test))
-                raise InputError(
-                    f"{where}: test {test.name}: name the `analysis` of the structure whose record it takes"
-                )
-            drive = self.drive(record)
+            drive = self.drives[test.name]
             assert drive.ground is not None
             abort = DIVERGED * float(np.max(np.abs(self.direct(drive).deformation)))
             yield run_method(test, self.laboratory, drive.time, drive.ground, abort)
 
-    def drive(self, test: CommandTest | RtsTest | PseudoDynamicTest) -> Drive:
+    def drive(self, test: CommandTest | RecordTest) -> Drive:
         """Return what drives a test.
 
         Raises:
@@ -196,7 +202,12 @@ class VirtualLaboratory:
         assert holder is not None
         record = find_recordings(holder, [motion.record])[motion.record].record
         scale = motion.scale if motion.scale is not None else (motion.pga or 0.0) / record.pga
-        last = record.time[-1] + motion.free_vibration
+        last = float(record.time[-1]) + motion.free_vibration
+        if last > MOST_STEPS * step:
+            where = file.where("tests", file.tests.index(test))
+            raise InputError(
+                f"{where}: test {test.name}: {last:.4g} s are {last / step:.3g} main steps; at most {MOST_STEPS} run"
+            )
         time = np.arange(0.0, last + 0.5 * step, step)
         ground = scale * np.interp(time, record.time, record.acceleration, right=0.0)
         said = f"{motion.record} x {scale:.4g}"
@@ -240,7 +251,7 @@ class VirtualLaboratory:
         lab, loop = self.laboratory, self.file.loop
         closed = drive.ground is not None
         none = self.file.compensators[compensator].kind == "none"
-        abort = DIVERGED * float(np.max(np.abs(direct.deformation))) if direct is not None else np.inf
+        abort = DIVERGED * float(np.max(np.abs(drive.wanted if direct is None else direct.deformation)))
         machine = SubstructureLoop(
             loop.main_step,
             loop.sub_steps,
@@ -272,7 +283,8 @@ class VirtualLaboratory:
         response = peak = np.nan
         if record.aborted:
             outcome = "unstable"
-            reason = f"diverged: {DIVERGED:g} times the direct deformation after {drive.time[count - 1]:.4g} s"
+            what = "largest target" if direct is None else "direct deformation"
+            reason = f"diverged: {DIVERGED:g} times the {what} after {drive.time[count - 1]:.4g} s"
         else:
             tracked = tracking(record.target, record.measured, self.file.loop.main_step, record.force)
             if direct is not None:

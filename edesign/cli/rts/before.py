@@ -16,20 +16,15 @@ File = Annotated[Path, typer.Argument(help="The file of substructure tests.", sh
 def check(file: File) -> None:
     """Say, without running the loop, whether it is stable, how wrong it will be, and which compensator suits."""
     from edesign.building.building_sections import BuildingSections
-    from edesign.cli.stages import Tell, in_stages
     from edesign.project.substructure import load_rts_file
     from edesign.report.substructure.advice_tables import advice_tables
     from edesign.report.text import print_tables
-    from edesign.substructure.advice.advice import Advice, advise
+    from edesign.substructure.advice.advice import advise
     from edesign.substructure.virtual_tests import VirtualLaboratory
 
     tests = load_rts_file(file, BuildingSections())
 
-    def work(tell: Tell) -> Advice:
-        tell("linearising the loop")
-        return advise(VirtualLaboratory(tests))
-
-    print_tables(advice_tables(in_stages(work)))
+    print_tables(advice_tables(advise(VirtualLaboratory(tests))))
 
 
 def export(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -26,20 +27,19 @@ def run(
 ) -> None:
     """Run the virtual tests of a file with all its compensators, archive them, and print a summary."""
     from edesign.building.building_sections import BuildingSections
-    from edesign.cli.stages import Tell, in_stages
     from edesign.project.substructure import load_rts_file
     from edesign.report.tables import overview
     from edesign.report.text import print_tables
+    from edesign.report.visible import visible_line
     from edesign.substructure.run import run_tests
-    from edesign.substructure.virtual_tests import TestResults
 
     tests = load_rts_file(file, BuildingSections())
 
-    def work(tell: Tell) -> tuple[Path, tuple[TestResults, ...]]:
-        tell(f"reading {file}")
-        return run_tests(tests, archive, overwrite, tell, csv)
+    def tell(line: str) -> None:
+        if not quiet:
+            print(f"{visible_line(line)} ...", file=sys.stderr, flush=True)
 
-    path, found = in_stages(work, quiet)
+    path, found = run_tests(tests, archive, overwrite, tell, csv)
     if not quiet:
         print_tables(overview(path))
         print(f"archive: {path}")

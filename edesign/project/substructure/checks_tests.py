@@ -12,17 +12,16 @@ from edesign.project.substructure.programme import (
     Command,
     CommandInFile,
     CommandTest,
-    PseudoDynamicTest,
     RandomCommand,
-    RtsTest,
+    RecordTest,
     SineCommand,
     SweepCommand,
 )
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure
 
-MOST_STEPS = 20_000_000
-"""Main steps of a command: more than five hours at 1 kHz."""
+MOST_STEPS = 5_000_000
+"""Main steps of a test: more than an hour at 1 kHz, and a GB of memory."""
 _WHAT = "substructure test file"
 
 
@@ -43,7 +42,7 @@ def check_tests(rts: RtsFile, problems: Problems) -> None:
         elif rts.structure is None:
             message = f"a test of the kind `{test.kind}` needs the `structure`, and the file has none"
             problems.at_value((*keys, "kind"), message)
-        elif isinstance(test, (RtsTest, PseudoDynamicTest)):
+        else:
             _record(rts, test, keys, problems)
     _records(rts, problems)
     _outputs(rts, problems)
@@ -52,7 +51,7 @@ def check_tests(rts: RtsFile, problems: Problems) -> None:
 # --- records
 
 
-def _record(rts: RtsFile, test: RtsTest | PseudoDynamicTest, keys: Keys, problems: Problems) -> None:
+def _record(rts: RtsFile, test: RecordTest, keys: Keys, problems: Problems) -> None:
     if isinstance(rts.structure, ProjectStructure) and (rts.project is None or _says_analysis(rts, test)):
         return  # what is wrong with project or analysis is told there
     of_project = rts.project.records if rts.project is not None else {}
@@ -64,7 +63,7 @@ def _record(rts: RtsFile, test: RtsTest | PseudoDynamicTest, keys: Keys, problem
         problems.at_value((*keys, "record"), unknown_name("record", record_of(test.record), known))
 
 
-def _says_analysis(rts: RtsFile, test: RtsTest | PseudoDynamicTest) -> bool:
+def _says_analysis(rts: RtsFile, test: RecordTest) -> bool:
     """Whether a test takes its record from an analysis."""
     structure = rts.structure
     return test.record is None and isinstance(structure, ProjectStructure) and structure.analysis is not None

@@ -94,13 +94,18 @@ class CommandTest(_Test):
     command: Command
 
 
-class RtsTest(_Test):
-    """A real-time test under a record, scaled; without a record that of the structure's analysis."""
+class RecordTest(_Test):
+    """A test under a record, scaled, with time after its end (s); without a record that of the structure's analysis."""
 
-    kind: Literal["rts"]
     record: Annotated[str, Field(min_length=1)] | None = None
     scale: PositiveFactor | None = None
     free_vibration: Duration | None = None
+
+
+class RtsTest(RecordTest):
+    """A real-time test."""
+
+    kind: Literal["rts"]
 
 
 class Undershoot(Model):
@@ -110,21 +115,19 @@ class Undershoot(Model):
     share: PositiveRatio
 
 
-class PseudoDynamicTest(_Test):
+class PseudoDynamicTest(RecordTest):
     """A pseudo-dynamic test, `time_scale` times as slow as the earthquake.
 
     `feedback`: the integration goes on from the displacement that was measured, or the one that was computed.
     """
 
     kind: Literal["pseudo_dynamic"]
-    record: Annotated[str, Field(min_length=1)] | None = None
-    scale: PositiveFactor | None = None
     time_scale: PositiveFactor = 100.0
     error: Undershoot | None = None
     feedback: Literal["measured", "computed"] = "measured"
 
 
-class EffectiveForceTest(_Test):
+class EffectiveForceTest(RecordTest):
     """An effective force test: the force loop has a gain (m/s/N), and perhaps feeds the velocity back."""
 
     kind: Literal["effective_force"]
@@ -140,7 +143,7 @@ class Table(Model):
     gain: Rate
 
 
-class ShakingTableTest(_Test):
+class ShakingTableTest(RecordTest):
     """The whole structure on a shaking table."""
 
     kind: Literal["shaking_table"]

@@ -19,7 +19,7 @@ from edesign.project.records import Record
 from edesign.project.substructure.compensators import Compensator
 from edesign.project.substructure.devices import law_of
 from edesign.project.substructure.loop import Integration, Loop, Sensors
-from edesign.project.substructure.programme import AnyTest, PseudoDynamicTest, RtsTest
+from edesign.project.substructure.programme import AnyTest, RecordTest
 from edesign.project.substructure.rig import AnyRig, RigFile, RigInFile, RigModel
 from edesign.project.substructure.specimen import PlacedLaw, Specimen
 from edesign.project.substructure.structure import ProjectStructure, Structure
@@ -174,13 +174,13 @@ class RtsFile(RecordFiles, FileModel):
         known = self._project.analyses if self._project is not None else ()
         return next((one for one in known if one.name == name and isinstance(one, HistoryAnalysis)), None)
 
-    def motion(self, test: RtsTest | PseudoDynamicTest) -> Motion:
+    def motion(self, test: RecordTest) -> Motion:
         """Return the ground motion of a test: its own record, or that of the analysis.
 
         Raises:
             ValueError: there is neither (refused when the file is read).
         """
-        free = test.free_vibration if isinstance(test, RtsTest) else None
+        free = test.free_vibration
         if test.record is not None:
             of_project = test.record.partition("/")[0] not in self.records
             return Motion(test.record, test.scale or 1.0, None, free or 0.0, of_project)

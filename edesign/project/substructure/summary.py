@@ -6,7 +6,7 @@ from pathlib import Path
 
 from edesign.project.problems import listed
 from edesign.project.substructure.checks_structure import frequencies
-from edesign.project.substructure.programme import PseudoDynamicTest, RtsTest
+from edesign.project.substructure.programme import RecordTest
 from edesign.project.substructure.rig import RigInFile
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure, ShearBuilding
@@ -75,7 +75,7 @@ def _loop(rts: RtsFile) -> str:
 
 def _test(rts: RtsFile, i: int) -> str:
     test = rts.tests[i]
-    if not isinstance(test, (RtsTest, PseudoDynamicTest)):
+    if not isinstance(test, RecordTest):
         return _called(test.name, test.kind)
     motion = rts.motion(test)
     size = f"to {motion.pga:.4g} m/s2" if motion.pga is not None else f"x {motion.scale:.4g}"
