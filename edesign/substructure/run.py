@@ -14,6 +14,8 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.project.substructure.rig import RigInFile
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.yaml_file import read_yaml_text
+from edesign.stopping import Stopped
+from edesign.study.interrupt import stop_on_signals
 from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
 from edesign.substructure.archived import INDICATORS, PLACE, groups, indicators
@@ -45,6 +47,7 @@ def run_tests(
     Raises:
         InputError: structure, law, compensator or record cannot be used so.
         ArchiveError: the archive or a CSV file cannot be written, or is that of something else.
+        KeyboardInterrupt: by Ctrl-C; nothing is left then.
     """
     file.check_unchanged()
     path = Path(archive_path) if archive_path is not None else file.archive_path
@@ -56,16 +59,22 @@ def run_tests(
     if csv_folder is not None:
         make_folder(csv_folder)
     found = []
-    with ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
+    with stop_on_signals() as stop, ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
+
+        def begin(line: str) -> None:
+            if stop.is_set():
+                raise Stopped
+            tell(line)
+
         try:
-            for results in laboratory.run(tell):
+            for results in laboratory.run(begin, stop.is_set):
                 for place, group in groups(results, file.outputs.histories):
                     writer.write(place, group)
                 for run in results.runs:
                     if csv_folder is not None and run.record is not None:
                         write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
                 found.append(results)
-            for other in laboratory.run_others(tell):
+            for other in laboratory.run_others(begin):
                 writer.write(f"{PLACE}/{other.name}", method_group(other))
         except BaseException:  # tests take seconds: the next run begins anew, and nothing half done is left
             writer.close()

@@ -22,6 +22,7 @@ from edesign.project.dampers import DamperLaw
 from edesign.project.substructure.checks_tests import MOST_STEPS
 from edesign.project.substructure.programme import CommandTest, RecordTest, RtsTest
 from edesign.project.substructure.rts_file import RtsFile
+from edesign.stopping import Wish, stoppable
 from edesign.substructure.commands import command_motion
 from edesign.substructure.compensation import compensators
 from edesign.substructure.indicators import Tracking, tracking
@@ -160,22 +161,24 @@ class VirtualLaboratory:
         """What drives each test, by its name; errors as `drive`."""
         return {test.name: self.drive(test) for test in self.file.tests}
 
-    def run(self, tell: Callable[[str], None] = lambda line: None) -> Iterator[TestResults]:
+    def run(self, tell: Callable[[str], None] = lambda line: None, wish: Wish | None = None) -> Iterator[TestResults]:
         """Yield the results test by test.
 
         Args:
             tell: called with the name of each run at its beginning.
+            wish: whether a run shall end early, by `Stopped`.
 
         Raises:
             InputError: a record or command cannot be read.
         """
         for test in self.tests:
             drive = self.drives[test.name]
-            direct = self.direct(drive) if drive.ground is not None else None
             runs = []
-            for name in self.compensators:
-                tell(f"{test.name}, {name}")
-                runs.append(self._run(test, name, drive, direct))
+            with stoppable(wish):
+                direct = self.direct(drive) if drive.ground is not None else None
+                for name in self.compensators:
+                    tell(f"{test.name}, {name}")
+                    runs.append(self._run(test, name, drive, direct))
             yield TestResults(test.name, test.kind, drive, direct, tuple(runs))
 
     def run_others(self, tell: Callable[[str], None] = lambda line: None) -> Iterator[MethodResults]:
