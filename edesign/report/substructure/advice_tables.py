@@ -91,13 +91,21 @@ def stability_table(advice: Advice, test: TestAdvice) -> Table:
         sentences=6,
     )
     for one in test.expected:
-        table.rows.append([one.compensator, "stable" if one.stable else "UNSTABLE", *_margins(one), _taken(one)])
+        table.rows.append([one.compensator, _verdict(one), *_margins(one), _taken(one)])
     table.notes += lines(
         "gain: factor on the force that makes it grow; left: delay at the mode that goes first; margin: further delay "
         "until it goes; factor: (left + margin) / left, left being a main step at least; asked for: "
         + number(advice.delay_margin, 3)
     )
+    if any(one.grows_below > 0.0 for one in test.expected):
+        table.notes += lines("SMALL GROW: stable at the amplitude of the test, but not near rest; see the advice")
     return table
+
+
+def _verdict(one: ExpectedTest) -> str:
+    if not one.stable:
+        return "UNSTABLE"
+    return "SMALL GROW" if one.grows_below > 0.0 else "stable"
 
 
 def _margins(one: ExpectedTest) -> list[str]:
@@ -141,11 +149,14 @@ def expected_table(advice: Advice) -> Table:
         for one in test.expected:
             tracking = [_percent(one.tracking_rms), _percent(one.tracking_peak)]
             response = [_percent(one.response_rms), _percent(one.response_peak)]
-            table.rows.append([test.name, one.compensator, *tracking, *(response if one.stable else ["grows", "-"])])
+            name = f"{one.compensator}*" if one.grows_below > 0.0 else one.compensator
+            table.rows.append([test.name, name, *tracking, *(response if one.stable else ["grows", "-"])])
     table.notes += lines(
         "tracking: measured less target; response: deformation of the damper against the direct analysis; accepted: "
         f"{_percent(advice.response_error)} %; without noise, and as if the rig had no limits"
     )
+    if any(one.grows_below > 0.0 for test in advice.tests for one in test.expected):
+        table.notes += lines("*: do not hold, as small motions grow")
     return table
 
 

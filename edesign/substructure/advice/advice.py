@@ -7,12 +7,23 @@ holds them against runs of the loop.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from edesign.project.substructure.programme import CommandTest, RtsTest
-from edesign.substructure.advice.expectation import Bench, ExpectedTest, Linearisation, ModeAdvice, force_delay
+from edesign.substructure.advice.expectation import (
+    UNSTABLE_RIG,
+    Bench,
+    ExpectedTest,
+    Linearisation,
+    ModeAdvice,
+    force_delay,
+)
 from edesign.substructure.advice.needs import AbortLevel, Need, abort_level, needs_of
 from edesign.substructure.advice.recommendation import Candidate, Recommendation, recommended
+from edesign.substructure.advice.small_motions import grows_below, smaller_benches
 from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
 
 
@@ -26,6 +37,7 @@ class TestAdvice:
         modes: of the structure; empty: the test has no loop.
         first: number of the mode that a delay of the force makes grow first; 0: none.
         expected: one for each compensator.
+        rig_swings: the unstable pole of a rig that the specimen makes unstable, in words; empty: it is stable.
     """
 
     name: str
@@ -35,6 +47,7 @@ class TestAdvice:
     modes: tuple[ModeAdvice, ...]
     first: int
     expected: tuple[ExpectedTest, ...]
+    rig_swings: str = ""
 
     @property
     def critical_delay(self) -> float:
@@ -54,7 +67,7 @@ class Advice:
         recommendation: of a compensator.
         delay_margin: factor that is asked for.
         response_error: that is accepted.
-        warnings: of structure and law.
+        warnings: of unstable rigs and small motions that grow, and of structure and law.
     """
 
     tests: tuple[TestAdvice, ...]
@@ -104,7 +117,7 @@ def advise(laboratory: VirtualLaboratory) -> Advice:
         recommendation=choice,
         delay_margin=file.criteria.delay_margin,
         response_error=file.criteria.response_error,
-        warnings=laboratory.laboratory.warnings,
+        warnings=(*_warnings(found), *laboratory.laboratory.warnings),
     )
 
 
@@ -123,10 +136,34 @@ def _test(
     part = structure.part if structure is not None and direct is not None else None
     bench = Bench.of(laboratory, motion, part)
     modes = bench.modes()
-    expected = tuple(bench.expected(name, drive, motion) for name in laboratory.file.compensators)
+    smaller = smaller_benches(bench) if not bench.rig_swings else ()
+    expected = tuple(_expected(bench, smaller, name, drive, motion) for name in laboratory.file.compensators)
     least = min(modes, key=lambda mode: mode.critical_delay, default=None)
     first = least.number if least is not None and math.isfinite(least.critical_delay) else 0
-    return TestAdvice(test.name, test.kind, drive.source, bench.linearisation, modes, first, expected)
+    return TestAdvice(test.name, test.kind, drive.source, bench.linearisation, modes, first, expected, bench.rig_swings)
+
+
+def _expected(bench: Bench, smaller: tuple[Bench, ...], name: str, drive: Drive, motion: np.ndarray) -> ExpectedTest:
+    compensator = bench.compensator(name, motion)
+    found = bench.expected(name, drive, motion, compensator)
+    if not found.stable:
+        return found
+    return replace(found, grows_below=grows_below(smaller, name, compensator, motion))
+
+
+def _warnings(tests: tuple[TestAdvice, ...]) -> Iterator[str]:
+    for test in tests:
+        if test.rig_swings:
+            yield (
+                f"test {test.name}: {UNSTABLE_RIG}, whatever the compensator: {test.rig_swings}. It takes a lower "
+                "gain, a faster valve, stiffer oil, or a specimen with less damping"
+            )
+        if growing := [one for one in test.expected if one.grows_below > 0.0]:
+            names = ", ".join(f'"{one.compensator}" below {1e3 * one.grows_below:.3g} mm' for one in growing)
+            yield (
+                f"test {test.name}: small motions grow with {names}: the law is stiffer there than at the amplitude of "
+                "the test. The loop ends in a limit cycle, and the expected errors do not hold"
+            )
 
 
 def _candidate(name: str, kind: str, tests: tuple[TestAdvice, ...]) -> Candidate:
@@ -141,4 +178,6 @@ def _candidate(name: str, kind: str, tests: tuple[TestAdvice, ...]) -> Candidate
         margin_factor=min((one.margin_factor for one in found), default=math.inf),
         error=max(errors, default=math.nan),
         of_response=any(one.stability is not None for one in found),
+        grows_below=max((one.grows_below for one in found), default=0.0),
+        reason=next((one.as_what for one in found if not one.stable and one.stability is None), ""),
     )

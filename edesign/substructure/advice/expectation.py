@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.damper.harmonic import complex_stiffness
 from edesign.project.substructure import compensators as kinds
+from edesign.substructure.advice.loaded_rig import loaded_poles, swinging, swings
 from edesign.substructure.advice.transfers import (
     CompensatorTransfer,
     followed,
@@ -45,6 +46,7 @@ GROUND_STEP = 0.004
 SETTLED = 1e-6
 """Relative change of the frequency at which the law and the mode agree."""
 ROUNDS = 50
+UNSTABLE_RIG = "the rig itself is unstable with the specimen"
 
 
 @dataclass(frozen=True)
@@ -110,6 +112,7 @@ class ExpectedTest:
         tracking_rms, tracking_peak: of measured less target, over those of the target.
         response_rms: error of the deformation over that of the direct analysis; inf: it grows; NaN: there is no loop.
         response_peak: relative error of its peak.
+        grows_below: amplitude below which motions grow though the test is stable at its own, m; 0: none.
     """
 
     compensator: str
@@ -123,6 +126,7 @@ class ExpectedTest:
     tracking_peak: float
     response_rms: float
     response_peak: float
+    grows_below: float = 0.0
 
 
 def force_delay(laboratory: VirtualLaboratory) -> float:
@@ -142,6 +146,7 @@ class Bench:
         linearisation: of the damper.
         specimen: its complex stiffness.
         rig: displacement of the specimen over command.
+        band: (n,) frequencies at which the law is linearised, Hz.
     """
 
     laboratory: VirtualLaboratory
@@ -149,6 +154,7 @@ class Bench:
     linearisation: Linearisation
     specimen: ComplexStiffness
     rig: Transfer
+    band: np.ndarray
 
     @classmethod
     def of(cls, laboratory: VirtualLaboratory, motion: np.ndarray, part: LinearPart | None) -> Bench:
@@ -178,7 +184,7 @@ class Bench:
         exact = complex_stiffness(damper.values, amplitude * deformation, frequency)
         at = Linearisation(largest, amplitude, frequency, force * deformation * exact)
         rig = rig_response(laboratory.file.plant, laboratory.laboratory.transfer, specimen, step)
-        return cls(laboratory, part, at, specimen, rig)
+        return cls(laboratory, part, at, specimen, rig, band)
 
     def loop(self, rig: Transfer | None = None) -> Loop:
         """The loop with what there is between target and force; None: the structure itself."""
@@ -234,20 +240,27 @@ class Bench:
             late(unseen, found.command), force, found.as_what, found.settles, found.alpha, found.limited
         )
 
-    def expected(self, name: str, drive: Drive, motion: np.ndarray) -> ExpectedTest:
+    @property
+    def rig_swings(self) -> str:
+        """The unstable pole of a rig that the specimen makes unstable, in words; empty: it is stable."""
+        poles = loaded_poles(self.laboratory.file.plant, self.specimen)
+        return swinging(poles) if swings(poles) else ""
+
+    def expected(self, name: str, drive: Drive, motion: np.ndarray, compensator: CompensatorTransfer) -> ExpectedTest:
         """Return what is to be expected with a compensator.
 
         Args:
             name: of the compensator.
             drive: of the test.
             motion: (n,) deformation of the damper, as of `of`, m.
+            compensator: of `compensator`.
 
         Raises:
             InputError: a part of the loop has no finite transfer function.
         """
-        compensator, nan = self.compensator(name, motion), math.nan
-        if not compensator.settles:
-            said, grown = "unstable with the rig alone", math.inf
+        nan, swinging_rig = math.nan, self.rig_swings
+        if swinging_rig or not compensator.settles:
+            said, grown = UNSTABLE_RIG if swinging_rig else "unstable with the rig alone", math.inf
             return ExpectedTest(name, said, None, False, nan, 0.0, False, nan, nan, grown, grown)
         if self.part is not None:
             return self._in_loop(name, compensator, drive)
@@ -258,7 +271,7 @@ class Bench:
     def _in_loop(self, name: str, compensator: CompensatorTransfer, drive: Drive) -> ExpectedTest:
         assert self.part is not None and drive.ground is not None
         step, every = self.laboratory.file.loop.main_step, self._every
-        loop = self.loop(self._seen(compensator))
+        loop = self.loop(self.seen(compensator))
         verdict = loop_stability(loop, 0.5 / step)
         found = expected_errors(loop, verdict, self.part.influence, drive.ground[::every], every * step)
         tracking, response = (math.nan, math.nan), (math.inf, math.inf)
@@ -276,7 +289,7 @@ class Bench:
     def _measured(self, compensator: CompensatorTransfer, target: np.ndarray, step: float) -> np.ndarray:
         return followed(target, step, lambda s: self.rig(s) * compensator.command(s))
 
-    def _seen(self, compensator: CompensatorTransfer) -> Transfer:
+    def seen(self, compensator: CompensatorTransfer) -> Transfer:
         """What the numerical part gets of the force, over the force of the target."""
         file = self.laboratory.file
         sensor = self.laboratory.laboratory.sensors.force_delay

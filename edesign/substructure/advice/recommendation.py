@@ -23,6 +23,8 @@ class Candidate:
         margin_factor: least factor on the delay that is left until a test is unstable.
         error: largest expected error, of the response or, without a loop, of tracking.
         of_response: whether it is that of the response.
+        grows_below: amplitude below which motions grow though it is stable in every test, m; 0: none.
+        reason: why it is unstable, in words, where the structure has no part in it; empty: it has.
     """
 
     name: str
@@ -31,6 +33,8 @@ class Candidate:
     margin_factor: float
     error: float
     of_response: bool
+    grows_below: float = 0.0
+    reason: str = ""
 
     @property
     def simplicity(self) -> int:
@@ -66,9 +70,10 @@ def recommended(candidates: Sequence[Candidate], delay_margin: float, response_e
     if not candidates:
         return Recommendation("", "There is no test of kind command or rts to judge by.", accurate=False)
     stable = [one for one in candidates if one.stable]
-    safe = [one for one in stable if one.margin_factor >= delay_margin and math.isfinite(one.error)]
+    quiet = [one for one in stable if one.grows_below == 0.0]
+    safe = [one for one in quiet if one.margin_factor >= delay_margin and math.isfinite(one.error)]
     if not safe:
-        return Recommendation("", _why_none(stable, delay_margin), accurate=False)
+        return Recommendation("", _why_none(candidates, delay_margin), accurate=False)
     least = min(one.error for one in safe)
     equal = [one for one in safe if one.error <= least + ROUNDING * response_error]
     best = min(equal, key=lambda one: (one.simplicity, one.error))
@@ -105,11 +110,20 @@ def _rival(best: Candidate, least: float, safe: Sequence[Candidate]) -> list[str
     return [f"The next best is {rival.name} with {_percent(rival.error)}"]
 
 
-def _why_none(stable: Sequence[Candidate], delay_margin: float) -> str:
+def _why_none(candidates: Sequence[Candidate], delay_margin: float) -> str:
+    stable = [one for one in candidates if one.stable]
     if not stable:
-        return "Every compensator of the file leaves the test unstable."
-    names = ", ".join(f"{one.name} ({one.margin_factor:.3g})" for one in stable)
-    return f"None has a margin of {delay_margin:g} times the delay that is left; stable with less: {names}."
+        reasons = {one.reason for one in candidates}
+        why = f": {reasons.pop()}" if len(reasons) == 1 and "" not in reasons else ""
+        return f"Every compensator of the file leaves the test unstable{why}."
+    said = []
+    if growing := [one for one in stable if one.grows_below > 0.0]:
+        names = ", ".join(f'"{one.name}"' for one in growing)
+        said.append(f"Small motions grow with {names}.")
+    if quiet := [one for one in stable if one.grows_below == 0.0]:
+        names = ", ".join(f'"{one.name}" ({one.margin_factor:.3g})' for one in quiet)
+        said.append(f"None has a margin of {delay_margin:g} times the delay that is left; stable with less: {names}.")
+    return " ".join(said)
 
 
 def _percent(value: float) -> str:

@@ -1,0 +1,91 @@
+"""Whether small motions grow in a loop that is stable at the amplitude of a test.
+
+Near rest many laws are stiffer: the equivalent dashpot of F = c |v|^alpha sign v, alpha < 1, grows without bound. The
+loop then ends in a limit cycle, of which a law that is linearised at one amplitude tells nothing.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.substructure.advice.expectation import Bench
+from edesign.substructure.advice.loaded_rig import loaded_poles, swings
+from edesign.substructure.advice.transfers import CompensatorTransfer, rig_response
+from edesign.substructure.stability.roots import structure_modes
+from edesign.substructure.stability.specimens import linearised_law
+from edesign.substructure.stability.sweep import sweep
+
+SMALLEST = 1e-3
+"""Of the largest deformation; what is smaller is not looked at."""
+A_DECADE = 2
+"""Amplitudes a decade."""
+LINEAR = 1e-3
+"""Relative change of the stiffness below which a law counts as linear."""
+ADAPTIVE = ("live_delay", "ats", "modified_ats")
+"""Compensators that have learned from large motions."""
+
+
+def smaller_benches(bench: Bench) -> tuple[Bench, ...]:
+    """Return a bench at smaller amplitudes, the largest first, down to what its encoder resolves; none: law linear.
+
+    Args:
+        bench: at the amplitude of the test.
+    """
+    sensors, at = bench.laboratory.laboratory.sensors, bench.linearisation
+    least = max(SMALLEST * at.largest, sensors.displacement_noise, sensors.displacement_quantum)
+    if least >= at.amplitude:
+        return ()
+    smallest = _at(bench, least)
+    omega = 2.0 * np.pi * bench.band + 0j
+    own, other = bench.specimen(omega), smallest.specimen(omega)
+    if np.all(np.abs(other - own) <= LINEAR * np.abs(own)):
+        return ()
+    count = max(round(A_DECADE * np.log10(at.amplitude / least)), 1)
+    between = np.geomspace(at.amplitude, least, count + 1)[1:-1]
+    return (*(_at(bench, float(one)) for one in between), smallest)
+
+
+def _at(bench: Bench, amplitude: float) -> Bench:
+    file, damper = bench.laboratory.file, bench.laboratory.damper
+    force, deformation = damper.scales
+    law = linearised_law(damper.values, amplitude * deformation, bench.band)
+
+    def specimen(omega: np.ndarray) -> np.ndarray:
+        return np.asarray(force * deformation * law(omega))
+
+    transfer = bench.laboratory.laboratory.transfer
+    rig = rig_response(file.plant, transfer, specimen, file.loop.main_step)
+    at = replace(bench.linearisation, amplitude=amplitude)
+    return replace(bench, specimen=specimen, rig=rig, linearisation=at)
+
+
+def grows_below(benches: Sequence[Bench], name: str, learned: CompensatorTransfer, motion: np.ndarray) -> float:
+    """Return the largest amplitude at which motions grow with a compensator, m; 0: at none.
+
+    Args:
+        benches: of `smaller_benches`.
+        name: of the compensator.
+        learned: it, at the amplitude of the test.
+        motion: (n,) as of `Bench.of`, m.
+    """
+    return next((one.linearisation.amplitude for one in benches if _grows(one, name, learned, motion)), 0.0)
+
+
+def _grows(bench: Bench, name: str, learned: CompensatorTransfer, motion: np.ndarray) -> bool:
+    file = bench.laboratory.file
+    if swings(loaded_poles(file.plant, bench.specimen)):
+        return True
+    if bench.part is None:
+        return False
+    adaptive = file.compensators[name].kind in ADAPTIVE
+    compensator = learned if adaptive else bench.compensator(name, motion)
+    try:
+        loop = bench.loop(bench.seen(compensator))
+        found = sweep(loop, structure_modes(loop), 0.5 / file.loop.main_step)
+    except InputError:  # the structure itself does not come to rest there: nothing can be said of the loop
+        return False
+    return not found.bounded or found.unstable_roots > 0
