@@ -8,11 +8,15 @@ import textwrap
 from edesign.report.table import Table, number
 from edesign.report.text import PAPER
 from edesign.substructure.advice.advice import Advice, TestAdvice
-from edesign.substructure.advice.expectation import EFFECTIVE_AMPLITUDE, MOVES_SPECIMEN, ExpectedTest
+from edesign.substructure.advice.expectation import EFFECTIVE_AMPLITUDE, MOVES_SPECIMEN, ExpectedTest, Linearisation
 
 MODES_SHOWN = 6
 ALMOST_NONE = 5e-6
 """Ratio that two digits of a percent do not show."""
+MOST_LOSS = 10.0
+"""Loss factor above which a specimen is told as a dashpot."""
+ROUNDING = 1e-6
+"""Of the complex stiffness: a storage stiffness below it is none."""
 
 
 def advice_tables(advice: Advice) -> list[Table]:
@@ -23,7 +27,9 @@ def advice_tables(advice: Advice) -> list[Table]:
     found = [expected_table(advice), needs_table(advice), conclusion(advice)] if advice.tests else [conclusion(advice)]
     test = advice.governing
     if test is not None:
-        found = [modes_table(advice, test), stability_table(advice, test), damping_table(test), *found]
+        damping = damping_table(test)
+        of_loop = [modes_table(advice, test), stability_table(advice, test), *([damping] if damping.rows else [])]
+        found = [*of_loop, *found]
     return found
 
 
@@ -31,7 +37,7 @@ def modes_table(advice: Advice, test: TestAdvice) -> Table:
     """Return natural modes, the specimen's share of them, and what the rig does at their frequencies."""
     table = Table(
         f"Modes of the structure, test {test.name}",
-        ("mode", "bare [Hz]", "f [Hz]", "damping", "k_E/k", "rig [ms]", "|rig|", "critical [ms]", "factor"),
+        ("mode", "bare [Hz]", "f [Hz]", "damping", "k_E/k", "rig [ms]", "|rig|", "limit [ms]", "factor"),
     )
     for mode in test.modes[:MODES_SHOWN]:
         table.rows.append(
@@ -48,10 +54,10 @@ def modes_table(advice: Advice, test: TestAdvice) -> Table:
             ]
         )
     if len(test.modes) > MODES_SHOWN:
-        table.notes.append(f"the first {MODES_SHOWN} of {len(test.modes)} modes")
+        table.notes += lines(f"the first {MODES_SHOWN} of {len(test.modes)} modes")
     table.notes += lines(
         "bare: without the specimen; k_E/k: share of a mode's stiffness that is the specimen's; rig, |rig|: its delay "
-        "and amplitude at f; critical: delay of the force at which the mode grows; factor: over the delay of the rig"
+        "and amplitude at f; limit: delay of the force at which the mode grows; factor: over the delay of the rig"
     )
     table.notes += [*lines(_first(test)), *lines(_linearised(test))]
     if advice.force_delay > 0.0:
@@ -78,8 +84,17 @@ def _linearised(test: TestAdvice) -> str:
     return (
         f"law linearised at {amplitude} mm, {EFFECTIVE_AMPLITUDE:g} of the largest direct deformation (effective "
         f"amplitude: Schnabel, Lysmer & Seed 1972); at {frequency} Hz, the first mode that moves the specimen: "
-        f"{number(at.stiffness.real, 4, 1e6)} kN/mm, loss factor {number(at.loss_factor, 3)}"
+        f"{_stiffness(at)}"
     )
+
+
+def _stiffness(at: Linearisation) -> str:
+    """With a loss factor, or with a dashpot where that says little."""
+    if abs(at.stiffness.imag) <= MOST_LOSS * abs(at.stiffness.real):
+        return f"{number(at.stiffness.real, 4, 1e6)} kN/mm, loss factor {number(at.loss_factor, 3)}"
+    storage = number(at.stiffness.real, 4, 1e6, negligible=ROUNDING * abs(at.stiffness))
+    dashpot = at.stiffness.imag / (2.0 * math.pi * at.frequency)
+    return f"storage stiffness {storage} kN/mm, equivalent dashpot {number(dashpot, 4, 1e6)} kN s/mm"
 
 
 def stability_table(advice: Advice, test: TestAdvice) -> Table:
@@ -181,7 +196,8 @@ def needs_table(advice: Advice) -> Table:
 
 def conclusion(advice: Advice) -> Table:
     """Return the abort level and the recommended compensator with its reason; no columns."""
-    said = [f"recommended: {advice.recommended or 'none of these'}", advice.recommendation.reason]
+    choice = f'recommended: "{advice.recommended}"' if advice.recommended else "no compensator is recommended"
+    said = [choice, advice.recommendation.reason]
     if advice.abort is not None:
         said.append(f"abort at {number(advice.abort.displacement, 3, 1e-3)} mm: {advice.abort.reason}")
     return Table("Advice", notes=[line for text in (*said, *advice.warnings) for line in lines(text)])

@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from edesign.project.substructure.programme import CommandTest, RtsTest
+from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.advice.expectation import (
     UNSTABLE_RIG,
     Bench,
@@ -63,7 +64,7 @@ class Advice:
         tests: in the order of the file, those with a given command too.
         force_delay: of the force, beside that of the rig: sensor, and half a step if it is held, s.
         needs: of the rig against its limits.
-        abort: the displacement at which a test should end; None: there is no test.
+        abort: the displacement at which a test should end; None: there is no test, or it hardly moves.
         recommendation: of a compensator.
         delay_margin: factor that is asked for.
         response_error: that is accepted.
@@ -107,13 +108,13 @@ def advise(laboratory: VirtualLaboratory) -> Advice:
     found = tuple(_test(laboratory, *one) for one in prepared)
     file = laboratory.file
     needs = needs_of(laboratory, [(test.name, drive, direct) for test, drive, direct in prepared])
-    candidates = [_candidate(name, one.kind, found) for name, one in file.compensators.items()] if found else []
-    choice = recommended(candidates, file.criteria.delay_margin, file.criteria.response_error)
+    looped = [test.name for test in found if test.modes]
+    choice = _choice(file, found, needs)
     return Advice(
         tests=found,
         force_delay=force_delay(laboratory),
         needs=needs,
-        abort=abort_level(needs, laboratory.laboratory.limits.stroke) if found else None,
+        abort=abort_level(needs, laboratory.laboratory.limits.stroke, looped) if found else None,
         recommendation=choice,
         delay_margin=file.criteria.delay_margin,
         response_error=file.criteria.response_error,
@@ -149,6 +150,21 @@ def _expected(bench: Bench, smaller: tuple[Bench, ...], name: str, drive: Drive,
     if not found.stable:
         return found
     return replace(found, grows_below=grows_below(smaller, name, compensator, motion))
+
+
+def _choice(file: RtsFile, tests: tuple[TestAdvice, ...], needs: tuple[Need, ...]) -> Recommendation:
+    """The compensator for the tests that the rig can do."""
+    weak = [need for need in needs if not need.possible]
+    beyond = "; ".join(f"{need.test} ({need.beyond})" for need in weak)
+    doable = tuple(test for test, need in zip(tests, needs, strict=True) if need.possible)
+    if weak and not doable:
+        return Recommendation("", f"No compensator helps: the rig is too weak for {beyond}.", accurate=False)
+    candidates = [_candidate(name, one.kind, doable) for name, one in file.compensators.items()] if doable else []
+    choice = recommended(candidates, file.criteria.delay_margin, file.criteria.response_error)
+    if not weak:
+        return choice
+    said = f"{choice.reason} That is for the other tests: no compensator helps where the rig is too weak, in {beyond}."
+    return replace(choice, reason=said)
 
 
 def _warnings(tests: tuple[TestAdvice, ...]) -> Iterator[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,6 +12,8 @@ from edesign.core.damper import CoreDamper
 from edesign.project.substructure.rig import RigModel, ServoHydraulicRig
 from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
 
+SMALLEST_ABORT = 1e-6
+"""m; no rig moves so little, and a level below it would say nothing."""
 ABORT = 1.5
 """Times the largest displacement that a test asks for. Errors of a response that is worth anything stay far below half
 of it, and a loop that feeds the structure passes it within some cycles, before force and damage grow much more."""
@@ -43,6 +45,12 @@ class Need:
     def possible(self) -> bool:
         """Whether the rig can do it."""
         return max(self.stroke_use, self.velocity_use, self.force_use) <= 1.0
+
+    @property
+    def beyond(self) -> str:
+        """What is beyond a limit of the rig, in words; empty: nothing."""
+        uses = (("stroke", self.stroke_use), ("velocity", self.velocity_use), ("force", self.force_use))
+        return ", ".join(f"{what} {100.0 * use:.0f} % of its limit" for what, use in uses if use > 1.0)
 
 
 @dataclass(frozen=True)
@@ -94,19 +102,24 @@ def _force(laboratory: VirtualLaboratory, drive: Drive) -> np.ndarray:
     return np.asarray(force * core.force(drive.time, x, v))
 
 
-def abort_level(needs: Sequence[Need], stroke: float) -> AbortLevel:
-    """Return the displacement at which tests should end.
+def abort_level(needs: Sequence[Need], stroke: float, looped: Container[str] = ()) -> AbortLevel | None:
+    """Return the displacement at which tests should end; None: they hardly move.
 
     Args:
         needs: of all tests, at least one.
         stroke: of the rig, m; inf: without a limit.
+        looped: names of the tests whose force acts on a structure, so that they can grow.
     """
     largest = max(needs, key=lambda need: need.stroke)
     level = ABORT * largest.stroke
-    said = f"{ABORT:g} times the {1e3 * largest.stroke:.4g} mm of {largest.test}"
-    if level < stroke:
-        return AbortLevel(level, f"{said}: only a loop that grows gets there")
-    return AbortLevel(stroke, f"the stroke; {said} would be beyond it")
+    if not SMALLEST_ABORT <= level < math.inf:
+        return None
+    said = f"{ABORT:g} times the {1e3 * largest.stroke:.4g} mm that the actuator needs in {largest.test}"
+    if level >= stroke:
+        return AbortLevel(stroke, f"the stroke; {said} would be beyond it")
+    if largest.test in looped:
+        said += "; only a loop that grows gets there"
+    return AbortLevel(level, said)
 
 
 def _peak(values: np.ndarray) -> float:

@@ -106,8 +106,8 @@ def _rival(best: Candidate, least: float, safe: Sequence[Candidate]) -> list[str
     if rival is None:
         return []
     if best.error > least:
-        return [f"{rival.name} has {_percent(rival.error)}, which is the same within rounding, but is less simple"]
-    return [f"The next best is {rival.name} with {_percent(rival.error)}"]
+        return [f'"{rival.name}" has {_percent(rival.error)}, which is the same within rounding, but is less simple']
+    return [f'The next best is "{rival.name}" with {_percent(rival.error)}']
 
 
 def _why_none(candidates: Sequence[Candidate], delay_margin: float) -> str:

@@ -303,6 +303,26 @@ def test_what_the_rig_cannot_do() -> None:
     assert advice.abort is not None and advice.abort.displacement == pytest.approx(6e-3)
     assert advice.abort.reason.startswith("the stroke")
     assert "TOO MUCH" in shown(advice)
+    assert advice.recommended == "" and advice.recommendation.reason.startswith("No compensator helps")
+    assert "velocity" in advice.recommendation.reason and "force" not in advice.recommendation.reason
+    assert "no compensator is recommended" in shown(advice)
+
+
+def test_a_weak_rig_does_for_a_smaller_test() -> None:
+    limits = "{kind: delay, delay: 5 ms, limits: {force: 40 kN}}"
+    text = command_file(limits, "none: {kind: none}")
+    small = WHITE.removeprefix("tests:\n").replace("name: white", "name: small").replace("5 mm", "2 mm")
+    advice, _ = advice_of(text + small)
+    assert advice.recommended == "none" and 'recommended: "none"' in shown(advice)
+    assert "the rig is too weak, in white (force 1" in advice.recommendation.reason
+
+
+def test_a_dashpot_is_told_as_one() -> None:
+    dashpot = thesis_file(ONE_STOREY, 0.18).replace(TESTED, "{law: {type: viscous, parameters: {c: 100 kN*s/m}}}")
+    advice, _ = advice_of(dashpot)
+    text = " ".join(shown(advice).split())
+    assert "storage stiffness 0 kN/mm, equivalent dashpot 0.1000 kN s/mm" in text and "loss factor" not in text
+    assert "Damping of the modes" not in text
 
 
 def test_the_actuator_makes_up_for_what_gives_way() -> None:
@@ -316,7 +336,12 @@ def test_the_actuator_makes_up_for_what_gives_way() -> None:
 def test_the_abort_level_is_of_the_largest_test() -> None:
     small, large = (Need(name, x, x, 0.1, 1e3, 0.0, 0.0, 0.0) for name, x in (("a", 1e-3), ("b", 4e-3)))
     level = abort_level((small, large), math.inf)
-    assert level.displacement == pytest.approx(6e-3) and " of b" in level.reason
+    assert level is not None and level.displacement == pytest.approx(6e-3)
+    assert level.reason == "1.5 times the 4 mm that the actuator needs in b"
+    looped = abort_level((small, large), math.inf, ["b"])
+    assert looped is not None and "a loop that grows" in looped.reason
+    still = Need("still", 4e-27, 4e-27, 0.0, 0.0, 0.0, 0.0, 0.0)
+    assert abort_level((still,), math.inf) is None
 
 
 def candidate(name: str, kind: str, error: float, factor: float = 9.0, stable: bool = True) -> Candidate:
