@@ -190,6 +190,14 @@ enum { ED_NEWMARK = 0, ED_GENERALISED_ALPHA = 1 };
  * GENERALISED_ALPHA alpha_m, alpha_f, gamma, beta (HHT: alpha_m = 0). */
 int ed_history_begin(ed_analysis *analysis, int n, double dt, const double *ground_x, const double *ground_y, int method,
                      const double *parameters);
+/* Forces that the caller gives from step to step of a history, such as that of a damper in a laboratory. A force acts along coefficient *
+ * degree (0 ux, 1 uy, 2 rz) of up to 12 degrees of nodes; several may act at once. Between ed_history_begin and ed_run_end. Returns its
+ * number; at first it is 0. */
+#define ED_HISTORY_FORCES 8
+int ed_history_force(ed_analysis *analysis, int n_terms, const int *node, const int *degree, const double *coefficient);
+/* Over the next step the force is linear from `start` to `end`, and after it stays at `end` until another call. Halved steps see what it
+ * is between both. A start that is not the last end is a jump, with which accelerations jump. Its work counts as input. */
+int ed_history_set_force(ed_analysis *analysis, int force, double start, double end);
 void ed_run_buffers(ed_analysis *analysis, int every, double *abscissa, double *values, double *energy);
 /* Returns ED_OK while all went well, ED_LIMIT when a channel has exceeded its limit (the step stands, it is the last), an error when
  * the run cannot go on (the last good state stands). After ED_E_STOPPED it can: the step that was left is done anew. With ED_E_NOT_FINITE

@@ -235,6 +235,14 @@ static void begin_run(caller *c, run *r, const things *m)
     expect_same_state(r);
     return;
   }
+  for (int i = kind > 1 && chance(c, 0.4) ? whole(c, 1, 3) : 0; i > 0; i--) {
+    const int node[] = {some_id(c, m->nodes), some_id(c, m->nodes)}, degree[] = {whole(c, 0, 2), chance(c, c->wild) ? 3 : 0};
+    const double coefficient[] = {or_absurd(c, 1.0), or_absurd(c, -1.0)};
+    const int number = ed_history_force(r->analysis, whole(c, 1, 2), node, degree, coefficient);
+    expect_listed(c, number < 0 ? number : ED_OK);
+    expect_listed(c, ed_history_set_force(r->analysis, whole(c, 0, 1), or_absurd(c, 1e3), or_absurd(c, 1e3)));
+    note_state(r); /* accelerations jump with a force */
+  }
   r->steps = steps;
   free_buffers(r);
   const int every = whole(c, 1, 3), rows = steps / every + 1;

@@ -41,6 +41,7 @@ void ed_raise_force_level(ed_analysis *a)
   }
   for (int i = 0; i < a->n; i++)
     *(a->rotational[i] ? &moment : &force) = larger(a->rotational[i] ? moment : force, fabs(a->external[i]));
+  ed_largest_history_force(a, &force, &moment);
   a->trial.head->force_level = larger(a->committed.head->force_level, larger(force, moment / a->length));
 }
 

@@ -25,6 +25,7 @@ static void residual(ed_analysis *a, const ed_step *step, double *r)
              a->mass[i] * ((1.0 - am) * now->a[i] + am * before->a[i] + a->influence[0][i] * gx +
                            a->influence[1][i] * gy);
   }
+  ed_add_history_forces(a, af, r);
   ed_raise_force_level(a);
 }
 
@@ -138,6 +139,7 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
     step.ground_before[axis] = run->ground_before[axis] = ground_at(run, axis, head->position);
     step.ground[axis] = run->ground_now[axis] = ground_at(run, axis, head->position + fraction);
   }
+  ed_move_history_forces(a, head->position, head->position + fraction);
   head->position += fraction;
   head->time = (run->done + head->position) * run->dt;
   a->duration = dt;

@@ -58,6 +58,7 @@ int ed_run_advance(ed_analysis *a, int max_steps)
     if (status != ED_OK)
       break;
     a->committed.head->position = a->trial.head->position = 0.0;
+    ed_finish_history_forces(a);
     run->done++;
     a->statistics.steps++;
     status = ed_sample(a, run->done % run->every == 0);

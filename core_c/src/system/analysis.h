@@ -55,6 +55,16 @@ typedef struct {
 
 typedef enum { ED_RUN_NONE, ED_RUN_STATIC, ED_RUN_PUSHOVER, ED_RUN_HISTORY } ed_run_kind;
 
+/* A force of a history, along its degrees; of fixed ones there is none. */
+typedef struct {
+  int n_terms, equation[ED_MAX_TERMS];
+  double coefficient[ED_MAX_TERMS];
+  double last;                   /* at the end of the last whole step */
+  double start, end;             /* of the present whole step; accelerations are those with `start` */
+  double before, now;            /* of the present substep */
+  double before_without_mass;    /* what degrees without mass are in balance with when it begins */
+} ed_history_load;
+
 typedef struct {
   ed_run_kind kind;
   int steps, done, row, every;
@@ -71,6 +81,8 @@ typedef struct {
   double *ground[2];             /* copies, n+1 samples */
   double ground_now[2], ground_before[2]; /* of the present substep */
   double alpha_m, alpha_f, gamma, beta;
+  int n_forces;
+  ed_history_load force[ED_HISTORY_FORCES];
 } ed_run;
 
 struct ed_analysis {
@@ -250,6 +262,13 @@ int ed_stalls(const ed_analysis *a, int iteration);
 int ed_accept(ed_analysis *a, double unbalance);       /* notes it; ED_OK */
 void ed_freeze_damping(ed_analysis *a, int rung);
 int ed_last_iterations(const ed_analysis *a);
+
+/* history_forces.c: of a history that runs, otherwise there are none */
+void ed_move_history_forces(ed_analysis *a, double from, double to);  /* to a substep between two positions in the whole step */
+void ed_finish_history_forces(ed_analysis *a);                        /* the whole step is done: they stay as they are at its end */
+void ed_add_history_forces(const ed_analysis *a, double share_before, double *r); /* weighted between the ends of the substep */
+double ed_history_force_work(const ed_analysis *a);                   /* over the substep */
+void ed_largest_history_force(const ed_analysis *a, double *force, double *moment);
 
 /* ladder.c */
 typedef int (*ed_attempt)(ed_analysis *a, double fraction, int rung);

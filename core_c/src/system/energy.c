@@ -69,6 +69,7 @@ void ed_count_energy(ed_analysis *a, double dissipated)
       for (int i = 0; ground != 0.0 && i < n; i++)
         input -= a->mass[i] * a->influence[axis][i] * ground * (a->trial.u[i] - a->committed.u[i]);
     }
+    input += ed_history_force_work(a);
     head->energy[ED_DAMPING] += mean_work(n, a->committed.damping, a->trial.damping, a->committed.u, a->trial.u);
   }
   head->energy[ED_INPUT] += input;

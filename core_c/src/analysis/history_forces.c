@@ -1,0 +1,114 @@
+/* Forces on a frame during a history that the caller gives from step to step, such as that of a damper in a laboratory.
+ *
+ * Over a step a force is linear. It may jump from the end of one step to the start of the next. Accelerations jump with it where there
+ * is mass; degrees without mass go from balance with the force before the jump to balance at the end of the step. */
+#include "system/analysis.h"
+
+#include <math.h>
+
+int ed_history_force(ed_analysis *a, int n, const int *node, const int *degree, const double *coefficient)
+{
+  ed_run *run = &a->run;
+  if (run->kind != ED_RUN_HISTORY)
+    return ed_fail(a, ED_E_STATE, "a force of a history is given while one runs");
+  if (run->n_forces == ED_HISTORY_FORCES)
+    return ed_fail(a, ED_E_ARGUMENT, "a history has %d forces at most", ED_HISTORY_FORCES);
+  if (n < 1 || n > ED_MAX_TERMS)
+    return ed_fail(a, ED_E_ARGUMENT, "a force of a history acts on 1 to %d degrees, not %d", ED_MAX_TERMS, n);
+  ed_history_load load = {0};
+  for (int i = 0; i < n; i++) {
+    if (node[i] < 0 || node[i] >= a->model->n_nodes || degree[i] < 0 || degree[i] > 2)
+      return ed_fail(a, ED_E_ID, "there is no degree %d of node %d", degree[i], node[i]);
+    if (!isfinite(coefficient[i]))
+      return ed_fail(a, ED_E_NOT_FINITE, "coefficient %d of a force is not a finite number", i + 1);
+    const int equation = a->equation[3 * node[i] + degree[i]];
+    if (equation < 0)
+      continue;
+    load.equation[load.n_terms] = equation;
+    load.coefficient[load.n_terms++] = coefficient[i];
+  }
+  if (load.n_terms == 0)
+    return ed_fail(a, ED_E_ARGUMENT, "a force of a history acts on supports alone");
+  run->force[run->n_forces] = load;
+  return run->n_forces++;
+}
+
+int ed_history_set_force(ed_analysis *a, int force, double start, double end)
+{
+  ed_run *run = &a->run;
+  if (run->kind != ED_RUN_HISTORY || run->failed || run->limited)
+    return ed_fail(a, ED_E_STATE, "a force of a history is given while one runs");
+  if (force < 0 || force >= run->n_forces)
+    return ed_fail(a, ED_E_ID, "there is no force %d of the history", force);
+  if (!isfinite(start) || !isfinite(end))
+    return ed_fail(a, ED_E_NOT_FINITE, "force %d of the history is not a finite number", force);
+  ed_history_load *load = &run->force[force];
+  const double jump = start - load->start;
+  for (int i = 0; i < load->n_terms; i++) {
+    const double mass = a->mass[load->equation[i]];
+    if (mass > 0.0 && !isfinite(a->committed.a[load->equation[i]] + load->coefficient[i] * jump / mass))
+      return ed_fail(a, ED_E_NOT_FINITE, "the acceleration by force %d of the history is not a finite number", force);
+  }
+  for (int i = 0; i < load->n_terms; i++) {
+    const int equation = load->equation[i];
+    if (a->mass[equation] > 0.0)
+      a->trial.a[equation] = a->committed.a[equation] += load->coefficient[i] * jump / a->mass[equation];
+  }
+  load->start = start;
+  load->end = end;
+  return ED_OK;
+}
+
+void ed_move_history_forces(ed_analysis *a, double from, double to)
+{
+  for (int k = 0; k < a->run.n_forces; k++) {
+    ed_history_load *load = &a->run.force[k];
+    load->before = load->start + from * (load->end - load->start);
+    load->now = to >= 1.0 ? load->end : load->start + to * (load->end - load->start);
+    load->before_without_mass = from <= 0.0 ? load->last : load->before;
+  }
+}
+
+void ed_finish_history_forces(ed_analysis *a)
+{
+  for (int k = 0; k < a->run.n_forces; k++)
+    a->run.force[k].last = a->run.force[k].start = a->run.force[k].end;
+}
+
+static double before(const ed_analysis *a, const ed_history_load *load, int term)
+{
+  return a->mass[load->equation[term]] > 0.0 ? load->before : load->before_without_mass;
+}
+
+void ed_add_history_forces(const ed_analysis *a, double share_before, double *r)
+{
+  for (int k = 0; k < a->run.n_forces; k++) {
+    const ed_history_load *load = &a->run.force[k];
+    for (int i = 0; i < load->n_terms; i++)
+      r[load->equation[i]] += load->coefficient[i] * ((1.0 - share_before) * load->now + share_before * before(a, load, i));
+  }
+}
+
+double ed_history_force_work(const ed_analysis *a)
+{
+  double work = 0.0;
+  for (int k = 0; k < a->run.n_forces; k++) {
+    const ed_history_load *load = &a->run.force[k];
+    for (int i = 0; i < load->n_terms; i++) {
+      const int equation = load->equation[i];
+      work += 0.5 * load->coefficient[i] * (before(a, load, i) + load->now) * (a->trial.u[equation] - a->committed.u[equation]);
+    }
+  }
+  return work;
+}
+
+void ed_largest_history_force(const ed_analysis *a, double *force, double *moment)
+{
+  for (int k = 0; k < a->run.n_forces; k++) {
+    const ed_history_load *load = &a->run.force[k];
+    for (int i = 0; i < load->n_terms; i++) {
+      double *largest = a->rotational[load->equation[i]] ? moment : force;
+      *largest = fmax(*largest, fabs(load->coefficient[i] * load->now));
+    }
+  }
+}
