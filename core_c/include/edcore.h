@@ -393,6 +393,21 @@ typedef struct {
   double force_delay;    /* s */
 } ed_sensors;
 
+/* A frame as the numerical part, in the state in which tests begin: loaded, its dampers installed. It is integrated as by
+ * ed_history_begin, with so many steps in a main step. The specimen's force at the end of a main step is not known then; it is
+ * extrapolated from the last two, or held. So however the frame is integrated, the loop is stable only for steps that are short against
+ * the period of the interface's mass on the specimen. The analysis must outlive the test, and only one of both runs at a time. */
+typedef struct {
+  ed_analysis *analysis;
+  int divisions;         /* 1 to 1000 */
+  int method;
+  double parameters[4];
+  int n_terms;           /* the specimen's deformation is the sum of coefficient * degree of node, and counts from that state */
+  const int *node, *degree;
+  const double *coefficient;
+  int held;              /* 1: the force is held over a main step, 0: extrapolated */
+} ed_frame_part;
+
 typedef struct {
   double step;           /* main step, s */
   int sub_steps;         /* of the rig in a main step */
@@ -400,6 +415,7 @@ typedef struct {
    * acceleration at the end of the step, then n_outputs more to be recorded. n_states = 0: the target is given. Row by row. */
   int n_states, n_outputs;
   const double *A, *B, *C, *D;
+  const ed_frame_part *frame; /* or a frame in their place: n_outputs are the first channels of its analysis, which run; else NULL */
   const ed_compensator_parameters *compensator;
   int unseen_delay;      /* main steps that pass between the target and the compensator */
   const ed_rig_model *rig;
@@ -431,6 +447,7 @@ void ed_substructure_ask(ed_substructure *test, const ed_stop *stop);
 /* n main steps from rest. drive: n + 1 ground accelerations, or (n + 1) x 3 targets. record: (n + 1) x (ED_RTS_CHANNELS + n_outputs),
  * row by row. seed: of the noise. *done: rows that hold. ED_LIMIT: the abort displacement was exceeded, in the last of them. */
 int ed_substructure_run(ed_substructure *test, int n, const double *drive, unsigned long long seed, double *record, int *done);
+const char *ed_substructure_message(const ed_substructure *test); /* of the last run that failed: what did, for people */
 /* A compensator on its own: commands of n steps. target: n x 3. */
 int ed_compensator_run(const ed_compensator_parameters *parameters, int n, const double *target, const double *measured, double *command);
 

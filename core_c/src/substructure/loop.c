@@ -3,6 +3,7 @@
 #include "damper/law.h"
 #include "damper/ode_system.h"
 #include "substructure/delay_line.h"
+#include "substructure/numerical.h"
 #include "substructure/rig.h"
 #include "substructure/sensor.h"
 
@@ -11,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { INPUTS = 4, TARGETS = 3, MOST_UNSEEN = 1000, MOST_STATES = 3000, MOST_SAMPLES = 10000000, MOST_ITERATIONS = 200 };
+enum { TARGETS = ED_PART_TARGETS, MOST_UNSEEN = 1000, MOST_SAMPLES = 10000000, MOST_ITERATIONS = 200, MOST_TEXT = 1200 };
 
 static const double TOLERANCE = 1e-6; /* relative, of SUNDIALS for laws without an exact step */
 /* Error of a specimen's displacement in series, of the largest so far: below the resolution of any encoder. */
@@ -19,7 +20,8 @@ static const double SETTLED = 1e-6;
 
 struct ed_substructure {
   double step, h;
-  int sub_steps, n_states, n_outputs, unseen_delay;
+  int sub_steps, unseen_delay;
+  ed_numerical *numerical;   /* NULL: targets are given */
   double abort_displacement, force_scale, deformation_scale;
   double in_series;          /* flexibility of what stands in series with the specimen, m/N */
   double tangent, largest;   /* of the specimen in series: last stiffness over a sub-step, and largest displacement so far */
@@ -29,14 +31,13 @@ struct ed_substructure {
   const ed_damper *specimen;
   ed_ode_system *system;     /* of a law without an exact step, or NULL */
   ed_stop stop;
-  /* one block each of what never changes and of what does; matrices column by column, so that lanes run over rows */
-  double *constants, *A, *B, *C, *D;
-  size_t state_size;
-  double *state, *z, *z_next, *law, *trial, *waiting;
+  size_t state_size;         /* of one block */
+  double *state, *law, *trial, *waiting;
   ed_delay_line command_line, force_line;
   ed_compensator compensating;
   ed_rig_state moving;
   ed_sensor displacement_sensor, force_sensor;
+  char message[MOST_TEXT];
 };
 
 /* ---- making one ------------------------------------------------------------------------------------------------- */
@@ -147,17 +148,15 @@ static const char *wrong_input(const ed_substructure_input *in)
 {
   if (!(in->step > 0.0) || !isfinite(in->step) || in->sub_steps < 1 || in->sub_steps > MOST_SAMPLES)
     return "the main step must be above 0, with at least one sub-step";
-  if (in->n_states < 0 || in->n_states > MOST_STATES || in->n_outputs < 0 || in->n_outputs > MOST_STATES || (in->n_states == 0 && in->n_outputs))
-    return "the numerical part has no states, or too many";
+  if (in->n_states < 0 || (!in->frame && in->n_states == 0 && in->n_outputs))
+    return "the numerical part has no states";
   if (in->unseen_delay < 0 || in->unseen_delay > MOST_UNSEEN)
     return "the unseen delay must be 0 to 1000 steps";
   if (!(in->abort_displacement > 0.0))
     return "the abort displacement must be above 0";
-  const size_t n = (size_t)in->n_states, rows = TARGETS + (size_t)in->n_outputs;
-  if (n && (!all_finite(n * n, in->A) || !all_finite(n * INPUTS, in->B) || !all_finite(rows * n, in->C) || !all_finite(rows * INPUTS, in->D)))
-    return "a value of the numerical part is not finite";
   const double h = in->step / in->sub_steps;
-  const char *text = wrong_compensator(in->compensator);
+  const char *text = in->frame ? ed_wrong_frame(in) : in->n_states ? ed_wrong_recursion(in) : NULL;
+  text = text ? text : wrong_compensator(in->compensator);
   text = text ? text : wrong_rig(in->rig, h);
   text = text ? text : wrong_sensors(in->sensors, h);
   if (text)
@@ -171,23 +170,13 @@ static const char *wrong_input(const ed_substructure_input *in)
   return NULL;
 }
 
-static void by_columns(int rows, int columns, const double *from, double *to)
-{
-  for (int i = 0; i < rows; i++)
-    for (int j = 0; j < columns; j++)
-      to[(size_t)j * (size_t)rows + (size_t)i] = from[(size_t)i * (size_t)columns + (size_t)j];
-}
-
 static int make(ed_substructure *t, const ed_substructure_input *in)
 {
-  const size_t n = (size_t)in->n_states, rows = TARGETS + (size_t)in->n_outputs;
   const size_t law = (size_t)ed_damper_state_size(in->specimen), waiting = TARGETS * ((size_t)in->unseen_delay + 1);
   int status = ED_OK;
   t->step = in->step;
   t->sub_steps = in->sub_steps;
   t->h = in->step / in->sub_steps;
-  t->n_states = in->n_states;
-  t->n_outputs = in->n_outputs;
   t->unseen_delay = in->unseen_delay;
   t->abort_displacement = in->abort_displacement;
   t->force_scale = in->force_scale;
@@ -199,24 +188,14 @@ static int make(ed_substructure *t, const ed_substructure_input *in)
   t->specimen = in->specimen;
   const double late = t->rig.delay / t->h, force_late = t->sensors.force_delay / t->h;
   const size_t line = (size_t)ed_delay_line_size(late), force_line = (size_t)ed_delay_line_size(force_late);
-  t->state_size = 2 * n + 2 * law + waiting + line + force_line;
-  t->constants = malloc(sizeof *t->constants * (n * n + n * INPUTS + rows * n + rows * INPUTS));
+  t->state_size = 2 * law + waiting + line + force_line;
   t->state = malloc(sizeof *t->state * t->state_size);
-  if (!t->constants || !t->state)
+  const int numerical = in->frame || in->n_states > 0;
+  if (numerical)
+    t->numerical = in->frame ? ed_frame_part_new(in) : ed_recursion_part(in);
+  if (!t->state || (numerical && !t->numerical))
     return ED_E_MEMORY;
-  t->A = t->constants;
-  t->B = t->A + n * n;
-  t->C = t->B + n * INPUTS;
-  t->D = t->C + rows * n;
-  if (n) {
-    by_columns((int)n, (int)n, in->A, t->A);
-    by_columns((int)n, INPUTS, in->B, t->B);
-    by_columns((int)rows, (int)n, in->C, t->C);
-    by_columns((int)rows, INPUTS, in->D, t->D);
-  }
-  t->z = t->state;
-  t->z_next = t->z + n;
-  t->law = t->z_next + n;
+  t->law = t->state;
   t->trial = t->law + law;
   t->waiting = t->trial + law;
   t->command_line = ed_delay_line_of(late, t->waiting + waiting);
@@ -248,7 +227,8 @@ void ed_substructure_free(ed_substructure *test)
   if (!test)
     return;
   ed_ode_system_free(test->system);
-  free(test->constants);
+  if (test->numerical)
+    test->numerical->free(test->numerical);
   free(test->state);
   free(test);
 }
@@ -274,27 +254,16 @@ static void begin(ed_substructure *t, unsigned long long seed)
   t->force_sensor = (ed_sensor){.noise = s->force_noise, .quantum = s->force_quantum, .range = s->force_range, .state = 2 * seed + 1};
 }
 
-/* y += M x, column by column. */
-static void add_product(int rows, int columns, const double *restrict M, const double *restrict x, double *restrict y)
+/* Notes what failed, and returns the status. */
+static int failed(ed_substructure *t, int status, const char *what, const char *why)
 {
-  for (int j = 0; j < columns; j++)
-    for (int i = 0; i < rows; i++)
-      y[i] += M[(size_t)j * (size_t)rows + (size_t)i] * x[j];
+  snprintf(t->message, sizeof t->message, "%s: %s", what, why ? why : ed_status_text(status));
+  return status;
 }
 
-/* A main step of the numerical part: y, then z, at its end. */
-static void advance_numerical_part(ed_substructure *t, const double w[INPUTS], double *y)
+static int numerical_part_failed(ed_substructure *t, int status)
 {
-  const int n = t->n_states, rows = TARGETS + t->n_outputs;
-  memset(y, 0, sizeof *y * (size_t)rows);
-  add_product(rows, n, t->C, t->z, y);
-  add_product(rows, INPUTS, t->D, w, y);
-  memset(t->z_next, 0, sizeof *t->z_next * (size_t)n);
-  add_product(n, n, t->A, t->z, t->z_next);
-  add_product(n, INPUTS, t->B, w, t->z_next);
-  double *swap = t->z;
-  t->z = t->z_next;
-  t->z_next = swap;
+  return failed(t, status, "the numerical part", t->numerical->message(t->numerical));
 }
 
 /* The target that the compensator gets: that of `unseen_delay` steps ago. */
@@ -441,11 +410,14 @@ static int beyond(const ed_substructure *t, double target, const readings *now)
 
 static int run(ed_substructure *t, int n, const double *drive, ed_watch *watch, double *record, int *done)
 {
-  const int numerical = t->n_states > 0;
-  const size_t width = ED_RTS_CHANNELS + (size_t)t->n_outputs;
+  ed_numerical *numerical = t->numerical;
+  const size_t width = ED_RTS_CHANNELS + (numerical ? (size_t)numerical->n_outputs : 0);
   readings now = {0};
-  double sent = 0.0, earlier = 0.0; /* command with the correction of the rig; force a step ago */
+  double sent = 0.0; /* command with the correction of the rig */
   memset(record, 0, sizeof *record * width);
+  int status = numerical ? numerical->start(numerical, n, drive, record + ED_RTS_CHANNELS) : ED_OK;
+  if (status != ED_OK)
+    return numerical_part_failed(t, status);
   read_sensors(t, 0.0, &now);
   write_row(t, record, 0.0, &now, record);
   *done = 1;
@@ -455,12 +427,11 @@ static int run(ed_substructure *t, int n, const double *drive, ed_watch *watch, 
       return ED_E_STOPPED;
     if (numerical) {
       const double force = now.force + ed_compensator_force(&t->compensator, &t->compensating);
-      const double w[INPUTS] = {force, k ? earlier : force, drive[k], drive[k + 1]};
       /* the first three of y are the target, and lie in the row before what is recorded of them */
       double *y = row + ED_RTS_CHANNELS - TARGETS;
-      advance_numerical_part(t, w, y);
+      if ((status = numerical->step(numerical, force, y)) != ED_OK)
+        return numerical_part_failed(t, status);
       memcpy(target, y, sizeof target);
-      earlier = force;
     } else {
       memcpy(target, drive + ((size_t)k + 1) * TARGETS, sizeof target);
     }
@@ -468,10 +439,9 @@ static int run(ed_substructure *t, int n, const double *drive, ed_watch *watch, 
     const double command = ed_compensator_step(&t->compensator, &t->compensating, wanted[0], wanted[1], wanted[2], now.measured);
     const double to = command + (t->rig.corrected ? t->moving.piston - now.measured : 0.0);
     if (!isfinite(command))
-      return ED_E_NOT_FINITE;
-    const int status = advance_rig(t, sent, to, &now);
-    if (status != ED_OK)
-      return status;
+      return failed(t, ED_E_NOT_FINITE, "the command", NULL);
+    if ((status = advance_rig(t, sent, to, &now)) != ED_OK)
+      return failed(t, status, "the specimen", NULL);
     sent = to;
     write_row(t, target, command, &now, row);
     *done = k + 2;
@@ -485,15 +455,22 @@ int ed_substructure_run(ed_substructure *t, int n, const double *drive, unsigned
 {
   ed_watch watch = ed_watch_of(&t->stop);
   *done = 0;
-  if (n < 0 || !all_finite(((size_t)n + 1) * (t->n_states > 0 ? 1 : TARGETS), drive))
-    return ED_E_ARGUMENT;
+  if (n < 0 || !all_finite(((size_t)n + 1) * (t->numerical ? 1 : TARGETS), drive))
+    return failed(t, ED_E_ARGUMENT, "what drives the test", NULL);
   begin(t, seed);
   if (t->system)
     ed_ode_system_watch(t->system, &watch);
   const int status = run(t, n, drive, &watch, record, done);
   if (t->system)
     ed_ode_system_watch(t->system, NULL);
+  if (t->numerical)
+    t->numerical->end(t->numerical);
   return status;
+}
+
+const char *ed_substructure_message(const ed_substructure *t)
+{
+  return t->message;
 }
 
 int ed_compensator_run(const ed_compensator_parameters *parameters, int n, const double *target, const double *measured, double *command)
