@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
 from edesign.building.building_sections import BuildingSections
@@ -111,7 +111,11 @@ class _Place:
 
 
 def add_devices(
-    project: Project, model: Model, nodes: Mapping[str, int], laws: Mapping[str, DeviceLaw]
+    project: Project,
+    model: Model,
+    nodes: Mapping[str, int],
+    laws: Mapping[str, DeviceLaw],
+    outside: Collection[str] = (),
 ) -> tuple[Device, ...]:
     """Add the dampers of a project to its model.
 
@@ -120,6 +124,7 @@ def add_devices(
         model: has the nodes already.
         nodes: ids by name.
         laws: by name.
+        outside: names of dampers that stand elsewhere, in a laboratory.
 
     Raises:
         InputError: a place has no node because all that would end there is missing, or the section of a brace does not
@@ -128,6 +133,7 @@ def add_devices(
     Source: thesis Eqs. 5.18-5.21 (size), 5.10 with alpha_b = 2 cos^2 (chevron).
     """
     found: list[Device] = []
+    taken: set[str] = set()
     devices = project.dampers.devices if project.dampers is not None else ()
     for i, run in enumerate(devices):
         where = f"{project.where('dampers', 'devices', i)}: dampers.devices[{i}]"
@@ -137,7 +143,10 @@ def add_devices(
         for place in _places(project, run, nodes, where):
             force_scale, deformation_scale, thickness = _scales(run, law, place)
             brace = _brace(project, run, place, i)
-            name = _free(place.name, found)
+            name = _free(place.name, taken)
+            taken.add(name)
+            if name in outside:
+                continue
             try:
                 number = model.damper(name, law.law, place.terms, brace, force_scale, deformation_scale)
             except CoreError as error:  # an effect that the law cannot have with a brace
@@ -159,9 +168,8 @@ def add_attachment(model: Model, attached: Attached, node: int, x: float, y: flo
     return mass
 
 
-def _free(name: str, found: list[Device]) -> str:
+def _free(name: str, taken: set[str]) -> str:
     """The name, or with the next number where several dampers stand at one place."""
-    taken = {device.name for device in found}
     number = 2
     chosen = name
     while chosen in taken:

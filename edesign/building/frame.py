@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Literal
@@ -96,6 +96,7 @@ def build_frame(
     model: Model | None = None,
     laws: Mapping[str, DeviceLaw] | None = None,
     attachments: Sequence[Attached] = (),
+    outside: Collection[str] = (),
 ) -> FrameModel:
     """Build the model of a project's frame: nodes, supports, members, diaphragms, masses, and the gravity loads.
 
@@ -107,6 +108,7 @@ def build_frame(
         model: an empty model to build in; a new one by default.
         laws: of the dampers, by name; None: the frame without them.
         attachments: tuned masses.
+        outside: names of dampers that stand elsewhere, in a laboratory.
 
     Raises:
         InputError: an unknown or impossible section, or loads upwards that would give a negative mass.
@@ -132,7 +134,7 @@ def build_frame(
         model.uniform_load(gravity, members[name].element, axial=0.0, transverse=-load)
     for name, load in node_loads(project, project.loads.gravity).items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
-    devices = add_devices(project, model, nodes, laws) if laws is not None else ()
+    devices = add_devices(project, model, nodes, laws, outside) if laws is not None else ()
     attached = {}
     for item in attachments:
         leading = next(name for line in frame.lines if (name := names.node_name(line, item.floor)) in nodes)

@@ -76,6 +76,26 @@ class Analysis:
         self.equations = np.empty((n_nodes, 3), dtype=np.int32)
         lib.ed_equations(self._c, ffi.from_buffer("int[]", self.equations))
 
+    @property
+    def handle(self) -> Any:
+        """Of the core, for substructure tests; it lives as long as this object."""
+        return self._c
+
+    @property
+    def energy_error(self) -> float:
+        """Balance of the energies over the largest input so far, at the end of the last run."""
+        return float(self._statistics()["energy_error"])
+
+    def record(self, channels: Sequence[Channel]) -> None:
+        """Let a substructure test record these channels in the place of all before.
+
+        Raises:
+            ValueError: two have the same name.
+            CoreError: a channel names what the model does not have.
+        """
+        lib.ed_clear_channels(self._c)
+        self._add_channels(channels)
+
     def _check(self, status: int) -> None:
         raise_if_stopped(status)
         if status < 0:

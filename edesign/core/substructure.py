@@ -13,6 +13,7 @@ from edesign.core._edcore import ffi, lib
 from edesign.core.compensator import Compensator, compensator_parameters
 from edesign.core.damper import CoreDamper, LawValues
 from edesign.core.errors import CoreError, status_name
+from edesign.core.frame_part import FrameNumericalPart
 from edesign.core.stop import STOP, raise_if_stopped
 
 MOST_RIG_STATES = int(lib.ED_RIG_STATES)
@@ -177,7 +178,7 @@ class SubstructureLoop:
         compensator, rig, sensors: of the laboratory.
         specimen: law and amendments of the damper in it.
         scales: of its force and its deformation, F = scales[0] law(scales[1] u).
-        numerical: the structure; None: targets are given.
+        numerical: the structure, linear or a frame that may yield; None: targets are given.
         limits: of the rig.
         flexibility: stiffness between actuator and specimen, N/m; 0: rigid.
         corrected: whether the difference of actuator and specimen is added to the command.
@@ -196,7 +197,7 @@ class SubstructureLoop:
         rig: LinearRig | ServoHydraulicRig,
         specimen: LawValues,
         sensors: Sensors | None = None,
-        numerical: Recursion | None = None,
+        numerical: Recursion | FrameNumericalPart | None = None,
         limits: RigLimits | None = None,
         flexibility: float = 0.0,
         corrected: bool = False,
@@ -205,7 +206,7 @@ class SubstructureLoop:
         scales: tuple[float, float] = (1.0, 1.0),
     ) -> None:
         self._specimen = CoreDamper(specimen.law, specimen.values, amendments=specimen.amendments)
-        self.step, self._given = step, numerical is None
+        self.step, self._numerical = step, numerical
         data, model, read = ffi.new("ed_substructure_input *"), ffi.new("ed_rig_model *"), ffi.new("ed_sensors *")
         rig.fill(model)
         limits = limits or RigLimits()
@@ -219,7 +220,10 @@ class SubstructureLoop:
         data.force_scale, data.deformation_scale = scales
         self._outputs = 0
         keep = [parameters, model, read]
-        if numerical is not None:
+        if isinstance(numerical, FrameNumericalPart):
+            keep += numerical.fill(data)
+            self._outputs = len(numerical.outputs)
+        elif numerical is not None:
             keep += self._fill_numerical(data, numerical)
         status, message = ffi.new("int *"), ffi.new("char[256]")
         handle = lib.ed_substructure_new(data, status, message, 256)
@@ -252,12 +256,15 @@ class SubstructureLoop:
             seed: of the noise of the sensors.
 
         Raises:
-            CoreError: a value is not finite, or the law of the specimen failed; it says at which time.
+            CoreError: a value is not finite, or the law of the specimen or the frame failed; it says at which time.
             KeyboardInterrupt: the user stopped it.
         """
         values = np.ascontiguousarray(drive, dtype=float)
-        if values.ndim != (2 if self._given else 1) or len(values) < 2 or (self._given and values.shape[1] != 3):
+        given = self._numerical is None
+        if values.ndim != (2 if given else 1) or len(values) < 2 or (given and values.shape[1] != 3):
             raise ValueError(f"drive has the shape {values.shape}")
+        if isinstance(self._numerical, FrameNumericalPart):
+            self._numerical.analysis.record(self._numerical.outputs)
         n, done = len(values) - 1, ffi.new("int *")
         record = np.empty((n + 1, lib.ED_RTS_CHANNELS + self._outputs))
         status = lib.ed_substructure_run(
@@ -265,7 +272,8 @@ class SubstructureLoop:
         )
         raise_if_stopped(status)
         if status < 0:
-            raise CoreError(status_name(status), f"substructure test: failed at {done[0] * self.step:.6g} s")
+            why = ffi.string(lib.ed_substructure_message(self._handle)).decode(errors="replace")
+            raise CoreError(status_name(status), f"substructure test: failed at {done[0] * self.step:.6g} s: {why}")
         return _recorded(record[: done[0]], aborted=status == lib.ED_LIMIT)
 
 

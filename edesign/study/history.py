@@ -81,7 +81,7 @@ def run_history(
         *requested,
     ]
     names = rotation_names(frame, drifts, others)
-    period = _damp(project, structure)
+    period = load_and_damp(project, structure)
     group.attributes |= _provenance(motion, factor, ground, spec) | {"fundamental_period_s": period}
     # Every step is recorded, whatever is kept later: the residual response does not depend on what is kept.
     response = structure.analysis.history(
@@ -182,8 +182,8 @@ def integrator(integration: Integration) -> Integrator:
     return GeneralisedAlpha(integration.rho_inf)
 
 
-def _damp(project: Project, structure: Structure) -> float:
-    """Apply gravity and damping; return the fundamental period under gravity in s.
+def load_and_damp(project: Project, structure: Structure) -> float:
+    """Apply gravity, install the dampers, and damp as histories do; return the fundamental period under gravity in s.
 
     Inherent damping is that of the modes of the frame alone: tuned masses would split the first of them.
     """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from dataclasses import dataclass
 
 import numpy as np
@@ -62,15 +63,15 @@ def tolerance(project: Project) -> float:
     return project.integration.tolerance if project.integration is not None else DEFAULT_TOLERANCE
 
 
-def make_frame(project: Project, dampers: bool = False) -> FrameModel:
-    """Build a project's frame, with its dampers and tuned masses or without.
+def make_frame(project: Project, dampers: bool = False, outside: Collection[str] = ()) -> FrameModel:
+    """Build a project's frame, with its dampers and tuned masses or without; dampers `outside` are left out by name.
 
     Raises:
         InputError: the frame cannot be built, or a damper is wrong.
     """
     if not dampers or project.dampers is None:
         return build_frame(project)
-    return build_frame(project, laws=device_laws(project), attachments=attachments(project))
+    return build_frame(project, laws=device_laws(project), attachments=attachments(project), outside=outside)
 
 
 def make_structure(project: Project, frame: FrameModel | None = None, dampers: bool = False) -> Structure:

@@ -17,7 +17,7 @@ from shear_frames import MASS, STIFFNESS, shear_frame_text
 from edesign.building.profiles import profile_names
 from edesign.core import Channel, Newmark
 from edesign.project import parse_project
-from edesign.study.history import _damp
+from edesign.study.history import load_and_damp
 from edesign.study.structure import Structure, make_structure
 
 G = 9.80665
@@ -179,7 +179,7 @@ def test_modal_damping_is_that_of_the_frame_alone() -> None:
     text += "damping: {kind: modal, ratio: 5 %, modes: 2}\nintegration: {method: newmark}\n"
     project = parse_project(text, "project.yaml", profile_names())
     made = make_structure(project, dampers=True)
-    _damp(project, made)
+    load_and_damp(project, made)
     found = run(made, ground, dt)
     error = np.max(np.abs(found - expected), axis=0) / np.max(np.abs(expected), axis=0)
     assert np.max(error) < 3e-3  # average acceleration at 200 steps a period of the second mode
