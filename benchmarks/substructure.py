@@ -1,4 +1,4 @@
-"""CPU of virtual real-time substructure tests: a main step by rig and compensator, 1000 tests, and ATS in both forms.
+"""CPU of virtual real-time substructure tests: a main step by rig, compensator and structure, 1000 tests, both ATS.
 
 Usage: python -m benchmarks.substructure [--tests N] [--workers N]
 """
@@ -8,18 +8,25 @@ from __future__ import annotations
 import argparse
 import time
 from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from pathlib import Path
 
 import numpy as np
 
 from benchmarks.timing import cpu_seconds
 from edesign.core.compensator import AdaptiveTimeSeries, Compensator, run_compensator
 from edesign.core.damper import LawValues
+from edesign.core.frame_part import FrameNumericalPart
 from edesign.core.substructure import LinearRig, Recursion, Sensors, ServoHydraulicRig, SubstructureLoop
 from edesign.damper.thesis_tables import prototype_damper
+from edesign.ground_motion.project_records import find_recordings
+from edesign.project import parse_project
 from edesign.project.damping import ModalDamping
 from edesign.substructure.compensation import compensators
 from edesign.substructure.rig import rigs
 from edesign.substructure.structure.numerical import shear_building
+from edesign.substructure.structure.project_frame import ProjectFrame
+from edesign.substructure.structure.project_structure import project_part
 from edesign.substructure.structure.recursion import recursion
 
 STEP, SUB_STEPS, DURATION = 1e-3, 5, 30.0  # s, -, s
@@ -54,6 +61,32 @@ def loop(
     )
 
 
+TEN_STOREYS = Path(__file__).parents[1] / "projects" / "thesis_10_storey" / "project.yaml"
+YIELDS, ELASTIC = "{law: bilinear, E: 210 GPa, fy: 275 MPa, hardening: 0}", "{law: elastic, E: 210 GPa}"
+DEVICES = 20  # of the thesis, side by side
+QUAKE = 2.5  # times El Centro: beams and columns yield
+
+
+def ten_storeys(elastic: bool) -> tuple[FrameNumericalPart, np.ndarray]:
+    """The thesis' frame of ten storeys without the dampers in its first one, and its ground motion."""
+    text = TEN_STOREYS.read_text(encoding="utf-8")
+    device = f"\ndampers:\n  devices: [{{kind: storey, bays: 2, storeys: 1, law: elastomer, number: {DEVICES}}}]\n"
+    text = text.replace("\ndampers:\n", device)
+    project = parse_project(text.replace(YIELDS, ELASTIC) if elastic else text, TEN_STOREYS)
+    specimen = project_part(project, "S_2_1", vertical=False, estimate=True).device
+    record = find_recordings(project, ["el_centro"])["el_centro"].record
+    time_of_steps = np.arange(0.0, 15.0, STEP)
+    motion = QUAKE * np.interp(time_of_steps, record.time, record.acceleration)
+    return ProjectFrame(project, specimen).numerical_part("extrapolated"), motion
+
+
+def frame_loop(part: FrameNumericalPart) -> SubstructureLoop:
+    """A test of the thesis' dampers in the first storey of a frame."""
+    law = LawValues("mgmm", tuple(prototype_damper().values.values()))
+    scales, modified = (float(DEVICES), 1.0), compensators.modified_ats(0.996, ADAPTIVE)
+    return SubstructureLoop(STEP, SUB_STEPS, modified, LINEAR, law, sensors=SENSORS, numerical=part, scales=scales)
+
+
 def ground(duration: float = DURATION) -> np.ndarray:
     """Noise of 0.3 m/s2 at main steps."""
     return 0.3 * np.random.default_rng(1).standard_normal(round(duration / STEP) + 1)
@@ -79,6 +112,11 @@ def main() -> None:
     for name, test in cases.items():
         middle, spread = cpu_seconds(lambda test=test: test.run(drive), 9)  # type: ignore[misc]
         step = middle / (len(drive) - 1)
+        print(f"  {name:32s}{1e6 * step:8.2f} us{STEP / step:10.0f} x{100 * spread:6.0f} %")
+    for name, elastic in (("elastic frame, 10 storeys", True), ("fibre frame, 10 storeys", False)):
+        part, motion = ten_storeys(elastic)
+        middle, spread = cpu_seconds(partial(frame_loop(part).run, motion), 3)
+        step = middle / (len(motion) - 1)
         print(f"  {name:32s}{1e6 * step:8.2f} us{STEP / step:10.0f} x{100 * spread:6.0f} %")
     record = cases["linear rig, modified ATS"].run(drive)
     target = np.column_stack([record.target, record.target_velocity, record.target_acceleration])

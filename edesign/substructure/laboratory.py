@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf
 
 import numpy as np
@@ -23,6 +23,7 @@ from edesign.substructure.compensation import compensators
 from edesign.substructure.rig import rigs
 from edesign.substructure.rig.rigs import RigTransfer
 from edesign.substructure.structure.numerical import LinearPart, shear_building
+from edesign.substructure.structure.project_frame import ProjectFrame, loop_grows
 from edesign.substructure.structure.project_structure import project_part
 
 STIFF_OIL = 1e15
@@ -55,14 +56,16 @@ class TestedStructure:
     """The structure in the computer.
 
     Attributes:
-        part: its matrices.
+        part: its matrices; of a frame that may yield those of its tangent under gravity, for margins.
         floors: (n_floors, n) horizontal displacement of each floor by those of the degrees.
         warnings: what the linear part leaves out.
+        frame: that may yield, and runs in the loop; None: the linear part does.
     """
 
     part: LinearPart
     floors: np.ndarray
     warnings: tuple[str, ...]
+    frame: ProjectFrame | None = None
 
 
 @dataclass(frozen=True)
@@ -101,6 +104,7 @@ def laboratory(file: RtsFile) -> Laboratory:
     """
     structure, scales = _structure(file)
     damper = _damper(file, scales)
+    structure = _with_limit(structure, stiffness_of(damper), file)
     plant = file.plant
     transfer = rig_transfer(plant, stiffness_of(damper))
     limits = plant.limits
@@ -131,10 +135,26 @@ def _structure(file: RtsFile) -> tuple[TestedStructure | None, tuple[float, floa
         raise InputError(
             f"{where}: structure.physical: one actuator moves one device; {len(described.physical)} are named"
         )
-    found = project_part(file.project, described.physical[0], vertical=False)
+    may_yield = described.frame == "nonlinear"
+    found = project_part(file.project, described.physical[0], vertical=False, estimate=may_yield)
     device = found.device
-    structure = TestedStructure(found.part, found.floors, found.warnings)
+    frame = ProjectFrame(file.project, device) if may_yield else None
+    structure = TestedStructure(found.part, found.floors, found.warnings, frame)
     return structure, (device.force_scale, device.deformation_scale)
+
+
+def _with_limit(structure: TestedStructure | None, specimen_stiffness: float, file: RtsFile) -> TestedStructure | None:
+    """The structure, with a warning where the loop of its frame is not stable with an ideal rig."""
+    if structure is None or structure.frame is None:
+        return structure
+    step, force = file.loop.main_step, file.loop.force
+    if not loop_grows(structure.part, specimen_stiffness, step, force == "held"):
+        return structure
+    text = (
+        f"the frame meets the specimen's force {force}: with main steps of {1e3 * step:.4g} ms small vibrations grow "
+        f"even with an ideal rig and a spring of {specimen_stiffness:.3g} N/m as specimen; take shorter main steps"
+    )
+    return replace(structure, warnings=(*structure.warnings, text))
 
 
 def _damping(described: ShearBuilding) -> NoDamping | RayleighDamping | ModalDamping:

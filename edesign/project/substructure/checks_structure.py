@@ -14,6 +14,7 @@ from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure, ShearBuilding, ShearModal, ShearRayleigh
 
 _KEYS: Keys = ("structure",)
+_NO_FRAME = "it is of a frame that may yield: `structure: {project: ..., physical: ..., frame: nonlinear}`"
 LARGEST_STEP = {"newmark_explicit": 2.0, "central_difference": 2.0, "bogacki_shampine": math.sqrt(3.0)}
 """Largest product of circular frequency and step with which an explicit method does not diverge."""
 
@@ -23,10 +24,13 @@ def check_structure(rts: RtsFile, problems: Problems) -> None:
     if isinstance(rts.structure, ProjectStructure) and rts.project is not None:
         _physical(rts.structure, rts.project, problems)
         _analysis(rts.structure, rts.project, problems)
+        _frame(rts, rts.structure, rts.project, problems)
         for key in ("masses", "damping"):
             if getattr(rts.project, key) is None:
                 message = f"the numerical part needs `{key}`, and {rts.project.path} has none"
                 problems.at_value((*_KEYS, "project"), message)
+    elif "frame_steps" in rts.integration.model_fields_set:
+        problems.at_value(("integration", "frame_steps"), _NO_FRAME)
     if isinstance(rts.structure, ShearBuilding) and _storeys(rts.structure, problems):
         _modes(rts.structure, problems)
         _stable(rts, rts.structure, problems)
@@ -82,6 +86,22 @@ def _analysis(structure: ProjectStructure, project: Project, problems: Problems)
         message = f"`{found.name}` has `dampers: false`, so no device that could be tested"
         others = [one.name for one in project.analyses if isinstance(one, HistoryAnalysis) and one.dampers]
         problems.at_value(keys, message + did_you_mean(found.name, others))
+
+
+def _frame(rts: RtsFile, structure: ProjectStructure, project: Project, problems: Problems) -> None:
+    """A frame that may yield is integrated as its project says, and no linear method is chosen for it."""
+    given = rts.integration.model_fields_set
+    if structure.frame == "linear":
+        if "frame_steps" in given:
+            problems.at_value(("integration", "frame_steps"), _NO_FRAME)
+        return
+    if project.integration is None:
+        message = f"a frame that may yield needs `integration`, and {project.path} has none"
+        problems.at_value((*_KEYS, "frame"), message)
+    for key in ("method", "rho_inf"):
+        if key in given:
+            message = f"with `structure.frame: nonlinear` the frame is integrated as {project.path} says; leave it out"
+            problems.at_value(("integration", key), message)
 
 
 def _storeys(building: ShearBuilding, problems: Problems) -> bool:

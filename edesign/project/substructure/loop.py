@@ -52,7 +52,11 @@ class Loop(Model):
 
 
 class Integration(Model):
-    """How the numerical part is integrated; `rho_inf` is of `kr_alpha` only."""
+    """How the numerical part is integrated; `rho_inf` is of `kr_alpha` only.
+
+    A frame that may yield is integrated as its project says, in `frame_steps` a main step.
+    """
 
     method: Method = "exact"
     rho_inf: UnitRatio = 0.75
+    frame_steps: Annotated[int, Field(ge=1, le=1000)] = 1

@@ -137,6 +137,11 @@ class RtsFile(RecordFiles, FileModel):
         return own if own is not None else self.plant.limits.force
 
     @property
+    def may_yield(self) -> bool:
+        """Whether the numerical part is a frame with all that yields in it."""
+        return isinstance(self.structure, ProjectStructure) and self.structure.frame == "nonlinear"
+
+    @property
     def sub_step(self) -> float:
         """Time step of the rig, s."""
         return self.loop.main_step / self.loop.sub_steps

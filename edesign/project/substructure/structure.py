@@ -19,12 +19,13 @@ class ProjectStructure(Model):
     """A project of which some devices stand in the laboratory.
 
     Its history `analysis` gives record, scale and free vibration of tests that say none, and is what they are
-    compared with.
+    compared with. `frame`: linear about its state under gravity, or with all that yields in it.
     """
 
     project: Text
     physical: Names
     analysis: Text | None = None
+    frame: Literal["linear", "nonlinear"] = "linear"
 
 
 class ShearRayleigh(Model):

@@ -30,7 +30,8 @@ def summary(rts: RtsFile) -> dict[str, str]:
 def _structure(rts: RtsFile) -> str:
     if isinstance(rts.structure, ProjectStructure):
         assert rts.project is not None
-        return f"{rts.project.path} without {listed(rts.structure.physical)}"
+        kind = ", may yield" if rts.structure.frame == "nonlinear" else ""
+        return f"{rts.project.path} without {listed(rts.structure.physical)}{kind}"
     if isinstance(rts.structure, ShearBuilding):
         hertz = ", ".join(f"{frequency:.4g}" for frequency in frequencies(rts.structure)[:3])
         count = len(rts.structure.masses)
@@ -70,7 +71,14 @@ def _loop(rts: RtsFile) -> str:
     loop = rts.loop
     unseen = f", {loop.unseen_delay} unseen" if loop.unseen_delay else ""
     steps = f"main step {1e3 * loop.main_step:.4g} ms{unseen}, rig {1e3 * rts.sub_step:.4g} ms"
-    return f"{steps}; {rts.integration.method}, force {loop.force}"
+    return f"{steps}; {_integrated(rts)}, force {loop.force}"
+
+
+def _integrated(rts: RtsFile) -> str:
+    if not rts.may_yield:
+        return rts.integration.method
+    assert rts.project is not None and rts.project.integration is not None
+    return f"frame by {rts.project.integration.method}, {rts.integration.frame_steps} in a main step"
 
 
 def _test(rts: RtsFile, i: int) -> str:

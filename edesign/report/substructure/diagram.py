@@ -151,6 +151,8 @@ def _numerical(described: ArchivedTests, secant: tuple[float, float] | None) -> 
             lines.append(f"with specimen {_hertz(part.frequencies(secant[0]))}")
     elif isinstance(file.structure, ShearBuilding):
         lines += [f"{len(file.structure.masses)} storeys", f"specimen in storey {file.structure.storey}"]
+    if file.may_yield:
+        return (*lines, "may yield")
     method = file.integration.method.replace("_", " ")
     return (*lines, "exact integration" if method == "exact" else f"by {method}")
 

