@@ -5,6 +5,7 @@
 #include "edcore.h"
 #include "frame.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <stdio.h>
 
@@ -141,6 +142,50 @@ static void check_ladder(void)
   ed_model_free(model);
 }
 
+/* Calls of a substructure test of n main steps with a frame that yields. */
+static long calls_of_test(ed_substructure *test, int n, const double *ground, double *record)
+{
+  int done;
+  calls = 0;
+  counting = 1;
+  const int status = ed_substructure_run(test, n, ground, 0, record, &done);
+  counting = 0;
+  CHECK_STATUS(status, ED_OK);
+  return calls;
+}
+
+/* A test with a frame allocates when it begins, whatever its length. */
+static void check_frame_in_loop(void)
+{
+  static double ground[N + 1], record[(N + 1) * ED_RTS_CHANNELS];
+  static ed_compensator_parameters compensator = {.step = 0.01, .n_terms = 1, .term = {{.coefficient = 1.0}}};
+  static const ed_rig_model rig = {.d = 1.0, .stroke = INFINITY, .velocity = INFINITY, .force = INFINITY};
+  const ed_sensors sensors = {.displacement_range = INFINITY, .force_range = INFINITY};
+  const double law[] = {2e6, 0.0}, along[] = {1.0, -1.0};
+  const int node[] = {frame_node(FRAME, 0, 1), frame_node(FRAME, 0, 0)}, degree[] = {0, 0};
+  int status;
+  char message[256];
+  ground_motion(N, 0.01, 9.0, ground);
+  ed_model *model = frame_model(FRAME);
+  ed_analysis *analysis = frame_analysis(model);
+  ed_rayleigh(analysis, 0.2, 0.002, ED_STIFFNESS_CURRENT);
+  ed_damper *specimen = ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, law, 0.0, &status, message, sizeof message);
+  const ed_frame_part frame = {.analysis = analysis, .divisions = 1, .method = ED_NEWMARK, .parameters = {0.5, 0.25}, .n_terms = 2,
+                               .node = node, .degree = degree, .coefficient = along};
+  const ed_substructure_input input = {.step = 0.01, .sub_steps = 1, .compensator = &compensator, .rig = &rig, .sensors = &sensors,
+                                       .specimen = specimen, .force_scale = 1.0, .deformation_scale = 1.0,
+                                       .abort_displacement = INFINITY, .frame = &frame};
+  ed_substructure *test = ed_substructure_new(&input, &status, message, sizeof message);
+  CHECK_STATUS(status, ED_OK);
+  calls_of_test(test, N, ground, record); /* the solver makes itself at home */
+  const long of_one = calls_of_test(test, 1, ground, record);
+  CHECK_INT(calls_of_test(test, N, ground, record), of_one);
+  ed_substructure_free(test);
+  ed_damper_free(specimen);
+  ed_analysis_free(analysis);
+  ed_model_free(model);
+}
+
 int main(void)
 {
   if (!in_place()) {
@@ -152,6 +197,7 @@ int main(void)
   check_runs(ED_STIFFNESS_CURRENT);
   check_dampers();
   check_ladder();
+  check_frame_in_loop();
   return checks_end("allocation inside a step");
 }
 
