@@ -12,6 +12,7 @@ from edesign.core.substructure import SubstructureLoop
 from edesign.errors import InputError
 from edesign.project import parse_project
 from edesign.project.substructure import parse_rts_file
+from edesign.stopping import Stopped, stoppable
 from edesign.study.analyses import run_analysis
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.project_frame import loop_grows
@@ -170,6 +171,14 @@ def test_a_specimen_too_stiff_for_the_step(tmp_path: Path) -> None:
     assert run.outcome in ("unstable", "failed") and run.reason
     if run.outcome == "failed":
         assert "the numerical part: " in run.reason
+
+
+def test_a_test_that_is_stopped_can_be_run_again(tmp_path: Path) -> None:
+    lab = laboratory(yielding(tmp_path, 0.01), 0.5, "extrapolated", more="title: long\n")
+    loop, ground = loop_of(lab), np.zeros(200_001)
+    with stoppable(lambda: True), pytest.raises(Stopped):
+        loop.run(ground)
+    assert loop.run(ground[:11]).outputs.shape == (11, 2)
 
 
 def test_margins_beside_a_frame_take_other_dampers_in_small_vibration(tmp_path: Path) -> None:
