@@ -84,12 +84,12 @@ def _linearised(test: TestAdvice) -> str:
     return (
         f"law linearised at {amplitude} mm, {EFFECTIVE_AMPLITUDE:g} of the largest direct deformation (effective "
         f"amplitude: Schnabel, Lysmer & Seed 1972); at {frequency} Hz, the first mode that moves the specimen: "
-        f"{_stiffness(at)}"
+        f"{specimen_in_words(at)}"
     )
 
 
-def _stiffness(at: Linearisation) -> str:
-    """With a loss factor, or with a dashpot where that says little."""
+def specimen_in_words(at: Linearisation) -> str:
+    """Return stiffness and loss factor of a specimen, or its dashpot where a loss factor says little."""
     if abs(at.stiffness.imag) <= MOST_LOSS * abs(at.stiffness.real):
         return f"{number(at.stiffness.real, 4, 1e6)} kN/mm, loss factor {number(at.loss_factor, 3)}"
     storage = number(at.stiffness.real, 4, 1e6, negligible=ROUNDING * abs(at.stiffness))

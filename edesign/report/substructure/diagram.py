@@ -14,8 +14,11 @@ from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ShearBuilding
 from edesign.report.captions import plain
 from edesign.report.figures import MEAN, new_figure, styled
+from edesign.report.substructure.advice_tables import specimen_in_words
 from edesign.report.substructure.file import ArchivedTests
+from edesign.report.substructure.linearised import LinearisedTests
 from edesign.report.substructure.results import SubstructureResults
+from edesign.substructure.laboratory import rig_transfer
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -43,27 +46,27 @@ def loop_diagrams(results: SubstructureResults) -> Iterator[tuple[str, str, Figu
             "loop",
             "The loop of the tests. Blue blocks are computed each main step, ochre ones are the virtual laboratory. "
             f"The numbers are those of the file of tests.{given}",
-            loop_diagram(described, results.secant),
+            loop_diagram(described, results.linearised),
         )
 
 
 @styled
-def loop_diagram(described: ArchivedTests, secant: tuple[float, float] | None) -> Figure:
+def loop_diagram(described: ArchivedTests, linear: LinearisedTests | None) -> Figure:
     """Draw numerical part, compensator, rig and specimen in a ring, and the sensors below.
 
     Args:
         described: with a file.
-        secant: stiffness of the specimen, N/m, and the deformation that it is of, m; None: not known.
+        linear: specimen, rig and structure linearised; None: not known.
     """
     from matplotlib.patches import FancyBboxPatch
 
     file = described.file
     assert file is not None
     blocks = (
-        (_source(file), _wrapped(_numerical(described, secant)), COMPUTER),
+        (_source(file), _wrapped(_numerical(described, linear)), COMPUTER),
         ("Compensator", _wrapped(_compensators(file)), COMPUTER),
-        ("Rig", _wrapped(_rig(described)), RIG),
-        ("Specimen", _wrapped(_specimen(described, secant)), RIG),
+        ("Rig", _wrapped(_rig(described, linear)), RIG),
+        ("Specimen", _wrapped(_specimen(described, linear)), RIG),
     )
     top = BOTTOM + max(HEAD + LINE * max(len(lines) for _, lines, _ in blocks), 24.0)
     tall = top + 6.0
@@ -135,7 +138,7 @@ def _source(file: RtsFile) -> str:
     return "Numerical part" if file.structure is not None else "Given targets"
 
 
-def _numerical(described: ArchivedTests, secant: tuple[float, float] | None) -> Lines:
+def _numerical(described: ArchivedTests, linear: LinearisedTests | None) -> Lines:
     file = described.file
     assert file is not None
     if file.structure is None:
@@ -147,8 +150,8 @@ def _numerical(described: ArchivedTests, secant: tuple[float, float] | None) -> 
         count = len(part.names)
         lines += [f"{count} degree{'s' * (count > 1)} of freedom"]
         lines.append(f"alone {_hertz(part.frequencies())}")
-        if secant is not None:
-            lines.append(f"with specimen {_hertz(part.frequencies(secant[0]))}")
+        if linear is not None:
+            lines.append(f"with specimen {_hertz(linear.frequencies)}")
     elif isinstance(file.structure, ShearBuilding):
         lines += [f"{len(file.structure.masses)} storeys", f"specimen in storey {file.structure.storey}"]
     if file.may_yield:
@@ -157,7 +160,7 @@ def _numerical(described: ArchivedTests, secant: tuple[float, float] | None) -> 
     return (*lines, "exact integration" if method == "exact" else f"by {method}")
 
 
-def _hertz(frequencies: np.ndarray) -> str:
+def _hertz(frequencies: Sequence[float] | np.ndarray) -> str:
     more = " …" if len(frequencies) > 3 else ""
     return f"{', '.join(plain(float(one)) for one in frequencies[:3])}{more} Hz"
 
@@ -169,7 +172,7 @@ def _compensators(file: RtsFile) -> Lines:
     return (*names[:MOST_LINES], f"and {len(names) - MOST_LINES} more") if len(names) > MOST_LINES + 1 else tuple(names)
 
 
-def _rig(described: ArchivedTests) -> Lines:
+def _rig(described: ArchivedTests, linear: LinearisedTests | None) -> Lines:
     plant = described.plant
     if plant is None:
         return ("not held by the archive",)
@@ -186,8 +189,12 @@ def _rig(described: ArchivedTests) -> Lines:
         value = getattr(plant, key, None)
         if value:
             lines.append(f"{key.replace('_', ' ').replace('proportional ', '')} {factor * value:.4g}{unit}")
-    if described.transfer is not None and plant.kind not in ("ideal", "delay"):
-        lines.append(f"late in all {plain(1e3 * described.transfer.low_frequency_delay)} ms")
+    if linear is not None and plant.kind not in ("ideal", "delay"):
+        at = plain(linear.frequencies[0])
+        lines.append(f"late in all {plain(1e3 * linear.rig_delay)} ms at {at} Hz")
+    elif described.transfer is not None and plant.kind not in ("ideal", "delay"):
+        alone = rig_transfer(plant, 0.0)
+        lines.append(f"late in all {plain(1e3 * alone.low_frequency_delay)} ms, unloaded")
     limits = plant.limits
     reach = [
         f"{factor * value:.4g} {unit}"
@@ -201,7 +208,7 @@ def _rig(described: ArchivedTests) -> Lines:
     return (*lines, *([f"reaches {', '.join(reach)}"] if reach else []))
 
 
-def _specimen(described: ArchivedTests, secant: tuple[float, float] | None) -> Lines:
+def _specimen(described: ArchivedTests, linear: LinearisedTests | None) -> Lines:
     file = described.file
     assert file is not None
     placed = file.law
@@ -212,8 +219,9 @@ def _specimen(described: ArchivedTests, secant: tuple[float, float] | None) -> L
     if placed.law.temperature is not None:
         lines.append(f"at {placed.law.temperature:g} °C")
     lines += [f"effect {effect.name}" for effect in file.specimen.effects]
-    if secant is not None:
-        lines.append(f"{plain(1e-6 * secant[0])} kN/mm at {plain(1e3 * secant[1])} mm")
+    if linear is not None:
+        at = linear.specimen
+        lines.append(f"{specimen_in_words(at)} at {plain(1e3 * at.amplitude)} mm")
     return tuple(lines)
 
 

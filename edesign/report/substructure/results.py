@@ -14,6 +14,7 @@ from edesign.errors import ArchiveError
 from edesign.report.captions import plain
 from edesign.report.figures import AFTER, VARIANTS
 from edesign.report.substructure.file import ArchivedTests, archived_tests
+from edesign.report.substructure.linearised import LinearisedTests, linearised
 from edesign.report.substructure.tables import Run, runs
 from edesign.substructure.archived import PLACE
 
@@ -160,20 +161,19 @@ class SubstructureResults:
         return "ground" in self.driven(test).variables
 
     @cached_property
-    def secant(self) -> tuple[float, float] | None:
-        """The largest force of the specimen over its largest deformation, N/m, and that deformation, m; None: unknown.
+    def linearised(self) -> LinearisedTests | None:
+        """Specimen, rig and structure as `edesign rts check` linearises them; None: not known."""
+        largest = self.largest_deformation
+        return linearised(self.described, largest) if largest is not None else None
 
-        They are those of the first direct analysis, without one of the first test.
-        """
-        driven = [self.driven(test).variables for test in self.tests]
-        pairs = [(of.get("direct_deformation"), of.get("direct_force")) for of in driven]
+    @cached_property
+    def largest_deformation(self) -> float | None:
+        """Of the specimen in the first direct analysis, without one in the first test, m; None: unknown."""
+        found = [self.driven(test).variables.get("direct_deformation") for test in self.tests]
         moved = [one.group.variables for test in self.tests for one in self.shown(test)[-1:]]
-        pairs += [(of.get("deformation"), of.get("true_force")) for of in moved]
-        for deformation, force in pairs:
-            if deformation is not None and force is not None and np.any(deformation.values):
-                reach = float(np.max(np.abs(deformation.values)))
-                return float(np.max(np.abs(force.values))) / reach, reach
-        return None
+        found += [of.get("deformation") for of in moved]
+        reach = (float(np.max(np.abs(one.values))) for one in found if one is not None and one.values.size)
+        return next((one for one in reach if one > 0.0), None)
 
     def in_words(self, test: str, compensator: str) -> str:
         """Return error and delay of a run in words, "" if they are not known."""

@@ -66,7 +66,8 @@ def delay(transfer: Transfer, frequency: float) -> float:
 
 def _paths(results: SubstructureResults, rig: RigTransfer) -> tuple[list[Path], list[str]]:
     """The rig alone and behind each compensator; and the compensators that cannot be drawn so."""
-    paths, without = [Path("without compensation", rig, FIRST)], []
+    loaded = results.linearised.rig if results.linearised is not None else rig
+    paths, without = [Path("without compensation", loaded, FIRST)], []
     best = next((results.best(test) for test in sorted(results.tests, key=results.is_closed, reverse=True)), None)
     file = results.described.file
     assert file is not None
@@ -79,7 +80,7 @@ def _paths(results: SubstructureResults, rig: RigTransfer) -> tuple[list[Path], 
         if command is None or len(paths) > MOST:
             without.append(name)
             continue
-        transfer = _behind(command, rig, unseen)
+        transfer = _behind(command, loaded, unseen)
         if name == best:
             paths.append(Path(name, transfer, BEST))
             continue
@@ -88,7 +89,7 @@ def _paths(results: SubstructureResults, rig: RigTransfer) -> tuple[list[Path], 
     return paths, without
 
 
-def _behind(command: Transfer, rig: RigTransfer, unseen: float) -> Transfer:
+def _behind(command: Transfer, rig: Transfer, unseen: float) -> Transfer:
     return lambda s: command(s) * rig(s) * np.exp(-s * unseen)
 
 
@@ -118,10 +119,7 @@ def _command(results: SubstructureResults, name: str, rig: RigTransfer) -> Trans
 
 def _frequencies(results: SubstructureResults) -> list[float]:
     """Of the structure with the specimen, Hz, those that the figure shows."""
-    lab = results.described.laboratory
-    if lab is None or lab.structure is None:
-        return []
-    found = lab.structure.part.frequencies(results.secant[0] if results.secant is not None else 0.0)
+    found = results.linearised.frequencies if results.linearised is not None else ()
     return [float(one) for one in found if FROM < one < TO][:10]
 
 

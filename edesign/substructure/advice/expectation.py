@@ -21,6 +21,7 @@ from edesign.substructure.advice.transfers import (
     phase_delay,
     rig_response,
 )
+from edesign.substructure.laboratory import TestedDamper
 from edesign.substructure.stability.expected import expected_errors
 from edesign.substructure.stability.loop import ComplexStiffness, Loop, Transfer
 from edesign.substructure.stability.margins import LoopMode, LoopStability, critical_delays, loop_stability
@@ -175,11 +176,7 @@ class Bench:
         lowest = min(dominant, *part.frequencies()[:1]) if part is not None else dominant
         band = np.geomspace(LOWEST * max(lowest, LOWEST * dominant), 0.5 / step, FREQUENCIES)
         force, deformation = damper.scales
-        law = linearised_law(damper.values, amplitude * deformation, band)
-
-        def specimen(omega: np.ndarray) -> np.ndarray:
-            return np.asarray(force * deformation * law(omega))
-
+        specimen = law_at(damper, amplitude, band)
         frequency = first_moving(part, specimen) if part is not None else dominant
         exact = complex_stiffness(damper.values, amplitude * deformation, frequency)
         at = Linearisation(largest, amplitude, frequency, force * deformation * exact)
@@ -304,6 +301,19 @@ class Bench:
             return np.asarray(value * over_step(s) if holds else value)
 
         return seen
+
+
+def law_at(damper: TestedDamper, amplitude: float, band: np.ndarray) -> ComplexStiffness:
+    """Return a damper in the rig as it is in steady sines of one amplitude.
+
+    Args:
+        damper: of the laboratory.
+        amplitude: of its deformation, m.
+        band: (n,) frequencies, Hz, rising, n >= 4.
+    """
+    force, deformation = damper.scales
+    law = linearised_law(damper.values, amplitude * deformation, band)
+    return lambda omega: np.asarray(force * deformation * law(omega))
 
 
 def mean_frequency(motion: np.ndarray, step: float) -> float:

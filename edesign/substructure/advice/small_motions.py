@@ -12,11 +12,10 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.substructure.advice.expectation import Bench
+from edesign.substructure.advice.expectation import Bench, law_at
 from edesign.substructure.advice.loaded_rig import loaded_poles, swings
 from edesign.substructure.advice.transfers import CompensatorTransfer, rig_response
 from edesign.substructure.stability.roots import structure_modes
-from edesign.substructure.stability.specimens import linearised_law
 from edesign.substructure.stability.sweep import sweep
 
 SMALLEST = 1e-3
@@ -50,13 +49,8 @@ def smaller_benches(bench: Bench) -> tuple[Bench, ...]:
 
 
 def _at(bench: Bench, amplitude: float) -> Bench:
-    file, damper = bench.laboratory.file, bench.laboratory.damper
-    force, deformation = damper.scales
-    law = linearised_law(damper.values, amplitude * deformation, bench.band)
-
-    def specimen(omega: np.ndarray) -> np.ndarray:
-        return np.asarray(force * deformation * law(omega))
-
+    file = bench.laboratory.file
+    specimen = law_at(bench.laboratory.damper, amplitude, bench.band)
     transfer = bench.laboratory.laboratory.transfer
     rig = rig_response(file.plant, transfer, specimen, file.loop.main_step)
     at = replace(bench.linearisation, amplitude=amplitude)

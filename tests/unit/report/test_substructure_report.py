@@ -285,3 +285,26 @@ def test_a_window_has_whole_cycles_around_the_largest_error() -> None:
     begin, end = window(time, np.sin(2.0 * np.pi * time), error)
     assert begin < 6.0 < end and end - begin == pytest.approx(4.0, abs=0.02)
     assert window(time, np.zeros_like(time), error) == (0.0, 10.0)
+
+
+def test_a_loaded_rig_and_a_dashpot_are_told_as_check_tells_them(tmp_path: Path) -> None:
+    from edesign.report.substructure import diagram
+    from edesign.substructure.advice.advice import advise
+    from edesign.substructure.virtual_tests import VirtualLaboratory
+
+    rig = "{kind: servo_hydraulic, delay: 8 ms, proportional_gain: 100 /s, valve_time_constant: 2 ms, OIL}"
+    text = _one_test(TESTS.replace("RIG", rig.replace("OIL", "oil_stiffness: 60 kN/mm")).replace(", bits: 16", ""))
+    power = "{type: viscous_power, parameters: {c: 60 kN*(s/m)^0.3, alpha: 0.3}}"
+    text = text.replace("{type: kelvin_voigt, parameters: {k: 4.346 kN/mm, c: 60 kN*s/m}}", power)
+    with open_archive(_ran(tmp_path, text)) as archive:
+        results = SubstructureResults(archive)
+        linear, described = results.linearised, results.described
+        assert linear is not None
+        lines = (*diagram._rig(described, linear), *diagram._specimen(described, linear))
+        unloaded = diagram._rig(described, None)
+    (said,) = advise(VirtualLaboratory(load_rts_file(tmp_path / "short.yaml"))).tests
+    assert linear.frequencies == pytest.approx([mode.frequency for mode in said.modes], rel=1e-3)
+    assert linear.rig_delay == pytest.approx(said.modes[0].rig_delay, rel=1e-3)
+    assert f"late in all {plain(1e3 * linear.rig_delay)} ms at {plain(linear.frequencies[0])} Hz" in lines
+    assert any(line.startswith("storage stiffness 0 kN/mm, equivalent dashpot") for line in lines)
+    assert "late in all 18.0 ms, unloaded" in unloaded
