@@ -171,7 +171,7 @@ def expected_table(advice: Advice) -> Table:
         f"{_percent(advice.response_error)} %; without noise, and as if the rig had no limits"
     )
     if any(one.grows_below > 0.0 for test in advice.tests for one in test.expected):
-        table.notes += lines("*: do not hold, as small motions grow")
+        table.notes += lines("*: need not hold, as small motions grow")
     return table
 
 

@@ -178,7 +178,7 @@ def _warnings(tests: tuple[TestAdvice, ...]) -> Iterator[str]:
             names = ", ".join(f'"{one.compensator}" below {1e3 * one.grows_below:.3g} mm' for one in growing)
             yield (
                 f"test {test.name}: small motions grow with {names}: the law is stiffer there than at the amplitude of "
-                "the test. The loop ends in a limit cycle, and the expected errors do not hold"
+                "the test. The loop ends in a limit cycle, and the expected errors need not hold"
             )
 
 
