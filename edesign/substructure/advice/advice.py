@@ -1,7 +1,7 @@
 """What can be said of virtual or real substructure tests before any is run: from transfer functions, in seconds.
 
-The law of the damper is linearised for each test, so the results are estimates. tests/unit/substructure/test_advice.py
-holds them against runs of the loop.
+The law of the damper is linearised for each test, so the results are estimates, which
+tests/unit/substructure/test_rts_advice.py holds against runs of the loop.
 """
 
 from __future__ import annotations

@@ -121,5 +121,5 @@ def test_missing_things_are_told(project: Project, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="behaviour_factor: this key is missing"):
         design_spectrum(hazard_of(project))
     bare = parse_project(new_project(tmp_path / "other").read_text(), "bare.yaml")
-    with pytest.raises(InputError, match=r"bare.yaml: hazard: this block is missing"):
+    with pytest.raises(InputError, match=r"bare.yaml:4:1: hazard: this block is missing"):
         checked_hazard(bare)

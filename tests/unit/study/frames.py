@@ -11,7 +11,7 @@ from edesign.project import Project, parse_project
 
 NODE_MASS = MASS / 2  # kg
 
-_ANALYSED = """\
+ANALYSED = """\
 loads:
   beams: [{floors: all, G: 10 kN/m, Q: 5 kN/m}]
   gravity: {G: 1.0, Q: 0.4}
@@ -23,6 +23,7 @@ analyses:
 @analyses@
 outputs: @outputs@
 """
+"""What analyses of a shear frame need, to follow its text."""
 
 PULSE = [0.0, 1.0, -2.0, 3.0, 0.5, -1.0, 0.0]  # m/s2, every 0.02 s
 
@@ -84,7 +85,7 @@ def shear_frame(
     *analyses: str, storeys: int = 1, damping: str = "{kind: none}", outputs: str = "{}", path: str = "project.yaml"
 ) -> Project:
     """A shear frame with the given analyses, each as it stands in the file."""
-    text = (shear_frame_text(storeys) + _ANALYSED).replace("@damping@", damping).replace("@outputs@", outputs)
+    text = (shear_frame_text(storeys) + ANALYSED).replace("@damping@", damping).replace("@outputs@", outputs)
     text = text.replace("@analyses@", "\n".join(f"  - {analysis}" for analysis in analyses))
     if "history" not in text:
         text = text.replace("records:\n  pulse: {file: pulse.csv, acceleration_unit: m/s^2, time_step: 0.02 s}\n", "")

@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from unit.study.frames import BAY, HEIGHT, PULSE, SHEAR_FRAME, E, project, shear_frame
+from shear_frames import BAY, HEIGHT, E, shear_frame_text
+from unit.study.frames import ANALYSED, PULSE, project, shear_frame
 
 from edesign.errors import InputError
 from edesign.project import load_project
@@ -157,7 +158,7 @@ STEP = 0.001
 
 def soft_frame(devices: str, damping: str, folder: Path, storeys: int = 2) -> Project:
     """A frame whose beams bend, so that joints without mass turn; P-Delta under gravity."""
-    text = SHEAR_FRAME.replace("@storeys@", str(storeys)).replace("@damping@", damping).replace("@outputs@", "{}")
+    text = (shear_frame_text(storeys) + ANALYSED).replace("@damping@", damping).replace("@outputs@", "{}")
     text = text.replace("@analyses@", f"  - {HISTORY}").replace("inertia: 1e3 m^4", "inertia: 2e-4 m^4")
     text = text.replace("columns: linear", "columns: p_delta").replace("time_step: 0.01 s", f"time_step: {STEP} s")
     (folder / "pulse.csv").write_text("\n".join(map(str, PULSE)))
