@@ -8,7 +8,7 @@ from math import inf
 import numpy as np
 
 from edesign.core.compensator import AdaptiveTimeSeries, Compensator, LiveDelay
-from edesign.core.damper import CoreDamper, LawValues
+from edesign.core.damper import LawValues
 from edesign.core.substructure import LinearRig, RigLimits, Sensors, ServoHydraulicRig
 from edesign.damper.law_file import Source, read_law_file, resolve
 from edesign.damper.specimen import Specimen
@@ -22,6 +22,7 @@ from edesign.project.substructure.structure import ProjectStructure, ShearBuildi
 from edesign.substructure.compensation import compensators
 from edesign.substructure.rig import rigs
 from edesign.substructure.rig.rigs import RigTransfer
+from edesign.substructure.sized_damper import SizedDamper
 from edesign.substructure.structure.numerical import LinearPart, shear_building
 from edesign.substructure.structure.project_frame import ProjectFrame, loop_grows
 from edesign.substructure.structure.project_structure import project_part
@@ -214,11 +215,10 @@ def stiffness_of(damper: TestedDamper | None) -> float:
     """Return the stiffness of a damper to a tenth of a millimetre in a tenth of a second, N/m; 0 without a damper."""
     if damper is None:
         return 0.0
-    small = 1e-4
-    core = CoreDamper(damper.values.law, damper.values.values, amendments=damper.values.amendments)
-    reach = damper.scales[1] * small
-    _, force, _ = core.step(core.start(), 0.1, (0.0, reach / 0.1), (reach, reach / 0.1))
-    return damper.scales[0] * force / small
+    device, small, duration = SizedDamper(damper.values, damper.scales), 1e-4, 0.1
+    velocity = small / duration
+    _, force, _ = device.step(device.start(), duration, (0.0, velocity), (small, velocity))
+    return force / small
 
 
 def rig_transfer(plant: rig_kinds.RigModel, specimen_stiffness: float) -> RigTransfer:

@@ -34,8 +34,8 @@ from edesign.substructure.structure.project_frame import ProjectFrame
 from edesign.substructure.structure.recursion import recursion
 
 FINER = 4
-"""How many times as fine as the main step the direct analysis is. Its error is of second order in the step: 0.012 % at
-1 ms of a structure of 2 Hz, a sixteenth of that here."""
+"""How many times as fine as the main step the direct analysis is. With steps four
+times as long the deformation of thesis 6.2.5 differs by 0.018 %."""
 FRAME_FINER = 2
 """The same of a frame that may yield, which takes a hundred times as long."""
 DIVERGED = 10.0

@@ -125,7 +125,7 @@ def advise(laboratory: VirtualLaboratory) -> Advice:
 def _prepared(
     laboratory: VirtualLaboratory, test: CommandTest | RtsTest
 ) -> tuple[CommandTest | RtsTest, Drive, Direct | None]:
-    drive = laboratory.drive(test)
+    drive = laboratory.drives[test.name]
     return test, drive, laboratory.direct(drive) if drive.ground is not None else None
 
 

@@ -8,8 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.core.damper import CoreDamper
 from edesign.project.substructure.rig import RigModel, ServoHydraulicRig
+from edesign.substructure.sized_damper import SizedDamper
 from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
 
 SMALLEST_ABORT = 1e-6
@@ -95,11 +95,8 @@ def _gives_way(plant: RigModel) -> float:
 def _force(laboratory: VirtualLaboratory, drive: Drive) -> np.ndarray:
     """Of the damper under a given target, (n,) N."""
     assert drive.target is not None
-    damper = laboratory.damper
-    force, deformation = damper.scales
-    core = CoreDamper(damper.values.law, damper.values.values, amendments=damper.values.amendments)
-    x, v = deformation * drive.target[:, 0], deformation * drive.target[:, 1]
-    return np.asarray(force * core.force(drive.time, x, v))
+    damper = SizedDamper(laboratory.damper.values, laboratory.damper.scales)
+    return damper.force(drive.time, drive.target[:, 0], drive.target[:, 1])
 
 
 def abort_level(needs: Sequence[Need], stroke: float, looped: Container[str] = ()) -> AbortLevel | None:

@@ -10,7 +10,8 @@ ROUNDING = 0.1
 """Of the accepted response error: expected errors that differ by less decide nothing. Of 5 % it is half a percent of
 the response, and a law that is linearised does not tell it more closely."""
 _FEEDBACK = ("smith", "pi_phase_lead")
-_ADAPTIVE = ("live_delay", "ats", "modified_ats")
+ADAPTIVE = ("live_delay", "ats", "modified_ats")
+"""Compensators that learn from what they have measured."""
 
 
 @dataclass(frozen=True)
@@ -41,7 +42,7 @@ class Candidate:
         """0 none, 1 constant, 2 with feedback or a model of the specimen, 3 adaptive."""
         if self.kind == "none":
             return 0
-        return 3 if self.kind in _ADAPTIVE else 2 if self.kind in _FEEDBACK else 1
+        return 3 if self.kind in ADAPTIVE else 2 if self.kind in _FEEDBACK else 1
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.substructure.advice.expectation import Bench, law_at
 from edesign.substructure.advice.loaded_rig import loaded_poles, swings
+from edesign.substructure.advice.recommendation import ADAPTIVE
 from edesign.substructure.advice.transfers import CompensatorTransfer, rig_response
 from edesign.substructure.stability.roots import structure_modes
 from edesign.substructure.stability.sweep import sweep
@@ -24,8 +25,6 @@ A_DECADE = 2
 """Amplitudes a decade."""
 LINEAR = 1e-3
 """Relative change of the stiffness below which a law counts as linear."""
-ADAPTIVE = ("live_delay", "ats", "modified_ats")
-"""Compensators that have learned from large motions."""
 
 
 def smaller_benches(bench: Bench) -> tuple[Bench, ...]:

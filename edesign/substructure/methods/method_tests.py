@@ -19,7 +19,7 @@ from edesign.substructure.methods import (
     pseudo_dynamic_test,
     shaking_table_test,
 )
-from edesign.substructure.methods.sized_damper import SizedDamper
+from edesign.substructure.sized_damper import SizedDamper
 from edesign.substructure.structure.numerical import LinearPart
 
 MethodTest = PseudoDynamicTest | EffectiveForceTest | ShakingTableTest
