@@ -164,7 +164,7 @@ enum {
   ED_SECTION_DEFORMATION = 13,
   ED_FIBRE_STRESS = 14,      /* element (point * layers of the first section + layer) */
   ED_FIBRE_STRAIN = 15,
-  ED_DAMPER_FORCE = 16,      /* damper */
+  ED_DAMPER_FORCE = 16,      /* damper; after the last one the forces of a history, each as of the damper that exerts it */
   ED_DAMPER_DEFORMATION = 17,/* damper (0 with its brace, 1 without) */
   ED_DAMPER_WORK = 18        /* damper: work done on it so far */
 };
@@ -196,7 +196,8 @@ int ed_history_begin(ed_analysis *analysis, int n, double dt, const double *grou
 #define ED_HISTORY_FORCES 8
 int ed_history_force(ed_analysis *analysis, int n_terms, const int *node, const int *degree, const double *coefficient);
 /* Over the next step the force is linear from `start` to `end`, and after it stays at `end` until another call. Halved steps see what it
- * is between both. A start that is not the last end is a jump, with which accelerations jump. Its work counts as input. */
+ * is between both. A start that is not the last end is a jump, with which accelerations jump. Its work counts as input. On supports it
+ * goes into the reactions. */
 int ed_history_set_force(ed_analysis *analysis, int force, double start, double end);
 void ed_run_buffers(ed_analysis *analysis, int every, double *abscissa, double *values, double *energy);
 /* Returns ED_OK while all went well, ED_LIMIT when a channel has exceeded its limit (the step stands, it is the last), an error when
@@ -406,7 +407,7 @@ typedef struct {
   const int *node, *degree;
   const double *coefficient;
   int held;              /* 1: the force is held over a main step, 0: extrapolated */
-} ed_frame_part;
+} ed_frame_part;         /* records its channels: buffers that ed_run_buffers was given before a test are those of the test */
 
 typedef struct {
   double step;           /* main step, s */
@@ -415,7 +416,7 @@ typedef struct {
    * acceleration at the end of the step, then n_outputs more to be recorded. n_states = 0: the target is given. Row by row. */
   int n_states, n_outputs;
   const double *A, *B, *C, *D;
-  const ed_frame_part *frame; /* or a frame in their place: n_outputs are the first channels of its analysis, which run; else NULL */
+  const ed_frame_part *frame; /* or a frame in their place, without outputs; else NULL */
   const ed_compensator_parameters *compensator;
   int unseen_delay;      /* main steps that pass between the target and the compensator */
   const ed_rig_model *rig;
@@ -445,7 +446,8 @@ ed_substructure *ed_substructure_new(const ed_substructure_input *input, int *st
 void ed_substructure_free(ed_substructure *test);
 void ed_substructure_ask(ed_substructure *test, const ed_stop *stop);
 /* n main steps from rest. drive: n + 1 ground accelerations, or (n + 1) x 3 targets. record: (n + 1) x (ED_RTS_CHANNELS + n_outputs),
- * row by row. seed: of the noise. *done: rows that hold. ED_LIMIT: the abort displacement was exceeded, in the last of them. */
+ * row by row. seed: of the noise. *done: rows that hold. ED_LIMIT: the abort displacement or the limit of a channel of the frame was
+ * exceeded, in the last of them. */
 int ed_substructure_run(ed_substructure *test, int n, const double *drive, unsigned long long seed, double *record, int *done);
 const char *ed_substructure_message(const ed_substructure *test); /* of the last run that failed: what did, for people */
 /* A compensator on its own: commands of n steps. target: n x 3. */

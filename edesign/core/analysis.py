@@ -5,6 +5,7 @@ from __future__ import annotations
 import time as clock
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -43,6 +44,27 @@ _PIECE = 0.2  # seconds of computing between looks at the stop flag
 
 def _doubles(array: np.ndarray | None) -> Any:
     return ffi.NULL if array is None else ffi.from_buffer("double[]", array)
+
+
+@dataclass(frozen=True)
+class Recording:
+    """What a run records, while it goes on: the core writes into the arrays.
+
+    Attributes:
+        channels: in the order of the core's.
+        limits: by name of a channel.
+        abscissa: (rows,), NaN where there is no row yet.
+        values: (rows, channels with history).
+        energy: (rows, ENERGIES) J.
+        before: statistics of the analysis when it began.
+    """
+
+    channels: tuple[Channel, ...]
+    limits: Mapping[str, float]
+    abscissa: np.ndarray
+    values: np.ndarray
+    energy: np.ndarray
+    before: Mapping[str, float]
 
 
 class Analysis:
@@ -86,15 +108,69 @@ class Analysis:
         """Balance of the energies over the largest input so far, at the end of the last run."""
         return float(self._statistics()["energy_error"])
 
-    def record(self, channels: Sequence[Channel]) -> None:
-        """Let a substructure test record these channels in the place of all before.
+    def record(
+        self, channels: Sequence[Channel], rows: int, every: int = 1, limits: Mapping[str, float] = NO_LIMITS
+    ) -> Recording:
+        """Let the run that is begun, or the substructure test that comes next, record channels and energies.
+
+        Args:
+            channels: in the place of all before.
+            rows: how many there will be at most, with the one at the start.
+            every: steps from one row to the next.
+            limits: as in `history`.
 
         Raises:
-            ValueError: two have the same name.
-            CoreError: a channel names what the model does not have.
+            ValueError: two channels have the same name, or a limit belongs to none.
+            CoreError: a channel names what the model does not have, or a limit is not positive.
         """
         lib.ed_clear_channels(self._c)
         self._add_channels(channels)
+        self._set_limits(channels, limits)
+        kept = sum(channel.history for channel in channels)
+        recording = Recording(
+            tuple(channels),
+            limits,
+            np.full(rows, np.nan),
+            np.empty((rows, kept)),
+            np.empty((rows, len(ENERGIES))),
+            self._statistics(),
+        )
+        lib.ed_run_buffers(
+            self._c, every, *(_doubles(b.ravel()) for b in (recording.abscissa, recording.values, recording.energy))
+        )
+        return recording
+
+    def recorded(
+        self, recording: Recording, status: str = "completed", reason: str = "", cpu: float = 0.0
+    ) -> Response:
+        """Return what a run has recorded, once it has ended; arguments as of `Response`, with CPU seconds."""
+        n = int(np.count_nonzero(np.isfinite(recording.abscissa)))
+        extremes = [np.zeros(len(recording.channels)) for _ in range(5)]
+        lib.ed_extremes(self._c, *(_doubles(e) for e in extremes))
+        names = [c.name for c in recording.channels]
+        maximum, at_maximum, minimum, at_minimum, last = (
+            {name: float(v) for name, v in zip(names, e, strict=True)} for e in extremes
+        )
+        before, after = recording.before, self._statistics()
+        statistics = {k: after[k] - before[k] for k in after if k not in ("worst_unbalance", "energy_error")}
+        energies = {name: recording.energy[:n, i].copy() for i, name in enumerate(ENERGIES)}
+        error = energy_error(energies, self.tolerance)
+        statistics |= {"worst_unbalance": after["worst_unbalance"], "energy_error": error, "cpu_s": cpu}
+        kept = [c.name for c in recording.channels if c.history]
+        return Response(
+            status=status,
+            reason=reason,
+            time=recording.abscissa[:n].copy(),
+            values={name: recording.values[:n, i].copy() for i, name in enumerate(kept)},
+            maximum=maximum,
+            minimum=minimum,
+            final=last,
+            time_of_maximum=at_maximum,
+            time_of_minimum=at_minimum,
+            energy=energies,
+            events=self._events(),
+            statistics=statistics,
+        )
 
     def _check(self, status: int) -> None:
         raise_if_stopped(status)
@@ -307,10 +383,7 @@ class Analysis:
         limits: Mapping[str, float] = NO_LIMITS,
     ) -> Response:
         try:
-            lib.ed_clear_channels(self._c)
-            self._add_channels(channels)
-            self._set_limits(channels, limits)
-            return self._advance(steps, channels, every, progress, stop)
+            return self._advance(steps, channels, every, progress, stop, limits)
         finally:
             lib.ed_run_end(self._c)
 
@@ -321,13 +394,10 @@ class Analysis:
         every: int,
         progress: Callable[[int, int], None] | None,
         stop: Callable[[], bool] | None,
+        limits: Mapping[str, float],
     ) -> Response:
-        kept = [c.name for c in channels if c.history]
         every = every or steps + 1
-        rows = steps // every + 1
-        abscissa, values, energy = np.empty(rows), np.empty((rows, len(kept))), np.empty((rows, len(ENERGIES)))
-        lib.ed_run_buffers(self._c, every, _doubles(abscissa), _doubles(values.ravel()), _doubles(energy.ravel()))
-        before = self._statistics()
+        recording = self.record(channels, steps // every + 1, every, limits)
         status, reason, done, piece = "completed", "", 0, 1
         passed: Passed | None = None
         cpu = 0.0
@@ -355,35 +425,8 @@ class Analysis:
                 status, reason = "interrupted", f"stopped after {done} of {steps} steps"
                 break
             piece = max(1, min(4 * piece, int(piece * _PIECE / max(wall, 1e-6))))
-        n = int(lib.ed_run_rows(self._c))
-        extremes = [np.zeros(len(channels)) for _ in range(5)]
-        lib.ed_extremes(self._c, *(_doubles(e) for e in extremes))
-        names = [c.name for c in channels]
-        maximum, at_maximum, minimum, at_minimum, last = (
-            {name: float(v) for name, v in zip(names, e, strict=True)} for e in extremes
-        )
-        events = self._events()
         lib.ed_run_end(self._c)
-        after = self._statistics()
-        statistics = {k: after[k] - before[k] for k in after if k not in ("worst_unbalance", "energy_error")}
-        energies = {name: energy[:n, i].copy() for i, name in enumerate(ENERGIES)}
-        error = energy_error(energies, self.tolerance)
-        statistics |= {"worst_unbalance": after["worst_unbalance"], "energy_error": error, "cpu_s": cpu}
-        return Response(
-            status=status,
-            reason=reason,
-            time=abscissa[:n].copy(),
-            values={name: values[:n, i].copy() for i, name in enumerate(kept)},
-            maximum=maximum,
-            minimum=minimum,
-            final=last,
-            time_of_maximum=at_maximum,
-            time_of_minimum=at_minimum,
-            energy=energies,
-            events=events,
-            statistics=statistics,
-            passed=passed,
-        )
+        return replace(self.recorded(recording, status, reason, cpu), passed=passed)
 
     def _passed(self, channels: Sequence[Channel]) -> Passed:
         value, time = ffi.new("double *"), ffi.new("double *")

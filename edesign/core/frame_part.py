@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from edesign.core._edcore import ffi
@@ -23,7 +24,9 @@ class FrameNumericalPart:
         analysis: in the state in which tests begin, when a loop is made of it: loaded, damped, its dampers installed.
             Nothing else may use it while a test runs.
         terms: (coefficient, node, degree) that the specimen's deformation is the sum of; degrees 0 ux, 1 uy, 2 rz.
-        outputs: what is recorded beside the target, in the units of the channels.
+        channels: what is recorded of a test at main steps, extremes over all steps; the damper after the last one of
+            the model is the specimen, as the frame meets it. Without any nothing is recorded.
+        limits: by name of a channel; a test ends where its magnitude passes it.
         method: of integration.
         force: over a main step `extrapolated` from the last two, or `held`.
         steps: of the frame in a main step.
@@ -31,7 +34,8 @@ class FrameNumericalPart:
 
     analysis: Analysis
     terms: tuple[tuple[float, int, int], ...]
-    outputs: tuple[Channel, ...] = ()
+    channels: tuple[Channel, ...] = ()
+    limits: Mapping[str, float] = field(default_factory=dict)
     method: Integrator = AVERAGE_ACCELERATION
     force: Literal["extrapolated", "held"] = "extrapolated"
     steps: int = 1
@@ -45,5 +49,5 @@ class FrameNumericalPart:
         part.analysis, part.divisions, part.held = self.analysis.handle, self.steps, int(self.force == "held")
         part.method, part.parameters = method, parameters + [0.0] * (4 - len(parameters))
         part.n_terms, part.node, part.degree, part.coefficient = len(self.terms), *keep
-        data.frame, data.n_outputs = part, len(self.outputs)
+        data.frame = part
         return [part, *keep]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from math import inf
 from typing import Any
 
@@ -14,6 +15,7 @@ from edesign.core.compensator import Compensator, compensator_parameters
 from edesign.core.damper import CoreDamper, LawValues
 from edesign.core.errors import CoreError, status_name
 from edesign.core.frame_part import FrameNumericalPart
+from edesign.core.response import Passed, Response
 from edesign.core.stop import STOP, raise_if_stopped
 
 MOST_RIG_STATES = int(lib.ED_RIG_STATES)
@@ -148,8 +150,10 @@ class LoopRecord:
         independence: of the signals that the alphas stand for, 1 to 0: smallest pivot of their correlation matrix.
         limited: bits 0 to 2 for an alpha at a limit.
         saturated: bits of SATURATED.
-        outputs: (n, m) what else the numerical part gives.
+        outputs: (n, m) what else a recursion gives.
         aborted: whether the displacement went beyond the abort displacement in the last sample.
+        frame: what a frame recorded; None: nothing was asked for. Its status is "limit" where one of its limits ended
+            the test, and "failed" where the test was aborted.
     """
 
     target: np.ndarray
@@ -167,6 +171,7 @@ class LoopRecord:
     saturated: np.ndarray
     outputs: np.ndarray
     aborted: bool
+    frame: Response | None = None
 
 
 class SubstructureLoop:
@@ -222,7 +227,6 @@ class SubstructureLoop:
         keep = [parameters, model, read]
         if isinstance(numerical, FrameNumericalPart):
             keep += numerical.fill(data)
-            self._outputs = len(numerical.outputs)
         elif numerical is not None:
             keep += self._fill_numerical(data, numerical)
         status, message = ffi.new("int *"), ffi.new("char[256]")
@@ -263,9 +267,9 @@ class SubstructureLoop:
         given = self._numerical is None
         if values.ndim != (2 if given else 1) or len(values) < 2 or (given and values.shape[1] != 3):
             raise ValueError(f"drive has the shape {values.shape}")
-        if isinstance(self._numerical, FrameNumericalPart):
-            self._numerical.analysis.record(self._numerical.outputs)
         n, done = len(values) - 1, ffi.new("int *")
+        frame = self._numerical if isinstance(self._numerical, FrameNumericalPart) and self._numerical.channels else None
+        recording = frame.analysis.record(frame.channels, n + 1, frame.steps, frame.limits) if frame else None
         record = np.empty((n + 1, lib.ED_RTS_CHANNELS + self._outputs))
         status = lib.ed_substructure_run(
             self._handle, n, ffi.from_buffer("double[]", values), seed, ffi.from_buffer("double[]", record), done
@@ -274,10 +278,23 @@ class SubstructureLoop:
         if status < 0:
             why = ffi.string(lib.ed_substructure_message(self._handle)).decode(errors="replace")
             raise CoreError(status_name(status), f"substructure test: failed at {done[0] * self.step:.6g} s: {why}")
-        return _recorded(record[: done[0]], aborted=status == lib.ED_LIMIT)
+        found = frame.analysis.recorded(recording) if frame and recording else None
+        aborted = status == lib.ED_LIMIT
+        if found is not None and recording is not None and aborted:
+            passed = _passed(found, recording.limits, (done[0] - 1) * self.step)
+            aborted = passed is None
+            found = replace(found, status="failed" if aborted else "limit", passed=passed)
+        return _recorded(record[: done[0]], aborted, found)
 
 
-def _recorded(record: np.ndarray, aborted: bool) -> LoopRecord:
+def _passed(found: Response, limits: Mapping[str, float], time: float) -> Passed | None:
+    """The channel furthest beyond its limit at the end, None if all are within."""
+    beyond = {name: abs(found.final[name]) / limit for name, limit in limits.items()}
+    worst = max(beyond, key=lambda name: beyond[name], default="")
+    return Passed(worst, found.final[worst], time) if worst and beyond[worst] > 1.0 else None
+
+
+def _recorded(record: np.ndarray, aborted: bool, frame: Response | None) -> LoopRecord:
     def of(channel: int) -> np.ndarray:
         return np.ascontiguousarray(record[:, channel])
 
@@ -297,4 +314,5 @@ def _recorded(record: np.ndarray, aborted: bool) -> LoopRecord:
         saturated=of(lib.ED_RTS_SATURATED).astype(int),
         outputs=record[:, lib.ED_RTS_CHANNELS :].copy(),
         aborted=aborted,
+        frame=frame,
     )

@@ -6,6 +6,15 @@
 
 #include <math.h>
 
+/* Displacement of the committed state along a force. */
+static double along(const ed_analysis *a, const ed_history_load *load)
+{
+  double sum = 0.0;
+  for (int i = 0; i < load->n_terms; i++)
+    sum += load->coefficient[i] * a->committed.u[load->equation[i]];
+  return sum;
+}
+
 int ed_history_force(ed_analysis *a, int n, const int *node, const int *degree, const double *coefficient)
 {
   ed_run *run = &a->run;
@@ -21,14 +30,19 @@ int ed_history_force(ed_analysis *a, int n, const int *node, const int *degree, 
       return ed_fail(a, ED_E_ID, "there is no degree %d of node %d", degree[i], node[i]);
     if (!isfinite(coefficient[i]))
       return ed_fail(a, ED_E_NOT_FINITE, "coefficient %d of a force is not a finite number", i + 1);
-    const int equation = a->equation[3 * node[i] + degree[i]];
-    if (equation < 0)
-      continue;
-    load.equation[load.n_terms] = equation;
-    load.coefficient[load.n_terms++] = coefficient[i];
+    const int place = 3 * node[i] + degree[i], equation = a->equation[place];
+    if (equation < 0) {
+      load.fixed[load.n_fixed] = place;
+      load.fixed_coefficient[load.n_fixed++] = coefficient[i];
+    } else {
+      load.equation[load.n_terms] = equation;
+      load.coefficient[load.n_terms++] = coefficient[i];
+    }
   }
   if (load.n_terms == 0)
     return ed_fail(a, ED_E_ARGUMENT, "a force of a history acts on supports alone");
+  load.origin = along(a, &load);
+  a->trial.head->given_work[run->n_forces] = a->committed.head->given_work[run->n_forces] = 0.0;
   run->force[run->n_forces] = load;
   return run->n_forces++;
 }
@@ -89,17 +103,42 @@ void ed_add_history_forces(const ed_analysis *a, double share_before, double *r)
   }
 }
 
-double ed_history_force_work(const ed_analysis *a)
+double ed_history_force_work(ed_analysis *a)
 {
-  double work = 0.0;
+  double all = 0.0;
   for (int k = 0; k < a->run.n_forces; k++) {
     const ed_history_load *load = &a->run.force[k];
+    double work = 0.0;
     for (int i = 0; i < load->n_terms; i++) {
       const int equation = load->equation[i];
       work += 0.5 * load->coefficient[i] * (before(a, load, i) + load->now) * (a->trial.u[equation] - a->committed.u[equation]);
     }
+    a->trial.head->given_work[k] += work;
+    all += work;
   }
-  return work;
+  return all;
+}
+
+double ed_history_force_value(const ed_analysis *a, int kind, int force)
+{
+  if (force >= a->run.n_forces)
+    return 0.0;
+  const ed_history_load *load = &a->run.force[force];
+  if (kind == ED_DAMPER_FORCE)
+    return load->now;
+  return kind == ED_DAMPER_WORK ? -a->committed.head->given_work[force] : load->origin - along(a, load);
+}
+
+double ed_history_force_on(const ed_analysis *a, int degree)
+{
+  double sum = 0.0;
+  for (int k = 0; k < a->run.n_forces; k++) {
+    const ed_history_load *load = &a->run.force[k];
+    for (int i = 0; i < load->n_fixed; i++)
+      if (load->fixed[i] == degree)
+        sum += load->fixed_coefficient[i] * load->now;
+  }
+  return sum;
 }
 
 void ed_largest_history_force(const ed_analysis *a, double *force, double *moment)

@@ -34,8 +34,8 @@ const char *ed_wrong_frame(const ed_substructure_input *in)
     return "the numerical part is either a recursion or a frame";
   if (!f->analysis || f->divisions < 1 || f->divisions > MOST_DIVISIONS)
     return "the frame needs an analysis, and 1 to 1000 steps in a main step";
-  if (in->n_outputs < 0 || in->n_outputs > ED_PART_MOST)
-    return "the numerical part has too many outputs";
+  if (in->n_outputs != 0)
+    return "a frame has no outputs: its channels are recorded";
   if (f->n_terms < 1 || f->n_terms > ED_MAX_TERMS)
     return "the deformation of the specimen is that of 1 to 12 degrees of the frame";
   for (int i = 0; i < f->n_terms; i++)
@@ -55,12 +55,6 @@ static double along(const frame *f, const double *vector)
   return sum;
 }
 
-static void copy_outputs(const frame *f, double *outputs)
-{
-  for (int i = 0; i < f->part.n_outputs; i++)
-    outputs[i] = f->analysis->last[i];
-}
-
 static int begin_history(frame *f, int n, const double *ground)
 {
   ed_analysis *a = f->analysis;
@@ -73,8 +67,11 @@ static int begin_history(frame *f, int n, const double *ground)
     for (int j = 0; j < f->divisions; j++)
       fine[(size_t)k * (size_t)f->divisions + (size_t)j] = ground[k] + (ground[k + 1] - ground[k]) * ((double)j / f->divisions);
   fine[(size_t)n * (size_t)f->divisions] = ground[n];
+  const ed_run given = a->run;
   const int status = ed_history_begin(a, n * f->divisions, f->dt, fine, NULL, f->method, f->parameters);
   free(fine);
+  if (status == ED_OK)
+    ed_run_buffers(a, given.every, given.abscissa, given.values, given.energy);
   f->running = status == ED_OK;
   return status;
 }
@@ -83,8 +80,8 @@ static int start(ed_numerical *part, int n, const double *ground, double *output
 {
   frame *f = (frame *)part;
   ed_analysis *a = f->analysis;
+  (void)outputs;
   f->k = f->running = 0;
-  memset(outputs, 0, sizeof *outputs * (size_t)part->n_outputs);
   if (n == 0)
     return ED_OK;
   int status = ed_state_set(a, f->rest);
@@ -92,18 +89,13 @@ static int start(ed_numerical *part, int n, const double *ground, double *output
     return status;
   a->factored_stamp = -1; /* factors of the last run would lead to other iterations, and so to other rounding */
   a->kept.valid = 0;
-  if (a->n_channels < part->n_outputs)
-    return ed_fail(a, ED_E_STATE, "%d outputs are wanted of %d channels", part->n_outputs, a->n_channels);
   if ((status = begin_history(f, n, ground)) != ED_OK)
     return status;
-  ed_run_buffers(a, INT_MAX, NULL, NULL, NULL);
   f->force = ed_history_force(a, f->n_terms, f->node, f->degree, f->against);
   if (f->force < 0)
     return f->force;
   f->at_rest = along(f, a->committed.u);
-  status = ed_run_advance(a, 0);
-  copy_outputs(f, outputs);
-  return status;
+  return ed_run_advance(a, 0);
 }
 
 static int step(ed_numerical *part, double force, double *y)
@@ -111,21 +103,21 @@ static int step(ed_numerical *part, double force, double *y)
   frame *f = (frame *)part;
   ed_analysis *a = f->analysis;
   const double change = f->held || f->k == 0 ? 0.0 : force - f->earlier;
-  for (int j = 0; j < f->divisions; j++) {
+  int status = ED_OK;
+  for (int j = 0; j < f->divisions && status == ED_OK; j++) {
     const double from = force + change * ((double)j / f->divisions), to = force + change * ((double)(j + 1) / f->divisions);
-    int status = ed_history_set_force(a, f->force, from, to);
+    status = ed_history_set_force(a, f->force, from, to);
     if (status == ED_OK)
       status = ed_run_advance(a, 1);
-    if (status != ED_OK)
-      return status;
   }
+  if (status < 0)
+    return status;
   f->earlier = force;
   f->k++;
   y[0] = along(f, a->committed.u) - f->at_rest;
   y[1] = along(f, a->committed.v);
   y[2] = along(f, a->committed.a);
-  copy_outputs(f, y + ED_PART_TARGETS);
-  return ED_OK;
+  return status;
 }
 
 static void end(ed_numerical *part)
@@ -154,7 +146,7 @@ ed_numerical *ed_frame_part_new(const ed_substructure_input *in)
   frame *f = calloc(1, sizeof *f);
   if (!f)
     return NULL;
-  f->part = (ed_numerical){in->n_outputs, start, step, end, message, discard};
+  f->part = (ed_numerical){0, start, step, end, message, discard};
   f->analysis = given->analysis;
   f->divisions = given->divisions;
   f->dt = in->step / given->divisions;

@@ -425,12 +425,14 @@ static int run(ed_substructure *t, int n, const double *drive, ed_watch *watch, 
     double *row = record + ((size_t)k + 1) * width, target[TARGETS];
     if (ed_watch_step(watch))
       return ED_E_STOPPED;
+    int moved = ED_OK;
     if (numerical) {
       const double force = now.force + ed_compensator_force(&t->compensator, &t->compensating);
       /* the first three of y are the target, and lie in the row before what is recorded of them */
       double *y = row + ED_RTS_CHANNELS - TARGETS;
-      if ((status = numerical->step(numerical, force, y)) != ED_OK)
-        return numerical_part_failed(t, status);
+      moved = numerical->step(numerical, force, y);
+      if (moved < 0)
+        return numerical_part_failed(t, moved);
       memcpy(target, y, sizeof target);
     } else {
       memcpy(target, drive + ((size_t)k + 1) * TARGETS, sizeof target);
@@ -445,7 +447,7 @@ static int run(ed_substructure *t, int n, const double *drive, ed_watch *watch, 
     sent = to;
     write_row(t, target, command, &now, row);
     *done = k + 2;
-    if (beyond(t, target[0], &now))
+    if (moved == ED_LIMIT || beyond(t, target[0], &now))
       return ED_LIMIT;
   }
   return ED_OK;

@@ -12,7 +12,7 @@ struct ed_numerical {
   int n_outputs;
   /* From rest, for n main steps; ground: n + 1, and lives as long as the test. Writes the outputs at the start. May allocate. */
   int (*start)(ed_numerical *part, int n, const double *ground, double *outputs);
-  /* A main step with the force of the specimen at its start; y: targets and outputs at its end. */
+  /* A main step with the force of the specimen at its start; y: targets and outputs at its end. ED_LIMIT: it is the last one. */
   int (*step)(ed_numerical *part, double force, double *y);
   void (*end)(ed_numerical *part);                   /* of a test, also of one that did not start */
   const char *(*message)(const ed_numerical *part);  /* why a call failed, or NULL */

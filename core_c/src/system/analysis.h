@@ -17,6 +17,7 @@ typedef struct {
   double force_level;            /* largest force so far: scale of the unbalance */
   double energy[ED_N_ENERGY];
   double largest_input;
+  double given_work[ED_HISTORY_FORCES]; /* of the forces of a history, so far */
   double position;               /* within the present whole step, 0..1 */
 } ed_state_head;
 
@@ -55,10 +56,13 @@ typedef struct {
 
 typedef enum { ED_RUN_NONE, ED_RUN_STATIC, ED_RUN_PUSHOVER, ED_RUN_HISTORY } ed_run_kind;
 
-/* A force of a history, along its degrees; of fixed ones there is none. */
+/* A force of a history, along its degrees. What acts on fixed ones goes into their reactions and does no work. */
 typedef struct {
   int n_terms, equation[ED_MAX_TERMS];
   double coefficient[ED_MAX_TERMS];
+  int n_fixed, fixed[ED_MAX_TERMS]; /* degrees 3 node + d */
+  double fixed_coefficient[ED_MAX_TERMS];
+  double origin;                 /* displacement along it when it was made */
   double last;                   /* at the end of the last whole step */
   double start, end;             /* of the present whole step; accelerations are those with `start` */
   double before, now;            /* of the present substep */
@@ -267,8 +271,10 @@ int ed_last_iterations(const ed_analysis *a);
 void ed_move_history_forces(ed_analysis *a, double from, double to);  /* to a substep between two positions in the whole step */
 void ed_finish_history_forces(ed_analysis *a);                        /* the whole step is done: they stay as they are at its end */
 void ed_add_history_forces(const ed_analysis *a, double share_before, double *r); /* weighted between the ends of the substep */
-double ed_history_force_work(const ed_analysis *a);                   /* over the substep */
+double ed_history_force_work(ed_analysis *a);                         /* over the substep; adds it to that of each force */
 void ed_largest_history_force(const ed_analysis *a, double *force, double *moment);
+double ed_history_force_value(const ed_analysis *a, int kind, int force); /* as of a damper in its place; 0 of one that there is not */
+double ed_history_force_on(const ed_analysis *a, int degree);             /* of all of them on a fixed degree */
 
 /* ladder.c */
 typedef int (*ed_attempt)(ed_analysis *a, double fraction, int rung);

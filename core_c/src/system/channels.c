@@ -16,7 +16,7 @@ static int valid(const ed_analysis *a, int kind, int object, int component)
   if (kind == ED_LOAD_FACTOR)
     return object >= 0 && object < model->n_patterns;
   if (kind >= ED_DAMPER_FORCE)
-    return kind <= ED_DAMPER_WORK && object >= 0 && object < model->n_devices && component >= 0 &&
+    return kind <= ED_DAMPER_WORK && object >= 0 && object < model->n_devices + ED_HISTORY_FORCES && component >= 0 &&
            component <= (kind == ED_DAMPER_DEFORMATION);
   if (object < 0 || object >= model->n_members || component < 0)
     return 0;
@@ -112,7 +112,7 @@ static double node_value(const ed_analysis *a, const ed_term *term)
 {
   const int degree = 3 * term->object + term->component, equation = a->equation[degree];
   if (term->kind == ED_REACTION)
-    return a->resisting[degree];
+    return a->resisting[degree] - (equation < 0 ? ed_history_force_on(a, degree) : 0.0);
   double ground = 0.0;
   if (term->kind == ED_TOTAL_ACCELERATION && term->component < 2 && a->run.kind == ED_RUN_HISTORY)
     ground = a->run.ground_now[term->component];
@@ -178,7 +178,8 @@ double ed_channel_value(const ed_analysis *a, int channel)
     else if (term->kind == ED_LOAD_FACTOR)
       part = a->factors_committed[term->object];
     else if (term->kind >= ED_DAMPER_FORCE)
-      part = ed_device_value(a, term->kind, term->object, term->component);
+      part = term->object < a->model->n_devices ? ed_device_value(a, term->kind, term->object, term->component)
+                                                : ed_history_force_value(a, term->kind, term->object - a->model->n_devices);
     else
       part = element_value(a, term);
     value += term->coefficient * part;
