@@ -140,9 +140,7 @@ class Analysis:
         )
         return recording
 
-    def recorded(
-        self, recording: Recording, status: str = "completed", reason: str = "", cpu: float = 0.0
-    ) -> Response:
+    def recorded(self, recording: Recording, status: str = "completed", reason: str = "", cpu: float = 0.0) -> Response:
         """Return what a run has recorded, once it has ended; arguments as of `Response`, with CPU seconds."""
         n = int(np.count_nonzero(np.isfinite(recording.abscissa)))
         extremes = [np.zeros(len(recording.channels)) for _ in range(5)]

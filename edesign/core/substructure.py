@@ -268,7 +268,9 @@ class SubstructureLoop:
         if values.ndim != (2 if given else 1) or len(values) < 2 or (given and values.shape[1] != 3):
             raise ValueError(f"drive has the shape {values.shape}")
         n, done = len(values) - 1, ffi.new("int *")
-        frame = self._numerical if isinstance(self._numerical, FrameNumericalPart) and self._numerical.channels else None
+        frame = (
+            self._numerical if isinstance(self._numerical, FrameNumericalPart) and self._numerical.channels else None
+        )
         recording = frame.analysis.record(frame.channels, n + 1, frame.steps, frame.limits) if frame else None
         record = np.empty((n + 1, lib.ED_RTS_CHANNELS + self._outputs))
         status = lib.ed_substructure_run(

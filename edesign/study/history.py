@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.damping import rayleigh_coefficients
-from edesign.core import HHT, GeneralisedAlpha, Integrator, Modes, Newmark, Response
+from edesign.core import HHT, GeneralisedAlpha, Integrator, Modes, Newmark
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record import Record
@@ -18,18 +18,10 @@ from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.project import Project
 from edesign.project.records import record_of
-from edesign.study import quantities as q
-from edesign.study.buckling import buckling_warnings
-from edesign.study.collapse import collapse_reason, drift_limits
-from edesign.study.dampers import strain_warnings
+from edesign.study.history_results import HistoryResults
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, level_factor, project_motions
-from edesign.study.recording import Quantity, channels, coordinate, store, store_run
-from edesign.study.requested import requested_quantities
-from edesign.study.residual import DEFINITION, residual
 from edesign.study.structure import Structure, make_structure
-from edesign.study.validity import judged, rotation_limits, rotation_names
-from edesign.study.warnings import store_warnings
 
 MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; every quantity keeps 8 bytes of each step in memory
 
@@ -61,66 +53,19 @@ def run_history(
     factor = scale_factor(project, spec, motion.record)
     ground = input_motion(motion.record, factor, project.integration.time_step, spec.free_vibration)
     structure = make_structure(project, dampers=spec.dampers)
-    frame = structure.frame
-    group = Group()
-    q.coordinates(group, frame)
-    wanted = project.outputs.histories
-    floors, storeys = "floors" in wanted, "storeys" in wanted
-    displacements, drift = q.floor_displacements(frame, history=True), q.storey_drifts(frame, history=True)
-    drifts = q.line_drifts(frame)
-    requested = requested_quantities(project, frame, group)
-    others = [
-        q.floor_accelerations(frame, floors),
-        q.floor_relative_accelerations(frame),
-        q.storey_shears(frame, storeys),
-        q.base_shear(frame, storeys),
-        *q.member_forces(frame, q.bending_members(frame), "member", history=False),
-        *q.axial_forces(frame),
-        *q.plastic_rotations(frame),
-        *q.dampers(frame, "dampers" in wanted),
-        *requested,
-    ]
-    names = rotation_names(frame, drifts, others)
+    results = HistoryResults(project, structure.frame, spec.collapse_drift)
     period = load_and_damp(project, structure)
-    group.attributes |= _provenance(motion, factor, ground, spec) | {"fundamental_period_s": period}
-    # Every step is recorded, whatever is kept later: the residual response does not depend on what is kept.
     response = structure.analysis.history(
         ground.acceleration,
         ground.time_step,
         method=integrator(project.integration),
-        channels=channels([displacements, drift, drifts, *others]),
+        channels=results.channels,
         progress=progress,
         stop=stop,
-        limits=rotation_limits(project, names) | drift_limits(drifts, spec.collapse_drift),
+        limits=results.limits,
     )
-    response, doubts = judged(response, project, names)
-    reason = "" if doubts is None else collapse_reason(response, drifts, q.line_drift_storeys(frame))
-    if reason:
-        response = replace(response, status="failed", reason=reason)
-        group.attributes["collapsed"] = True
-    every = project.outputs.every
-    coordinate(group, "time", response.time[::every], "s", "time from the start of the record")
-    samples = ground.acceleration[: response.time.size : every]
-    group.add("ground_acceleration", ("time",), samples, "m/s^2", "ground acceleration as applied")
-    store(group, [_kept(displacements, floors), _kept(drift, storeys), *others], response, "time", every)
-    q.store_drift_extremes(group, frame, drifts, response)
-    warnings = buckling_warnings(group, project, frame)
-    if "damper_strain_max" in group.variables:
-        strain = np.maximum(group.variables["damper_strain_max"].values, -group.variables["damper_strain_min"].values)
-        warnings += strain_warnings(frame.devices, strain)
-    store_warnings(group, [] if doubts is None else [*doubts, *warnings])
-    _store_energy(group, response, every, "energy" in wanted)
-    if response.status == "completed":
-        floors_left = residual(displacements.values(response), ground.time_step, period)
-        label = f"residual displacement of the floor: {DEFINITION}"
-        group.add("residual_floor_displacement", ("floor",), floors_left, "m", label)
-        label = f"residual roof displacement: {DEFINITION}"
-        group.add("residual_roof_displacement", (), floors_left[-1], "m", label)
-        label = f"residual drift ratio of the storey: {DEFINITION}"
-        group.add(
-            "residual_storey_drift", ("storey",), residual(drift.values(response), ground.time_step, period), "1", label
-        )
-    store_run(group, response, "time", "s")
+    group = results.group(response, ground.acceleration, ground.time_step, period, project.outputs.every)
+    group.attributes |= _provenance(motion, factor, ground, spec)
     return group
 
 
@@ -216,11 +161,6 @@ def load_and_damp(project: Project, structure: Structure) -> float:
     return float(under_gravity.period[0])
 
 
-def _kept(quantity: Quantity, history: bool) -> Quantity:
-    """The quantity as it is stored: with its history or without."""
-    return quantity if history else replace(quantity, history=False)
-
-
 def _provenance(motion: Motion, factor: float, ground: Record, spec: HistoryAnalysis) -> dict[str, object]:
     recorded = motion.found.record
     return {
@@ -238,13 +178,3 @@ def _provenance(motion: Motion, factor: float, ground: Record, spec: HistoryAnal
         "time_step_s": ground.time_step,
         "free_vibration_s": spec.free_vibration,
     }
-
-
-def _store_energy(group: Group, response: Response, every: int, history: bool) -> None:
-    terms = list(response.energy)
-    table = np.array([response.energy[term] for term in terms]).T
-    coordinate(group, "energy_term", terms, "", "term of the energy balance")
-    if history:
-        group.add("energy", ("time", "energy_term"), table[::every], "J", "energy since the start of the record")
-    if table.size:
-        group.add("energy_final", ("energy_term",), table[-1], "J", "energy at the end")
