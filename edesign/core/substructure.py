@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from math import inf
+from time import thread_time
 from typing import Any
 
 import numpy as np
@@ -120,13 +121,14 @@ class Recursion:
 
     w = (F_k, F_(k-1), a_g,k, a_g,k+1) is what is known at the start of the step, in N and m/s2. y' is at its end:
     target displacement (m), velocity (m/s) and acceleration (m/s2) of the specimen's deformation, then displacements
-    of all n degrees (m). Before the first step z = 0, at rest; so the ground motion should begin with zero.
+    of all n degrees (m), and m more that are recorded. Before the first step z = 0, at rest; so the ground motion
+    should begin with zero.
 
     Attributes:
         A: (s, s).
         B: (s, 4).
-        C: (3 + n, s).
-        D: (3 + n, 4).
+        C: (3 + n + m, s).
+        D: (3 + n + m, 4).
     """
 
     A: np.ndarray
@@ -273,14 +275,16 @@ class SubstructureLoop:
         )
         recording = frame.analysis.record(frame.channels, n + 1, frame.steps, frame.limits) if frame else None
         record = np.empty((n + 1, lib.ED_RTS_CHANNELS + self._outputs))
+        cpu = thread_time()
         status = lib.ed_substructure_run(
             self._handle, n, ffi.from_buffer("double[]", values), seed, ffi.from_buffer("double[]", record), done
         )
+        cpu = thread_time() - cpu
         raise_if_stopped(status)
         if status < 0:
             why = ffi.string(lib.ed_substructure_message(self._handle)).decode(errors="replace")
             raise CoreError(status_name(status), f"substructure test: failed at {done[0] * self.step:.6g} s: {why}")
-        found = frame.analysis.recorded(recording) if frame and recording else None
+        found = frame.analysis.recorded(recording, cpu=cpu) if frame and recording else None
         aborted = status == lib.ED_LIMIT
         if found is not None and recording is not None and aborted:
             passed = _passed(found, recording.limits, (done[0] - 1) * self.step)

@@ -7,6 +7,8 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
+from edesign.study.outcome import FAILED
+from edesign.study.plan import ANALYSES
 from edesign.substructure.indicators import definitions
 from edesign.substructure.virtual_tests import TestResults, VirtualTest
 
@@ -27,7 +29,7 @@ HISTORIES = {
 
 
 def groups(results: TestResults, histories: Sequence[str]) -> Iterator[tuple[str, Group]]:
-    """Yield the groups of a test with their places: what drove it, then the histories of each compensator.
+    """Yield the groups of a test with their places: what drove it, the histories of each compensator, the buildings.
 
     Args:
         results: of the test.
@@ -38,6 +40,24 @@ def groups(results: TestResults, histories: Sequence[str]) -> Iterator[tuple[str
         group = Group(attributes={"outcome": run.outcome, "reason": run.reason})
         _add_histories(group, run, histories)
         yield f"{PLACE}/{results.name}/{run.compensator}", group
+    if results.direct is not None:
+        yield _analysis(results, results.direct.building)
+        for run in results.runs:
+            failed = Group(attributes={"status": FAILED, "reason": run.reason})
+            yield _analysis(results, run.building or failed, run.compensator)
+
+
+def building_name(test: str, compensator: str = "") -> str:
+    """Return the name under which the building of a test stands among the analyses; of its direct one without both."""
+    return f"{test}:{compensator}" if compensator else test
+
+
+def _analysis(results: TestResults, building: Group, compensator: str = "") -> tuple[str, Group]:
+    """The response of the building as an analysis of `edesign run` is archived."""
+    name = building_name(results.name, compensator)
+    labels = {"name": name, "kind": "history", "variant": compensator or None, "record": results.drive.record}
+    attributes = {**labels, "level": None, "input_motion": results.drive.source, **building.attributes}
+    return f"{ANALYSES}/{name}", Group(building.coords, building.variables, attributes)
 
 
 def indicators(runs: Sequence[VirtualTest]) -> Group:
@@ -55,6 +75,8 @@ def indicators(runs: Sequence[VirtualTest]) -> Group:
     group.add("response_error", ("run",), [run.response_error for run in runs], "1", text)
     text = "relative error of the largest deformation"
     group.add("peak_error", ("run",), [run.peak_error for run in runs], "1", text)
+    text = "as the response error, of the drift of the storey where it is largest"
+    group.add("building_error", ("run",), [run.building_error for run in runs], "1", text)
     for i, unit in enumerate(("1", "s", "s^2")):
         text = f"mean of alpha_{i} while the specimen moves"
         group.add(f"mean_alpha_{i}", ("run",), [run.alpha[i] for run in runs], unit, text)
@@ -80,8 +102,6 @@ def _test(results: TestResults) -> Group:
     if direct is not None:
         group.add("direct_deformation", ("time",), direct.deformation, "m", "deformation of the damper, without a test")
         group.add("direct_force", ("time",), direct.force, "N", "force of the damper, without a test")
-        group.coords["floor"] = Variable(("floor",), np.arange(1, direct.floors.shape[1] + 1), "1", "floor, from below")
-        group.add("direct_floors", ("time", "floor"), direct.floors, "m", "displacement of the floors, without a test")
     return group
 
 
@@ -103,6 +123,3 @@ def _add_histories(group: Group, run: VirtualTest, histories: Sequence[str]) -> 
         late = record.measured - record.target
         work = np.concatenate([[0.0], np.cumsum(0.5 * (record.force[1:] + record.force[:-1]) * np.diff(late))])
         group.add("interface_energy_error", ("time",), work, "J", "work that the test feeds into the structure")
-    if run.floors.shape[1]:
-        group.coords["floor"] = Variable(("floor",), np.arange(1, run.floors.shape[1] + 1), "1", "floor, from below")
-        group.add("floors", ("time", "floor"), run.floors, "m", "displacement of the floors in the numerical part")

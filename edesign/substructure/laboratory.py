@@ -7,6 +7,7 @@ from math import inf
 
 import numpy as np
 
+from edesign.building.devices import Device
 from edesign.core.compensator import AdaptiveTimeSeries, Compensator, LiveDelay
 from edesign.core.damper import LawValues
 from edesign.core.substructure import LinearRig, RigLimits, Sensors, ServoHydraulicRig
@@ -15,6 +16,7 @@ from edesign.damper.specimen import Specimen
 from edesign.errors import InputError
 from edesign.project.dampers import DamperLaw, LawDescription, Prototype
 from edesign.project.damping import ModalDamping, NoDamping, RayleighDamping
+from edesign.project.outputs import HistoryKind
 from edesign.project.substructure import compensators as kinds
 from edesign.project.substructure import rig as rig_kinds
 from edesign.project.substructure.rts_file import RtsFile
@@ -23,10 +25,13 @@ from edesign.substructure.compensation import compensators
 from edesign.substructure.rig import rigs
 from edesign.substructure.rig.rigs import RigTransfer
 from edesign.substructure.sized_damper import SizedDamper
+from edesign.substructure.structure.linear_building import LinearBuilding, building_of_floors
 from edesign.substructure.structure.numerical import LinearPart, shear_building
 from edesign.substructure.structure.project_frame import ProjectFrame, loop_grows
 from edesign.substructure.structure.project_structure import project_part
 
+FRAME_HISTORIES: tuple[HistoryKind, ...] = ("floors", "storeys", "dampers", "energy")
+"""What is kept over time of the building, if it is."""
 STIFF_OIL = 1e15
 """N/m of an oil column that does not give way: 1e-6 of the displacement of the stiffest specimen of 1 GN/m."""
 
@@ -52,19 +57,25 @@ class TestedDamper:
     warnings: tuple[str, ...]
 
 
+NOTHING = TestedDamper(
+    LawValues("kelvin_voigt", (0.0, 0.0)), (1.0, 1.0), DamperLaw(type="kelvin_voigt"), None, None, ()
+)
+"""In a rig that moves alone."""
+
+
 @dataclass(frozen=True)
 class TestedStructure:
     """The structure in the computer.
 
     Attributes:
         part: its matrices; of a frame that may yield those of its tangent under gravity, for margins.
-        floors: (n_floors, n) horizontal displacement of each floor by those of the degrees.
+        building: floors and storeys of the part.
         warnings: what the linear part leaves out.
         frame: that may yield, and runs in the loop; None: the linear part does.
     """
 
     part: LinearPart
-    floors: np.ndarray
+    building: LinearBuilding
     warnings: tuple[str, ...]
     frame: ProjectFrame | None = None
 
@@ -103,9 +114,10 @@ def laboratory(file: RtsFile) -> Laboratory:
     Raises:
         InputError: the law or the structure cannot be tested so; the message says why, and where it stands.
     """
-    structure, scales = _structure(file)
-    damper = _damper(file, scales)
-    structure = _with_limit(structure, stiffness_of(damper), file)
+    structure, device = _structure(file)
+    damper = _damper(file, None if device is None else (device.force_scale, device.deformation_scale))
+    if structure is not None and device is not None and file.may_yield:
+        structure = _with_frame(structure, device, damper or NOTHING, file)
     plant = file.plant
     transfer = rig_transfer(plant, stiffness_of(damper))
     limits = plant.limits
@@ -121,13 +133,14 @@ def laboratory(file: RtsFile) -> Laboratory:
     )
 
 
-def _structure(file: RtsFile) -> tuple[TestedStructure | None, tuple[float, float] | None]:
-    """The structure, and the size of the damper in it if a project says it."""
+def _structure(file: RtsFile) -> tuple[TestedStructure | None, Device | None]:
+    """The structure, and the damper in it if a project says it."""
     described = file.structure
     if isinstance(described, ShearBuilding):
         count = len(described.masses)
         part = shear_building(described.masses, described.stiffnesses, _damping(described), described.storey)
-        return TestedStructure(part, np.eye(count), ()), None
+        period = 1.0 / float(part.frequencies()[0])
+        return TestedStructure(part, building_of_floors(count, period), ()), None
     if not isinstance(described, ProjectStructure):
         return None, None
     assert file.project is not None
@@ -136,18 +149,18 @@ def _structure(file: RtsFile) -> tuple[TestedStructure | None, tuple[float, floa
         raise InputError(
             f"{where}: structure.physical: one actuator moves one device; {len(described.physical)} are named"
         )
-    may_yield = described.frame == "nonlinear"
-    found = project_part(file.project, described.physical[0], vertical=False, estimate=may_yield)
-    device = found.device
-    frame = ProjectFrame(file.project, device) if may_yield else None
-    structure = TestedStructure(found.part, found.floors, found.warnings, frame)
-    return structure, (device.force_scale, device.deformation_scale)
+    found = project_part(file.project, described.physical[0], vertical=False, estimate=file.may_yield)
+    return TestedStructure(found.part, found.building, found.warnings), found.device
 
 
-def _with_limit(structure: TestedStructure | None, specimen_stiffness: float, file: RtsFile) -> TestedStructure | None:
-    """The structure, with a warning where the loop of its frame is not stable with an ideal rig."""
-    if structure is None or structure.frame is None:
-        return structure
+def _with_frame(structure: TestedStructure, device: Device, damper: TestedDamper, file: RtsFile) -> TestedStructure:
+    """The structure with its frame that may yield, and a warning where its loop is not stable with an ideal rig."""
+    assert file.project is not None
+    collapse = file.analysis.collapse_drift if file.analysis is not None else None
+    kept = FRAME_HISTORIES if "building" in file.outputs.histories else ()
+    frame = ProjectFrame(file.project, device, damper.values, damper.scales, collapse, kept)
+    structure = replace(structure, frame=frame)
+    specimen_stiffness = stiffness_of(damper)
     step, force = file.loop.main_step, file.loop.force
     if not loop_grows(structure.part, specimen_stiffness, step, force == "held"):
         return structure

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
+from edesign.archive.dataset import Group
 from edesign.core.compensator import AdaptiveTimeSeries, Compensator
-from edesign.core.damper import LawValues
 from edesign.core.frame_part import FrameNumericalPart
 from edesign.core.substructure import (
     SATURATED,
@@ -19,7 +19,6 @@ from edesign.core.substructure import (
 )
 from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.project_records import find_recordings
-from edesign.project.dampers import DamperLaw
 from edesign.project.substructure.checks_tests import MOST_STEPS
 from edesign.project.substructure.programme import CommandTest, RecordTest, RtsTest
 from edesign.project.substructure.rts_file import RtsFile
@@ -27,7 +26,14 @@ from edesign.stopping import Wish, stoppable
 from edesign.substructure.commands import command_motion
 from edesign.substructure.compensation import compensators
 from edesign.substructure.indicators import Tracking, tracking
-from edesign.substructure.laboratory import Laboratory, TestedDamper, compensator_of, laboratory, stiffness_of
+from edesign.substructure.laboratory import (
+    NOTHING,
+    Laboratory,
+    TestedDamper,
+    compensator_of,
+    laboratory,
+    stiffness_of,
+)
 from edesign.substructure.methods.method_tests import MethodResults, run_method
 from edesign.substructure.rig import rigs
 from edesign.substructure.structure.project_frame import ProjectFrame
@@ -40,10 +46,6 @@ FRAME_FINER = 2
 """The same of a frame that may yield, which takes a hundred times as long."""
 DIVERGED = 10.0
 """Times the largest direct deformation, or given target, at which a test counts as unstable: its loop feeds itself."""
-NOTHING = TestedDamper(
-    LawValues("kelvin_voigt", (0.0, 0.0)), (1.0, 1.0), DamperLaw(type="kelvin_voigt"), None, None, ()
-)
-"""In a rig that moves alone."""
 
 
 @dataclass(frozen=True)
@@ -55,12 +57,14 @@ class Drive:
         ground: (n,) ground acceleration, m/s2; None: targets are given.
         target: (n, 3) m, m/s, m/s2; None: the structure makes them.
         source: in words.
+        record: name of the ground motion, "" without one.
     """
 
     time: np.ndarray
     ground: np.ndarray | None
     target: np.ndarray | None
     source: str
+    record: str = ""
 
     @property
     def wanted(self) -> np.ndarray:
@@ -75,12 +79,14 @@ class Direct:
     Attributes:
         deformation: (n,) of the damper, m.
         force: (n,) of the damper, N.
-        floors: (n, n_floors) horizontal displacement of the floors, m.
+        drift: (n, n_storeys) of the storeys, a ratio, or in m where heights are not known.
+        building: its response as the group of a history.
     """
 
     deformation: np.ndarray
     force: np.ndarray
-    floors: np.ndarray
+    drift: np.ndarray
+    building: Group
 
 
 @dataclass(frozen=True)
@@ -92,11 +98,12 @@ class VirtualTest:
         kind: of the test.
         time: (n,) s; shorter than asked for if the test was ended.
         record: of the loop; None: the specimen's law failed.
-        floors: (n, n_floors) displacement of the floors in the numerical part, m; (n, 0) without structure.
+        building: response of the numerical part as the group of a history; None: there is none.
         tracking: how well the rig followed; None for a test that did not reach its end.
         response_error: root mean square of the error of the damper's deformation over that of the direct analysis; NaN
             without a structure.
         peak_error: relative error of its largest magnitude.
+        building_error: as `response_error`, of the drift of the storey where it is largest.
         alpha: (3,) means of the adaptive coefficients between the first and the last motion above the threshold; NaN of
             other compensators.
         outcome: `done`, `unstable` or `failed`.
@@ -109,10 +116,11 @@ class VirtualTest:
     kind: str
     time: np.ndarray
     record: LoopRecord | None
-    floors: np.ndarray
+    building: Group | None
     tracking: Tracking | None
     response_error: float
     peak_error: float
+    building_error: float
     alpha: np.ndarray
     outcome: str
     reason: str
@@ -220,14 +228,15 @@ class VirtualLaboratory:
         said = f"{motion.record} x {scale:.4g}"
         if record.time_step > 1.001 * step:
             said += f", linear between its samples {1e3 * record.time_step:.4g} ms apart"
-        return Drive(time, ground, None, said)
+        return Drive(time, ground, None, said, motion.record)
 
     def _numerical(self, step: float, method: str, force: str) -> Recursion:
         structure = self.laboratory.structure
         assert structure is not None
         rho = self.file.integration.rho_inf
         stiffness = stiffness_of(self.damper)
-        return recursion(structure.part, step, method, force, specimen_stiffness=stiffness, rho=rho)
+        rows = structure.building.floor_rows
+        return recursion(structure.part, step, method, force, specimen_stiffness=stiffness, rho=rho, accelerations=rows)
 
     def direct(self, drive: Drive) -> Direct:
         """Return the response without laboratory: an ideal rig, exact integration, steps too fine to count.
@@ -254,16 +263,40 @@ class VirtualLaboratory:
             scales=self.damper.scales,
         )
         found = loop.run(np.interp(time, drive.time, drive.ground))
-        floors = found.outputs[::FINER] @ self.laboratory.structure.floors.T
-        return Direct(found.deformation[::FINER], found.true_force[::FINER], floors)
+        group, drift = self._linear_building(drive, found.outputs[::FINER])
+        return Direct(found.deformation[::FINER], found.true_force[::FINER], drift, group)
 
     def _direct_frame(self, frame: ProjectFrame, drive: Drive) -> Direct:
         assert drive.ground is not None
         step = self.file.loop.main_step / FRAME_FINER
         time = step * np.arange(FRAME_FINER * (len(drive.time) - 1) + 1)
         ground = np.interp(time, drive.time, drive.ground)
-        found = frame.response(ground, step, self.damper.values, self.damper.scales, FRAME_FINER)
-        return Direct(found.deformation, found.force, found.floors)
+        found = frame.direct(ground, step, FRAME_FINER)
+        return Direct(found.deformation, found.force, found.drift, found.group)
+
+    def _linear_building(self, drive: Drive, outputs: np.ndarray, failed: str = "") -> tuple[Group, np.ndarray]:
+        """Response of the building, and its drifts, by the outputs of a recursion at main steps."""
+        assert drive.ground is not None and self.laboratory.structure is not None
+        structure, count = self.laboratory.structure, len(outputs)
+        degrees = len(structure.part.names)
+        displacements, accelerations = outputs[:, :degrees], outputs[:, degrees:].copy()
+        accelerations[0] = -drive.ground[0] * (structure.building.floor_rows @ structure.part.influence)  # at rest
+        time, ground, kept = drive.time[:count], drive.ground[:count], "building" in self.file.outputs.histories
+        group = structure.building.group(time, displacements, accelerations, ground, kept, failed)
+        return group, structure.building.drifts(displacements)
+
+    def _building(self, drive: Drive, record: LoopRecord, failed: str) -> tuple[Group, np.ndarray]:
+        """Response of the numerical part in a test, and its drifts."""
+        structure = self.laboratory.structure
+        assert drive.ground is not None and structure is not None
+        if structure.frame is None:
+            return self._linear_building(drive, record.outputs, failed)
+        found = record.frame
+        assert found is not None
+        if record.aborted:
+            found = replace(found, reason=failed)
+        response = structure.frame.tested(found, drive.ground, self.file.loop.main_step)
+        return response.group, response.drift
 
     def _in_loop(self) -> Recursion | FrameNumericalPart:
         """The numerical part of tests with a loop."""
@@ -301,31 +334,35 @@ class VirtualLaboratory:
     def _judged(
         self, test: CommandTest | RtsTest, compensator: str, drive: Drive, direct: Direct | None, record: LoopRecord
     ) -> VirtualTest:
-        structure, count = self.laboratory.structure, len(record.target)
-        floors = np.zeros((count, 0))
-        if direct is not None and structure is not None:
-            floors = record.outputs if structure.frame is not None else record.outputs @ structure.floors.T
+        count = len(record.target)
         bits = int(np.bitwise_or.reduce(record.saturated))
-        outcome, reason, tracked = "done", "", None
-        response = peak = np.nan
+        outcome, reason, tracked, group = "done", "", None, None
+        response = peak = of_building = np.nan
         if record.aborted:
             outcome = "unstable"
             what = "largest target" if direct is None else "direct deformation"
             reason = f"diverged: {DIVERGED:g} times the {what} after {drive.time[count - 1]:.4g} s"
-        else:
+        drift = np.zeros((count, 0))
+        if direct is not None:
+            group, drift = self._building(drive, record, reason)
+            if group.attributes["status"] != "completed" and outcome == "done":
+                outcome, reason = "failed", f"the numerical part: {group.attributes['reason']}"
+        if outcome == "done":
             tracked = tracking(record.target, record.measured, self.file.loop.main_step, record.force)
-            if direct is not None:
-                response, peak = response_errors(record.deformation, direct.deformation)
+        if outcome == "done" and direct is not None:
+            response, peak = response_errors(record.deformation, direct.deformation)
+            of_building = _largest_error(drift, direct.drift)
         return VirtualTest(
             test=test.name,
             compensator=compensator,
             kind=test.kind,
             time=drive.time[:count],
             record=record,
-            floors=floors,
+            building=group,
             tracking=tracked,
             response_error=response,
             peak_error=peak,
+            building_error=of_building,
             alpha=_mean_alpha(record, self.compensators[compensator]),
             outcome=outcome,
             reason=reason,
@@ -345,6 +382,12 @@ def response_errors(found: np.ndarray, direct: np.ndarray) -> tuple[float, float
     return float(np.sqrt(np.mean((found - direct) ** 2))) / size, float(np.max(np.abs(found))) / peak - 1.0
 
 
+def _largest_error(found: np.ndarray, direct: np.ndarray) -> float:
+    """Root mean square error over that of the direct analysis, of the column where it is largest; NaN: none moves."""
+    errors = [response_errors(one, other)[0] for one, other in zip(found.T, direct.T, strict=True)]
+    return max((error for error in errors if not np.isnan(error)), default=np.nan)
+
+
 def _mean_alpha(record: LoopRecord, compensator: Compensator) -> np.ndarray:
     """From the first to the last displacement above the threshold: before and after, rest and noise would count."""
     moving = np.flatnonzero(np.abs(record.measured) > getattr(compensator, "threshold", np.inf))
@@ -360,10 +403,11 @@ def _failed(test: CommandTest | RtsTest, compensator: str, reason: str) -> Virtu
         kind=test.kind,
         time=np.zeros(0),
         record=None,
-        floors=np.zeros((0, 0)),
+        building=None,
         tracking=None,
         response_error=np.nan,
         peak_error=np.nan,
+        building_error=np.nan,
         alpha=np.full(3, np.nan),
         outcome="failed",
         reason=reason,

@@ -25,8 +25,8 @@ from edesign.project.substructure.specimen import PlacedLaw, Specimen
 from edesign.project.substructure.structure import ProjectStructure, Structure
 from edesign.project.units import PositiveFactor, PositiveRatio
 
-Channel = Literal["target", "measured", "command", "force", "alpha", "energy"]
-CHANNELS: tuple[Channel, ...] = ("target", "measured", "command", "force", "alpha", "energy")
+Channel = Literal["target", "measured", "command", "force", "alpha", "energy", "building"]
+CHANNELS: tuple[Channel, ...] = ("target", "measured", "command", "force", "alpha", "energy", "building")
 
 
 class RtsCriteria(Model):

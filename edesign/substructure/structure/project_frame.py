@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
 
+from edesign.archive.dataset import Group
 from edesign.building.devices import Device
-from edesign.core import Channel, LawValues
+from edesign.building.frame import FrameModel
+from edesign.core import Channel, LawValues, Response
 from edesign.core.frame_part import FrameNumericalPart
+from edesign.core.response import energy_error
 from edesign.errors import AnalysisError, InputError
+from edesign.project.outputs import HistoryKind
 from edesign.project.project import Project
 from edesign.study.history import integrator, load_and_damp
-from edesign.study.quantities import floor_displacements
+from edesign.study.history_results import HistoryResults
 from edesign.study.structure import Structure, make_frame, make_structure
 from edesign.substructure.structure.numerical import LinearPart
 
 GROWTH = 1e-9
 """Of a step, that rounding errors make."""
+DEFORMATION, FORCE, WORK = (f"{what} of the specimen" for what in ("deformation", "force", "work"))
+"""Channels that are recorded beside those of a history."""
 
 
 def loop_grows(part: LinearPart, specimen_stiffness: float, step: float, held: bool) -> bool:
@@ -47,38 +53,59 @@ def loop_grows(part: LinearPart, specimen_stiffness: float, step: float, held: b
 
 
 @dataclass(frozen=True)
-class Response:
-    """Of the frame with its damper in it.
+class _Ready:
+    """A frame in the state in which tests begin, and its fundamental period under gravity, s."""
+
+    structure: Structure
+    state: np.ndarray
+    period: float
+
+
+@dataclass(frozen=True)
+class FrameResponse:
+    """Response of the frame at main steps.
 
     Attributes:
-        deformation, force: (n,) of the damper, m and N.
-        floors: (n, n_floors) horizontal displacement of the floors, m.
+        group: what a history of the project would archive.
+        drift: (n, n_storeys) drift ratio of each storey.
+        deformation, force: (n,) of the damper as the frame meets it, m and N.
     """
 
+    group: Group
+    drift: np.ndarray
     deformation: np.ndarray
     force: np.ndarray
-    floors: np.ndarray
 
 
 @dataclass(frozen=True, eq=False)
 class ProjectFrame:
-    """The frame of a project without the damper that stands in the laboratory, under gravity.
+    """The frame of a project of which one damper stands in the laboratory: without it, or with it in the frame.
 
     Attributes:
         project: the validated project; its `integration` is that of the frame.
         device: the damper in the laboratory.
+        law, scales: of it in the tests, and of its force and deformation.
+        collapse_drift: drift ratio at which a history ends as collapsed; None: there is none.
+        histories: what is kept of a response over time.
     """
 
     project: Project
     device: Device
-    _ready: list[tuple[Structure, np.ndarray]] = field(default_factory=list)
+    law: LawValues
+    scales: tuple[float, float]
+    collapse_drift: float | None = None
+    histories: tuple[HistoryKind, ...] = ()
+    _ready: list[_Ready] = field(default_factory=list)
 
-    def numerical_part(self, force: Literal["extrapolated", "held"], steps: int = 1) -> FrameNumericalPart:
-        """Return the frame, whose outputs are the displacements of its floors; all parts share one analysis.
+    def numerical_part(
+        self, force: Literal["extrapolated", "held"], steps: int = 1, record: bool = True
+    ) -> FrameNumericalPart:
+        """Return the frame without the damper; all parts share one analysis.
 
         Args:
             force: of the specimen over a main step.
             steps: of the frame in a main step.
+            record: whether it records what `tested` evaluates.
 
         Raises:
             InputError: the project has no `integration`, or the frame cannot be built.
@@ -86,51 +113,87 @@ class ProjectFrame:
             CoreError: the frame is a mechanism without the damper.
         """
         if not self._ready:
-            structure = self._structure(None)
-            self._ready.append((structure, structure.analysis.state()))
-        structure, rest = self._ready[0]
-        structure.analysis.restore(rest)
-        outputs = tuple(floor_displacements(structure.frame, history=True).channels())
+            self._ready.append(self._prepared(inside=False))
+        ready = self._ready[0]
+        analysis = ready.structure.analysis
+        analysis.restore(ready.state)
+        results, own = self._recorded(ready.structure.frame)
+        channels, limits = ([*results.channels, *own], results.limits) if record else ([], {})
         assert self.project.integration is not None
         method = integrator(self.project.integration)
-        return FrameNumericalPart(structure.analysis, self.device.terms, outputs, method, force, steps)
+        return FrameNumericalPart(analysis, self.device.terms, tuple(channels), limits, method, force, steps)
 
-    def response(
-        self, ground: np.ndarray, step: float, law: LawValues, scales: tuple[float, float], every: int = 1
-    ) -> Response:
+    def tested(self, found: Response, ground: np.ndarray, step: float) -> FrameResponse:
+        """Return the response of the frame in a test.
+
+        The work that the frame does on the specimen is one of its dampers' there, and no input less, as it is with the
+        damper in the frame.
+
+        Args:
+            found: what `numerical_part` recorded.
+            ground: (n,) ground acceleration at main steps, m/s2.
+            step: main step, s.
+        """
+        work = found.values[WORK]
+        energy = {**found.energy, "input": found.energy["input"] + work, "dampers": found.energy["dampers"] + work}
+        balance = energy_error(energy, self._ready[0].structure.analysis.tolerance)
+        found = replace(found, energy=energy, statistics={**found.statistics, "energy_error": balance})
+        return self._response(self._ready[0], found, ground, step, 1)
+
+    def direct(self, ground: np.ndarray, step: float, every: int = 1) -> FrameResponse:
         """Return the response of the frame with the damper in it, without laboratory.
 
         Args:
             ground: (n,) ground acceleration at steps, m/s2.
             step: s.
-            law: of the damper.
-            scales: of its force and deformation.
             every: so many steps from one instant of the response to the next.
 
         Raises:
-            AnalysisError: equilibrium was lost; the message says when and why.
+            AnalysisError: equilibrium was lost, or the result does not count; the message says when and why.
         """
-        structure = self._structure((law, scales))
-        number = len(structure.frame.model.damper_names) - 1
-        floors = floor_displacements(structure.frame, history=True)
-        own = [Channel(kind, ((1.0, kind, number, 0),)) for kind in ("damper_deformation", "damper_force")]
+        ready = self._prepared(inside=True)
+        results, own = self._recorded(ready.structure.frame)
         assert self.project.integration is not None
-        found = structure.analysis.history(
-            ground, step, integrator(self.project.integration), [*floors.channels(), *own], every
-        )
-        if found.status != "completed":
-            raise AnalysisError(f"{self.project.path}: the frame with {self.device.name} in it: {found.reason}")
-        return Response(found.values["damper_deformation"], found.values["damper_force"], floors.values(found))
+        method = integrator(self.project.integration)
+        found = ready.structure.analysis.history(ground, step, method, [*results.channels, *own], limits=results.limits)
+        response = self._response(ready, found, ground, step, every)
+        if response.group.attributes["status"] != "completed":
+            reason = response.group.attributes["reason"]
+            raise AnalysisError(f"{self.project.path}: the frame with {self.device.name} in it: {reason}")
+        return response
 
-    def _structure(self, specimen: tuple[LawValues, tuple[float, float]] | None) -> Structure:
-        """The frame under gravity, damped, its dampers installed: the specimen as the last one, or without it."""
+    def _recorded(self, frame: FrameModel) -> tuple[HistoryResults, list[Channel]]:
+        """What a history of the frame records, and the damper in any case."""
+        number = frame.devices[-1].number
+        kinds = {DEFORMATION: "damper_deformation", FORCE: "damper_force", WORK: "damper_work"}
+        own = [Channel(name, ((1.0, kind, number, 0),)) for name, kind in kinds.items()]
+        return HistoryResults(self.project, frame, self.collapse_drift, self.histories), own
+
+    def _response(self, ready: _Ready, found: Response, ground: np.ndarray, step: float, every: int) -> FrameResponse:
+        results, _ = self._recorded(ready.structure.frame)
+        group = results.group(found, ground, step, ready.period, every)
+        group.attributes["height"] = self.project.frame.height
+        kept = (results.drift(found), found.values[DEFORMATION], found.values[FORCE])
+        return FrameResponse(group, *(values[::every] for values in kept))
+
+    def _prepared(self, inside: bool) -> _Ready:
+        """The frame under gravity, damped, its dampers installed; the specimen is the last of them, inside or not."""
         if self.project.integration is None:
             raise InputError(f"{self.project.path}: a frame that may yield needs `integration`")
         frame = make_frame(self.project, dampers=True, outside=(self.device.name,))
-        if specimen is not None:
-            law, (force, deformation) = specimen
-            name = self.device.name
+        force, deformation = self.scales
+        name, law, number = self.device.name, self.law, len(frame.model.damper_names)
+        if inside:
             frame.model.damper(name, law, self.device.terms, force_scale=force, deformation_scale=deformation)
-        structure = make_structure(self.project, frame)
-        load_and_damp(self.project, structure)
-        return structure
+        tested = self.device.tested_strain if law == self.device.values else None
+        device = replace(
+            self.device,
+            number=number,
+            values=law,
+            force_scale=force,
+            deformation_scale=deformation,
+            tested_strain=tested,
+        )
+        structure = make_structure(self.project, replace(frame, devices=(*frame.devices, device)))
+        period = load_and_damp(self.project, structure)
+        return _Ready(structure, structure.analysis.state(), period)

@@ -17,6 +17,7 @@ from edesign.project.project import Project
 from edesign.study.damper_stiffness import device_stiffness
 from edesign.study.dampers import attachments
 from edesign.study.structure import Structure, make_structure
+from edesign.substructure.structure.linear_building import LinearBuilding, building_of_frame
 from edesign.substructure.structure.numerical import LinearPart, modal_damping_matrix
 
 LINEAR_LAWS = {"kelvin_voigt": 2, "viscous": 1}
@@ -43,13 +44,13 @@ class ProjectPart:
     Attributes:
         part: the numerical part; the specimen's deformation and force are those of the whole device.
         device: the damper that stands in the laboratory; its law at its size.
-        floors: (n_floors, n) horizontal displacement of each floor's leading node by displacements of the degrees.
+        building: its floors and storeys by displacements of the degrees.
         warnings: what the linear part leaves out, sentences.
     """
 
     part: LinearPart
     device: Device
-    floors: np.ndarray
+    building: LinearBuilding
     warnings: tuple[str, ...] = ()
 
 
@@ -133,12 +134,12 @@ def project_part(project: Project, device: str, vertical: bool = True, estimate:
         _interface(project, specimen, direction @ condensed.shape),
         tuple(_equation_names(structure)[number] for number in condensed.heavy),
     )
-    part.modes()  # refuses an unstable one
-    floors = _floors(structure, condensed)
+    omega, _ = part.modes()  # refuses an unstable one
+    building = _building(structure, condensed, 2.0 * np.pi / omega[0] if omega[0] > 0.0 else np.inf)
     if estimate:
-        return ProjectPart(part, specimen, floors)
+        return ProjectPart(part, specimen, building)
     warnings = _in_series(project, specimen, condensed.flexibility(direction), part)
-    return ProjectPart(part, specimen, floors, (*warnings, *_yielding(project)))
+    return ProjectPart(part, specimen, building, (*warnings, *_yielding(project)))
 
 
 def _specimen(project: Project, structure: Structure, name: str) -> Device:
@@ -294,10 +295,10 @@ def _horizontal(structure: Structure) -> np.ndarray:
     return influence
 
 
-def _floors(structure: Structure, condensed: _Condensed) -> np.ndarray:
-    frame = structure.frame
-    across = [structure.analysis.equations[frame.nodes[name], 0] for name in frame.leading_nodes]
-    return np.array([condensed.shape[number] if number >= 0 else np.zeros(condensed.heavy.size) for number in across])
+def _building(structure: Structure, condensed: _Condensed, period: float) -> LinearBuilding:
+    across = structure.analysis.equations[:, 0]
+    rows = np.where(across[:, None] >= 0, condensed.shape[across], 0.0)
+    return building_of_frame(structure.frame, rows, period)
 
 
 def _equation_names(structure: Structure) -> list[str]:

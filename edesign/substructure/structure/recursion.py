@@ -48,6 +48,7 @@ def recursion(
     *,
     specimen_stiffness: float = 0.0,
     rho: float = 0.75,
+    accelerations: np.ndarray | None = None,
 ) -> Recursion:
     """Return the recursion of a numerical part with a method of integration.
 
@@ -71,11 +72,15 @@ def recursion(
         specimen_stiffness: estimate for the parameters of cr, kr_alpha, chang and alpha_os, and for the limits of the
             explicit methods, N/m.
         rho: spectral radius at infinite frequency, of kr_alpha (0 to 1) and alpha_os (1/2 to 1).
+        accelerations: (m, n) sums of the degrees whose accelerations relative to the ground, m/s2, are outputs after
+            the displacements; None: each step is spared them.
 
     Raises:
         InputError: an unknown method or force, an impossible number, or a step beyond the limit of the method.
     """
-    matrices = unchecked_recursion(part, step, method, force, specimen_stiffness=specimen_stiffness, rho=rho)
+    matrices = unchecked_recursion(
+        part, step, method, force, specimen_stiffness=specimen_stiffness, rho=rho, accelerations=accelerations
+    )
     largest, mode = largest_step(part, method, specimen_stiffness)
     if step > largest * (1.0 + _SLACK):
         frequency = part.frequencies(specimen_stiffness)[mode - 1]
@@ -95,6 +100,7 @@ def unchecked_recursion(
     *,
     specimen_stiffness: float = 0.0,
     rho: float = 0.75,
+    accelerations: np.ndarray | None = None,
 ) -> Recursion:
     """As `recursion`, but whether the method is stable is not asked."""
     if method not in METHODS:
@@ -107,10 +113,10 @@ def unchecked_recursion(
     if not 0.0 <= specimen_stiffness < math.inf:
         raise InputError(f"estimate of the specimen's stiffness: must not be negative, not {specimen_stiffness:g} N/m")
     with one_thread():
-        return _matrices(Equation(part, step, specimen_stiffness, rho), method, between)
+        return _matrices(Equation(part, step, specimen_stiffness, rho), method, between, accelerations)
 
 
-def _matrices(equation: Equation, method: str, between: ForceBetween) -> Recursion:
+def _matrices(equation: Equation, method: str, between: ForceBetween, accelerations: np.ndarray | None) -> Recursion:
     """Evaluate the step on unit vectors of the state and of what is known."""
     part, n = equation.part, len(equation.part.names)
     if method in AT_INSTANTS:
@@ -122,7 +128,10 @@ def _matrices(equation: Equation, method: str, between: ForceBetween) -> Recursi
     unit = np.eye(size + INPUTS)
     columns = [np.concatenate(whole(column[:size], Known(*map(float, column[size:])))) for column in unit]
     table = np.array(columns).T
-    return Recursion(table[:size, :size], table[:size, size:], table[size:, :size], table[size:, size:])
+    outputs, last = table[size:], TARGETS + n
+    more = np.zeros((0, n)) if accelerations is None else accelerations
+    outputs = np.vstack((outputs[:last], more @ outputs[last:]))
+    return Recursion(table[:size, :size], table[:size, size:], outputs[:, :size], outputs[:, size:])
 
 
 def largest_step(part: LinearPart, method: str, specimen_stiffness: float = 0.0) -> tuple[float, int]:
@@ -185,7 +194,7 @@ def _over_step(advance: Advance, equation: Equation, force: ForceBetween) -> Ste
 
 def _outputs(part: LinearPart, driven: np.ndarray, end: Motion) -> np.ndarray:
     targets = [part.interface @ values for values in (driven, end.velocity, end.acceleration)]
-    return np.concatenate((targets, end.displacement))
+    return np.concatenate((targets, end.displacement, end.acceleration))
 
 
 def _runge_kutta_limit(pole: complex) -> float:

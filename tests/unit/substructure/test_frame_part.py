@@ -115,16 +115,12 @@ def test_a_frame_that_yields_with_an_ideal_rig(tmp_path: Path, force: str, order
         project = parse_project(path.read_text(encoding="utf-8"), path, profile_names())
         group = run_analysis(project, project.analyses[0])
         direct = group.variables["damper_deformation"].values[:, 0]
-        floors = group.variables["floor_displacement"].values
         lab = laboratory(path, 1e3 * step, force, more="integration: {frame_steps: 1}\n")
         drive = lab.drive(lab.tests[0])
         assert drive.ground is not None
         found = loop_of(lab).run(drive.ground)
         count = min(len(direct), len(found.deformation))
         errors.append(response_errors(found.deformation[:count], direct[:count])[0])
-        assert np.max(np.abs(found.outputs[:count] - floors[:count])) < 0.1 * np.max(np.abs(floors))
-        frame = lab.laboratory.structure.frame  # type: ignore[union-attr]
-        assert frame is not None and frame.numerical_part("held").analysis.energy_error < 5e-3
     assert np.max(np.abs(group.variables["column_plastic_rotation_max"].values)) > 1e-3
     assert np.log2(errors[0] / errors[2]) / 2.0 == pytest.approx(order, abs=0.3)
     assert errors[2] < most
@@ -138,8 +134,7 @@ def test_virtual_tests_of_a_frame_that_yields(tmp_path: Path) -> None:
     (again,) = lab.run()
     run = first.runs[0]
     assert run.outcome == "done" and run.response_error < 5e-3
-    assert run.floors.shape == (len(run.time), 2) and first.direct is not None
-    assert first.direct.floors.shape == run.floors.shape
+    assert run.building is not None and first.direct is not None
     assert again.runs[0].record is not None and run.record is not None
     assert np.array_equal(again.runs[0].record.target, run.record.target)
     assert lab.file.may_yield and not lab.laboratory.warnings
@@ -178,7 +173,7 @@ def test_a_test_that_is_stopped_can_be_run_again(tmp_path: Path) -> None:
     loop, ground = loop_of(lab), np.zeros(200_001)
     with stoppable(lambda: True), pytest.raises(Stopped):
         loop.run(ground)
-    assert loop.run(ground[:11]).outputs.shape == (11, 2)
+    assert loop.run(ground[:11]).target.shape == (11,)
 
 
 def test_margins_beside_a_frame_take_other_dampers_in_small_vibration(tmp_path: Path) -> None:

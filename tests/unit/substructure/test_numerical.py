@@ -142,7 +142,7 @@ def test_without_vertical_inertia() -> None:
     shear = shear_building(MASSES, STIFFNESSES, RAYLEIGH, 1)
     assert found.part.frequencies() == pytest.approx(shear.frequencies(), rel=2e-4)
     assert found.part.damping == pytest.approx(shear.damping, rel=2e-3, abs=2e-3 * shear.damping.max())
-    assert found.floors == pytest.approx(np.eye(3), abs=1e-12)
+    assert found.building.floor_rows == pytest.approx(np.eye(3), abs=1e-12)
 
 
 LAWS = """\
@@ -199,7 +199,7 @@ def test_loop_with_a_spring_is_the_history_of_the_project(damping: str, tmp_path
     assert group.attributes["status"] == "completed", group.attributes["reason"]
     found = project_part(made, "S_1_1")
     ground = group.variables["ground_acceleration"].values
-    moved = roof(recursion(found.part, STEP, "exact", "extrapolated"), found.floors, ground, 3e6)
+    moved = roof(recursion(found.part, STEP, "exact", "extrapolated"), found.building.floor_rows, ground, 3e6)
     largest, smallest = (float(group.variables[f"floor_displacement_{end}"].values[-1]) for end in ("max", "min"))
     assert [moved.max(), moved.min()] == pytest.approx([largest, smallest], rel=1e-3)
 
@@ -213,7 +213,7 @@ def test_tuned_mass_stays_in_the_numerical_part(tmp_path: Path) -> None:
     found = project_part(made, "S_1_1")
     assert found.part.names[-1] == "T_2_1 ux"
     ground = group.variables["ground_acceleration"].values
-    moved = roof(recursion(found.part, STEP, "exact", "extrapolated"), found.floors, ground, 3e6)
+    moved = roof(recursion(found.part, STEP, "exact", "extrapolated"), found.building.floor_rows, ground, 3e6)
     largest, smallest = (float(group.variables[f"floor_displacement_{end}"].values[-1]) for end in ("max", "min"))
     assert [moved.max(), moved.min()] == pytest.approx([largest, smallest], rel=1e-3)
 

@@ -149,7 +149,7 @@ def test_the_smallest_file() -> None:
     assert small.loop.force == "extrapolated" and small.loop.unseen_delay == 0
     assert small.integration.method == "exact" and small.encoder_noise == 0.0 and small.displacement_range is None
     assert small.criteria.response_error == 0.05 and small.criteria.delay_margin == 2.0
-    assert len(small.outputs.histories) == 6 and small.archive_path.name == "rts.h5"
+    assert len(small.outputs.histories) == 7 and small.archive_path.name == "rts.h5"
     test = small.tests[0]
     assert isinstance(test, CommandTest) and isinstance(test.command, SineCommand)
     assert test.command.frequency == (2.0,) and test.command.cycles == 8 and test.command.joined
