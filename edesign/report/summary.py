@@ -54,7 +54,9 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
     if is_substructure_archive(archive):
         from edesign.report.substructure.tables import substructure_summary
 
-        return {"archive": finite(about | damage), "tests": substructure_summary(archive)}
+        tests = {"tests": substructure_summary(archive)} if analysis is None else {}
+        buildings = [entry(name, results(archive, name)) for name in names]
+        return {"archive": finite(about | damage), **tests, "analyses": buildings}
     found = {"archive": finite(about | damage), "analyses": [entry(name, results(archive, name)) for name in names]}
     return found if analysis is not None else {**found, "records": finite(record_entries(archive, RECORDS))}
 

@@ -46,9 +46,11 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
 
         return [_heading(archive), *building_tables(archive)]
     if is_substructure_archive(archive):
+        from edesign.report.substructure.building_tables import building_tables as of_tests
         from edesign.report.substructure.tables import substructure_tables
 
-        return [_heading(archive), *(table for table in substructure_tables(archive) if table.rows)]
+        tables = [*substructure_tables(archive), *of_tests(archive)]
+        return [_heading(archive), *(table for table in tables if table.rows)]
     if is_study_archive(archive):
         try:
             return [_heading(archive), warnings_table(archive), *tables_of(archive), *study_tables(archive)]

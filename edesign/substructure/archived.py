@@ -15,6 +15,8 @@ from edesign.substructure.virtual_tests import TestResults, VirtualTest
 PLACE = "tests"
 INDICATORS = "indicators"
 """Where what was found of all runs stands side by side."""
+DIRECT = "direct analysis"
+"""What stands for the compensator of an analysis without laboratory."""
 HISTORIES = {
     "target": (("target", "m", "target displacement of the specimen"),),
     "measured": (
@@ -55,8 +57,15 @@ def building_name(test: str, compensator: str = "") -> str:
 def _analysis(results: TestResults, building: Group, compensator: str = "") -> tuple[str, Group]:
     """The response of the building as an analysis of `edesign run` is archived."""
     name = building_name(results.name, compensator)
-    labels = {"name": name, "kind": "history", "variant": compensator or None, "record": results.drive.record}
-    attributes = {**labels, "level": None, "input_motion": results.drive.source, **building.attributes}
+    drive = results.drive
+    assert drive.ground is not None
+    labels = {"name": name, "kind": "history", "variant": compensator or DIRECT, "record": drive.record, "level": None}
+    motion = {
+        "input_motion": drive.source,
+        "input_pga_m_s2": float(np.max(np.abs(drive.ground))),
+        "time_step_s": float(drive.time[1] - drive.time[0]),
+    }
+    attributes = {**labels, **motion, **building.attributes}
     return f"{ANALYSES}/{name}", Group(building.coords, building.variables, attributes)
 
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from edesign.archive.dataset import Group
 from edesign.core.damper import CoreDamper
 from edesign.errors import EdesignError
 from edesign.report.captions import file_name, plain
@@ -154,29 +155,30 @@ def response_figures(results: SubstructureResults) -> Iterator[tuple[str, str, F
 
 
 def _responses(results: SubstructureResults, test: str) -> list[Response]:
-    driven = results.driven(test)
+    driven, shown = results.driven(test), results.shown(test)
+    damper = [(one, one.of("deformation")) for one in shown]
+    roof = [(one, _roof(results.building(test, one.compensator))) for one in shown]
+    direct = driven.variables.get("direct_deformation")
     rows: list[Response] = []
-    for title, name, direct in (
-        ("damper", "deformation", "direct_deformation"),
-        ("top floor", "floors", "direct_floors"),
+    for title, found, values in (
+        ("damper", damper, None if direct is None else np.asarray(direct.values)),
+        ("top floor", roof, _roof(results.building(test))),
     ):
-        if direct not in driven.variables:
-            continue
-        found = [
-            (one, 1e3 * (values if values.ndim == 1 else values[:, -1]))
-            for one in results.shown(test)
-            if (values := one.of(name)) is not None and values.size
-        ]
-        values = np.asarray(driven.variables[direct].values)
-        if found and values.size and not _known(rows, values):
-            rows.append(Response(title, times(driven), 1e3 * (values if values.ndim == 1 else values[:, -1]), found))
+        there = [(one, 1e3 * own) for one, own in found if own is not None and own.size]
+        if there and values is not None and values.size and not _known(rows, 1e3 * values):
+            rows.append(Response(title, times(driven), 1e3 * values, there))
     return rows
 
 
+def _roof(building: Group | None) -> np.ndarray | None:
+    """Displacement of the top floor over time, m; None: it was not kept."""
+    kept = building.variables.get("floor_displacement") if building is not None else None
+    return None if kept is None else np.asarray(kept.values)[:, -1]
+
+
 def _known(rows: Sequence[Response], values: np.ndarray) -> bool:
-    """Whether a history is shown already: the only floor moves as its damper."""
-    last = 1e3 * (values if values.ndim == 1 else values[:, -1])
-    return any(largest([row.direct - last]) < 0.01 * largest([last]) for row in rows)
+    """Whether a history (mm) is shown already: the only floor moves as its damper."""
+    return any(largest([row.direct - values]) < 0.01 * largest([values]) for row in rows)
 
 
 @styled

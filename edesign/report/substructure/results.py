@@ -16,7 +16,8 @@ from edesign.report.figures import AFTER, VARIANTS
 from edesign.report.substructure.file import ArchivedTests, archived_tests
 from edesign.report.substructure.linearised import LinearisedTests, linearised
 from edesign.report.substructure.tables import Run, runs
-from edesign.substructure.archived import PLACE
+from edesign.study.plan import ANALYSES
+from edesign.substructure.archived import PLACE, building_name
 
 NONE = "none"
 """Kind of the compensator that does nothing."""
@@ -112,6 +113,11 @@ class SubstructureResults:
     def histories(self, test: str, compensator: str) -> Group | None:
         """Return the group of a run, None if it cannot be read."""
         return self._group(f"{PLACE}/{test}/{compensator}")
+
+    def building(self, test: str, compensator: str = "") -> Group | None:
+        """Return the building in a test, as a history; without a compensator that of the direct analysis."""
+        place = f"{ANALYSES}/{building_name(test, compensator)}"
+        return self._group(place) if self.archive.has(place) else None
 
     def series(self, test: str, compensator: str, color: str = BEST) -> Series | None:
         """Return a run with its histories, None if it cannot be read or has none."""

@@ -128,10 +128,15 @@ def _response(archive: Archive, found: list[Run], notes: list[str]) -> Table:
     most = float(limit) if isinstance(limit, (int, float)) else math.inf
     table = Table(
         "What the test did to the response of the structure",
-        ("test", "compensator", "error rms [%]", "of peak [%]", "verdict"),
+        ("test", "compensator", "error rms [%]", "of peak [%]", "storeys [%]", "verdict"),
         left=2,
-        sentences=4,
-        notes=[f"Against the direct analysis of the same structure; at most {100.0 * most:.3g} % are allowed.", *notes],
+        sentences=5,
+        notes=[
+            f"Against the direct analysis of the same structure; at most {100.0 * most:.3g} % are allowed.",
+            "`error rms` and `of peak`: of the damper's deformation. `storeys`: as `error rms`, of the",
+            "drift of the storey where it is largest.",
+            *notes,
+        ],
     )
     for run in found:
         error = run.value("response_error")
@@ -143,6 +148,7 @@ def _response(archive: Archive, found: list[Run], notes: list[str]) -> Table:
                 run.compensator,
                 _shown(error, 0.01),
                 _shown(run.value("peak_error"), 0.01),
+                _shown(run.value("building_error"), 0.01),
                 _verdict(run, error, most),
             ]
         )

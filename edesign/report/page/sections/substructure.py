@@ -11,9 +11,12 @@ from typing import TYPE_CHECKING
 from edesign.archive.reader import Archive
 from edesign.errors import ArchiveError
 from edesign.report.captions import plain
+from edesign.report.energy_figures import energy_figures
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.source import Source
+from edesign.report.profile_figures import profile_figures
 from edesign.report.substructure.alpha_figures import alpha_figures
+from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.diagram import loop_diagrams
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
 from edesign.report.substructure.response_figures import energy_error_figures, loop_figures, response_figures
@@ -43,6 +46,7 @@ def substructure_sections(source: Source) -> list[Section]:
         Section("rig", "The rig with and without compensation", (), _pictures(source, results, rig_figures)),
         _tracking(source, results, tables),
         _response(source, results, tables),
+        _building(source, results),
         _coefficients(source, results, tables),
         Section("other-methods", "Tests by other methods", (), _some(tables, 3)),
         _limits(results),
@@ -195,6 +199,18 @@ def _tracking(source: Source, results: SubstructureResults, tables: list[Table])
 def _response(source: Source, results: SubstructureResults, tables: list[Table]) -> Section:
     pictures = _pictures(source, results, response_figures, loop_figures, energy_error_figures)
     return Section("test-response", "What the test did to structure and specimen", (), (*_some(tables, 1), *pictures))
+
+
+def _building(source: Source, results: SubstructureResults) -> Section:
+    """Peaks, energies and levels of the whole building, as those of histories."""
+    try:
+        found = building_tables(results.archive)
+    except (ArchiveError, KeyError) as error:
+        results.lost.append(f"building: {error}")
+        found = []
+    tables = tuple(table for table in found if table.rows)
+    pictures = source.pictures(profile_figures, energy_figures) if tables else ()
+    return Section("building", "What the building did", (), (*tables, *pictures))
 
 
 def _coefficients(source: Source, results: SubstructureResults, tables: list[Table]) -> Section:
