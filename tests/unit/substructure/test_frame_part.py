@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
+from edesign.archive.dataset import Group
+from edesign.archive.reader import open_archive
+from edesign.assess.measures import response_measures
 from edesign.building.profiles import profile_names
 from edesign.core.substructure import SubstructureLoop
 from edesign.errors import InputError
 from edesign.project import parse_project
-from edesign.project.substructure import parse_rts_file
+from edesign.project.substructure import load_rts_file, parse_rts_file
+from edesign.report.profile_figures import profile_figures
+from edesign.report.substructure.building_tables import building_tables
+from edesign.report.summary import summarise
 from edesign.stopping import Stopped, stoppable
 from edesign.study.analyses import run_analysis
+from edesign.substructure.run import run_tests
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.project_frame import loop_grows
 from edesign.substructure.structure.project_structure import project_part
@@ -61,16 +69,23 @@ def yielding(folder: Path, step: float, law: str = "hysteretic", k: float = 4.0)
     return path
 
 
-def laboratory(project: Path, step: float, force: str, frame: str = "nonlinear", more: str = "") -> VirtualLaboratory:
-    """An ideal rig around a project; step in ms."""
-    text = f"""\
+def file_text(
+    project: Path, step: float, force: str, frame: str = "nonlinear", more: str = "", rig: str = "{kind: ideal}"
+) -> str:
+    """The file of a test; step in ms."""
+    return f"""\
 edesign_rts: 1
 structure: {{project: {project}, physical: [S_1_1], analysis: {"quake" if more else "damped"}, frame: {frame}}}
-rig: {{kind: ideal}}
+rig: {rig}
 loop: {{main_step: {step:g} ms, sub_steps: 1, force: {force}}}
 compensators: {{none: {{kind: none}}}}
 tests: [{{name: quake, kind: rts}}]
 {more}"""
+
+
+def laboratory(project: Path, *values: Any, **others: Any) -> VirtualLaboratory:
+    """The laboratory of `file_text`."""
+    text = file_text(project, *values, **others)
     return VirtualLaboratory(parse_rts_file(text, project.parent / "rts.yaml", profile_names()))
 
 
@@ -106,24 +121,111 @@ def test_elastic_frames_are_as_their_linear_part(name: str, force: str) -> None:
     assert np.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.1)
 
 
+PEAKS = ("storey_drift", "floor_acceleration", "beam_plastic_rotation")
+"""Those that change smoothly with the step; a base shear has its peak where columns yield, which hides errors."""
+
+
+def far_off(found: Group, expected: Group, *names: str) -> float:
+    """The largest error of variables over the largest value of them."""
+    values, others = (
+        np.concatenate([np.ravel(np.asarray(group.variables[name].values, dtype=float)) for name in names])
+        for group in (found, expected)
+    )
+    return float(np.max(np.abs(values - others)) / np.max(np.abs(others)))
+
+
 @pytest.mark.parametrize(("force", "order", "most"), [("extrapolated", 2.0, 1e-3), ("held", 1.0, 2e-2)])
 def test_a_frame_that_yields_with_an_ideal_rig(tmp_path: Path, force: str, order: float, most: float) -> None:
-    """The history of the project with the damper in the frame; another damper with a law of its own stays there."""
-    errors = []
+    """The history of `edesign run` with the damper in the frame: drifts, accelerations, hinges, energies, the damper.
+
+    Both integrate with the main step, so that what is between them is the force over the step: of second order if it is
+    extrapolated, of first if it is held. Another damper with a law of its own stays in the frame. The specimen counts
+    among the dampers, and the balance closes as that of the history does.
+    """
+    errors, found = [], Group()
     for step in (0.008, 0.004, 0.002):
         path = yielding(tmp_path, step)
         project = parse_project(path.read_text(encoding="utf-8"), path, profile_names())
         group = run_analysis(project, project.analyses[0])
-        direct = group.variables["damper_deformation"].values[:, 0]
         lab = laboratory(path, 1e3 * step, force, more="integration: {frame_steps: 1}\n")
-        drive = lab.drive(lab.tests[0])
-        assert drive.ground is not None
-        found = loop_of(lab).run(drive.ground)
-        count = min(len(direct), len(found.deformation))
-        errors.append(response_errors(found.deformation[:count], direct[:count])[0])
+        ground, frame = lab.drive(lab.tests[0]).ground, lab.laboratory.structure.frame  # type: ignore[union-attr]
+        record = loop_of(lab).run(ground)  # type: ignore[arg-type]
+        assert record.frame is not None and frame is not None and ground is not None
+        found = frame.tested(record.frame, ground, step).group
+        direct = group.variables["damper_deformation"].values[:, 0]
+        peaks = [far_off(found, group, f"{name}_max", f"{name}_min") for name in PEAKS]
+        errors.append([response_errors(record.deformation, direct)[0], *peaks, far_off(found, group, "energy_final")])
+        assert found.attributes["statistics"]["energy_error"] < 2.0 * group.attributes["statistics"]["energy_error"]
+    assert np.log2(np.divide(errors[0], errors[2])) / 2.0 == pytest.approx(order, abs=0.3)
+    assert np.max(errors[2]) < most
+    assert far_off(found, group, "base_shear_max", "base_shear_min") < most
     assert np.max(np.abs(group.variables["column_plastic_rotation_max"].values)) > 1e-3
-    assert np.log2(errors[0] / errors[2]) / 2.0 == pytest.approx(order, abs=0.3)
-    assert errors[2] < most
+    work = [
+        dict(zip(one.coords["damper"].values, one.variables["damper_work_final"].values, strict=True))
+        for one in (found, group)
+    ]
+    assert work[0] == pytest.approx(work[1], rel=most)
+
+
+def test_buildings_are_archived_as_histories(tmp_path: Path) -> None:
+    """What `edesign run` archives of the history is there of the direct analysis and of the test, told by one code."""
+    path = yielding(tmp_path, 0.01)
+    project = parse_project(path.read_text(encoding="utf-8"), path, profile_names())
+    group = run_analysis(project, project.analyses[0])
+    (tmp_path / "rts.yaml").write_text(file_text(path, 10.0, "extrapolated", more="title: all\n"), encoding="utf-8")
+    archive, _ = run_tests(load_rts_file(tmp_path / "rts.yaml"))
+    with open_archive(archive) as opened:
+        buildings = {name: opened.group(f"analyses/{name}") for name in opened.names("analyses")}
+        summary = summarise(opened)["analyses"]
+        tables = building_tables(opened)
+        figures = [name for name, _, _ in profile_figures(opened)]
+    assert set(buildings) == {"quake", "quake:none"}
+    for found in buildings.values():
+        events = {name for name in group.variables if name.startswith("event_")}
+        assert set(group.variables) - events <= set(found.variables)
+        assert set(group.attributes["statistics"]) == set(found.attributes["statistics"])
+        assert found.attributes["height"] == 7.0
+    measures = response_measures(group)
+    for told in summary:
+        assert told["status"] == "completed"
+        for name in ("interstorey_drift", "base_shear_N", "roof_acceleration_m_s2", "beam_plastic_rotation_rad"):
+            assert told["measures"][name] == pytest.approx(measures[name], rel=0.01)  # of the step
+    peaks, energies, levels = tables
+    assert [row[:2] for row in peaks.rows] == [["quake", "direct analysis"], ["quake", "none"]]
+    assert peaks.columns[2:] == (
+        "drift [%]",
+        "residual [%]",
+        "floor a [m/s2]",
+        "base shear [kN]",
+        "plastic rot. [mrad]",
+    )
+    assert peaks.rows[1][2].startswith("2.7") and peaks.rows[1][2].endswith(" %)")
+    assert abs(float(energies.rows[1][-1])) < 1e-3 * float(energies.rows[0][2])
+    assert [row[0] for row in levels.rows] == ["quake, direct analysis", "quake, none"]
+    assert any("storey_drift" in name for name in figures)
+
+
+def test_a_frame_that_collapses_in_the_test(tmp_path: Path) -> None:
+    """The collapse drift of the analysis lies between the peaks of the direct analysis and of a test with delay."""
+    path = yielding(tmp_path, 0.01)
+    text = path.read_text(encoding="utf-8")
+    more = "title: late\n"
+    rig = "{kind: delay, delay: 20 ms}"
+    (free,) = laboratory(path, 10.0, "extrapolated", more=more, rig=rig).run()
+    assert free.direct is not None and free.runs[0].building is not None
+    peaks = [
+        max(np.max(np.abs(group.variables[f"storey_drift_{end}"].values)) for end in ("max", "min"))
+        for group in (free.direct.building, free.runs[0].building)
+    ]
+    assert peaks[0] < 0.98 * peaks[1]
+    between = 100.0 * float(np.mean(peaks))
+    path.write_text(text.replace("scale: 2.5}", f"scale: 2.5, collapse_drift: {between:.5g} %}}"), encoding="utf-8")
+    (ended,) = laboratory(path, 10.0, "extrapolated", more=more, rig=rig).run()
+    run = ended.runs[0]
+    assert run.outcome == "failed" and run.record is not None and run.building is not None
+    assert "the numerical part: collapsed: drift of storey" in run.reason
+    assert run.building.attributes["collapsed"] and run.time.size == run.building.coords["time"].values.size
+    assert run.time[-1] < free.runs[0].time[-1] and np.isnan(run.building_error)
 
 
 def test_virtual_tests_of_a_frame_that_yields(tmp_path: Path) -> None:
