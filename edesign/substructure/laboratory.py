@@ -13,7 +13,6 @@ from edesign.core.damper import LawValues
 from edesign.core.substructure import LinearRig, RigLimits, Sensors, ServoHydraulicRig
 from edesign.damper.law_file import Source, read_law_file, resolve
 from edesign.damper.specimen import Specimen
-from edesign.errors import InputError
 from edesign.project.dampers import DamperLaw, LawDescription, Prototype
 from edesign.project.damping import ModalDamping, NoDamping, RayleighDamping
 from edesign.project.outputs import HistoryKind
@@ -144,11 +143,6 @@ def _structure(file: RtsFile) -> tuple[TestedStructure | None, Device | None]:
     if not isinstance(described, ProjectStructure):
         return None, None
     assert file.project is not None
-    if len(described.physical) != 1:
-        where = file.where("structure", "physical")
-        raise InputError(
-            f"{where}: structure.physical: one actuator moves one device; {len(described.physical)} are named"
-        )
     found = project_part(file.project, described.physical[0], vertical=False, estimate=file.may_yield)
     return TestedStructure(found.part, found.building, found.warnings), found.device
 

@@ -62,12 +62,17 @@ def _physical(structure: ProjectStructure, project: Project, problems: Problems)
             message = f"`{name}` has a brace in series; the laboratory has the device alone. Give it `brace: rigid`"
             problems.at_item(keys, i, f"{message} in the project, and the brace to the frame")
     there = [known[name] for name in dict.fromkeys(given) if name in known]
+    if len(there) < 2:
+        return
     together = {(device.kind, storey) for device, storey in there}
-    if len(there) > 1 and (len(together) > 1 or not all(storey for _, storey in there)):
-        message = f"{listed(given)} deform differently, and one actuator moves them all; name devices of one storey"
-        problems.at_value(keys, f"{message} and kind")
+    if len(together) > 1 or not all(storey for _, storey in there):
+        message = f"{listed(given)} deform differently, and there is one actuator, which moves one device; name one"
+        problems.at_value(keys, f"{message}, the others stay in the computer")
     elif len({device.law for device, _ in there}) > 1:
-        problems.at_value(keys, f"{listed(given)} have different laws; the specimen has one")
+        problems.at_value(keys, f"{listed(given)} have different laws; the actuator moves one specimen of one law")
+    else:
+        message = f"{listed(given)}: the actuator moves one device; give the project one device with"
+        problems.at_value(keys, f"{message} `number: {len(there)}` for as many side by side, and name it")
 
 
 def _analysis(structure: ProjectStructure, project: Project, problems: Problems) -> None:

@@ -16,7 +16,7 @@ Text = Annotated[str, Field(min_length=1)]
 
 
 class ProjectStructure(Model):
-    """A project of which some devices stand in the laboratory.
+    """A project of which one device stands in the laboratory.
 
     Its history `analysis` gives record, scale and free vibration of tests that say none, and is what they are
     compared with. `frame`: linear about its state under gravity, or with all that yields in it.

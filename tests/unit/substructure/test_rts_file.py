@@ -367,13 +367,18 @@ def test_missing_devices() -> None:
         (
             "{kind: storey, bays: 1, storeys: 1-2, law: tested}",
             "[S_1_1, S_1_2]",
-            "deform differently, and one actuator",
+            "`S_1_1`, `S_1_2` deform differently, and there is one actuator, which moves one device; name one",
         ),
         ("{kind: storey, bays: 1, storeys: 1, law: tested, brace: {stiffness: 90 kN/mm}}", "S_1_1", "brace in series"),
         (
             "{kind: storey, bays: 1, storeys: 1, law: tested}, {kind: storey, bays: 1, storeys: 1, law: other}",
             "[S_1_1, S_1_1_2]",
-            "have different laws; the specimen has one",
+            "have different laws; the actuator moves one specimen",
+        ),
+        (
+            "{kind: storey, bays: 1, storeys: 1, law: tested}, {kind: storey, bays: 1, storeys: 1, law: tested}",
+            "[S_1_1, S_1_1_2]",
+            "the actuator moves one device; give the project one device with `number: 2` for as many side by side",
         ),
         ("{kind: storey, bays: 1, storeys: 1, law: tested}", "S_1_1_2", "there is no device `S_1_1_2`; did you mean"),
         ("", "S_1_1", "has no devices under `dampers`"),
