@@ -44,20 +44,32 @@ LINEAR = rigs.second_order(21.4, 0.4, 4.25e-3, 0.99488).discrete(STEP / SUB_STEP
 SERVO = ServoHydraulicRig(gain=1.0 / 6.9e-3, oil=50e6, valve_lag=2.6e-3, delay=0.8e-3)
 
 
-def structure(storeys: int) -> Recursion:
-    """A shear building of the thesis' storeys by the explicit Newmark method."""
+def structure(storeys: int, accelerations: bool = False) -> Recursion:
+    """A shear building of the thesis' storeys by the explicit Newmark method, with its floors' accelerations or not."""
     damping = ModalDamping(kind="modal", ratio=0.02, modes=storeys, state="initial")
     part = shear_building([143.26e3] * storeys, [22.6e6] * storeys, damping, 1)
-    return recursion(part, STEP, "newmark_explicit", "held")
+    rows = np.eye(storeys) if accelerations else None
+    return recursion(part, STEP, "newmark_explicit", "held", accelerations=rows)
 
 
 def loop(
-    compensator: Compensator, rig: LinearRig | ServoHydraulicRig, storeys: int, sub_steps: int = SUB_STEPS
+    compensator: Compensator,
+    rig: LinearRig | ServoHydraulicRig,
+    storeys: int,
+    sub_steps: int = SUB_STEPS,
+    accelerations: bool = False,
 ) -> SubstructureLoop:
     """A test of the thesis' damper in the first storey."""
     law = LawValues("mgmm", tuple(prototype_damper().values.values()))
     return SubstructureLoop(
-        STEP, sub_steps, compensator, rig, law, sensors=SENSORS, numerical=structure(storeys), unseen_delay=1
+        STEP,
+        sub_steps,
+        compensator,
+        rig,
+        law,
+        sensors=SENSORS,
+        numerical=structure(storeys, accelerations),
+        unseen_delay=1,
     )
 
 
@@ -109,6 +121,7 @@ def main() -> None:
         "servo-hydraulic, 5 sub-steps": loop(modified, SERVO, 1),
         "servo-hydraulic, 50 sub-steps": loop(modified, SERVO, 1, 50),
         "linear rig, 10 storeys": loop(modified, LINEAR, 10),
+        "the same, with accelerations": loop(modified, LINEAR, 10, accelerations=True),
     }
     print("MGMM as specimen, main steps of 1 ms: CPU of a step, and how many times faster than real time")
     for name, test in cases.items():

@@ -181,7 +181,7 @@ static void add_channel(caller *c, run *r, const things *m)
   int kind[3], object[3], component[3];
   for (int i = 0; i < n; i++) {
     coefficient[i] = signed_size(c, 0.1, 10.0);
-    kind[i] = chance(c, c->wild) ? whole(c, -1, 20) : whole(c, 0, 18);
+    kind[i] = chance(c, c->wild) ? whole(c, -1, 23) : whole(c, 0, 21);
     object[i] = some_id(c, kind[i] <= ED_REACTION ? m->nodes : kind[i] >= ED_DAMPER_FORCE ? m->dampers : m->elements);
     component[i] = chance(c, 0.6) ? 0 : whole(c, -1, 12);
   }

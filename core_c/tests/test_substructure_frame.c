@@ -179,11 +179,11 @@ static double error_of_loop(int held, int finer)
   return sqrt(error / size);
 }
 
-/* Channels of the damper after the last one are the specimen as the frame meets it, its reaction on the support is in that of the node,
- * and its work is what balances the energies: all as of a damper in the frame. A limit ends the test. */
+/* The given force is the specimen as the frame meets it, its part on the support is in the reaction of the node, and its work balances
+ * the energies: all as of a damper in the frame. A limit ends the test. */
 static void check_specimen_of_frame(void)
 {
-  enum { CHANNELS = 5 };
+  enum { CHANNELS = 4 };
   static double loop_values[(BASE + 1) * CHANNELS], whole_values[(BASE + 1) * CHANNELS];
   int node[2], done;
   specimen_nodes(node);
@@ -192,10 +192,9 @@ static void check_specimen_of_frame(void)
   for (int with_specimen = 0; with_specimen < 2; with_specimen++) {
     ed_model *model;
     ed_analysis *a = ready(&model, with_specimen, node);
-    add_channel(a, ED_DAMPER_FORCE, 0, 0);
-    add_channel(a, ED_DAMPER_DEFORMATION, 0, 0);
-    add_channel(a, ED_DAMPER_DEFORMATION, 0, 1);
-    add_channel(a, ED_DAMPER_WORK, 0, 0);
+    add_channel(a, with_specimen ? ED_DAMPER_FORCE : ED_GIVEN_FORCE, 0, 0);
+    add_channel(a, with_specimen ? ED_DAMPER_DEFORMATION : ED_GIVEN_DEFORMATION, 0, 0);
+    add_channel(a, with_specimen ? ED_DAMPER_WORK : ED_GIVEN_WORK, 0, 0);
     add_channel(a, ED_REACTION, node[1], 0);
     if (with_specimen) {
       CHECK_STATUS(ed_history_begin(a, BASE, h, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
@@ -231,7 +230,6 @@ static void check_specimen_of_frame(void)
   for (int k = 0; k <= BASE; k++) {
     const double *values = loop_values + CHANNELS * k;
     CHECK_NEAR(values[1], record[k * WIDTH + ED_RTS_TARGET], 1e-12);
-    CHECK(values[2] == values[1]);
     CHECK_NEAR(energy[k * ED_N_ENERGY + ED_BALANCE], 0.0, 1e-3 * energy[BASE * ED_N_ENERGY + ED_HYSTERETIC]);
   }
 }

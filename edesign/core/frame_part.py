@@ -24,8 +24,8 @@ class FrameNumericalPart:
         analysis: in the state in which tests begin, when a loop is made of it: loaded, damped, its dampers installed.
             Nothing else may use it while a test runs.
         terms: (coefficient, node, degree) that the specimen's deformation is the sum of; degrees 0 ux, 1 uy, 2 rz.
-        channels: what is recorded of a test at main steps, extremes over all steps; the damper after the last one of
-            the model is the specimen, as the frame meets it. Without any nothing is recorded.
+        channels: what is recorded of a test at main steps, extremes over all steps; the given force 0 is that of the
+            specimen, as the frame meets it. Without any nothing is recorded.
         limits: by name of a channel; a test ends where its magnitude passes it.
         method: of integration.
         force: over a main step `extrapolated` from the last two, or `held`.

@@ -29,6 +29,9 @@ KINDS = {
     "damper_force": lib.ED_DAMPER_FORCE,
     "damper_deformation": lib.ED_DAMPER_DEFORMATION,
     "damper_work": lib.ED_DAMPER_WORK,
+    "given_force": lib.ED_GIVEN_FORCE,
+    "given_deformation": lib.ED_GIVEN_DEFORMATION,
+    "given_work": lib.ED_GIVEN_WORK,
 }
 
 ENERGIES = ("input", "kinetic", "damping", "elastic", "hysteretic", "p_delta", "dampers", "residual")

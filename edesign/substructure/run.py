@@ -11,6 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.files import make_folder, source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
+from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rig import RigInFile
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.yaml_file import read_yaml_text
@@ -18,7 +19,7 @@ from edesign.stopping import Stopped
 from edesign.study.interrupt import stop_on_signals
 from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
-from edesign.substructure.archived import INDICATORS, PLACE, groups, indicators
+from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators
 from edesign.substructure.methods.method_tests import method_group
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
 
@@ -98,6 +99,12 @@ def write_run(run: VirtualTest, path: Path) -> None:
     write_csv_file(list(HEADERS), zip(*(column.tolist() for column in columns), strict=True), path, digits=9)
 
 
+def _planned(file: RtsFile) -> list[str]:
+    """The buildings of tests, as they stand among the analyses."""
+    shaken = [test.name for test in file.tests if isinstance(test, RtsTest)]
+    return [building_name(test, compensator) for test in shaken for compensator in ("", *file.compensators)]
+
+
 def _root(file: RtsFile, path: Path) -> Group:
     root = Group(
         attributes={
@@ -108,7 +115,7 @@ def _root(file: RtsFile, path: Path) -> Group:
             "source_file": source_file(file.path, path),
             "response_error_limit": file.criteria.response_error,
             **versions(),
-            "planned": [],
+            "planned": _planned(file),
             "status": "running",
         }
     )

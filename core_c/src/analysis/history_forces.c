@@ -124,9 +124,9 @@ double ed_history_force_value(const ed_analysis *a, int kind, int force)
   if (force >= a->run.n_forces)
     return 0.0;
   const ed_history_load *load = &a->run.force[force];
-  if (kind == ED_DAMPER_FORCE)
+  if (kind == ED_GIVEN_FORCE)
     return load->now;
-  return kind == ED_DAMPER_WORK ? -a->committed.head->given_work[force] : load->origin - along(a, load);
+  return kind == ED_GIVEN_WORK ? -a->committed.head->given_work[force] : load->origin - along(a, load);
 }
 
 double ed_history_force_on(const ed_analysis *a, int degree)

@@ -15,9 +15,10 @@ static int valid(const ed_analysis *a, int kind, int object, int component)
     return component >= 0 && component < 2;
   if (kind == ED_LOAD_FACTOR)
     return object >= 0 && object < model->n_patterns;
+  if (kind >= ED_GIVEN_FORCE)
+    return kind <= ED_GIVEN_WORK && object >= 0 && object < ED_HISTORY_FORCES && component == 0;
   if (kind >= ED_DAMPER_FORCE)
-    return kind <= ED_DAMPER_WORK && object >= 0 && object < model->n_devices + ED_HISTORY_FORCES && component >= 0 &&
-           component <= (kind == ED_DAMPER_DEFORMATION);
+    return object >= 0 && object < model->n_devices && component >= 0 && component <= (kind == ED_DAMPER_DEFORMATION);
   if (object < 0 || object >= model->n_members || component < 0)
     return 0;
   const ed_element *e = &a->elements[object];
@@ -177,9 +178,10 @@ double ed_channel_value(const ed_analysis *a, int channel)
       part = a->run.kind == ED_RUN_HISTORY ? a->run.ground_now[term->component] : 0.0;
     else if (term->kind == ED_LOAD_FACTOR)
       part = a->factors_committed[term->object];
+    else if (term->kind >= ED_GIVEN_FORCE)
+      part = ed_history_force_value(a, term->kind, term->object);
     else if (term->kind >= ED_DAMPER_FORCE)
-      part = term->object < a->model->n_devices ? ed_device_value(a, term->kind, term->object, term->component)
-                                                : ed_history_force_value(a, term->kind, term->object - a->model->n_devices);
+      part = ed_device_value(a, term->kind, term->object, term->component);
     else
       part = element_value(a, term);
     value += term->coefficient * part;

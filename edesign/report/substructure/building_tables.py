@@ -143,7 +143,8 @@ def _cell(value: float | None, direct: float | None, unit: float) -> str:
     shown = number(value, scale=unit, negligible=ROUNDING)
     if value is None or direct is None or abs(direct) < ROUNDING:
         return shown
-    return f"{shown} ({100.0 * (value / direct - 1.0):+.2g} %)"
+    error = value / direct - 1.0
+    return f"{shown} ({'-' if error < 0.0 else '+'}{number(abs(error), 2, 0.01, ROUNDING)} %)"
 
 
 def _levels(archive: Archive, found: dict[str, list[tuple[str, Group]]]) -> list[Table]:

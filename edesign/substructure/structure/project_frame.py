@@ -52,6 +52,16 @@ def loop_grows(part: LinearPart, specimen_stiffness: float, step: float, held: b
     return float(np.max(np.abs(np.linalg.eigvals(whole)))) > 1.0 + GROWTH
 
 
+def _of_specimen(channel: Channel, number: int) -> Channel:
+    """A channel in whose terms the damper of this number, which the frame does not have, is the given force."""
+    terms = tuple(
+        (factor, kind.replace("damper_", "given_"), 0, 0) if kind.startswith("damper_") and item == number else term
+        for term in channel.terms
+        for factor, kind, item, _ in (term,)
+    )
+    return replace(channel, terms=terms)
+
+
 @dataclass(frozen=True)
 class _Ready:
     """A frame in the state in which tests begin, and its fundamental period under gravity, s."""
@@ -118,7 +128,9 @@ class ProjectFrame:
         analysis = ready.structure.analysis
         analysis.restore(ready.state)
         results, own = self._recorded(ready.structure.frame)
-        channels, limits = ([*results.channels, *own], results.limits) if record else ([], {})
+        number = ready.structure.frame.devices[-1].number
+        channels = [_of_specimen(channel, number) for channel in (*results.channels, *own)] if record else []
+        limits = results.limits if record else {}
         assert self.project.integration is not None
         method = integrator(self.project.integration)
         return FrameNumericalPart(analysis, self.device.terms, tuple(channels), limits, method, force, steps)

@@ -56,7 +56,8 @@ RIG = (
     "{kind: second_order, frequency: 21.4 Hz, damping: 0.4, delay: 4.25 ms, gain: 0.99488, "
     "limits: {stroke: 50 mm, force: 100 kN}}"
 )
-SECTIONS = "summary tested rig tracking test-response coefficients limits untold provenance"
+SECTIONS = "summary tested rig tracking test-response building coefficients limits untold provenance"
+PROFILES = ("profile_floor_displacement", "profile_residual_floor_displacement", "profile_floor_acceleration")
 
 
 def _one_test(text: str) -> str:
@@ -103,7 +104,7 @@ def test_the_page_has_all_sections_and_figures(page: str) -> None:
     figures = set(re.findall(r'<figure class="picture" id="figure-([A-Za-z0-9_]+)"', page))
     kinds = ("tracking", "synchronisation", "alpha", "live_delay", "specimen", "interface_energy")
     each = {f"{kind}_{test}" for kind in kinds for test in ("cycles", "shaken")}
-    assert figures == {"loop", "rig", "structure_shaken", *each}
+    assert figures == {"loop", "rig", "structure_shaken", *PROFILES, *each}
     assert "What could not be shown" not in page and len(page) < 1.5e6
     assert "second_order, frequency 21.4 Hz" in page and "late in all" in page
 
@@ -124,7 +125,8 @@ def test_the_verdict_says_which_compensator_keeps_the_response_right(archive: Ar
 
 def test_figures_are_drawn_as_files(archive: Archive, tmp_path: Path) -> None:
     names = [name for name, _, _ in all_figures(archive)]
-    assert names[:2] == ["loop", "rig"] and len(names) == len(set(names)) == 15
+    assert names[:2] == ["loop", "rig"] and len(names) == len(set(names)) == 19
+    assert names[-1] == "response_shake" and set(names[-4:-1]) == set(PROFILES)
     written = draw_figures(archive, tmp_path / "figures", "png")
     assert [file.stem for file in written] == names and all(file.stat().st_size > 5000 for file in written)
 
@@ -184,7 +186,7 @@ def test_what_was_not_kept_is_not_drawn_and_not_judged(tmp_path: Path) -> None:
     with open_archive(_ran(tmp_path, text)) as archive:
         names = [name for name, _, _ in all_figures(archive)]
         table = limits_table(SubstructureResults(archive))
-    assert names == ["loop", "rig", "structure_shaken"]
+    assert names == ["loop", "rig", *PROFILES]  # of the building largest values are kept in any case
     assert not table.rows and "Not known of modified" in table.notes[-1]
 
 
