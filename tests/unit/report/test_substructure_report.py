@@ -20,6 +20,7 @@ from edesign.project.substructure import load_rts_file
 from edesign.report.archive_figures import all_figures, draw_figures
 from edesign.report.captions import plain
 from edesign.report.page.document import page_text
+from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.curves import TOLERANCE, _fewer, window
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
 from edesign.report.substructure.results import SubstructureResults
@@ -179,6 +180,10 @@ def test_a_test_that_diverged_is_shown_as_far_as_it_went(tmp_path: Path) -> None
     assert "no compensator keeps the response right" in page and "What could not be shown" not in page
     assert len(re.findall(r"<li>shaken, (?:none|modified): unstable, diverged", page)) == 2
     assert "figure-tracking_shaken" in page and "figure-structure_shaken" in page
+    with open_archive(archive) as opened:
+        peaks = building_tables(opened)[0]
+    assert [row[1] for row in peaks.rows] == ["direct analysis", "none *", "modified *"]
+    assert peaks.notes[-1].startswith("* not completed") and not any("%" in cell for row in peaks.rows for cell in row)
 
 
 def test_what_was_not_kept_is_not_drawn_and_not_judged(tmp_path: Path) -> None:

@@ -228,6 +228,22 @@ def test_a_frame_that_collapses_in_the_test(tmp_path: Path) -> None:
     assert run.time[-1] < free.runs[0].time[-1] and np.isnan(run.building_error)
 
 
+def test_floors_of_a_linear_part_are_those_of_the_frame() -> None:
+    """Direct analyses of an elastic frame, condensed and exact, and as a history with Newmark's error of order two."""
+    errors = []
+    for step in (4.0, 2.0):
+        linear, whole = (
+            lab.direct(lab.drive(lab.tests[0])).building
+            for frame in ("linear", "nonlinear")
+            for lab in [laboratory(PROJECTS / "thesis_three_storey" / "project.yaml", step, "extrapolated", frame)]
+        )
+        assert set(linear.variables) < set(whole.variables)
+        names = ("storey_drift", "floor_displacement", "floor_acceleration")
+        errors.append([far_off(linear, whole, name) for name in names])
+        assert far_off(linear, whole, *(f"storey_drift_{end}" for end in ("max", "min"))) < 3e-4
+    assert np.log2(np.divide(*errors)) == pytest.approx(2.0, abs=0.1)
+
+
 def test_virtual_tests_of_a_frame_that_yields(tmp_path: Path) -> None:
     """The direct analysis is that of the frame with the damper; each compensator begins in the same state."""
     more = "integration: {frame_steps: 2}\n"

@@ -136,6 +136,11 @@ def test_commands_archive_csv_and_json(tmp_path: Path, capsys: pytest.CaptureFix
     data = json.loads(capsys.readouterr().out)
     assert [run["compensator"] for run in data["tests"]] == ["none", "cubic"]
     assert data["tests"][0]["response_error"] > 0.2 > data["tests"][1]["response_error"]
+    # one storey: the building's drift is the damper's deformation, up to the rig
+    assert data["tests"][0]["building_error"] == pytest.approx(data["tests"][0]["response_error"], rel=0.2)
+    assert [told["name"] for told in data["analyses"]] == ["el_centro", "el_centro:none", "el_centro:cubic"]
+    assert main(["show", str(tmp_path / "rts.h5"), "--analysis", "el_centro:cubic"]) == 0
+    assert "floor a [m/s2]" in capsys.readouterr().out
 
 
 def test_other_methods_of_a_file(tmp_path: Path) -> None:
