@@ -1,7 +1,8 @@
 """Builds the extension module edesign.core._edcore from the C sources in core_c; run by setup.py, at the root.
 
-The public header core_c/include/edcore.h is the only declaration of the interface: the C preprocessor expands it, with
-ED_CFFI defined and without system headers, into what cffi reads. Integer macros ED_NAME become constants.
+The public headers, which core_c/include/edcore.h includes, are the only declaration of the interface: the C preprocessor
+expands them, with ED_CFFI defined and without system headers, into what cffi reads. Integer macros ED_NAME become
+constants.
 
 Environment: CC (compiler), EDESIGN_CFLAGS (appended to the compiler flags, e.g. "-O0 -g"), SUITESPARSE_ROOT and
 SUNDIALS_ROOT (prefixes).

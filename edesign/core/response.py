@@ -50,7 +50,7 @@ class Channel:
 
     Attributes:
         name: key of the results.
-        terms: (coefficient, kind, id of the node or element, component); edcore.h lists kinds and components, `KINDS`
+        terms: (coefficient, kind, id of the node or element, component); edframe.h lists kinds and components, `KINDS`
             the names.
         history: keep every sample, not only the extremes.
     """

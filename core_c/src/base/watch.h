@@ -1,4 +1,4 @@
-/* Long calls ask now and then whether they shall end (ed_stop in edcore.h). The clock decides when, so that a short call never asks and
+/* Long calls ask now and then whether they shall end (ed_stop in edstatus.h). The clock decides when, so that a short call never asks and
  * results do not depend on it; it is looked at so seldom that this cannot be measured, however short or long the steps are. */
 #ifndef ED_WATCH_H
 #define ED_WATCH_H

@@ -36,7 +36,7 @@ typedef struct {
 typedef struct ed_law ed_law;
 typedef struct ed_amendment ed_amendment;
 
-/* A law with its parameters; read-only once prepared (ed_damper in edcore.h). */
+/* A law with its parameters; read-only once prepared (ed_damper in eddamper.h). */
 struct ed_damper {
   const ed_law *law;
   int n_parameters;
@@ -82,7 +82,7 @@ struct ed_law {
   double (*relaxation_time)(const ed_damper *damper);
 };
 
-/* The laws by their id in edcore.h (ED_LAW_*). NULL: no such law. */
+/* The laws by their id in eddamper.h (ED_LAW_*). NULL: no such law. */
 const ed_law *ed_law_of(int id);
 
 /* Prepares `damper` for a law; on failure `message` says why and nothing is to be freed. */

@@ -1,0 +1,122 @@
+/* Damper laws, alone. */
+#ifndef EDDAMPER_H
+#define EDDAMPER_H
+
+#include "edstatus.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Laws of dampers; parameters in this order (docs/laws explains them). Any consistent units. */
+enum {
+  ED_LAW_KELVIN_VOIGT = 0,       /* k c */
+  ED_LAW_ZENER = 1,              /* k0 k1 c1 */
+  ED_LAW_GENERALISED_MAXWELL = 2,/* k0, then k_i c_i of each branch (1..16) */
+  ED_LAW_FRACTIONAL_KELVIN = 3,  /* k0 c alpha: F = k0 (u + c D^alpha u) */
+  ED_LAW_FRACTIONAL_ZENER = 4,   /* k0 a b alpha: F + a D^alpha F = k0 (u + b D^alpha u) */
+  ED_LAW_VISCOUS = 5,            /* c */
+  ED_LAW_VISCOUS_POWER = 6,      /* c alpha: F = c |v|^alpha sgn v */
+  ED_LAW_MAXWELL = 7,            /* c0 lambda: F + lambda F' = c0 v */
+  ED_LAW_MAXWELL_POWER = 8,      /* c alpha k: c |v|^alpha sgn v in series with the spring k */
+  ED_LAW_FRACTIONAL_MAXWELL = 9, /* c0 lambda nu: F + lambda D^nu F = c0 v */
+  ED_LAW_FRICTION = 10,          /* mu N k: slip at mu N, stiffness k of the connection before */
+  ED_LAW_ELASTIC_PLASTIC = 11,   /* k Fy b: kinematic hardening ratio 0 <= b < 1 */
+  ED_LAW_RAMBERG_OSGOOD = 12,    /* k Fy a n: u = F/k (1 + a |F/Fy|^(n-1)), Masing */
+  ED_LAW_BOUC_WEN = 13,          /* Fy Y alpha A beta gamma n */
+  ED_LAW_MODIFIED_BOUC_WEN = 14, /* k1 k2 u_ref Y alpha A beta gamma n C alpha_d */
+  ED_LAW_ASYMPTOTE = 15,         /* f0 k1 k2 k3 kappa n c: rate-dependent asymptote law of Sause and Lee */
+  ED_LAW_LINEARISED = 16,        /* k_eff zeta_eff omega: F = k_eff u + 2 zeta_eff k_eff / omega v */
+  ED_LAW_MGMM = 17               /* k1 c1 k0 c_NL alpha k_a k_b u_ref c_a c_b v_ref consistent(0, 1) */
+};
+
+typedef struct ed_damper ed_damper;
+
+/* A damper: a law with its parameters, and the stiffness of a brace in series with it (0: rigid). On failure *status and `message`
+ * (size bytes) say why and NULL is returned. */
+ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, double brace, int *status, char *message,
+                         int size);
+void ed_damper_free(ed_damper *damper);
+
+/* Amendments: effects that a law has not. F = phi F_law + parallel forces, phi the product of the factors. Their drivers are those of
+ * the ends of steps, all zero at rest: envelope a1 = max(|u1|, a exp(-h/tau_a)), largest deformation M, path s += |u1 - u0|, work E of
+ * F by the trapezoidal rule, heat q1 = q exp(-h/tau_h) + beta dE. E and q act from the next step on; g = (a/a0)^m / (1 + (a/a0)^m). */
+enum {
+  ED_AMEND_CONSTANT = 0,                  /* factor: phi = factor */
+  ED_AMEND_PAYNE_WHOLE = 1,               /* d a0 m tau_a: phi = 1 - d g(a) */
+  ED_AMEND_PAYNE_ELASTIC = 2,             /* k a0 m tau_a: -k g(a) u */
+  ED_AMEND_MULLINS_PATH = 3,              /* m s0: phi = 1 + m exp(-s/s0) */
+  ED_AMEND_MULLINS_MAXIMUM = 4,           /* m r: phi = 1 - m erf((M - |u|)/r) */
+  ED_AMEND_MULLINS_ELASTIC = 5,           /* k s0: k exp(-s/s0) u */
+  ED_AMEND_DEGRADATION_ENERGY = 6,        /* d E0: phi = 1 - d (1 - exp(-max(E, 0)/E0)) */
+  ED_AMEND_SELF_HEATING_RATE = 7,         /* beta tau_h: phi = exp(-q) */
+  ED_AMEND_HARDENING_POWER = 8,           /* k p r: k u (|u|/r)^(p-1) */
+  ED_AMEND_HARDENING_THRESHOLD = 9,       /* k u0: k max(|u| - u0, 0) sgn u */
+  ED_AMEND_ONE_SIDED_FACTOR = 10,         /* b side(1, -1): phi = 1 + b where side u > 0; with a brace rising over 1e-5 m */
+  ED_AMEND_ONE_SIDED_SPRING = 11,         /* k u0 side(1, -1): k max(side u - u0, 0) side */
+  ED_AMEND_RELAXATION_BRANCH_MAXWELL = 12,/* k tau: Q' + Q/tau = k v, v linear over the step */
+  ED_AMEND_VELOCITY_EXPONENT_DASHPOT = 13,/* c alpha: c |v|^alpha sgn v */
+  ED_AMEND_PAYNE_NETWORK = 14,            /* d s0 tau: phi = 1 - d x, x' = (1 - x) |v|/s0 - x/tau, |v| constant over the step */
+  ED_AMEND_MULLINS_DAMAGE = 15,           /* m r p: phi = 1 - m (1 - exp(-(M/r)^p)) */
+  ED_AMEND_VELOCITY_EXPONENT_FLOW = 16,   /* f v0: f asinh(v/v0) */
+  ED_AMEND_DEGRADATION_PATH = 17,         /* d p S: phi = 1 - d (s/S)^p */
+  ED_AMEND_ONE_SIDED_CONTACT = 18,        /* k u0 n side(1, -1) r: k x (x/r)^(n-1) side, x = max(side u - u0, 0) */
+  ED_AMEND_ONE_SIDED_EVEN = 19            /* k n r: k |u| (|u|/r)^(n-1) */
+};
+/* Adds one to a damper, before its first state is made; several act together. inside: not beside the law but inside one that relaxes all
+ * of its forces, F_law + tau F_law' = everything: it adds Q to the force, Q + tau Q' = force, or (phi - 1)(F_law + tau F_law') for a
+ * factor; force, phi and F_law linear over the step. Refused unless the law is ED_LAW_MGMM (tau = c1/k1). A brace stands in series with
+ * the amended damper; laws without exact step refuse amendments with a brace. `message` (size bytes) says why it is refused, and then
+ * nothing has changed. */
+int ed_damper_amend(ed_damper *damper, int kind, int inside, int n_parameters, const double *parameters, char *message, int size);
+/* What a damper went through before it starts, for laws that extremes soften (ED_LAW_MGMM; others do not mind): largest deformation
+ * and velocity (>= 0), smallest ones (<= 0), in the order largest u, smallest u, largest v, smallest v. ED_E_ARGUMENT: they are not so. */
+int ed_damper_been(ed_damper *damper, const double extremes[4]);
+/* Whom calls with this damper ask whether to stop; NULL, or before this call: nobody. */
+void ed_damper_ask(ed_damper *damper, const ed_stop *stop);
+int ed_damper_state_size(const ed_damper *damper);            /* doubles */
+void ed_damper_start(const ed_damper *damper, double *state); /* at rest */
+
+/* ED_DAMPER_BEST: the exact step where the law has one, else SUNDIALS; ED_DAMPER_ODE: SUNDIALS. */
+enum { ED_DAMPER_BEST = 0, ED_DAMPER_ODE = 1 };
+/* One step of duration h from `committed`, along the cubic through deformation and velocity at both ends. Writes the state at its
+ * end, the force there, and its derivatives to u1 and v1 (slope). tolerance: relative, of SUNDIALS. Repeated calls give the same. */
+int ed_damper_step(const ed_damper *damper, int method, double tolerance, const double *committed, double h, double u0, double v0,
+                   double u1, double v1, double *trial, double *force, double *slope);
+/* Force under n samples of deformation u and velocity v at ascending times, from rest; held at u[0] for long before. force: n.
+ * *done: samples that were reached when it fails. */
+int ed_damper_history(const ed_damper *damper, int method, double tolerance, int n, const double *time, const double *u,
+                      const double *v, double *force, int *done);
+/* Of the terms that relax in the MGMM (ED_E_STATE: not of an MGMM alone), with g = k_mod u (spring), c_mod v (dashpot) and |v|^alpha sgn v (power)
+ * along the same cubics, the moments 1/h integral of g(s) T_k(2 s/h - 1) ds over each step, T_k Chebyshev's polynomials: with
+ * exp(-(h - s)/t) in a series of T_k they give what any relaxation time t leaves of g. Places and weights of the quadrature suit those of
+ * the damper's tau or longer. Each (n - 1) x ED_MOMENTS, row by row, or NULL: not wanted.
+ * *held: k_mod u at the first deformation. */
+enum { ED_MOMENTS = 6 };
+int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const double *u, const double *v, double *spring,
+                    double *dashpot, double *power, double *held, int *done);
+/* What stands in series with a damper. It carries within (e - z) + stiffness * side * z (1 + bend z^2) at a stretch e, z: e beyond play/2,
+ * either way; side: 1, or `back` where e < 0. With another power than 1 (at least that) it is stiffness * side * z |sqrt(bend) z|^(power
+ * - 1) beyond the play, bend > 0, play = 0. Beside all of it damping e'. stiffness, back > 0; bend, within, play, damping >= 0, play from
+ * end to end. */
+typedef struct {
+  double stiffness, back, bend, power, within, play, damping;
+} ed_rig;
+/* The same as ed_damper_history in series with a rig: u = u_d + e, and factor F(u_d) + added + spring u_d is what the rig carries.
+ * factor (>= 0), added, spring (>= 0): n, or NULL for 1, 0 and 0. force: n, through rig and damper; own: n, deformation u_d of the
+ * damper. e is a parabola between samples, and linear over parts of a step in which it comes to an end of the play. */
+int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
+                                const double *factor, const double *added, const double *spring, const ed_rig *rig, double *force,
+                                double *own, int *done);
+
+/* q_0 = before, q_i = decay_(i-1) q_(i-1) + made_(i-1). q: n >= 1; decay, made: n - 1. What is not finite is passed on to all that
+ * follows, and ED_E_NOT_FINITE says that there is some. */
+int ed_fading(int n, const double *decay, const double *made, double before, double *q);
+/* The same of complex numbers, real and imaginary part side by side. */
+int ed_swinging(int n, const double *decay, const double *made, const double *before, double *q);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
