@@ -59,8 +59,8 @@ def spectrum(
     from edesign.errors import InputError
     from edesign.ground_motion.hazard import code_spectra
     from edesign.project.units import TIME
+    from edesign.report.figures import check_figure_name
     from edesign.report.spectrum_table import (
-        check_figure_name,
         draw_spectra,
         record_notes,
         spectrum_columns,

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, ParamSpec
 import numpy as np
 
 from edesign.archive.files import write_whole
+from edesign.errors import InputError
 from edesign.report.visible import visible
 
 if TYPE_CHECKING:
@@ -89,6 +90,16 @@ def save(figure: Figure, path: Path) -> None:
     metadata = {"CreationDate": None} if suffix == ".pdf" else None
     with matplotlib.rc_context(_STYLE):
         write_whole(path, lambda partial: figure.savefig(partial, dpi=160, metadata=metadata))
+
+
+def check_figure_name(path: Path) -> None:
+    """Check the suffix of a figure.
+
+    Raises:
+        InputError: it is of no format that is drawn.
+    """
+    if path.suffix.lower().lstrip(".") not in FORMATS:
+        raise InputError(f"{path}: a figure ends in {', '.join(f'.{name}' for name in FORMATS)}")
 
 
 def svg_text(figure: Figure) -> str:

@@ -10,13 +10,12 @@ import numpy as np
 from edesign.archive.csv_files import write_csv_file
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.spectrum import Spectrum
-from edesign.errors import InputError
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.ground_motion.sources import Found
 from edesign.project.units import STANDARD_GRAVITY
-from edesign.report.figures import FORMATS, save
+from edesign.report.figures import check_figure_name, save
 from edesign.report.spectra_figure import spectra_figure
 from edesign.report.table import Table
 
@@ -100,13 +99,3 @@ def draw_spectra(
     if design is not None:
         goals[design.label] = design.acceleration(periods)
     save(spectra_figure(periods, spectra, goals, f"{100 * elastic.damping:g} % damping"), path)
-
-
-def check_figure_name(path: Path) -> None:
-    """Check the suffix of a figure.
-
-    Raises:
-        InputError: it is of no format that is drawn.
-    """
-    if path.suffix.lower().lstrip(".") not in FORMATS:
-        raise InputError(f"{path}: a figure ends in {', '.join(f'.{name}' for name in FORMATS)}")

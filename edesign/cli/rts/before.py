@@ -13,18 +13,34 @@ from edesign.errors import InputError
 File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
 
 
-def check(file: File) -> None:
+def check(
+    file: File,
+    figure: Annotated[
+        Path | None,
+        typer.Option("--figure", metavar="FILE", help="Draw where the test is stable: .svg, .png or .pdf."),
+    ] = None,
+) -> None:
     """Say, without running the loop, whether it is stable, how wrong it will be, and which compensator suits."""
+    from edesign.archive.files import check_file
     from edesign.building.building_sections import BuildingSections
     from edesign.project.substructure import load_rts_file
+    from edesign.report.figures import check_figure_name
     from edesign.report.substructure.advice_tables import advice_tables
     from edesign.report.text import print_tables
     from edesign.substructure.advice.advice import advise
     from edesign.substructure.virtual_tests import VirtualLaboratory
 
-    tests = load_rts_file(file, BuildingSections())
+    if figure is not None:
+        check_figure_name(figure)
+        check_file(figure)
+    laboratory = VirtualLaboratory(load_rts_file(file, BuildingSections()))
+    advice = advise(laboratory)
+    print_tables(advice_tables(advice))
+    if figure is not None:
+        from edesign.report.substructure.map_figures import draw_map
 
-    print_tables(advice_tables(advise(VirtualLaboratory(tests))))
+        if not draw_map(laboratory, advice.recommended, figure):
+            raise InputError(f"{file}: --figure: there is no map without a test with a loop, and with an unstable rig")
 
 
 def export(

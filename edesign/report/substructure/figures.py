@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from edesign.archive.reader import Archive
 from edesign.report.substructure.alpha_figures import alpha_figures
 from edesign.report.substructure.diagram import loop_diagrams
+from edesign.report.substructure.map_figures import map_figures
 from edesign.report.substructure.response_figures import energy_error_figures, loop_figures, response_figures
 from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.rig_figures import rig_figures
@@ -20,6 +21,7 @@ if TYPE_CHECKING:
 SUBSTRUCTURE_FIGURES = (
     loop_diagrams,
     rig_figures,
+    map_figures,
     tracking_figures,
     synchronisation_figures,
     alpha_figures,

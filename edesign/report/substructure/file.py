@@ -16,8 +16,9 @@ from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure
 from edesign.project.substructure.summary import summary
 from edesign.project.yaml_file import check_model
-from edesign.substructure.laboratory import Laboratory, laboratory, rig_transfer
+from edesign.substructure.laboratory import Laboratory, rig_transfer
 from edesign.substructure.rig.rigs import RigTransfer
+from edesign.substructure.virtual_tests import VirtualLaboratory
 
 RIG = "rig"
 TITLES = {
@@ -40,15 +41,20 @@ class ArchivedTests:
         file: None: its text cannot be read.
         told: sentences on what is not known, or comes from elsewhere.
         plant: the rig; None: its file is not at hand.
-        laboratory: structure, damper and rig; None: they cannot be made from what is held.
+        tests: of the file, made ready; None: they cannot be made from what is held.
         transfer: of the rig; None: not known.
     """
 
     file: RtsFile | None
     told: list[str] = field(default_factory=list)
     plant: RigModel | None = None
-    laboratory: Laboratory | None = None
+    tests: VirtualLaboratory | None = None
     transfer: RigTransfer | None = None
+
+    @property
+    def laboratory(self) -> Laboratory | None:
+        """Structure, damper and rig; None: they cannot be made from what is held."""
+        return self.tests.laboratory if self.tests is not None else None
 
     def rows(self) -> list[tuple[str, str]]:
         """Return what was tested, line by line: title and text."""
@@ -119,8 +125,8 @@ def _make_laboratory(tests: ArchivedTests) -> None:
         return
     tests.plant = file.plant
     try:
-        tests.laboratory = laboratory(file)
-        tests.transfer = tests.laboratory.transfer
+        tests.tests = VirtualLaboratory(file)
+        tests.transfer = tests.tests.laboratory.transfer
     except (EdesignError, OSError) as error:
         tests.told.append(f"Structure and law are not drawn: {error}.")
         if tests.plant.kind != "servo_hydraulic":  # of which the specimen is a part

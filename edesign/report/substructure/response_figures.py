@@ -46,7 +46,10 @@ def loop_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figur
         shown = f" Shown are the cycles from {plain(seen[0])} to {plain(seen[1])} s." if seen is not None else ""
         forces = [f"{one.label} {plain(1e-3 * largest([loop.force]))} kN" for one, loop in found]
         dashed = f" The dashed line is {what}." if wanted is not None else ""
-        caption = f"Force over deformation of the specimen, {test}. Largest: {'; '.join(forces)}.{dashed}{shown}"
+        caption = (
+            f"Force over deformation of the specimen, and below over time, {test}. Largest: {'; '.join(forces)}."
+            f"{dashed}{shown}"
+        )
         yield file_name("specimen", test), caption, loop_figure(found, wanted, what, seen)
 
 
@@ -96,7 +99,7 @@ def _seen(loop: Loop) -> tuple[float, float] | None:
 def loop_figure(
     found: Sequence[tuple[Series, Loop]], wanted: Loop | None, what: str, seen: tuple[float, float] | None
 ) -> Figure:
-    """Draw loops as Figs. 6.23 and 6.27 of the thesis, a panel for each run.
+    """Draw loops as Figs. 6.23 and 6.27 of the thesis, a panel for each run, and below the forces over time.
 
     Args:
         found: the runs.
@@ -104,14 +107,21 @@ def loop_figure(
         what: this is, in words.
         seen: a window in s; None: all of the history.
     """
-    figure, axes = new_figure(1, len(found), 0.5 + PANEL[0] * len(found), PANEL[1] + 0.7)
+    wide_figure = 0.5 + PANEL[0] * max(len(found), 2)
+    figure, axes = new_figure(2, len(found), wide_figure, PANEL[1] + HIGH + 1.0)
     loops = [_part(loop, seen) for _, loop in found]
     aim = _part(wanted, seen) if wanted is not None else None
     both = [*loops, aim] if aim is not None else loops
     wide, tall = 1e3 * largest([one.deformation for one in both]), 1e-3 * largest([one.force for one in both])
     spans = (2.0 * wide or 1.0, 2.0 * tall or 1.0)
+    grid = axes[1][0].get_gridspec()
+    grid.set_height_ratios([PANEL[1], HIGH])
+    for axis in axes[1]:
+        axis.remove()
+    history = figure.add_subplot(grid[1, :])
     for axis, (one, _), loop in zip(axes[0], found, loops, strict=True):
         curve(axis, 1e3 * loop.deformation, 1e-3 * loop.force, PANEL, spans, color=one.color, lw=1.5)
+        curve(history, loop.time, 1e-3 * loop.force, (wide_figure - 0.7, HIGH), color=one.color, lw=1.2)
         if aim is not None:
             curve(axis, 1e3 * aim.deformation, 1e-3 * aim.force, PANEL, spans, color=MEAN, lw=0.6, ls="--")
         axis.set_title(legend_label(one.label))
@@ -119,9 +129,15 @@ def loop_figure(
         axis.axvline(0.0, color=MEAN, lw=0.4, zorder=0.9)
         axis.set_xlim(-1.08 * wide or -1.0, 1.08 * wide or 1.0)
         axis.set_xlabel("deformation (mm)")
-    axes[0][0].set_ylabel("force (kN)")
     if aim is not None:
-        legend_below(figure, [(what, MEAN, "--")])
+        curve(history, aim.time, 1e-3 * aim.force, (wide_figure - 0.7, HIGH), color=MEAN, lw=0.6, ls="--")
+    around_zero(history, tall)
+    history.set_xlim(*(seen or (0.0, max(float(loop.time[-1]) for loop in loops) or 1.0)))
+    history.set_xlabel("time (s)")
+    for axis in (axes[0][0], history):
+        axis.set_ylabel("force (kN)")
+    lines = [(one.label, one.color, "-") for one, _ in found]
+    legend_below(figure, [*([(what, MEAN, "--")] if aim is not None else []), *lines])
     return figure
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -21,8 +22,26 @@ from edesign.substructure.archived import PLACE, building_name
 
 NONE = "none"
 """Kind of the compensator that does nothing."""
+WITHOUT = "without compensation"
 FIRST, BEST = VARIANTS[0], AFTER
 """Colours of the run without compensation, and of the best one."""
+
+
+OTHERS = tuple(color for color in VARIANTS if color not in (FIRST, BEST))
+"""Colours of further compensators, which then come again with another line."""
+STYLES = ("-", ":", "--", "-.")
+
+
+def looks(kinds: Mapping[str, str], best: str | None) -> dict[str, tuple[str, str]]:
+    """Return colour and line of each compensator, no two alike up to a dozen.
+
+    Args:
+        kinds: of the compensators by their names.
+        best: the one that is shown as such; None: there is none.
+    """
+    others = [name for name, kind in kinds.items() if kind != NONE and name != best]
+    found = {name: (OTHERS[i % len(OTHERS)], STYLES[i // len(OTHERS) % len(STYLES)]) for i, name in enumerate(others)}
+    return {name: found.get(name, (FIRST if kind == NONE else BEST, "-")) for name, kind in kinds.items()}
 
 
 @dataclass(frozen=True)
@@ -124,7 +143,7 @@ class SubstructureResults:
         group = self.histories(test, compensator)
         if group is None or not times(group).size:
             return None
-        label = "without compensation" if self.kind(compensator) == NONE else compensator
+        label = WITHOUT if self.kind(compensator) == NONE else compensator
         return Series(compensator, label, color, group)
 
     def kind(self, compensator: str) -> str:
@@ -169,17 +188,17 @@ class SubstructureResults:
     @cached_property
     def linearised(self) -> LinearisedTests | None:
         """Specimen, rig and structure as `edesign rts check` linearises them; None: not known."""
-        largest = self.largest_deformation
-        return linearised(self.described, largest) if largest is not None else None
+        motion = self.motion
+        return linearised(self.described, motion) if motion is not None else None
 
     @cached_property
-    def largest_deformation(self) -> float | None:
-        """Of the specimen in the first direct analysis, without one in the first test, m; None: unknown."""
+    def motion(self) -> np.ndarray | None:
+        """(n,) of the specimen in the first direct analysis, without one in the first test, m; None: unknown."""
         found = [self.driven(test).variables.get("direct_deformation") for test in self.tests]
         moved = [one.group.variables for test in self.tests for one in self.shown(test)[-1:]]
         found += [of.get("deformation") for of in moved]
-        reach = (float(np.max(np.abs(one.values))) for one in found if one is not None and one.values.size)
-        return next((one for one in reach if one > 0.0), None)
+        reach = (np.asarray(one.values, dtype=float) for one in found if one is not None and one.values.size)
+        return next((one for one in reach if np.any(one)), None)
 
     def in_words(self, test: str, compensator: str) -> str:
         """Return error and delay of a run in words, "" if they are not known."""

@@ -1,8 +1,8 @@
-"""The rig over frequency, without compensation and behind each compensator that has a transfer function."""
+"""The rig over frequency, without compensation and behind each compensator."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -10,23 +10,22 @@ import numpy as np
 
 from edesign.core.compensator import DifferenceEquation
 from edesign.errors import EdesignError
-from edesign.project.substructure.compensators import AtsCompensator, ModifiedAtsCompensator
+from edesign.project.substructure.compensators import AtsCompensator, LiveDelayCompensator, ModifiedAtsCompensator
 from edesign.report.captions import plain
-from edesign.report.figures import MEAN, VARIANTS, logarithmic, new_figure, styled
+from edesign.report.figures import MEAN, logarithmic, new_figure, styled
 from edesign.report.substructure.curves import legend_below
-from edesign.report.substructure.results import BEST, FIRST, NONE, SubstructureResults
-from edesign.substructure.compensation.compensators import response
+from edesign.report.substructure.results import BEST, FIRST, NONE, WITHOUT, SubstructureResults, looks
+from edesign.substructure.advice.transfers import CompensatorTransfer, late, of_equation, of_live_delay
 from edesign.substructure.laboratory import compensator_of
 from edesign.substructure.rig.rigs import RigTransfer
+from edesign.substructure.stability.loop import Transfer
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FROM, TO = 0.1, 50.0  # Hz
 LEAST = 0.1  # amplitude in the figure
-MOST = 6  # compensators in the figure
-OTHERS = tuple(color for color in VARIANTS if color not in (FIRST, BEST))
-Transfer = Callable[[np.ndarray], np.ndarray]
+FORCE = ", force"
 
 
 @dataclass(frozen=True)
@@ -47,13 +46,15 @@ def rig_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure
     paths, without = _paths(results, described.transfer)
     lines = _frequencies(results)
     at = lines[0] if lines else 1.0
-    late = [f"{path.label} {plain(1e3 * delay(path.transfer, at))} ms" for path in paths]
-    left = f" Not shown, as they have no transfer function of their own: {', '.join(without)}." if without else ""
+    times = [f"{path.label} {plain(1e3 * delay(path.transfer, at))} ms" for path in paths]
+    left = f" Not shown: {'; '.join(f'{name}, {why}' for name, why in without)}." if without else ""
+    corrected = " Of a compensator that corrects the measured force, that force over the one under the target."
+    left = (corrected if any(path.label.endswith(FORCE) for path in paths) else "") + left
     marked = " Thin upright lines are the frequencies of the structure with the specimen." if lines else ""
     caption = (
         "Displacement over target. Above the amplitude, in the middle the phase, below what a sine comes late by."
-        f"{marked} At {plain(at)} Hz late: {'; '.join(late)}. Adaptive compensators stand with the means of their "
-        f"coefficients.{left}"
+        f"{marked} At {plain(at)} Hz late: {'; '.join(times)}. Adaptive compensators stand with the means of their "
+        f"coefficients, a live delay with what it had found at the end.{left}"
     )
     yield "rig", caption, rig_figure(paths, lines, described.file.loop.main_step)
 
@@ -64,37 +65,34 @@ def delay(transfer: Transfer, frequency: float) -> float:
     return float(-np.unwrap(np.angle(transfer(1j * omega)))[-1] / omega[-1])
 
 
-def _paths(results: SubstructureResults, rig: RigTransfer) -> tuple[list[Path], list[str]]:
-    """The rig alone and behind each compensator; and the compensators that cannot be drawn so."""
-    loaded = results.linearised.rig if results.linearised is not None else rig
-    paths, without = [Path("without compensation", loaded, FIRST)], []
-    best = next((results.best(test) for test in sorted(results.tests, key=results.is_closed, reverse=True)), None)
+def _paths(results: SubstructureResults, rig: RigTransfer) -> tuple[list[Path], list[tuple[str, str]]]:
+    """The rig alone and behind each compensator; and the compensators that cannot be drawn so, with the reason."""
     file = results.described.file
     assert file is not None
-    unseen = file.loop.unseen_delay * file.loop.main_step
-    others = 0
-    for name in file.compensators:
-        if results.kind(name) == NONE:
+    loaded = results.linearised.rig if results.linearised is not None else rig
+    best = next((results.best(test) for test in sorted(results.tests, key=results.is_closed, reverse=True)), None)
+    chosen = looks({name: one.kind for name, one in file.compensators.items()}, best)
+    paths, without = [Path(WITHOUT, loaded, FIRST)], []
+    for name, described in file.compensators.items():
+        if described.kind == NONE:
             continue
-        command = _command(results, name, rig)
-        if command is None or len(paths) > MOST:
-            without.append(name)
+        try:
+            found = _compensator(results, name, rig, loaded)
+        except EdesignError as error:
+            without.append((name, str(error)))
             continue
-        transfer = _behind(command, loaded, unseen)
-        if name == best:
-            paths.append(Path(name, transfer, BEST))
-            continue
-        paths.append(Path(name, transfer, OTHERS[others % len(OTHERS)], "-" if others < len(OTHERS) else ":"))
-        others += 1
+        path = _behind(results, name, found, loaded)
+        if isinstance(path, str):
+            without.append((name, path))
+        else:
+            paths.append(Path(*path, *chosen[name]))
     return paths, without
 
 
-def _behind(command: Transfer, rig: Transfer, unseen: float) -> Transfer:
-    return lambda s: command(s) * rig(s) * np.exp(-s * unseen)
-
-
-def _command(results: SubstructureResults, name: str, rig: RigTransfer) -> Transfer | None:
-    """Command over target of a compensator; None where it feeds back what is measured, or has found no values."""
+def _compensator(
+    results: SubstructureResults, name: str, rig: RigTransfer, loaded: Transfer
+) -> CompensatorTransfer | None:
+    """A compensator of the file; an adaptive one with what it found in the tests, None if it found nothing."""
     file = results.described.file
     assert file is not None
     described, step = file.compensators[name], file.loop.main_step
@@ -105,16 +103,34 @@ def _command(results: SubstructureResults, name: str, rig: RigTransfer) -> Trans
         if not known:
             return None
         a0, a1, a2 = np.mean(known, axis=0)
-        return lambda s: np.asarray(a0 + a1 * s + a2 * s**2)
-    try:
-        equation = compensator_of(described, step, rig)
-    except EdesignError:
-        return None
-    if not isinstance(equation, DifferenceEquation) or equation.force_terms:
-        return None
-    if any(term.of == "measured" for term in equation.terms):
-        return None
-    return lambda s: response(equation, step, s)
+        return CompensatorTransfer(lambda s: np.asarray(a0 + a1 * s + a2 * s**2), None, "")
+    if isinstance(described, LiveDelayCompensator):
+        kept = [results.series(test, name) for test in results.tests if name in results.compensators(test)]
+        delays = [one.of("alpha_0") for one in kept if one is not None]
+        ends = [float(one[-1]) for one in delays if one is not None and one.size and np.isfinite(one[-1])]
+        return of_live_delay(described, float(np.mean(ends))) if ends else None
+    equation = compensator_of(described, step, rig)
+    assert isinstance(equation, DifferenceEquation)
+    return of_equation(equation, loaded, rig, step)
+
+
+def _behind(
+    results: SubstructureResults, name: str, found: CompensatorTransfer | None, loaded: Transfer
+) -> tuple[str, Transfer] | str:
+    """Label and transfer function of a compensator and the rig behind it; or why there is none, in words."""
+    file, linear = results.described.file, results.linearised
+    assert file is not None
+    if found is None:
+        return "it kept nothing of what it found"
+    if not found.settles:
+        return "unstable with the rig alone"
+    unseen = file.loop.unseen_delay * file.loop.main_step
+    if found.force is None:
+        return name, late(unseen, lambda s: found.command(s) * loaded(s))
+    if linear is None:
+        return "it corrects the force, and no specimen is known"
+    force, specimen = found.force, linear.bench.specimen
+    return f"{name}{FORCE}", late(unseen, lambda s: found.command(s) * loaded(s) + force(s) / specimen(-1j * s))
 
 
 def _frequencies(results: SubstructureResults) -> list[float]:
@@ -137,14 +153,14 @@ def rig_figure(paths: Sequence[Path], lines: Sequence[float], step: float) -> Fi
     figure, axes = new_figure(3, 1, 5.6, 5.2)
     frequency = np.geomspace(FROM, min(TO, 0.5 / step), 400)
     omega = 2.0 * np.pi * frequency
-    late, peak = [], 1.0
+    times, peak = [], 1.0
     for path in paths:
         width = 1.1 if path.color in (FIRST, BEST) else 1.9  # compensators that agree lie on each other
         found = path.transfer(1j * omega)
         peak = max(peak, float(np.max(np.abs(found))))
         phase = np.unwrap(np.angle(found))
-        late.append(-1e3 * phase / omega)
-        for (axis,), values in zip(axes, (np.abs(found), np.degrees(phase), late[-1]), strict=True):
+        times.append(-1e3 * phase / omega)
+        for (axis,), values in zip(axes, (np.abs(found), np.degrees(phase), times[-1]), strict=True):
             axis.plot(frequency, values, color=path.color, lw=width, ls=path.style, zorder=3.2 - 0.2 * width)
     for axis, level, label in zip(
         (row[0] for row in axes), (1.0, 0.0, 0.0), ("amplitude (–)", "phase (degrees)", "delay (ms)"), strict=True

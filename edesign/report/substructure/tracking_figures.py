@@ -1,16 +1,19 @@
-"""How a rig followed its target: both over time with the error, and measured displacement over target."""
+"""How a rig followed its target: both over time with error and delay, and measured displacement over target."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from edesign.errors import EdesignError
 from edesign.report.captions import file_name, plain
 from edesign.report.figures import MEAN, legend_label, new_figure, styled
 from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_below, window, within
 from edesign.report.substructure.results import Series, SubstructureResults
+from edesign.substructure.indicators.crossing_delay import CrossingDelay, crossing_delay
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -25,11 +28,13 @@ def tracking_figures(results: SubstructureResults) -> Iterator[tuple[str, str, F
     for test in results.tests:
         series = _tracked(results, test)
         if series:
+            late = [_crossings(results, test, one) for one in series]
+            each = ", then what each zero crossing comes late by" if any(late) else ""
             caption = (
-                f"Target and measured displacement, {test}. Above the whole target, in the middle the shaded window "
-                f"with the largest error, below the error. {_numbers(results, test, series)}"
+                f"Target and measured displacement, {test}. From above the whole target, the shaded window with the "
+                f"largest error, and the error{each}. {_numbers(results, test, series)}"
             )
-            yield file_name("tracking", test), caption, tracking_figure(series)
+            yield file_name("tracking", test), caption, tracking_figure(series, late)
 
 
 def synchronisation_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
@@ -50,6 +55,20 @@ def _tracked(results: SubstructureResults, test: str) -> list[Series]:
     return [one for one in results.shown(test) if one.of("target") is not None and one.of("measured") is not None]
 
 
+def _crossings(results: SubstructureResults, test: str, series: Series) -> CrossingDelay | None:
+    """Delays of the zero crossings of a run, None if there are none to be told."""
+    run, time = results.run(test, series.compensator), series.time
+    expected = run.value("crossing_delay_mean") if run is not None else math.nan
+    if math.isnan(expected) or time.size < 2:
+        return None
+    target, measured = series.of("target"), series.of("measured")
+    assert target is not None and measured is not None
+    try:
+        return crossing_delay(target, measured, float(time[1] - time[0]), expected=expected)
+    except EdesignError:
+        return None
+
+
 def _mm(series: Series, name: str) -> np.ndarray:
     values = series.of(name)
     assert values is not None
@@ -61,14 +80,16 @@ def _error(series: Series) -> np.ndarray:
 
 
 @styled
-def tracking_figure(series: Sequence[Series]) -> Figure:
+def tracking_figure(series: Sequence[Series], late: Sequence[CrossingDelay | None]) -> Figure:
     """Draw the target, some of its cycles with what was measured, and the error, as Figs. 6.11 and 6.20 of the thesis.
 
     Args:
         series: at least one; the target is that of the last.
+        late: delays of the zero crossings of each, drawn below; None: not known.
     """
-    figure, axes = new_figure(3, 1, WIDTH, 4.6)
-    whole, some, wrong = (row[0] for row in axes)
+    rows = 4 if any(late) else 3
+    figure, axes = new_figure(rows, 1, WIDTH, 1.0 + 1.2 * rows)
+    whole, some, wrong = (row[0] for row in axes[:3])
     size = (WIDTH - 0.7, HIGH)
     last = series[-1]
     target = _mm(last, "target")
@@ -97,11 +118,22 @@ def tracking_figure(series: Sequence[Series]) -> Figure:
         axis.set_ylabel(label)
         if axis is not some:
             axis.set_xlim(0.0, end or 1.0)
-    wrong.set_xlabel("time (s)")
+    if rows > 3:
+        _draw_delays(axes[3][0], series, late, end)
+    axes[-1][0].set_xlabel("time (s)")
     figure.align_ylabels()
     lines = [(f"measured, {one.label}", one.color, "-") for one in series]
     legend_below(figure, [(f"target, {last.label}" if own_targets else "target", MEAN, "--"), *lines, *own_targets])
     return figure
+
+
+def _draw_delays(axis: Axes, series: Sequence[Series], late: Sequence[CrossingDelay | None], end: float) -> None:
+    for one, found in zip(series, late, strict=True):
+        if found is not None:
+            axis.plot(found.instants, 1e3 * found.delays, color=one.color, lw=0.6, marker=".", ms=2.5)
+    axis.axhline(0.0, color=MEAN, lw=0.4, zorder=0.9)
+    axis.set_xlim(0.0, end or 1.0)
+    axis.set_ylabel("delay (ms)")
 
 
 def _differ(one: np.ndarray, other: np.ndarray) -> bool:

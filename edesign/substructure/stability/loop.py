@@ -23,6 +23,11 @@ def ideal(s: np.ndarray) -> np.ndarray:
     return np.ones_like(s, dtype=complex)
 
 
+def nothing(s: np.ndarray) -> np.ndarray:
+    """Rig that stands still: 0."""
+    return np.zeros_like(s, dtype=complex)
+
+
 def pure_delay(delay: float) -> Transfer:
     """exp(-s tau) of a delay tau in s."""
 
@@ -107,11 +112,36 @@ class Loop:
 
     def transfer(self, s: np.ndarray) -> np.ndarray:
         """L = k_E H G C, with H the receptance of the numerical part at the interface; (m,) at s of shape (m,)."""
-        share = self.specimen_share(s)
-        value: np.ndarray = self.actuation(s) * share / (1.0 - share)
-        return value
+        return self.open_loop(self.actuation(s), self.specimen_share(s), s)
+
+    def open_loop(self, actuation: np.ndarray, share: np.ndarray, s: np.ndarray) -> np.ndarray:
+        """L by its parts: `actuation` and `specimen_share` at s, (m,) each."""
+        return np.asarray(actuation * share / (1.0 - share))
 
     def ratio(self, s: np.ndarray) -> np.ndarray:
         """R = (1 + L)/(1 + L of the ideal loop) = 1 + (G C - 1) T: its zeros are the roots of the loop; (m,)."""
         value: np.ndarray = 1.0 + (self.actuation(s) - 1.0) * self.specimen_share(s)
         return value
+
+
+@dataclass(frozen=True)
+class RigDelayLoop(Loop):
+    """A loop that is opened at the rig: a further delay d of the rig multiplies its L by exp(-s d), and nothing else.
+
+    Then R is 0 where L exp(-s d) is -1. That L is not k_E H G C if a compensator corrects the measured force, which
+    comes in time however late the rig is; or if it feeds back what is measured, and so has the delay in its command.
+    In both cases R, times what the command is without the rig over what it is with it, is A + B G with A and B that
+    do not know the rig; L is B G / A.
+
+    Attributes:
+        still: what the numerical part gets of the force while the rig stands still, over the force of the target.
+        opened: command while the rig stands still, over the command as it is.
+    """
+
+    still: Transfer = nothing
+    opened: Transfer = ideal
+
+    def open_loop(self, actuation: np.ndarray, share: np.ndarray, s: np.ndarray) -> np.ndarray:
+        """L by its parts: `actuation` and `specimen_share` at s, (m,) each."""
+        moving, standing = (1.0 + (one - 1.0) * share for one in (actuation, self.still(s)))
+        return np.asarray(moving * self.opened(s) / standing - 1.0)

@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.optimize import brentq
 
 from edesign.substructure.stability.loop import Loop
 from edesign.substructure.stability.roots import StructureMode, further_roots, loop_roots, structure_modes
@@ -15,6 +14,8 @@ from edesign.substructure.stability.sweep import GAIN_OF_INTEREST, Sweep, sweep
 
 FREQUENCY_TOLERANCE = 1e-13
 """Of a crossing; some hundred rounding errors."""
+ITERATIONS = 60
+"""As many as halvings of an interval that reach it; ten are usual."""
 
 
 @dataclass(frozen=True)
@@ -116,7 +117,7 @@ def loop_stability(loop: Loop, highest_frequency: float | None = None) -> LoopSt
     own = structure_modes(loop)
     swept = sweep(loop, own, highest_frequency)
     roots = loop_roots(loop, own)
-    found = _crossings(loop, swept, own)
+    found = crossings_of(loop, swept, own)
     stable = swept.bounded and swept.unstable_roots == 0
     late = [one for one in found if one.delay > 0.0]
     early = [one for one in found if one.delay < 0.0]
@@ -154,35 +155,40 @@ def critical_delays(loop: Loop, highest_frequency: float | None = None) -> tuple
     """
     bare = Loop(loop.mass, loop.damping, loop.stiffness, loop.interface, loop.specimen)
     modes = structure_modes(bare)
-    found = _crossings(bare, sweep(bare, modes, highest_frequency), modes)
+    found = crossings_of(bare, sweep(bare, modes, highest_frequency), modes)
     return tuple(one for one in found if one.delay >= 0.0 and one.grows)
 
 
-def _crossings(loop: Loop, swept: Sweep, modes: Sequence[StructureMode]) -> tuple[Crossing, ...]:
-    """Where |L| = 1: the delay that brings L to -1, and the lead one turn before it."""
+def crossings_of(loop: Loop, swept: Sweep, modes: Sequence[StructureMode]) -> tuple[Crossing, ...]:
+    """Where |L| = 1: the delay that brings L to -1, and the lead one turn before it; the nearest first.
+
+    Args:
+        loop: with rig and compensator.
+        swept: this loop over frequency.
+        modes: of the structure itself.
+    """
     size = np.abs(swept.transfer)
     with np.errstate(divide="ignore"):
         level = np.log(size)
     own = np.array([mode.omega for mode in modes])
+    at = _sign_changes(level)
+    omegas = _roots(lambda w: np.log(np.abs(loop.transfer(1j * w))), swept.omega[at], swept.omega[at + 1])
+    delays = (np.angle(loop.transfer(1j * omegas)) + np.pi) % (2.0 * np.pi) / omegas
     found = []
-    for i in _sign_changes(level):
-        omega = _root(lambda w: math.log(abs(_transfer(loop, w))), swept.omega[i], swept.omega[i + 1])
-        delay = float((np.angle(_transfer(loop, omega)) + np.pi) % (2.0 * np.pi)) / omega
+    for omega, delay, before in zip(omegas.tolist(), delays.tolist(), level[at].tolist(), strict=True):
         mode = int(np.argmin(np.abs(np.log(np.maximum(own, np.finfo(float).tiny) / omega)))) + 1
-        turn = 2.0 * np.pi / omega
-        grows = bool(level[i] > 0.0)
-        found += [Crossing(at, omega / (2.0 * np.pi), mode, grows) for at in (delay, delay - turn)]
+        turn = 2.0 * math.pi / omega
+        found += [Crossing(one, omega / (2.0 * math.pi), mode, before > 0.0) for one in (delay, delay - turn)]
     return tuple(sorted(found, key=lambda one: abs(one.delay)))
 
 
 def _gain_margin(loop: Loop, swept: Sweep, stable: bool) -> float:
     """Factor on L that brings it to -1 where it is real and negative."""
     L = swept.transfer
-    factors = []
-    for i in _sign_changes(L.imag):
-        if L[i].real < 0.0 and L[i + 1].real < 0.0:
-            omega = _root(lambda w: _transfer(loop, w).imag, swept.omega[i], swept.omega[i + 1])
-            factors.append(-1.0 / _transfer(loop, omega).real)
+    at = _sign_changes(L.imag)
+    at = at[(L[at].real < 0.0) & (L[at + 1].real < 0.0)]
+    omegas = _roots(lambda w: loop.transfer(1j * w).imag, swept.omega[at], swept.omega[at + 1])
+    factors = (-1.0 / loop.transfer(1j * omegas).real).tolist()
     if stable:
         return min((factor for factor in factors if 1.0 < factor < GAIN_OF_INTEREST), default=math.inf)
     return max((factor for factor in factors if factor < 1.0), default=0.0)
@@ -232,17 +238,29 @@ def _dips(swept: Sweep) -> np.ndarray:
     return np.asarray(swept.omega[1:-1][lowest])
 
 
-def _sign_changes(values: np.ndarray) -> list[int]:
-    """Indices i with a change of sign between i and i + 1; above zero frequency, where L may be infinite."""
+def _sign_changes(values: np.ndarray) -> np.ndarray:
+    """Indices i with a change of sign between i and i + 1, (k,); above zero frequency, where L may be infinite."""
     with np.errstate(invalid="ignore"):
         changes = values[1:-1] * values[2:] < 0.0
-    return [int(i) + 1 for i in np.nonzero(changes)[0]]
+    return np.asarray(np.flatnonzero(changes) + 1)
 
 
-def _root(function: Callable[[float], float], low: float, high: float) -> float:
-    """Zero between two frequencies, rad/s."""
-    return float(brentq(function, low, high, xtol=FREQUENCY_TOLERANCE * high, rtol=FREQUENCY_TOLERANCE))
+def _roots(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray, high: np.ndarray) -> np.ndarray:
+    """Zeros between pairs of frequencies with values of opposite signs, (k,) rad/s; all at once, as calls are dear.
 
-
-def _transfer(loop: Loop, omega: float) -> complex:
-    return complex(loop.transfer(np.array([1j * omega]))[0])
+    Source: Illinois method, Dowell & Jarratt (1971), BIT 11, 168-174.
+    """
+    if not low.size:
+        return low
+    ends = function(np.concatenate((low, high)))
+    other, root, at_other, at_root = low, high, ends[: low.size], ends[low.size :]
+    for _ in range(ITERATIONS):
+        steep = at_root != at_other
+        step = np.where(steep, at_root * (root - other) / np.where(steep, at_root - at_other, 1.0), 0.0)
+        if np.all(np.abs(step) <= FREQUENCY_TOLERANCE * high):
+            break
+        value = function(root - step)
+        passed = value * at_root < 0.0
+        other, at_other = np.where(passed, root, other), np.where(passed, at_root, 0.5 * at_other)
+        root, at_root = root - step, value
+    return np.asarray(root)

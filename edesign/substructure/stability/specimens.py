@@ -51,6 +51,8 @@ def tabulated_specimen(frequency: np.ndarray, stiffness: np.ndarray) -> ComplexS
         real, imag = np.real(at), np.imag(at)
         inside = np.clip(real, omega[0], omega[-1])
         off = np.where(inside == real, 1j * imag, 0.0)
+        if not np.any(off):
+            return np.asarray(spline(inside))
         return np.asarray(spline(inside) + slope(inside) * off + 0.5 * curvature(inside) * off**2)
 
     return value

@@ -120,7 +120,7 @@ def _values(loop: Loop, omega: np.ndarray) -> np.ndarray:
         first = omega[~np.isfinite(ratio)][0] / (2.0 * np.pi)
         raise InputError(f"rig, compensator or specimen has no finite transfer function at {first:.4g} Hz")
     with np.errstate(divide="ignore", invalid="ignore"):  # all of the stiffness is the specimen's: L is infinite at 0
-        return np.array([actuation * share / (1.0 - share), ratio])
+        return np.array([loop.open_loop(actuation, share, s), ratio])
 
 
 def _too_far(values: np.ndarray) -> np.ndarray:

@@ -19,6 +19,7 @@ from edesign.report.substructure.alpha_figures import alpha_figures
 from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.diagram import loop_diagrams
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
+from edesign.report.substructure.map_figures import map_figures
 from edesign.report.substructure.response_figures import energy_error_figures, loop_figures, response_figures
 from edesign.report.substructure.results import NONE, SubstructureResults
 from edesign.report.substructure.rig_figures import rig_figures
@@ -44,6 +45,7 @@ def substructure_sections(source: Source) -> list[Section]:
     others = [
         _tested(source, results),
         Section("rig", "The rig with and without compensation", (), _pictures(source, results, rig_figures)),
+        Section("stability", "Where the tests are stable", (), _pictures(source, results, map_figures)),
         _tracking(source, results, tables),
         _response(source, results, tables),
         _building(source, results),

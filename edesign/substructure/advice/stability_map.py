@@ -1,0 +1,213 @@
+"""Where a substructure test is stable with each compensator: over frequency of the structure and delay of the rig."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.substructure.advice.expectation import Bench
+from edesign.substructure.advice.recommendation import ADAPTIVE
+from edesign.substructure.advice.transfers import CompensatorTransfer
+from edesign.substructure.stability.loop import Loop, RigDelayLoop, nothing
+from edesign.substructure.stability.roots import StructureMode, structure_modes
+from edesign.substructure.stability.stable_delays import stable_delays
+from edesign.substructure.virtual_tests import VirtualLaboratory
+
+RANGE = 5.0
+"""Frequencies from a fifth to five times that of the test: beyond, it would be another structure."""
+COLUMNS = 21
+"""Frequencies, evenly spaced on a logarithmic scale: a factor of 1.17 from one to the next. Delays that go as 1/f are straight
+between them within 0.4 %."""
+BEYOND = 2.0
+"""Largest delay of the map over the larger of the rig's and the critical one, so that both are in its lower half."""
+
+
+@dataclass(frozen=True)
+class StableRegion:
+    """Where the test is stable with a compensator.
+
+    Attributes:
+        compensator: its name.
+        as_what: how it was taken, in words.
+        delays: of the rig, s; intervals (from, to) for each frequency of the map. They reach beyond the map by its height,
+            so that lines can be drawn to its edges.
+    """
+
+    compensator: str
+    as_what: str
+    delays: tuple[tuple[tuple[float, float], ...], ...]
+
+
+@dataclass(frozen=True)
+class StabilityMap:
+    """Stable regions over frequency of the structure and delay of the rig.
+
+    Masses are divided by a square, and dashpots by the number itself: so frequencies are multiplied by that number, and
+    shapes, damping ratios, stiffness, and the specimen's share of it stay. The rig keeps its own lag; its pure delay
+    changes. Compensators keep what they are set to, adaptive ones what they find in the test as it is.
+
+    Attributes:
+        mode: number of the mode whose frequency it is over: of the one that a delay makes grow first.
+        amplitude: at which the law of the specimen is linearised, m.
+        frequencies: (n,) of that mode with the specimen, Hz, rising.
+        least, largest: delay of the map, s; the least is the rig's own lag, without a pure delay.
+        frequency, delay: of the test as it is, Hz and s; the delay is that of slow motions.
+        regions: of compensators in the order of the file.
+        left_out: name and reason of those that have none.
+    """
+
+    mode: int
+    amplitude: float
+    frequencies: np.ndarray
+    least: float
+    largest: float
+    frequency: float
+    delay: float
+    regions: tuple[StableRegion, ...]
+    left_out: tuple[tuple[str, str], ...]
+
+    def is_stable(self, compensator: str) -> bool:
+        """Whether the test as it is lies in the region of a compensator."""
+        return any(
+            begin <= self.delay <= end
+            for region in self.regions
+            if region.compensator == compensator
+            for begin, end in region.delays[int(np.argmin(np.abs(self.frequencies - self.frequency)))]
+        )
+
+
+def governing_map(
+    laboratory: VirtualLaboratory, motions: Mapping[str, np.ndarray]
+) -> tuple[str, StabilityMap] | None:
+    """Return the test whose critical delay is least, and its map; None: there is no loop, or no map of it.
+
+    Args:
+        laboratory: of the file.
+        motions: (n,) deformation of the damper in the direct analysis at main steps, m, of each test with a loop.
+
+    Raises:
+        InputError: as `stability_map`.
+    """
+    structure = laboratory.laboratory.structure
+    if structure is None or not motions:
+        return None
+    benches = {name: Bench.of(laboratory, motion, structure.part) for name, motion in motions.items()}
+    name = min(benches, key=lambda one: min(mode.critical_delay for mode in benches[one].modes()))
+    found = stability_map(benches[name], motions[name])
+    return (name, found) if found is not None else None
+
+
+def stability_map(bench: Bench, motion: np.ndarray) -> StabilityMap | None:
+    """Return where a test is stable; None: the rig itself is not, or neither it nor a critical delay says how far.
+
+    Args:
+        bench: of the test, with a structure.
+        motion: (n,) deformation of the damper at main steps, m; from which adaptive compensators learn.
+
+    Raises:
+        InputError: the structure is undamped or unstable.
+    """
+    if bench.rig_swings or bench.part is None:
+        return None
+    modes = bench.modes()
+    first = min(modes, key=lambda mode: mode.critical_delay)
+    transfer = bench.laboratory.laboratory.transfer
+    present = transfer.low_frequency_delay
+    least = present - transfer.delay
+    critical = first.critical_delay if math.isfinite(first.critical_delay) else 0.0
+    largest = BEYOND * max(present, critical)
+    if largest <= max(least, 0.0):
+        return None
+    height = largest - least
+    reach = (least - height - present, largest + height - present)
+    columns = [_Column.of(bench, ratio, first.number) for ratio in np.geomspace(1.0 / RANGE, RANGE, COLUMNS)]
+    regions, left_out = [], []
+    for name in bench.laboratory.file.compensators:
+        compensator = bench.compensator(name, motion)
+        if not compensator.settles:
+            left_out.append((name, "unstable with the rig alone"))
+            continue
+        try:
+            delays = tuple(
+                _moved(_stable(column, name, compensator, *reach), present)
+                for column in columns
+            )
+        except InputError as error:
+            left_out.append((name, str(error)))
+            continue
+        regions.append(StableRegion(name, compensator.as_what, delays))
+    return StabilityMap(
+        first.number,
+        bench.linearisation.amplitude,
+        np.array([column.frequency for column in columns]),
+        least,
+        largest,
+        first.frequency,
+        present,
+        tuple(regions),
+        tuple(left_out),
+    )
+
+
+@dataclass(frozen=True)
+class _Column:
+    """The structure at another frequency.
+
+    Attributes:
+        bench: with it.
+        modes: of it with the specimen.
+        frequency: of the mode that the map is over, Hz.
+    """
+
+    bench: Bench
+    modes: tuple[StructureMode, ...]
+    frequency: float
+
+    @classmethod
+    def of(cls, bench: Bench, ratio: float, mode: int) -> _Column:
+        part = bench.part
+        assert part is not None
+        scaled = replace(bench, part=replace(part, mass=part.mass / ratio**2, damping=part.damping / ratio))
+        modes = structure_modes(scaled.loop())
+        return cls(scaled, modes, modes[mode - 1].omega / (2.0 * math.pi))
+
+
+def _stable(
+    column: _Column, name: str, compensator: CompensatorTransfer, least: float, largest: float
+) -> tuple[tuple[float, float], ...]:
+    """Further delays of the rig, s, at which the test is stable."""
+    bench = column.bench
+    loop = rig_delay_loop(bench, name, compensator)
+    return stable_delays(loop, column.modes, least, largest, 0.5 / bench.laboratory.file.loop.main_step)
+
+
+def rig_delay_loop(bench: Bench, name: str, compensator: CompensatorTransfer) -> RigDelayLoop:
+    """Return the loop of a test opened at its rig, the compensator being left as it is.
+
+    Args:
+        bench: with a structure.
+        name: of the compensator.
+        compensator: of `Bench.compensator`.
+    """
+    whole: Loop = bench.loop(bench.seen(compensator))
+    standing = replace(bench, rig=nothing)
+    learned = bench.laboratory.file.compensators[name].kind in ADAPTIVE
+    opened = compensator if learned else standing.compensator(name, np.zeros(0))
+    return RigDelayLoop(
+        whole.mass,
+        whole.damping,
+        whole.stiffness,
+        whole.interface,
+        whole.specimen,
+        whole.rig,
+        still=standing.seen(opened),
+        opened=lambda s: np.asarray(opened.command(s) / compensator.command(s)),
+    )
+
+
+def _moved(intervals: Sequence[tuple[float, float]], by: float) -> tuple[tuple[float, float], ...]:
+    return tuple((begin + by, end + by) for begin, end in intervals)
