@@ -10,6 +10,7 @@ from edesign.archive.dataset import Group, Variable
 from edesign.study.outcome import FAILED
 from edesign.study.plan import ANALYSES
 from edesign.substructure.indicators import definitions
+from edesign.substructure.indicators.interface_energy import work_along
 from edesign.substructure.virtual_tests import TestResults, VirtualTest
 
 PLACE = "tests"
@@ -129,6 +130,5 @@ def _add_histories(group: Group, run: VirtualTest, histories: Sequence[str]) -> 
         text = "smallest pivot of the correlation matrix of displacement, velocity, acceleration"
         group.add("independence", ("time",), record.independence, "1", text)
     if "energy" in histories:
-        late = record.measured - record.target
-        work = np.concatenate([[0.0], np.cumsum(0.5 * (record.force[1:] + record.force[:-1]) * np.diff(late))])
+        work = work_along(record.force, record.measured - record.target)
         group.add("interface_energy_error", ("time",), work, "J", "work that the test feeds into the structure")

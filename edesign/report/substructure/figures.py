@@ -10,6 +10,7 @@ from edesign.archive.reader import Archive
 from edesign.report.substructure.alpha_figures import alpha_figures
 from edesign.report.substructure.diagram import loop_diagrams
 from edesign.report.substructure.map_figures import map_figures
+from edesign.report.substructure.method_figures import method_figures
 from edesign.report.substructure.response_figures import energy_error_figures, loop_figures, response_figures
 from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.rig_figures import rig_figures
@@ -28,6 +29,7 @@ SUBSTRUCTURE_FIGURES = (
     loop_figures,
     response_figures,
     energy_error_figures,
+    method_figures,
 )
 
 

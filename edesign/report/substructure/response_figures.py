@@ -42,7 +42,7 @@ def loop_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figur
         if not found:
             continue
         wanted, what = _wanted(results, test)
-        seen = _seen(found[-1][1])
+        seen = in_window(found[-1][1])
         shown = f" Shown are the cycles from {plain(seen[0])} to {plain(seen[1])} s." if seen is not None else ""
         forces = [f"{one.label} {plain(1e-3 * largest([loop.force]))} kN" for one, loop in found]
         dashed = f" The dashed line is {what}." if wanted is not None else ""
@@ -89,7 +89,7 @@ def _wanted(results: SubstructureResults, test: str) -> tuple[Loop | None, str]:
     return Loop(time, target, force * found), "the law under the target"
 
 
-def _seen(loop: Loop) -> tuple[float, float] | None:
+def in_window(loop: Loop) -> tuple[float, float] | None:
     """A window around the largest force of a history of many cycles, None to see all of it."""
     reversals = np.count_nonzero(np.diff(np.signbit(np.diff(loop.deformation[::10]))))
     return window(loop.time, loop.deformation, loop.force) if reversals > MANY else None
@@ -248,12 +248,12 @@ def _peaks(rows: Sequence[Response]) -> str:
 def energy_error_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
     """Give for each test the work that the error feeds into the structure: name of the file, caption, figure."""
     for test in results.tests:
-        found = [one for one in results.shown(test) if np.any(_energy(one)) and not _is_bare(one)]
+        found = [one for one in results.shown(test) if np.any(energy_error(one)) and not _is_bare(one)]
         if found:
             closed = results.is_closed(test)
             fed = "the test feeds energy into the structure, as negative damping would"
             fed = fed if closed else "a structure would be fed with energy, as by negative damping"
-            ends = [f"{one.label} {plain(float(_energy(one)[-1]))} J" for one in found]
+            ends = [f"{one.label} {plain(float(energy_error(one)[-1]))} J" for one in found]
             caption = (
                 f"Work of the specimen's force along the tracking error, {test}. Where it rises, {fed}. "
                 f"At the end: {'; '.join(ends)}."
@@ -261,7 +261,7 @@ def energy_error_figures(results: SubstructureResults) -> Iterator[tuple[str, st
             yield file_name("interface_energy", test), caption, energy_figure(found)
 
 
-def _energy(series: Series) -> np.ndarray:
+def energy_error(series: Series) -> np.ndarray:
     values = series.of("interface_energy_error")
     return values if values is not None else np.zeros(1)
 
@@ -270,9 +270,9 @@ def _energy(series: Series) -> np.ndarray:
 def energy_figure(found: Sequence[Series]) -> Figure:
     """Draw the work of the interface error over time."""
     figure, ((axis,),) = new_figure(1, 1, WIDTH, 2.2)
-    spans = (max(float(one.time[-1]) for one in found) or 1.0, max(float(np.ptp(_energy(one))) for one in found) or 1.0)
+    spans = (max(float(one.time[-1]) for one in found) or 1.0, max(float(np.ptp(energy_error(one))) for one in found) or 1.0)
     for one in found:
-        curve(axis, one.time, _energy(one), (WIDTH - 0.7, 1.4), spans, color=one.color, lw=1.0)
+        curve(axis, one.time, energy_error(one), (WIDTH - 0.7, 1.4), spans, color=one.color, lw=1.0)
     axis.axhline(0.0, color=MEAN, lw=0.4, zorder=0.9)
     axis.set_xlim(0.0, spans[0])
     axis.set_xlabel("time (s)")

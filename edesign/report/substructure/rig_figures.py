@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,9 +11,8 @@ from edesign.core.compensator import DifferenceEquation
 from edesign.errors import EdesignError
 from edesign.project.substructure.compensators import AtsCompensator, LiveDelayCompensator, ModifiedAtsCompensator
 from edesign.report.captions import plain
-from edesign.report.figures import MEAN, logarithmic, new_figure, styled
-from edesign.report.substructure.curves import legend_below
-from edesign.report.substructure.results import BEST, FIRST, NONE, WITHOUT, SubstructureResults, looks
+from edesign.report.substructure.bode import Path, bode_figure, delay
+from edesign.report.substructure.results import FIRST, NONE, WITHOUT, SubstructureResults, looks
 from edesign.substructure.advice.transfers import CompensatorTransfer, late, of_equation, of_live_delay
 from edesign.substructure.laboratory import compensator_of
 from edesign.substructure.rig.rigs import RigTransfer
@@ -24,18 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 FROM, TO = 0.1, 50.0  # Hz
-LEAST = 0.1  # amplitude in the figure
 FORCE = ", force"
-
-
-@dataclass(frozen=True)
-class Path:
-    """From target to displacement: a label, the transfer function over s, a colour, and the style of the line."""
-
-    label: str
-    transfer: Transfer
-    color: str
-    style: str = "-"
 
 
 def rig_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
@@ -56,13 +43,8 @@ def rig_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure
         f"{marked} At {plain(at)} Hz late: {'; '.join(times)}. Adaptive compensators stand with the means of their "
         f"coefficients, a live delay with what it had found at the end.{left}"
     )
-    yield "rig", caption, rig_figure(paths, lines, described.file.loop.main_step)
-
-
-def delay(transfer: Transfer, frequency: float) -> float:
-    """Return what a sine of a frequency (Hz) comes late by, s."""
-    omega = 2.0 * np.pi * np.linspace(0.0, frequency, 200)[1:]
-    return float(-np.unwrap(np.angle(transfer(1j * omega)))[-1] / omega[-1])
+    highest = min(TO, 0.5 / described.file.loop.main_step)
+    yield "rig", caption, bode_figure(paths, lines, (FROM, highest), ("amplitude (–)", "phase (degrees)", "delay (ms)"))
 
 
 def _paths(results: SubstructureResults, rig: RigTransfer) -> tuple[list[Path], list[tuple[str, str]]]:
@@ -137,50 +119,3 @@ def _frequencies(results: SubstructureResults) -> list[float]:
     """Of the structure with the specimen, Hz, those that the figure shows."""
     found = results.linearised.frequencies if results.linearised is not None else ()
     return [float(one) for one in found if FROM < one < TO][:10]
-
-
-@styled
-def rig_figure(paths: Sequence[Path], lines: Sequence[float], step: float) -> Figure:
-    """Draw amplitude, phase and delay over frequency.
-
-    Args:
-        paths: from target to displacement.
-        lines: frequencies that are marked, Hz.
-        step: main step, s; half its rate is the highest frequency.
-    """
-    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
-
-    figure, axes = new_figure(3, 1, 5.6, 5.2)
-    frequency = np.geomspace(FROM, min(TO, 0.5 / step), 400)
-    omega = 2.0 * np.pi * frequency
-    times, peak = [], 1.0
-    for path in paths:
-        width = 1.1 if path.color in (FIRST, BEST) else 1.9  # compensators that agree lie on each other
-        found = path.transfer(1j * omega)
-        peak = max(peak, float(np.max(np.abs(found))))
-        phase = np.unwrap(np.angle(found))
-        times.append(-1e3 * phase / omega)
-        for (axis,), values in zip(axes, (np.abs(found), np.degrees(phase), times[-1]), strict=True):
-            axis.plot(frequency, values, color=path.color, lw=width, ls=path.style, zorder=3.2 - 0.2 * width)
-    for axis, level, label in zip(
-        (row[0] for row in axes), (1.0, 0.0, 0.0), ("amplitude (–)", "phase (degrees)", "delay (ms)"), strict=True
-    ):
-        axis.axhline(level, color=MEAN, lw=0.5, ls="--")
-        for line in lines:
-            axis.axvline(line, color=MEAN, lw=0.5, zorder=0.9)
-        logarithmic(axis)
-        axis.set_xlim(frequency[0], frequency[-1])
-        axis.set_ylabel(label)
-        axis.tick_params(labelbottom=axis is axes[-1][0])
-    amplitude = axes[0][0]
-    amplitude.set_yscale("log")
-    amplitude.set_ylim(LEAST, max(1.3 * peak, 2.0))
-    amplitude.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
-    amplitude.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-    amplitude.yaxis.set_minor_formatter(NullFormatter())
-    axes[1][0].set_ylim(-180.0, 45.0)
-    axes[1][0].set_yticks([-180, -135, -90, -45, 0, 45])
-    axes[-1][0].set_xlabel("frequency (Hz)")
-    figure.align_ylabels()
-    legend_below(figure, [(path.label, path.color, path.style) for path in paths])
-    return figure

@@ -14,6 +14,7 @@ from edesign.report.figures import MEAN, legend_label, new_figure, styled
 from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_below, window, within
 from edesign.report.substructure.results import Series, SubstructureResults
 from edesign.substructure.indicators.crossing_delay import CrossingDelay, crossing_delay
+from edesign.substructure.methods.rate import motion_frequency
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -43,11 +44,14 @@ def synchronisation_figures(results: SubstructureResults) -> Iterator[tuple[str,
         series = _tracked(results, test)
         if series:
             told = [results.in_words(test, one.compensator) for one in series]
+            runs = [results.run(test, one.compensator) for one in series]
+            late = [run.value("crossing_delay_mean") if run is not None else math.nan for run in runs]
             caption = (
                 f"Synchronisation, {test}: measured displacement over target. A rig that follows stays on the dashed "
-                "line of 45 degrees; a late one goes round it in loops, and a wrong amplitude turns them."
+                "line of 45 degrees; a late one goes round it in loops, and a wrong amplitude turns them. The thin "
+                "ellipse is that of a sine with the largest target and its mean frequency, late by the mean delay."
             )
-            yield file_name("synchronisation", test), caption, synchronisation_figure(series, told)
+            yield file_name("synchronisation", test), caption, synchronisation_figure(series, told, late)
 
 
 def _tracked(results: SubstructureResults, test: str) -> list[Series]:
@@ -130,7 +134,7 @@ def tracking_figure(series: Sequence[Series], late: Sequence[CrossingDelay | Non
 def _draw_delays(axis: Axes, series: Sequence[Series], late: Sequence[CrossingDelay | None], end: float) -> None:
     for one, found in zip(series, late, strict=True):
         if found is not None:
-            axis.plot(found.instants, 1e3 * found.delays, color=one.color, lw=0.6, marker=".", ms=2.5)
+            axis.plot(found.instants, 1e3 * found.delays, color=one.color, lw=0.8)
     axis.axhline(0.0, color=MEAN, lw=0.4, zorder=0.9)
     axis.set_xlim(0.0, end or 1.0)
     axis.set_ylabel("delay (ms)")
@@ -143,23 +147,33 @@ def _differ(one: np.ndarray, other: np.ndarray) -> bool:
 
 
 @styled
-def synchronisation_figure(series: Sequence[Series], told: Sequence[str]) -> Figure:
+def synchronisation_figure(series: Sequence[Series], told: Sequence[str], late: Sequence[float]) -> Figure:
     """Draw measured displacement over target, a square for each run, as Figs. 6.13, 6.21 and 6.25 of the thesis.
 
     Args:
         series: at least one.
         told: delay and error of each in words.
+        late: delay of each, s; NaN: not known.
     """
     figure, axes = new_figure(1, len(series), 0.5 + SYNCHRONISED * len(series), SYNCHRONISED + 0.5)
     reach = 1.08 * largest([_mm(one, name) for one in series for name in ("target", "measured")]) or 1.0
-    for axis, one, words in zip(axes[0], series, told, strict=True):
+    for axis, one, words, delay in zip(axes[0], series, told, late, strict=True):
         size = (SYNCHRONISED - 0.5, SYNCHRONISED - 0.5)
         spans = (2.0 * reach, 2.0 * reach)
         curve(axis, _mm(one, "target"), _mm(one, "measured"), size, spans, color=one.color, lw=0.4)
         axis.plot([-reach, reach], [-reach, reach], color=MEAN, lw=0.7, ls="--")
+        if math.isfinite(delay):
+            axis.plot(*_ellipse(one, delay), color=MEAN, lw=0.6)
         _square(axis, reach, one.label, words)
     axes[0][0].set_ylabel("measured (mm)")
     return figure
+
+
+def _ellipse(series: Series, delay: float) -> tuple[np.ndarray, np.ndarray]:
+    """Target and measured displacement, mm, of a sine of the target's size and frequency that comes late, s."""
+    target, turn = _mm(series, "target"), np.linspace(0.0, 2.0 * np.pi, 91)
+    omega = 2.0 * np.pi * motion_frequency(target, float(series.time[1] - series.time[0]))
+    return largest([target]) * np.cos(turn), largest([target]) * np.cos(turn - omega * delay)
 
 
 def _square(axis: Axes, reach: float, label: str, words: str) -> None:

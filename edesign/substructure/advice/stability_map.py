@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from edesign.core.compensator import DifferenceEquation
 from edesign.errors import InputError
 from edesign.substructure.advice.expectation import Bench
-from edesign.substructure.advice.recommendation import ADAPTIVE
 from edesign.substructure.advice.transfers import CompensatorTransfer
 from edesign.substructure.stability.loop import Loop, RigDelayLoop, nothing
 from edesign.substructure.stability.roots import StructureMode, structure_modes
@@ -19,9 +19,8 @@ from edesign.substructure.virtual_tests import VirtualLaboratory
 
 RANGE = 5.0
 """Frequencies from a fifth to five times that of the test: beyond, it would be another structure."""
-COLUMNS = 21
-"""Frequencies, evenly spaced on a logarithmic scale: a factor of 1.17 from one to the next. Delays that go as 1/f are straight
-between them within 0.4 %."""
+COLUMNS = 17
+"""Frequencies, evenly spaced on a logarithmic scale: a factor of 1.22 from one to the next."""
 BEYOND = 2.0
 """Largest delay of the map over the larger of the rig's and the critical one, so that both are in its lower half."""
 
@@ -185,7 +184,7 @@ def _stable(
     return stable_delays(loop, column.modes, least, largest, 0.5 / bench.laboratory.file.loop.main_step)
 
 
-def rig_delay_loop(bench: Bench, name: str, compensator: CompensatorTransfer) -> RigDelayLoop:
+def rig_delay_loop(bench: Bench, name: str, compensator: CompensatorTransfer) -> Loop:
     """Return the loop of a test opened at its rig, the compensator being left as it is.
 
     Args:
@@ -193,10 +192,13 @@ def rig_delay_loop(bench: Bench, name: str, compensator: CompensatorTransfer) ->
         name: of the compensator.
         compensator: of `Bench.compensator`.
     """
-    whole: Loop = bench.loop(bench.seen(compensator))
+    whole = bench.loop(bench.seen(compensator))
+    equation = bench.laboratory.compensators[name]
+    feeds_back = isinstance(equation, DifferenceEquation) and any(term.of == "measured" for term in equation.terms)
+    if not feeds_back and compensator.force is None:
+        return whole
     standing = replace(bench, rig=nothing)
-    learned = bench.laboratory.file.compensators[name].kind in ADAPTIVE
-    opened = compensator if learned else standing.compensator(name, np.zeros(0))
+    opened = standing.compensator(name, np.zeros(0)) if feeds_back else compensator
     return RigDelayLoop(
         whole.mass,
         whole.damping,

@@ -51,6 +51,8 @@ def rig_response(plant: rig_kinds.RigModel, transfer: RigTransfer, specimen: Com
         step: main step, s: so late is what is corrected of the flexibility.
     """
     flexibility = plant.flexibility
+    if flexibility is None and not _is_servo(plant):
+        return transfer  # the specimen changes nothing
 
     def response(s: np.ndarray) -> np.ndarray:
         stiffness = np.asarray(specimen(-1j * s))

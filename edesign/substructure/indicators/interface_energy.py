@@ -23,8 +23,12 @@ def work(force: ArrayLike, displacement: ArrayLike) -> np.ndarray:
         InputError: lengths that differ, NaN.
     """
     x = channel("displacement", displacement)
-    f = channel("force", force, x.size)
-    return np.concatenate(([0.0], np.cumsum(0.5 * (f[1:] + f[:-1]) * np.diff(x))))
+    return work_along(channel("force", force, x.size), x)
+
+
+def work_along(force: np.ndarray, displacement: np.ndarray) -> np.ndarray:
+    """`work` of arrays (n,) that need no check, n > 0."""
+    return np.concatenate(([0.0], np.cumsum(0.5 * (force[1:] + force[:-1]) * np.diff(displacement))))
 
 
 def energy_error(force: ArrayLike, target: ArrayLike, measured: ArrayLike) -> np.ndarray:

@@ -10,6 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group, Variable
 from edesign.errors import AnalysisError, InputError
 from edesign.project.substructure.programme import EffectiveForceTest, PseudoDynamicTest, ShakingTableTest
+from edesign.substructure.indicators.interface_energy import work_along
 from edesign.substructure.laboratory import Laboratory
 from edesign.substructure.methods import (
     ControlError,
@@ -41,6 +42,7 @@ class MethodResults:
         figures: what the method is known for: name, value, unit, meaning.
         told: sentences for people.
         outcome: `done`, `unstable` or `failed`; the reason is told.
+        target: (n,) deformation that a pseudo-dynamic test asks for, m; None: the method has none.
     """
 
     name: str
@@ -54,6 +56,7 @@ class MethodResults:
     figures: tuple[tuple[str, float, str, str], ...]
     told: tuple[str, ...]
     outcome: str = "done"
+    target: np.ndarray | None = None
 
 
 def run_method(
@@ -128,6 +131,7 @@ def _pseudo_dynamic(test: PseudoDynamicTest, of: _Setting, abort: float) -> Meth
         ),
         told=(slow.rate.sentence(UNLIKE), *(("the motion left the abort displacement",) if slow.aborted else ())),
         outcome="unstable" if slow.aborted else "done",
+        target=slow.target,
     )
 
 
@@ -184,6 +188,10 @@ def method_group(results: MethodResults) -> Group:
         ("direct_force", "N", "force of the damper, without a test"),
     ):
         group.add(name, ("time",), getattr(results, name)[:count], unit, text)
+    if results.target is not None:
+        group.add("target", ("time",), results.target, "m", "target displacement of the specimen")
+        work = work_along(results.force, results.deformation - results.target)
+        group.add("interface_energy_error", ("time",), work, "J", "work that the test feeds into the structure")
     group.add("response_error", (), results.response_error, "1", "root mean square error over the direct response")
     for name, value, unit, text in results.figures:
         group.add(name, (), value, unit, text)

@@ -90,25 +90,25 @@ class Loop:
 
     def dynamic_stiffness(self, s: np.ndarray) -> np.ndarray:
         """s^2 M + s C + K with the specimen in place, the loop ideal: (m, n, n) at s of shape (m,)."""
-        coupled = np.outer(self.interface, self.interface)
-        column = s[:, None, None]
-        matrix: np.ndarray = (
-            column**2 * self.mass
-            + column * self.damping
-            + self.stiffness
-            + self.specimen_at(s)[:, None, None] * coupled
-        )
-        return matrix
+        return self._dynamic_stiffness(s, self.specimen_at(s))
 
     def specimen_share(self, s: np.ndarray) -> np.ndarray:
         """T = k_E times the receptance of the whole structure at the interface, (m,) at s of shape (m,)."""
-        share = np.empty(s.shape, dtype=complex)
+        share, specimen = np.empty(s.shape, dtype=complex), self.specimen_at(s)
         for i in range(0, s.size, BLOCK):
-            part = s[i : i + BLOCK]
+            part, of_part = s[i : i + BLOCK], specimen[i : i + BLOCK]
             force = np.broadcast_to(self.interface[:, None], (part.size, self.interface.size, 1))
-            share[i : i + BLOCK] = np.linalg.solve(self.dynamic_stiffness(part), force)[..., 0] @ self.interface
-        share *= self.specimen_at(s)
-        return share
+            matrix = self._dynamic_stiffness(part, of_part)
+            share[i : i + BLOCK] = np.linalg.solve(matrix, force)[..., 0] @ self.interface
+        return np.asarray(share * specimen)
+
+    def _dynamic_stiffness(self, s: np.ndarray, specimen: np.ndarray) -> np.ndarray:
+        coupled = np.outer(self.interface, self.interface)
+        column = s[:, None, None]
+        matrix: np.ndarray = (
+            column**2 * self.mass + column * self.damping + self.stiffness + specimen[:, None, None] * coupled
+        )
+        return matrix
 
     def transfer(self, s: np.ndarray) -> np.ndarray:
         """L = k_E H G C, with H the receptance of the numerical part at the interface; (m,) at s of shape (m,)."""

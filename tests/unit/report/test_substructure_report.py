@@ -57,7 +57,7 @@ RIG = (
     "{kind: second_order, frequency: 21.4 Hz, damping: 0.4, delay: 4.25 ms, gain: 0.99488, "
     "limits: {stroke: 50 mm, force: 100 kN}}"
 )
-SECTIONS = "summary tested rig tracking test-response building coefficients limits untold provenance"
+SECTIONS = "summary tested rig stability tracking test-response building coefficients limits untold provenance"
 PROFILES = ("profile_floor_displacement", "profile_residual_floor_displacement", "profile_floor_acceleration")
 
 
@@ -105,7 +105,7 @@ def test_the_page_has_all_sections_and_figures(page: str) -> None:
     figures = set(re.findall(r'<figure class="picture" id="figure-([A-Za-z0-9_]+)"', page))
     kinds = ("tracking", "synchronisation", "alpha", "live_delay", "specimen", "interface_energy")
     each = {f"{kind}_{test}" for kind in kinds for test in ("cycles", "shaken")}
-    assert figures == {"loop", "rig", "structure_shaken", *PROFILES, *each}
+    assert figures == {"loop", "rig", "stability_map", "structure_shaken", *PROFILES, *each}
     assert "What could not be shown" not in page and len(page) < 1.5e6
     assert "second_order, frequency 21.4 Hz" in page and "late in all" in page
 
@@ -126,7 +126,7 @@ def test_the_verdict_says_which_compensator_keeps_the_response_right(archive: Ar
 
 def test_figures_are_drawn_as_files(archive: Archive, tmp_path: Path) -> None:
     names = [name for name, _, _ in all_figures(archive)]
-    assert names[:2] == ["loop", "rig"] and len(names) == len(set(names)) == 19
+    assert names[:3] == ["loop", "rig", "stability_map"] and len(names) == len(set(names)) == 20
     assert names[-1] == "response_shake" and set(names[-4:-1]) == set(PROFILES)
     written = draw_figures(archive, tmp_path / "figures", "png")
     assert [file.stem for file in written] == names and all(file.stat().st_size > 5000 for file in written)
@@ -138,7 +138,11 @@ def test_captions_have_the_numbers_of_the_archive(archive: Archive) -> None:
     assert f"damper: direct {plain(1e3 * np.max(np.abs(direct)))}" in captions["structure_shaken"]
     rig = second_order(21.4, 0.4, 4.25e-3, 0.99488)
     assert f"without compensation {1e3 * delay(rig, 1.5):.1f} ms" in captions["rig"]
-    assert "live" in captions["rig"].partition("Not shown")[2]  # it has no transfer function of its own
+    found = archive.group("tests/shaken/live").variables["alpha_0"].values[-1]
+    assert 8e-3 < found < 12e-3
+    late = float(re.search(r"live ([0-9.-]+) ms", captions["rig"]).group(1))  # type: ignore[union-attr]
+    assert late == pytest.approx(2.0, abs=0.3) and "Not shown" not in captions["rig"]  # the step that is not seen
+    assert "live with a found delay of" in captions["stability_map"] and "Not shown" not in captions["stability_map"]
     assert "The dashed line is the law under the target" in captions["specimen_cycles"]
     assert "The dashed line is the direct analysis" in captions["specimen_shaken"]
 
@@ -191,7 +195,7 @@ def test_what_was_not_kept_is_not_drawn_and_not_judged(tmp_path: Path) -> None:
     with open_archive(_ran(tmp_path, text)) as archive:
         names = [name for name, _, _ in all_figures(archive)]
         table = limits_table(SubstructureResults(archive))
-    assert names == ["loop", "rig", *PROFILES]  # of the building largest values are kept in any case
+    assert names == ["loop", "rig", "stability_map", *PROFILES]  # of the building largest values are kept in any case
     assert not table.rows and "Not known of modified" in table.notes[-1]
 
 

@@ -20,6 +20,7 @@ from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.diagram import loop_diagrams
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
 from edesign.report.substructure.map_figures import map_figures
+from edesign.report.substructure.method_figures import method_figures
 from edesign.report.substructure.response_figures import energy_error_figures, loop_figures, response_figures
 from edesign.report.substructure.results import NONE, SubstructureResults
 from edesign.report.substructure.rig_figures import rig_figures
@@ -50,7 +51,7 @@ def substructure_sections(source: Source) -> list[Section]:
         _response(source, results, tables),
         _building(source, results),
         _coefficients(source, results, tables),
-        Section("other-methods", "Tests by other methods", (), _some(tables, 3)),
+        _other_methods(source, results, tables),
         _limits(results),
         _untold(results),
     ]
@@ -220,6 +221,11 @@ def _coefficients(source: Source, results: SubstructureResults, tables: list[Tab
     return Section(
         "coefficients", "Adaptive coefficients, means while the specimen moves", (), (*_some(tables, 2), *pictures)
     )
+
+
+def _other_methods(source: Source, results: SubstructureResults, tables: list[Table]) -> Section:
+    pictures = _pictures(source, results, method_figures)
+    return Section("other-methods", "Tests by other methods", (), (*_some(tables, 3), *pictures))
 
 
 def _limits(results: SubstructureResults) -> Section:

@@ -1,0 +1,90 @@
+"""Transfer functions over frequency: amplitude, phase, and what a sine comes late by."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.report.figures import MEAN, logarithmic, new_figure, styled
+from edesign.report.substructure.curves import legend_below
+from edesign.report.substructure.results import BEST, FIRST
+from edesign.substructure.stability.loop import Transfer
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+POINTS = 400
+QUARTERS = 45.0  # degrees from one tick to the next
+
+
+@dataclass(frozen=True)
+class Path:
+    """A line: its label, the transfer function over s, a colour, and the style."""
+
+    label: str
+    transfer: Transfer
+    color: str
+    style: str = "-"
+
+
+def delay(transfer: Transfer, frequency: float) -> float:
+    """Return what a sine of a frequency (Hz) comes late by, s."""
+    omega = 2.0 * np.pi * np.linspace(0.0, frequency, 200)[1:]
+    return float(-np.unwrap(np.angle(transfer(1j * omega)))[-1] / omega[-1])
+
+
+@styled
+def bode_figure(
+    paths: Sequence[Path],
+    lines: Sequence[float],
+    band: tuple[float, float],
+    labels: Sequence[str],
+    phases: tuple[float, float] = (-180.0, 45.0),
+    least: float = 0.1,
+) -> Figure:
+    """Draw amplitude, phase and delay over frequency.
+
+    Args:
+        paths: at least one.
+        lines: frequencies that are marked, Hz.
+        band: lowest and highest frequency, Hz.
+        labels: of the ordinates; without the third the delay is not drawn.
+        phases: lowest and highest, degrees.
+        least: amplitude that is drawn.
+    """
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    figure, axes = new_figure(len(labels), 1, 5.6, 0.7 + 1.5 * len(labels))
+    frequency = np.geomspace(*band, POINTS)
+    omega = 2.0 * np.pi * frequency
+    peak = 1.0
+    for path in paths:
+        width = 1.1 if path.color in (FIRST, BEST) else 1.9  # lines that agree lie on each other
+        found = path.transfer(1j * omega)
+        peak = max(peak, float(np.max(np.abs(found))))
+        phase = np.unwrap(np.angle(found))
+        for (axis,), values in zip(axes, (np.abs(found), np.degrees(phase), -1e3 * phase / omega), strict=False):
+            axis.plot(frequency, values, color=path.color, lw=width, ls=path.style, zorder=3.2 - 0.2 * width)
+    for (axis,), level, label in zip(axes, (1.0, 0.0, 0.0), labels, strict=False):
+        axis.axhline(level, color=MEAN, lw=0.5, ls="--")
+        for line in lines:
+            axis.axvline(line, color=MEAN, lw=0.5, zorder=0.9)
+        logarithmic(axis)
+        axis.set_xlim(*band)
+        axis.set_ylabel(label)
+        axis.tick_params(labelbottom=axis is axes[-1][0])
+    amplitude = axes[0][0]
+    amplitude.set_yscale("log")
+    amplitude.set_ylim(least, max(1.3 * peak, 2.0))
+    amplitude.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    amplitude.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    amplitude.yaxis.set_minor_formatter(NullFormatter())
+    axes[1][0].set_ylim(*phases)
+    axes[1][0].set_yticks(np.arange(phases[0], phases[1] + 1.0, QUARTERS))
+    axes[-1][0].set_xlabel("frequency (Hz)")
+    figure.align_ylabels()
+    legend_below(figure, [(path.label, path.color, path.style) for path in paths])
+    return figure
