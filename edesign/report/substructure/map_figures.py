@@ -40,7 +40,11 @@ def map_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure
     found = governing_map(laboratory, motions)
     if found is not None:
         test, stability = found
-        yield "stability_map", _caption(test, stability), map_figure(test, stability, _kinds(laboratory), results.best(test))
+        yield (
+            "stability_map",
+            _caption(test, stability),
+            map_figure(test, stability, _kinds(laboratory), results.best(test)),
+        )
 
 
 def draw_map(laboratory: VirtualLaboratory, best: str | None, path: Path) -> bool:
@@ -56,9 +60,7 @@ def draw_map(laboratory: VirtualLaboratory, best: str | None, path: Path) -> boo
         ArchiveError: the figure cannot be written.
     """
     drives = {test.name: laboratory.drives[test.name] for test in laboratory.tests}
-    motions = {
-        name: laboratory.direct(drive).deformation for name, drive in drives.items() if drive.ground is not None
-    }
+    motions = {name: laboratory.direct(drive).deformation for name, drive in drives.items() if drive.ground is not None}
     found = governing_map(laboratory, motions)
     if found is not None:
         save(map_figure(*found, _kinds(laboratory), best), path)

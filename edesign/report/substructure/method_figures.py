@@ -27,6 +27,7 @@ from edesign.substructure.methods.effective_force import Forcing, force_transfer
 from edesign.substructure.methods.rate import motion_frequency, steady_stiffness
 from edesign.substructure.methods.shaking_table import ShakingTable, table_transfer
 from edesign.substructure.sized_damper import SizedDamper
+from edesign.substructure.stability.loop import Transfer
 from edesign.substructure.structure.numerical import LinearPart
 
 if TYPE_CHECKING:
@@ -63,8 +64,8 @@ def _histories(test: str, method: str, group: Group) -> Iterator[Drawn]:
     row = Response("damper", time, 1e3 * direct, [(series, 1e3 * found)])
     yield (
         file_name("structure", test),
-        f"Deformation of the damper in the {method} test, {test}, beside the direct analysis: {sizes}. The error of the "
-        f"response is {error} %. The lowest panel is the shaded window with the largest difference.",
+        f"Deformation of the damper in the {method} test, {test}, beside the direct analysis: {sizes}. The error of "
+        f"the response is {error} %. The lowest panel is the shaded window with the largest difference.",
         response_figure([row]),
     )
     loop, wanted = Loop(time, found, force), Loop(time, direct, direct_force)
@@ -107,9 +108,13 @@ def _effective_force(test: EffectiveForceTest, part: LinearPart, stiffness: comp
     omega, shapes = part.modes(stiffness.real)
     load = part.mass @ shapes[:, 0]
 
-    def arrives(share: float, frequency: np.ndarray) -> np.ndarray:
-        force, _ = force_transfer(part, Forcing(test.gain, velocity_feedback=share), frequency, stiffness)
-        return np.asarray(np.einsum("i,mij,j->m", shapes[:, 0], force, load))
+    def arrives(share: float) -> Transfer:
+        def transfer(s: np.ndarray) -> np.ndarray:
+            forcing, frequency = Forcing(test.gain, velocity_feedback=share), s.imag / (2.0 * np.pi)
+            force, _ = force_transfer(part, forcing, frequency, stiffness)
+            return np.asarray(np.einsum("i,mij,j->m", shapes[:, 0], force, load))
+
+        return transfer
 
     own = float(test.velocity_feedback)
     paths = []
@@ -119,9 +124,9 @@ def _effective_force(test: EffectiveForceTest, part: LinearPart, stiffness: comp
         (1.0, "all fed back", BEST),
     ):
         label = f"{text} (this test)" if share == own else text
-        paths.append(Path(label, lambda s, share=share: arrives(share, s.imag / (2.0 * np.pi)), color))
+        paths.append(Path(label, arrives(share), color))
     lines = (omega / (2.0 * np.pi)).tolist()
-    there = [abs(arrives(share, np.array(lines[:1])))[0] for share in (0.0, PART, 1.0)]
+    there = [abs(complex(path.transfer(1j * omega[:1])[0])) for path in paths]
     caption = (
         f"Force over command in the effective force test, {test.name}, of mode 1, with the velocity of the piston fed "
         f"back to the valve or not. At {plain(lines[0])} Hz, the first natural frequency, arrive "

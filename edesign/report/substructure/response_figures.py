@@ -115,6 +115,7 @@ def loop_figure(
     wide, tall = 1e3 * largest([one.deformation for one in both]), 1e-3 * largest([one.force for one in both])
     spans = (2.0 * wide or 1.0, 2.0 * tall or 1.0)
     grid = axes[1][0].get_gridspec()
+    assert grid is not None
     grid.set_height_ratios([PANEL[1], HIGH])
     for axis in axes[1]:
         axis.remove()
@@ -270,7 +271,10 @@ def energy_error(series: Series) -> np.ndarray:
 def energy_figure(found: Sequence[Series]) -> Figure:
     """Draw the work of the interface error over time."""
     figure, ((axis,),) = new_figure(1, 1, WIDTH, 2.2)
-    spans = (max(float(one.time[-1]) for one in found) or 1.0, max(float(np.ptp(energy_error(one))) for one in found) or 1.0)
+    spans = (
+        max(float(one.time[-1]) for one in found) or 1.0,
+        max(float(np.ptp(energy_error(one))) for one in found) or 1.0,
+    )
     for one in found:
         curve(axis, one.time, energy_error(one), (WIDTH - 0.7, 1.4), spans, color=one.color, lw=1.0)
     axis.axhline(0.0, color=MEAN, lw=0.4, zorder=0.9)

@@ -32,8 +32,8 @@ class StableRegion:
     Attributes:
         compensator: its name.
         as_what: how it was taken, in words.
-        delays: of the rig, s; intervals (from, to) for each frequency of the map. They reach beyond the map by its height,
-            so that lines can be drawn to its edges.
+        delays: of the rig, s; intervals (from, to) for each frequency of the map. They reach beyond the map by its
+            height, so that lines can be drawn to its edges.
     """
 
     compensator: str
@@ -79,9 +79,7 @@ class StabilityMap:
         )
 
 
-def governing_map(
-    laboratory: VirtualLaboratory, motions: Mapping[str, np.ndarray]
-) -> tuple[str, StabilityMap] | None:
+def governing_map(laboratory: VirtualLaboratory, motions: Mapping[str, np.ndarray]) -> tuple[str, StabilityMap] | None:
     """Return the test whose critical delay is least, and its map; None: there is no loop, or no map of it.
 
     Args:
@@ -131,10 +129,7 @@ def stability_map(bench: Bench, motion: np.ndarray) -> StabilityMap | None:
             left_out.append((name, "unstable with the rig alone"))
             continue
         try:
-            delays = tuple(
-                _moved(_stable(column, name, compensator, *reach), present)
-                for column in columns
-            )
+            delays = tuple(_moved(_stable(column, name, compensator, *reach), present) for column in columns)
         except InputError as error:
             left_out.append((name, str(error)))
             continue

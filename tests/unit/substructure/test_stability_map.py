@@ -47,7 +47,8 @@ def laboratory(
     np.savetxt(folder / "pulse.csv", pulse, "%.9f", ",", header="time,acc", comments="")
     text = (
         "edesign_rts: 1\n"
-        f"structure: {{masses: [{mass!r} kg], stiffnesses: [{stiffness!r} N/m], damping: {{kind: modal, ratio: {DAMPING}}}}}\n"
+        f"structure: {{masses: [{mass!r} kg], stiffnesses: [{stiffness!r} N/m], "
+        f"damping: {{kind: modal, ratio: {DAMPING}}}}}\n"
         f"specimen: {{law: {{type: kelvin_voigt, parameters: {{k: {SPECIMEN!r} N/m, c: 0 N*s/m}}}}}}\n"
         f"rig: {{{rig}, delay: {delay!r} s}}\nloop: {{main_step: 0.5 ms}}\ncompensators:\n{compensators}"
         f"tests:\n  - {{name: pulse, kind: rts, record: pulse, free_vibration: {free!r} s}}\n"
@@ -78,9 +79,9 @@ def loop_of(p: float, zeta: float, delay: float = 0.0) -> Loop:
 
 
 def closed_intervals(p: float, zeta: float, longest: float) -> list[tuple[float, float]]:
-    """Stable delays of m x'' + c x' + k_N x + k_E x(t - tau) = 0: modulus and phase of k_N - w^2 + i c w = -k_E e^(-i w tau).
+    """Stable delays of 1 kg: modulus and phase of k_N - w^2 + i c w = -k_E e^(-i w tau).
 
-    The larger of the two frequencies makes it unstable once a turn, the smaller makes it stable (Walton & Marshall 1987).
+    The larger frequency makes it unstable once a turn, the smaller makes it stable (Walton & Marshall 1987).
     """
     k, k_N, c = p * TURN**2, (1.0 - p) * TURN**2, 2.0 * zeta * TURN
     squares = np.roots([1.0, c**2 - 2.0 * k_N, k_N**2 - k**2]).real
