@@ -40,7 +40,7 @@ def check(
         from edesign.report.substructure.map_figures import draw_map
 
         if not draw_map(laboratory, advice.recommended, figure):
-            raise InputError(f"{file}: --figure: there is no map without a test with a loop, and with an unstable rig")
+            raise InputError(f"{file}: --figure: no map without a test with a loop and a stable rig")
 
 
 def export(

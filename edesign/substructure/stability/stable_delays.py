@@ -22,7 +22,8 @@ def stable_delays(
 
     A delay d multiplies L by exp(-i omega d), so a root meets the imaginary axis only where |L| = 1: at the same few
     frequencies for all delays, once a turn, and always in the same direction. The unstable roots at d = 0, counted by
-    the sweep, and these crossings give their number at every d.
+    the sweep, and these crossings give their number at every d. A loop with |L| >= 1 at the highest frequency is of
+    neutral type, and unstable with every delay that is not known to the last turn: it has no interval.
 
     Args:
         loop: at d = 0; a `RigDelayLoop` where the delay does not multiply all of k_E H G C.
@@ -36,7 +37,7 @@ def stable_delays(
     Source: Walton & Marshall (1987), Direct method for TDS stability analysis, IEE Proceedings D 134, 101-107.
     """
     swept = sweep(loop, modes, highest_frequency)
-    if not swept.bounded:
+    if not swept.bounded or abs(swept.transfer[-1]) >= 1.0:
         return ()
     events: list[tuple[float, int]] = []
     for one in crossings_of(loop, swept, modes):

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from edesign.cli.main import main
 from edesign.project.substructure import parse_rts_file
 from edesign.substructure.advice.expectation import Bench
 from edesign.substructure.advice.stability_map import RANGE, StabilityMap, governing_map, rig_delay_loop
@@ -29,6 +31,7 @@ COMPENSATORS = """\
   smith: {kind: smith, delay: 12 ms, stiffness: 8 kN/mm, damping: 0 N*s/m}
   pi_phase_lead: {kind: pi_phase_lead, proportional: 0.6, integral: 60 /s, lead: 20 ms, lag: 1 ms}
 """
+COMMAND = "kind: command, command: {type: sine, displacement: 5 mm, frequency: [1 Hz], cycles: 2}"
 LAGGING = "kind: second_order, frequency: 25 Hz, damping: 0.6"
 
 
@@ -115,6 +118,16 @@ def test_stable_delays_do_not_depend_on_the_delay_that_they_are_counted_from(del
     assert found == pytest.approx(wanted, rel=1e-9, abs=1e-12)
 
 
+@pytest.mark.parametrize(("inertia", "stable"), [(0.9, True), (1.1, False)])
+def test_an_acceleration_that_outweighs_the_mass_leaves_no_stable_delay(inertia: float, stable: bool) -> None:
+    """m x''(t) + k_E a_2 x''(t - tau) is of neutral type, and unstable with every delay if k_E a_2 > m (Hale 1977)."""
+    loop = loop_of(0.5, 0.05)
+    a2 = inertia / (0.5 * TURN**2)
+    leading = replace(loop, rig=lambda s: 1.0 + 0.3 * s + a2 * s**2)
+    found = stable_delays(leading, structure_modes(loop), 0.0, 0.2, 200.0)
+    assert bool(found) == stable
+
+
 def test_the_map_without_compensation_is_the_closed_form(tmp_path: Path) -> None:
     """A pure delay and a spring: each frequency has its critical delay.
 
@@ -195,3 +208,19 @@ def test_runs_on_both_sides_of_a_line_of_the_map(
     for share, unstable in ((0.92, False), (1.08, True)):
         delay = float(share * end - found.least)
         assert grows(laboratory(tmp_path, LAGGING, delay, f"{line}\n", ratio, float(free))) == unstable, share
+
+
+def test_check_draws_the_map(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    one = laboratory(tmp_path, LAGGING, 0.004)
+    file, drawn = tmp_path / "rts.yaml", tmp_path / "map.svg"
+    file.write_text(one.file.text, encoding="utf-8")
+    assert main(["rts", "check", str(file), "--figure", str(drawn)]) == 0
+    text = drawn.read_text(encoding="utf-8")
+    assert all(f">{name}<" in text for name in ("without compensation", "smith", "pi_phase_lead", "pulse"))
+    capsys.readouterr()
+    assert main(["rts", "check", str(file), "--figure", str(tmp_path / "map.gif")]) == 2
+    assert "map.gif: a figure ends in .svg, .png, .pdf" in capsys.readouterr().err
+    command = one.file.text.replace("kind: rts, record: pulse, free_vibration: 2.0 s", COMMAND)
+    file.write_text(command, encoding="utf-8")
+    assert main(["rts", "check", str(file), "--figure", str(tmp_path / "none.svg")]) == 2
+    assert "no map without a test with a loop" in capsys.readouterr().err and not (tmp_path / "none.svg").exists()
