@@ -11,7 +11,6 @@ from edesign.report.substructure.file import ArchivedTests
 from edesign.substructure.advice.expectation import Bench, Linearisation
 from edesign.substructure.advice.transfers import phase_delay
 from edesign.substructure.stability.loop import Transfer
-from edesign.substructure.stability.roots import structure_modes
 
 
 @dataclass(frozen=True)
@@ -56,7 +55,7 @@ def linearised(described: ArchivedTests, motion: np.ndarray) -> LinearisedTests 
         return None
     try:
         bench = Bench.of(tests, motion, tests.laboratory.structure.part)
-        modes = structure_modes(bench.loop())
+        modes = bench.whole.modes
     except EdesignError:
         return None
     found = tuple(float(mode.omega) / (2.0 * np.pi) for mode in modes if mode.omega > 0.0)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
@@ -23,9 +24,10 @@ from edesign.substructure.advice.transfers import (
 )
 from edesign.substructure.laboratory import TestedDamper
 from edesign.substructure.stability.expected import expected_errors
-from edesign.substructure.stability.loop import ComplexStiffness, Loop, Transfer
+from edesign.substructure.stability.loop import Loop, Transfer
 from edesign.substructure.stability.margins import LoopMode, LoopStability, critical_delays, loop_stability
 from edesign.substructure.stability.specimens import linearised_law
+from edesign.substructure.stability.whole import ComplexStiffness, WholeStructure
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.recursion import OVER_THE_STEP
 from edesign.substructure.virtual_tests import Drive, VirtualLaboratory, response_errors
@@ -183,11 +185,12 @@ class Bench:
         rig = rig_response(laboratory.file.plant, laboratory.laboratory.transfer, specimen, step)
         return cls(laboratory, part, at, specimen, rig, band)
 
-    def loop(self, rig: Transfer | None = None) -> Loop:
-        """The loop with what there is between target and force; None: the structure itself."""
+    @cached_property
+    def whole(self) -> WholeStructure:
+        """The structure itself, the same for every compensator; without one there is none."""
         assert self.part is not None
-        part, between = self.part, {} if rig is None else {"rig": rig}
-        return Loop(part.mass, part.damping, part.stiffness, part.interface, self.specimen, **between)
+        part = self.part
+        return WholeStructure(part.mass, part.damping, part.stiffness, part.interface, self.specimen)
 
     def modes(self) -> tuple[ModeAdvice, ...]:
         """Return the modes of the structure, from the lowest; none without a structure.
@@ -197,10 +200,10 @@ class Bench:
         """
         if self.part is None:
             return ()
-        itself, highest = self.loop(), 0.5 / self.laboratory.file.loop.main_step
-        crossings, bare = critical_delays(itself, highest), self.part.frequencies()
+        highest, bare = 0.5 / self.laboratory.file.loop.main_step, self.part.frequencies()
+        crossings = critical_delays(self.whole, highest)
         found = []
-        for mode in loop_stability(itself, highest).modes:
+        for mode in loop_stability(Loop(self.whole), highest).modes:
             critical = min((one.delay for one in crossings if one.mode == mode.number), default=math.inf)
             found.append(self._mode(mode, float(bare[mode.number - 1]), critical))
         return tuple(found)
@@ -268,7 +271,7 @@ class Bench:
     def _in_loop(self, name: str, compensator: CompensatorTransfer, drive: Drive) -> ExpectedTest:
         assert self.part is not None and drive.ground is not None
         step, every = self.laboratory.file.loop.main_step, self._every
-        loop = self.loop(self.seen(compensator))
+        loop = Loop(self.whole, self.seen(compensator))
         verdict = loop_stability(loop, 0.5 / step)
         found = expected_errors(loop, verdict, self.part.influence, drive.ground[::every], every * step)
         tracking, response = (math.nan, math.nan), (math.inf, math.inf)

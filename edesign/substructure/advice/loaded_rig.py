@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from edesign.project.substructure.rig import RigModel, ServoHydraulicRig
-from edesign.substructure.stability.loop import ComplexStiffness
+from edesign.substructure.stability.whole import ComplexStiffness
 
 AGREED = 1e-6
 """Relative change of the frequency at which specimen and pole agree."""

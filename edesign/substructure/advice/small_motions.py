@@ -12,11 +12,12 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.project.substructure.rig import ServoHydraulicRig
 from edesign.substructure.advice.expectation import Bench, law_at
 from edesign.substructure.advice.loaded_rig import loaded_poles, swings
 from edesign.substructure.advice.recommendation import ADAPTIVE
 from edesign.substructure.advice.transfers import CompensatorTransfer, rig_response
-from edesign.substructure.stability.roots import structure_modes
+from edesign.substructure.stability.loop import Loop
 from edesign.substructure.stability.sweep import sweep
 
 SMALLEST = 1e-3
@@ -28,14 +29,17 @@ LINEAR = 1e-3
 
 
 def smaller_benches(bench: Bench) -> tuple[Bench, ...]:
-    """Return a bench at smaller amplitudes, the largest first, down to what its encoder resolves; none: law linear.
+    """Return a bench at smaller amplitudes, the largest first, down to what its encoder resolves; none: none grow.
+
+    A law that is linear is the same there. A command grows nowhere but in a servo-hydraulic rig, which its specimen loads.
 
     Args:
         bench: at the amplitude of the test.
     """
     sensors, at = bench.laboratory.laboratory.sensors, bench.linearisation
     least = max(SMALLEST * at.largest, sensors.displacement_noise, sensors.displacement_quantum)
-    if least >= at.amplitude:
+    loads = isinstance(bench.laboratory.file.plant, ServoHydraulicRig)
+    if least >= at.amplitude or not (bench.part is not None or loads):
         return ()
     smallest = _at(bench, least)
     omega = 2.0 * np.pi * bench.band + 0j
@@ -77,8 +81,7 @@ def _grows(bench: Bench, name: str, learned: CompensatorTransfer, motion: np.nda
     adaptive = file.compensators[name].kind in ADAPTIVE
     compensator = learned if adaptive else bench.compensator(name, motion)
     try:
-        loop = bench.loop(bench.seen(compensator))
-        found = sweep(loop, structure_modes(loop), 0.5 / file.loop.main_step)
+        found = sweep(Loop(bench.whole, bench.seen(compensator)), 0.5 / file.loop.main_step)
     except InputError:  # the structure itself does not come to rest there: nothing can be said of the loop
         return False
     return not found.bounded or found.unstable_roots > 0

@@ -13,7 +13,6 @@ from edesign.errors import InputError
 from edesign.substructure.advice.expectation import Bench
 from edesign.substructure.advice.transfers import CompensatorTransfer
 from edesign.substructure.stability.loop import Loop, RigDelayLoop, nothing
-from edesign.substructure.stability.roots import StructureMode, structure_modes
 from edesign.substructure.stability.stable_delays import stable_delays
 from edesign.substructure.virtual_tests import VirtualLaboratory
 
@@ -153,12 +152,10 @@ class _Column:
 
     Attributes:
         bench: with it.
-        modes: of it with the specimen.
         frequency: of the mode that the map is over, Hz.
     """
 
     bench: Bench
-    modes: tuple[StructureMode, ...]
     frequency: float
 
     @classmethod
@@ -166,8 +163,7 @@ class _Column:
         part = bench.part
         assert part is not None
         scaled = replace(bench, part=replace(part, mass=part.mass / ratio**2, damping=part.damping / ratio))
-        modes = structure_modes(scaled.loop())
-        return cls(scaled, modes, modes[mode - 1].omega / (2.0 * math.pi))
+        return cls(scaled, scaled.whole.modes[mode - 1].omega / (2.0 * math.pi))
 
 
 def _stable(
@@ -176,7 +172,7 @@ def _stable(
     """Further delays of the rig, s, at which the test is stable."""
     bench = column.bench
     loop = rig_delay_loop(bench, name, compensator)
-    return stable_delays(loop, column.modes, least, largest, 0.5 / bench.laboratory.file.loop.main_step)
+    return stable_delays(loop, least, largest, 0.5 / bench.laboratory.file.loop.main_step)
 
 
 def rig_delay_loop(bench: Bench, name: str, compensator: CompensatorTransfer) -> Loop:
@@ -187,20 +183,16 @@ def rig_delay_loop(bench: Bench, name: str, compensator: CompensatorTransfer) ->
         name: of the compensator.
         compensator: of `Bench.compensator`.
     """
-    whole = bench.loop(bench.seen(compensator))
+    loop = Loop(bench.whole, bench.seen(compensator))
     equation = bench.laboratory.compensators[name]
     feeds_back = isinstance(equation, DifferenceEquation) and any(term.of == "measured" for term in equation.terms)
     if not feeds_back and compensator.force is None:
-        return whole
+        return loop
     standing = replace(bench, rig=nothing)
     opened = standing.compensator(name, np.zeros(0)) if feeds_back else compensator
     return RigDelayLoop(
-        whole.mass,
-        whole.damping,
-        whole.stiffness,
-        whole.interface,
-        whole.specimen,
-        whole.rig,
+        bench.whole,
+        loop.rig,
         still=standing.seen(opened),
         opened=lambda s: np.asarray(opened.command(s) / compensator.command(s)),
     )

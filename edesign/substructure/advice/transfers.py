@@ -13,7 +13,8 @@ from edesign.project.substructure import compensators as kinds
 from edesign.project.substructure import rig as rig_kinds
 from edesign.substructure.compensation.compensator_matrices import state_space
 from edesign.substructure.rig.rigs import RigTransfer
-from edesign.substructure.stability.loop import ComplexStiffness, Transfer
+from edesign.substructure.stability.loop import Transfer
+from edesign.substructure.stability.whole import ComplexStiffness
 
 REST = 1.0
 """s after the end of a history in which it is brought to rest; some hundred times the delay of a rig."""

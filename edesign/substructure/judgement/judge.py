@@ -180,7 +180,7 @@ def _response(record: MeasuredRecord, file: RtsFile, name: str | None, followed:
     response, peak = response_errors(measured, direct)
     law = _law_force(laboratory.damper, time, measured)
     part = structure.part
-    crossings = critical_delays(Bench.of(laboratory, whole.deformation, part).loop(), 0.5 / file.loop.main_step)
+    crossings = critical_delays(Bench.of(laboratory, whole.deformation, part).whole, 0.5 / file.loop.main_step)
     critical = min((one.delay for one in crossings if one.delay > 0.0), default=math.inf)
     late = followed.correlation_delay
     return JudgedResponse(

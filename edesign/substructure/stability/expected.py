@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.substructure.stability.loop import BLOCK, Loop
+from edesign.substructure.stability.loop import Loop
 from edesign.substructure.stability.margins import LoopStability
 
 DECAY = 1e-4
@@ -28,7 +28,6 @@ class ExpectedErrors:
         tracking_peak: largest |measured - target| over the largest |target|.
         response_rms: rms error of the interface's deformation over the rms of the direct one; inf: it grows.
         response_peak: peak over the direct peak, less 1.
-        degrees_rms, degrees_peak: the same of each degree's displacement, (n,).
         time: (m,), s.
         direct: deformation of the interface in the structure itself, (m,), m.
         target, measured: in the loop, (m,), m; nan: it grows.
@@ -38,8 +37,6 @@ class ExpectedErrors:
     tracking_peak: float
     response_rms: float
     response_peak: float
-    degrees_rms: np.ndarray
-    degrees_peak: np.ndarray
     time: np.ndarray
     direct: np.ndarray
     target: np.ndarray
@@ -76,15 +73,13 @@ def expected_errors(
     if padded is None:
         steady, padded = False, _length_of_direct(stability, kept, step)
     s = 2j * np.pi * np.fft.rfftfreq(padded, step)
-    direct, ratio, force = _direct(loop, influence, np.fft.rfft(ground, padded), s)
+    alone, moved = loop.whole.receptances(-loop.whole.mass @ influence, s)
+    force = loop.whole.specimen_at(s) * alone
+    direct = np.fft.rfft(ground, padded) * moved / (1.0 + force)
     actuation = loop.actuation(s)
-    interface = direct @ loop.interface
-    target = interface / ratio
-    late = loop.specimen_at(s) * (actuation - 1.0) * target
-    spectra = np.column_stack([direct - force * late[:, None], direct, interface, target, target * actuation])
-    histories = np.fft.irfft(spectra, padded, axis=0)[:kept]
-    n = loop.interface.size
-    return _errors(np.arange(kept) * step, histories[:, :n], histories[:, n : 2 * n], histories[:, 2 * n :], steady)
+    target = direct / (1.0 + (actuation - 1.0) * force / (1.0 + force))
+    histories = (np.fft.irfft(one, padded)[:kept] for one in (direct, target, target * actuation))
+    return _errors(np.arange(kept) * step, *histories, steady)
 
 
 def _refined(ground: np.ndarray) -> np.ndarray:
@@ -96,8 +91,8 @@ def _refined(ground: np.ndarray) -> np.ndarray:
 def _check(
     loop: Loop, influence: np.ndarray, ground_acceleration: np.ndarray, time_step: float, free_vibration: float
 ) -> None:
-    if influence.shape != loop.interface.shape:
-        raise InputError(f"influence: shape {influence.shape} beside {loop.interface.size} degrees of freedom")
+    if influence.shape != loop.whole.interface.shape:
+        raise InputError(f"influence: shape {influence.shape} beside {loop.whole.interface.size} degrees of freedom")
     if ground_acceleration.ndim != 1 or not np.all(np.isfinite(ground_acceleration)):
         raise InputError("the ground acceleration is no single row of finite values")
     if not np.any(ground_acceleration):
@@ -135,43 +130,25 @@ def _padded(decay: float, samples: int, time_step: float) -> int | None:
     return int(2 ** math.ceil(math.log2(length)))
 
 
-def _direct(
-    loop: Loop, influence: np.ndarray, ground: np.ndarray, s: np.ndarray
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Spectra of the structure's displacements (k, n), R (k,), and displacements by a unit force of the specimen."""
-    load = np.column_stack([-loop.mass @ influence, loop.interface])
-    solved = np.empty((s.size, influence.size, 2), dtype=complex)
-    for i in range(0, s.size, BLOCK):
-        matrix = loop.dynamic_stiffness(s[i : i + BLOCK])
-        solved[i : i + BLOCK] = np.linalg.solve(matrix, np.broadcast_to(load, (matrix.shape[0], *load.shape)))
-    force = solved[:, :, 1]
-    ratio = 1.0 + (loop.actuation(s) - 1.0) * loop.specimen_at(s) * (force @ loop.interface)
-    return solved[:, :, 0] * ground[:, None], ratio, force
-
-
 def _errors(
-    time: np.ndarray, looped: np.ndarray, direct: np.ndarray, interface: np.ndarray, steady: bool
+    time: np.ndarray, direct: np.ndarray, target: np.ndarray, measured: np.ndarray, steady: bool
 ) -> ExpectedErrors:
-    """Indicators of the histories; interface: direct, target, measured, (m, 3)."""
-    own, target, measured = interface.T
+    """Indicators of the histories, (m,) each."""
     if not steady:
-        grown = np.full(direct.shape[1], np.inf)
         nothing = np.full(time.size, np.nan)
-        return ExpectedErrors(math.nan, math.nan, math.inf, math.inf, grown, grown, time, own, nothing, nothing)
+        return ExpectedErrors(math.nan, math.nan, math.inf, math.inf, time, direct, nothing, nothing)
     return ExpectedErrors(
-        float(_rms(measured - target) / _rms(target)),
+        _rms(measured - target) / _rms(target),
         float(np.max(np.abs(measured - target)) / np.max(np.abs(target))),
-        float(_rms(target - own) / _rms(own)),
-        float(np.max(np.abs(target)) / np.max(np.abs(own)) - 1.0),
-        _rms(looped - direct) / _rms(direct),
-        np.max(np.abs(looped), axis=0) / np.max(np.abs(direct), axis=0) - 1.0,
+        _rms(target - direct) / _rms(direct),
+        float(np.max(np.abs(target)) / np.max(np.abs(direct)) - 1.0),
         time,
-        own,
+        direct,
         target,
         measured,
     )
 
 
-def _rms(values: np.ndarray) -> np.ndarray:
-    """Root mean square over time, (m,) or (m, n)."""
-    return np.asarray(np.sqrt(np.mean(values**2, axis=0)))
+def _rms(values: np.ndarray) -> float:
+    """Root mean square over time."""
+    return float(np.sqrt(np.mean(values**2)))

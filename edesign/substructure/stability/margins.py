@@ -9,8 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.substructure.stability.loop import Loop
-from edesign.substructure.stability.roots import StructureMode, further_roots, loop_roots, structure_modes
+from edesign.substructure.stability.roots import further_roots, loop_roots
 from edesign.substructure.stability.sweep import GAIN_OF_INTEREST, Sweep, sweep
+from edesign.substructure.stability.whole import StructureMode, WholeStructure
 
 FREQUENCY_TOLERANCE = 1e-13
 """Of a crossing; some hundred rounding errors."""
@@ -114,10 +115,9 @@ def loop_stability(loop: Loop, highest_frequency: float | None = None) -> LoopSt
     Raises:
         InputError: the structure itself is undamped, or a part of the loop has no finite transfer function.
     """
-    own = structure_modes(loop)
-    swept = sweep(loop, own, highest_frequency)
-    roots = loop_roots(loop, own)
-    found = crossings_of(loop, swept, own)
+    own, swept = loop.whole.modes, sweep(loop, highest_frequency)
+    roots = loop_roots(loop)
+    found = crossings_of(loop, swept)
     stable = swept.bounded and swept.unstable_roots == 0
     late = [one for one in found if one.delay > 0.0]
     early = [one for one in found if one.delay < 0.0]
@@ -143,34 +143,32 @@ def loop_stability(loop: Loop, highest_frequency: float | None = None) -> LoopSt
     )
 
 
-def critical_delays(loop: Loop, highest_frequency: float | None = None) -> tuple[Crossing, ...]:
-    """Pure delay of the specimen's force, rig and compensator left out, at which each mode goes; the least one first.
+def critical_delays(whole: WholeStructure, highest_frequency: float | None = None) -> tuple[Crossing, ...]:
+    """Pure delay of the specimen's force, without rig and compensator, at which each mode goes; the least one first.
 
     Args:
-        loop: its rig and compensator are not looked at.
+        whole: the structure.
         highest_frequency: Hz, see `sweep`.
 
     Raises:
         InputError: as `loop_stability`.
     """
-    bare = Loop(loop.mass, loop.damping, loop.stiffness, loop.interface, loop.specimen)
-    modes = structure_modes(bare)
-    found = crossings_of(bare, sweep(bare, modes, highest_frequency), modes)
+    bare = Loop(whole)
+    found = crossings_of(bare, sweep(bare, highest_frequency))
     return tuple(one for one in found if one.delay >= 0.0 and one.grows)
 
 
-def crossings_of(loop: Loop, swept: Sweep, modes: Sequence[StructureMode]) -> tuple[Crossing, ...]:
+def crossings_of(loop: Loop, swept: Sweep) -> tuple[Crossing, ...]:
     """Where |L| = 1: the delay that brings L to -1, and the lead one turn before it; the nearest first.
 
     Args:
         loop: with rig and compensator.
         swept: this loop over frequency.
-        modes: of the structure itself.
     """
     size = np.abs(swept.transfer)
     with np.errstate(divide="ignore"):
         level = np.log(size)
-    own = np.array([mode.omega for mode in modes])
+    own = np.array([mode.omega for mode in loop.whole.modes])
     at = _sign_changes(level)
     omegas = _roots(lambda w: np.log(np.abs(loop.transfer(1j * w))), swept.omega[at], swept.omega[at + 1])
     delays = (np.angle(loop.transfer(1j * omegas)) + np.pi) % (2.0 * np.pi) / omegas
@@ -197,9 +195,9 @@ def _gain_margin(loop: Loop, swept: Sweep, stable: bool) -> float:
 def _mode(loop: Loop, number: int, own: StructureMode, root: complex, crossings: Sequence[Crossing]) -> LoopMode:
     """One mode's figures."""
     s = np.array([1j * own.omega])
-    deformation = abs(loop.interface @ own.shape) ** 2
-    inertia = float(np.real(np.conj(own.shape) @ loop.mass @ own.shape)) * own.omega**2
-    share = float(loop.specimen_at(s)[0].real * deformation / inertia) if own.omega > 0.0 else math.nan
+    deformation = abs(loop.whole.deformation_of(own.shape)) ** 2
+    inertia = float(np.linalg.norm(own.shape)) ** 2 * own.omega**2
+    share = float(loop.whole.specimen_at(s)[0].real * deformation / inertia) if own.omega > 0.0 else math.nan
     actuation = complex(loop.actuation(s)[0])
     mine = (one.delay for one in crossings if one.mode == number and one.grows)
     return LoopMode(

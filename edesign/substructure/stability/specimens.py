@@ -8,7 +8,7 @@ from scipy.interpolate import CubicSpline
 from edesign.core import LawValues
 from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
-from edesign.substructure.stability.loop import ComplexStiffness
+from edesign.substructure.stability.whole import ComplexStiffness
 
 
 def linear_specimen(stiffness: float, damping: float = 0.0, mass: float = 0.0) -> ComplexStiffness:
@@ -44,16 +44,17 @@ def tabulated_specimen(frequency: np.ndarray, stiffness: np.ndarray) -> ComplexS
     if frequency.size < 4 or not np.all(np.diff(frequency) > 0.0):
         raise InputError("a specimen's stiffness over frequency takes at least four rising frequencies")
     omega = 2.0 * np.pi * frequency
-    spline = CubicSpline(omega, np.asarray(stiffness, dtype=complex))
-    slope, curvature = spline.derivative(1), spline.derivative(2)
+    cubes = CubicSpline(omega, np.asarray(stiffness, dtype=complex)).c
 
     def value(at: np.ndarray) -> np.ndarray:
         real, imag = np.real(at), np.imag(at)
         inside = np.clip(real, omega[0], omega[-1])
         off = np.where(inside == real, 1j * imag, 0.0)
-        if not np.any(off):
-            return np.asarray(spline(inside))
-        return np.asarray(spline(inside) + slope(inside) * off + 0.5 * curvature(inside) * off**2)
+        piece = np.searchsorted(omega[1:-1], inside, side="right")
+        a, b, c, d = cubes[:, piece]
+        x = inside - omega[piece]
+        own, slope, half_curvature = ((a * x + b) * x + c) * x + d, (3.0 * a * x + 2.0 * b) * x + c, 3.0 * a * x + b
+        return np.asarray(own + (slope + half_curvature * off) * off)
 
     return value
 

@@ -7,16 +7,11 @@ from collections.abc import Iterator, Sequence
 
 from edesign.substructure.stability.loop import Loop
 from edesign.substructure.stability.margins import crossings_of
-from edesign.substructure.stability.roots import StructureMode
 from edesign.substructure.stability.sweep import sweep
 
 
 def stable_delays(
-    loop: Loop,
-    modes: Sequence[StructureMode],
-    least: float,
-    largest: float,
-    highest_frequency: float | None = None,
+    loop: Loop, least: float, largest: float, highest_frequency: float | None = None
 ) -> tuple[tuple[float, float], ...]:
     """Intervals of a further delay of the rig, s, in which the loop is stable; rising, without common points.
 
@@ -27,7 +22,6 @@ def stable_delays(
 
     Args:
         loop: at d = 0; a `RigDelayLoop` where the delay does not multiply all of k_E H G C.
-        modes: of the structure itself.
         least, largest: between which d is looked at, s; least <= 0 <= largest.
         highest_frequency: Hz, see `sweep`.
 
@@ -36,11 +30,11 @@ def stable_delays(
 
     Source: Walton & Marshall (1987), Direct method for TDS stability analysis, IEE Proceedings D 134, 101-107.
     """
-    swept = sweep(loop, modes, highest_frequency)
+    swept = sweep(loop, highest_frequency)
     if not swept.bounded or abs(swept.transfer[-1]) >= 1.0:
         return ()
     events: list[tuple[float, int]] = []
-    for one in crossings_of(loop, swept, modes):
+    for one in crossings_of(loop, swept):
         if one.delay >= 0.0:  # the other of the pair is one turn before
             turn, roots = 1.0 / one.frequency, 2 if one.grows else -2
             first, last = math.ceil((least - one.delay) / turn), math.floor((largest - one.delay) / turn)

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from edesign.errors import InputError
 from edesign.substructure.stability.loop import Loop
-from edesign.substructure.stability.roots import StructureMode
 
 EVEN_POINTS = 2000
 """Even steps up to the last frequency; a delay must turn by less than half a turn in each."""
@@ -62,20 +60,20 @@ class Sweep:
         return round(-angle / np.pi)
 
 
-def sweep(loop: Loop, modes: Sequence[StructureMode], highest_frequency: float | None = None) -> Sweep:
+def sweep(loop: Loop, highest_frequency: float | None = None) -> Sweep:
     """The loop from zero to where it has faded.
 
     Args:
         loop: with its rig and compensator.
-        modes: of the structure itself.
         highest_frequency: Hz, at which it ends whatever is above, such as half the rate of a sampled loop; None: the
             end is sought.
 
     Raises:
-        InputError: a part of the loop is not finite at a frequency, which is named.
+        InputError: a mode of the structure does not decay, or a part of the loop is not finite at a frequency, which is
+            named.
     """
-    numerical = _numerical_roots(loop)
-    resonances = np.array([*(mode.root for mode in modes if np.isfinite(mode.root)), *numerical])
+    modes = loop.whole.modes
+    resonances = np.array([*(mode.root for mode in modes if np.isfinite(mode.root)), *loop.whole.numerical_roots])
     top = max(float(np.max(np.abs(resonances), initial=0.0)), max(mode.omega for mode in modes))
     end, bounded = _end(loop, top) if highest_frequency is None else (2.0 * np.pi * highest_frequency, True)
     omega = _first_grid(resonances, end)
@@ -88,15 +86,6 @@ def sweep(loop: Loop, modes: Sequence[StructureMode], highest_frequency: float |
         values = np.insert(values, coarse + 1, _values(loop, between), axis=1)
         omega = np.insert(omega, coarse + 1, between)
     return Sweep(omega, values[0], values[1], bounded)
-
-
-def _numerical_roots(loop: Loop) -> np.ndarray:
-    """Roots of the numerical part alone in the upper half plane, 1/s."""
-    n = loop.interface.size
-    inverse = np.linalg.inv(loop.mass)
-    state = np.block([[np.zeros((n, n)), np.eye(n)], [-inverse @ loop.stiffness, -inverse @ loop.damping]])
-    roots = np.linalg.eigvals(state)
-    return np.asarray(roots[roots.imag > 0.0])
 
 
 def _first_grid(resonances: np.ndarray, end: float) -> np.ndarray:
@@ -114,7 +103,7 @@ def _values(loop: Loop, omega: np.ndarray) -> np.ndarray:
         InputError: not finite.
     """
     s = 1j * omega
-    share, actuation = loop.specimen_share(s), loop.actuation(s)
+    share, actuation = loop.whole.specimen_share(s), loop.actuation(s)
     ratio = 1.0 + (actuation - 1.0) * share
     if not np.all(np.isfinite(ratio)):
         first = omega[~np.isfinite(ratio)][0] / (2.0 * np.pi)

@@ -15,10 +15,10 @@ from edesign.substructure.advice.expectation import Bench
 from edesign.substructure.advice.stability_map import RANGE, StabilityMap, governing_map, rig_delay_loop
 from edesign.substructure.stability.loop import Loop, pure_delay
 from edesign.substructure.stability.oscillator import critical_delay
-from edesign.substructure.stability.roots import structure_modes
 from edesign.substructure.stability.specimens import linear_specimen
 from edesign.substructure.stability.stable_delays import stable_delays
 from edesign.substructure.stability.sweep import sweep
+from edesign.substructure.stability.whole import WholeStructure
 from edesign.substructure.virtual_tests import VirtualLaboratory
 
 TURN = 2.0 * math.pi
@@ -78,7 +78,8 @@ def loop_of(p: float, zeta: float, delay: float = 0.0) -> Loop:
     """1 kg at 1 Hz, a share of its stiffness behind a pure delay."""
     one = np.ones((1, 1))
     specimen = linear_specimen(p * TURN**2)
-    return Loop(one, 2.0 * zeta * TURN * one, (1.0 - p) * TURN**2 * one, np.ones(1), specimen, rig=pure_delay(delay))
+    whole = WholeStructure(one, 2.0 * zeta * TURN * one, (1.0 - p) * TURN**2 * one, np.ones(1), specimen)
+    return Loop(whole, rig=pure_delay(delay))
 
 
 def closed_intervals(p: float, zeta: float, longest: float) -> list[tuple[float, float]]:
@@ -104,7 +105,7 @@ def test_all_stable_delays_of_the_oscillator(p: float, zeta: float) -> None:
     """The first one ends at the critical delay; later pockets too, as the closed form has them."""
     loop = loop_of(p, zeta)
     longest = 1.7  # s, before the pockets overlap
-    found = [one for one in stable_delays(loop, structure_modes(loop), 0.0, longest) if one[1] < longest]
+    found = [one for one in stable_delays(loop, 0.0, longest) if one[1] < longest]
     wanted = closed_intervals(p, zeta, longest)
     assert found == pytest.approx(np.array(wanted[: len(found)]), rel=1e-9)
     assert found[0][1] == pytest.approx(critical_delay(1.0, 2.0 * zeta * TURN, (1.0 - p) * TURN**2, p * TURN**2).delay)
@@ -112,9 +113,8 @@ def test_all_stable_delays_of_the_oscillator(p: float, zeta: float) -> None:
 
 @pytest.mark.parametrize("delay", [0.1, 0.6, 1.2])
 def test_stable_delays_do_not_depend_on_the_delay_that_they_are_counted_from(delay: float) -> None:
-    own = structure_modes(loop_of(0.25, 0.05))
-    wanted = np.array(stable_delays(loop_of(0.25, 0.05), own, 0.0, 1.7))
-    found = np.array(stable_delays(loop_of(0.25, 0.05, delay), own, -delay, 1.7 - delay)) + delay
+    wanted = np.array(stable_delays(loop_of(0.25, 0.05), 0.0, 1.7))
+    found = np.array(stable_delays(loop_of(0.25, 0.05, delay), -delay, 1.7 - delay)) + delay
     assert found == pytest.approx(wanted, rel=1e-9, abs=1e-12)
 
 
@@ -124,7 +124,7 @@ def test_an_acceleration_that_outweighs_the_mass_leaves_no_stable_delay(inertia:
     loop = loop_of(0.5, 0.05)
     a2 = inertia / (0.5 * TURN**2)
     leading = replace(loop, rig=lambda s: 1.0 + 0.3 * s + a2 * s**2)
-    found = stable_delays(leading, structure_modes(loop), 0.0, 0.2, 200.0)
+    found = stable_delays(leading, 0.0, 0.2, 200.0)
     assert bool(found) == stable
 
 
@@ -153,16 +153,16 @@ def test_a_delay_in_the_rig_is_what_moves_the_roots(tmp_path: Path, rig: str) ->
     motion = motion_of(one)
     part = one.laboratory.structure.part  # type: ignore[union-attr]
     bench = Bench.of(one, motion, part)
-    modes, seen = structure_modes(bench.loop()), 0
+    seen = 0
     for name, described in one.file.compensators.items():
         compensator = bench.compensator(name, motion)
-        stable = stable_delays(rig_delay_loop(bench, name, compensator), modes, -0.006, 0.15, 1000.0)
+        stable = stable_delays(rig_delay_loop(bench, name, compensator), -0.006, 0.15, 1000.0)
         for further in (-0.004, 0.012, 0.028, 0.047, 0.09):
             other = Bench.of(laboratory(tmp_path, rig, 0.006 + further), motion, part)
             same = compensator if described.kind == "modified_ats" else other.compensator(name, motion)
             inside = any(begin < further < end for begin, end in stable)
             if same.settles:
-                assert (sweep(other.loop(other.seen(same)), modes, 1000.0).unstable_roots == 0) == inside, name
+                assert (sweep(Loop(other.whole, other.seen(same)), 1000.0).unstable_roots == 0) == inside, name
                 seen += 1
             elif further > 0.0:  # the count of the whole loop takes a compensator for granted that comes to rest
                 assert not inside, name
