@@ -25,6 +25,7 @@ from edesign.substructure.advice.expectation import (
 from edesign.substructure.advice.needs import AbortLevel, Need, abort_level, needs_of
 from edesign.substructure.advice.recommendation import Candidate, Recommendation, recommended
 from edesign.substructure.advice.small_motions import grows_below, smaller_benches
+from edesign.substructure.stability.expected import DirectResponse
 from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
 
 
@@ -138,15 +139,18 @@ def _test(
     bench = Bench.of(laboratory, motion, part)
     modes = bench.modes()
     smaller = smaller_benches(bench) if not bench.rig_swings else ()
-    expected = tuple(_expected(bench, smaller, name, drive, motion) for name in laboratory.file.compensators)
+    response = bench.under(drive)
+    expected = tuple(_expected(bench, smaller, name, response, motion) for name in laboratory.file.compensators)
     least = min(modes, key=lambda mode: mode.critical_delay, default=None)
     first = least.number if least is not None and math.isfinite(least.critical_delay) else 0
     return TestAdvice(test.name, test.kind, drive.source, bench.linearisation, modes, first, expected, bench.rig_swings)
 
 
-def _expected(bench: Bench, smaller: tuple[Bench, ...], name: str, drive: Drive, motion: np.ndarray) -> ExpectedTest:
+def _expected(
+    bench: Bench, smaller: tuple[Bench, ...], name: str, response: DirectResponse | None, motion: np.ndarray
+) -> ExpectedTest:
     compensator = bench.compensator(name, motion)
-    found = bench.expected(name, drive, motion, compensator)
+    found = bench.expected(name, response, motion, compensator)
     if not found.stable:
         return found
     return replace(found, grows_below=grows_below(smaller, name, compensator, motion))

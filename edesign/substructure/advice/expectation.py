@@ -23,7 +23,7 @@ from edesign.substructure.advice.transfers import (
     rig_response,
 )
 from edesign.substructure.laboratory import TestedDamper
-from edesign.substructure.stability.expected import expected_errors
+from edesign.substructure.stability.expected import DirectResponse, expected_errors
 from edesign.substructure.stability.loop import Loop, Transfer
 from edesign.substructure.stability.margins import LoopMode, LoopStability, critical_delays, loop_stability
 from edesign.substructure.stability.specimens import linearised_law
@@ -246,12 +246,22 @@ class Bench:
         poles = loaded_poles(self.laboratory.file.plant, self.specimen)
         return swinging(poles) if swings(poles) else ""
 
-    def expected(self, name: str, drive: Drive, motion: np.ndarray, compensator: CompensatorTransfer) -> ExpectedTest:
+    def under(self, drive: Drive) -> DirectResponse | None:
+        """Return the response of the structure itself to what drives the test; None: the target is given."""
+        if self.part is None or drive.ground is None:
+            return None
+        step = self.laboratory.file.loop.main_step
+        every = max(int(GROUND_STEP / step), 1)
+        return DirectResponse(self.whole, self.part.influence, drive.ground[::every], every * step)
+
+    def expected(
+        self, name: str, response: DirectResponse | None, motion: np.ndarray, compensator: CompensatorTransfer
+    ) -> ExpectedTest:
         """Return what is to be expected with a compensator.
 
         Args:
             name: of the compensator.
-            drive: of the test.
+            response: of `under`.
             motion: (n,) deformation of the damper, as of `of`, m.
             compensator: of `compensator`.
 
@@ -262,29 +272,22 @@ class Bench:
         if swinging_rig or not compensator.settles:
             said, grown = UNSTABLE_RIG if swinging_rig else "unstable with the rig alone", math.inf
             return ExpectedTest(name, said, None, False, nan, 0.0, False, nan, nan, grown, grown)
-        if self.part is not None:
-            return self._in_loop(name, compensator, drive)
+        if response is not None:
+            return self._in_loop(name, compensator, response)
         tracking = _tracking(motion, self._measured(compensator, motion, self.laboratory.file.loop.main_step))
         said, held = compensator.as_what, compensator.limited
         return ExpectedTest(name, said, None, True, nan, math.inf, held, *tracking, nan, nan)
 
-    def _in_loop(self, name: str, compensator: CompensatorTransfer, drive: Drive) -> ExpectedTest:
-        assert self.part is not None and drive.ground is not None
-        step, every = self.laboratory.file.loop.main_step, self._every
-        loop = Loop(self.whole, self.seen(compensator))
+    def _in_loop(self, name: str, compensator: CompensatorTransfer, response: DirectResponse) -> ExpectedTest:
+        step, loop = self.laboratory.file.loop.main_step, Loop(self.whole, self.seen(compensator))
         verdict = loop_stability(loop, 0.5 / step)
-        found = expected_errors(loop, verdict, self.part.influence, drive.ground[::every], every * step)
-        tracking, response = (math.nan, math.nan), (math.inf, math.inf)
+        found = expected_errors(loop, verdict, response)
+        tracking, wrong = (math.nan, math.nan), (math.inf, math.inf)
         if math.isfinite(found.response_rms):
-            measured = self._measured(compensator, found.target, float(found.time[1] - found.time[0]))
-            tracking, response = _tracking(found.target, measured), response_errors(measured, found.direct)
+            measured = self._measured(compensator, found.target, response.step)
+            tracking, wrong = _tracking(found.target, measured), response_errors(measured, found.direct)
         said, held, margin = compensator.as_what, compensator.limited, _margin(verdict, step)
-        return ExpectedTest(name, said, verdict, verdict.stable, *margin, held, *tracking, *response)
-
-    @property
-    def _every(self) -> int:
-        """Of the samples of the ground motion, each how manieth counts."""
-        return max(int(GROUND_STEP / self.laboratory.file.loop.main_step), 1)
+        return ExpectedTest(name, said, verdict, verdict.stable, *margin, held, *tracking, *wrong)
 
     def _measured(self, compensator: CompensatorTransfer, target: np.ndarray, step: float) -> np.ndarray:
         return followed(target, step, lambda s: self.rig(s) * compensator.command(s))

@@ -31,7 +31,7 @@ LINEAR = 1e-3
 def smaller_benches(bench: Bench) -> tuple[Bench, ...]:
     """Return a bench at smaller amplitudes, the largest first, down to what its encoder resolves; none: none grow.
 
-    A law that is linear is the same there. A command grows nowhere but in a servo-hydraulic rig, which its specimen loads.
+    A law that is linear is the same there. A given target grows nowhere but in a rig that its specimen loads.
 
     Args:
         bench: at the amplitude of the test.

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from edesign.errors import InputError
 from edesign.substructure.stability.loop import Loop
 from edesign.substructure.stability.margins import LoopStability
+from edesign.substructure.stability.whole import WholeStructure
 
 DECAY = 1e-4
 """Of the slowest vibration until the record comes round again in the transform."""
@@ -43,19 +44,12 @@ class ExpectedErrors:
     measured: np.ndarray
 
 
-def expected_errors(
-    loop: Loop,
-    stability: LoopStability,
-    influence: np.ndarray,
-    ground_acceleration: np.ndarray,
-    time_step: float,
-    free_vibration: float = 0.0,
-) -> ExpectedErrors:
-    """Error of tracking and of response to be expected under a ground motion.
+@dataclass(frozen=True, eq=False)
+class DirectResponse:
+    """The structure itself under a ground motion: what every loop with it is compared with.
 
-    Args:
-        loop: with rig and compensator.
-        stability: of this loop.
+    Attributes:
+        whole: the structure.
         influence: (n,).
         ground_acceleration: (m,), m/s2, from rest.
         time_step: of it, s.
@@ -64,41 +58,86 @@ def expected_errors(
     Raises:
         InputError: shapes that do not fit, a record with values that are not finite, a step not greater than zero.
     """
-    _check(loop, influence, ground_acceleration, time_step, free_vibration)
-    step = time_step / REFINEMENT
-    ground = _refined(ground_acceleration)
-    kept = ground.size + round(free_vibration / step)
-    steady = stability.stable
-    padded = _length(stability, kept, step)
+
+    whole: WholeStructure
+    influence: np.ndarray
+    ground_acceleration: np.ndarray
+    time_step: float
+    free_vibration: float = 0.0
+    _found: dict[int, tuple[np.ndarray, np.ndarray, np.ndarray]] = field(default_factory=dict, init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        """Check the record."""
+        n = self.whole.interface.size
+        if self.influence.shape != (n,):
+            raise InputError(f"influence: shape {self.influence.shape} beside {n} degrees of freedom")
+        if self.ground_acceleration.ndim != 1 or not np.all(np.isfinite(self.ground_acceleration)):
+            raise InputError("the ground acceleration is no single row of finite values")
+        if not np.any(self.ground_acceleration):
+            raise InputError("the ground does not move")
+        if not (self.time_step > 0.0 and self.free_vibration >= 0.0):
+            raise InputError(f"time step {self.time_step:g} s, free vibration {self.free_vibration:g} s")
+
+    @property
+    def step(self) -> float:
+        """Between values of the response, s."""
+        return self.time_step / REFINEMENT
+
+    @property
+    def size(self) -> int:
+        """Number of values of the response that count."""
+        refined = (self.ground_acceleration.size - 1) * REFINEMENT + 1
+        return refined + round(self.free_vibration / self.step)
+
+    def spectra(self, padded: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Of so many values, an even number: s (k,), the deformation of the interface (k,), and T (k,).
+
+        Loops with one structure mostly need as many; they are found once.
+        """
+        if padded not in self._found:
+            s = 2j * np.pi * np.fft.rfftfreq(padded, self.step)
+            alone, moved = self.whole.receptances(-self.whole.mass @ self.influence, s)
+            force = self.whole.specimen_at(s) * alone
+            ground = np.fft.rfft(_refined(self.ground_acceleration), padded)
+            self._found[padded] = s, ground * moved / (1.0 + force), force / (1.0 + force)
+        return self._found[padded]
+
+
+def expected_errors(loop: Loop, stability: LoopStability, response: DirectResponse) -> ExpectedErrors:
+    """Error of tracking and of response to be expected under a ground motion.
+
+    Args:
+        loop: with rig and compensator.
+        stability: of this loop.
+        response: of the structure in the loop.
+    """
+    steady, padded = stability.stable, _length(stability, response.size, response.step)
     if padded is None:
-        steady, padded = False, _length_of_direct(stability, kept, step)
-    s = 2j * np.pi * np.fft.rfftfreq(padded, step)
-    alone, moved = loop.whole.receptances(-loop.whole.mass @ influence, s)
-    force = loop.whole.specimen_at(s) * alone
-    direct = np.fft.rfft(ground, padded) * moved / (1.0 + force)
+        steady, padded = False, _length_of_direct(stability, response.size, response.step)
+    s, direct, share = response.spectra(padded)
+    own, time = np.fft.irfft(direct, padded)[: response.size], np.arange(response.size) * response.step
+    if not steady:
+        nothing = np.full(time.size, np.nan)
+        return ExpectedErrors(math.nan, math.nan, math.inf, math.inf, time, own, nothing, nothing)
     actuation = loop.actuation(s)
-    target = direct / (1.0 + (actuation - 1.0) * force / (1.0 + force))
-    histories = (np.fft.irfft(one, padded)[:kept] for one in (direct, target, target * actuation))
-    return _errors(np.arange(kept) * step, *histories, steady)
+    looped = direct / (1.0 + (actuation - 1.0) * share)
+    target, measured = (np.fft.irfft(one, padded)[: time.size] for one in (looped, looped * actuation))
+    return ExpectedErrors(
+        _rms(measured - target) / _rms(target),
+        float(np.max(np.abs(measured - target)) / np.max(np.abs(target))),
+        _rms(target - own) / _rms(own),
+        float(np.max(np.abs(target)) / np.max(np.abs(own)) - 1.0),
+        time,
+        own,
+        target,
+        measured,
+    )
 
 
 def _refined(ground: np.ndarray) -> np.ndarray:
     """Record with further values on the straight lines between its own."""
     at = np.arange((ground.size - 1) * REFINEMENT + 1) / REFINEMENT
     return np.asarray(np.interp(at, np.arange(ground.size), ground))
-
-
-def _check(
-    loop: Loop, influence: np.ndarray, ground_acceleration: np.ndarray, time_step: float, free_vibration: float
-) -> None:
-    if influence.shape != loop.whole.interface.shape:
-        raise InputError(f"influence: shape {influence.shape} beside {loop.whole.interface.size} degrees of freedom")
-    if ground_acceleration.ndim != 1 or not np.all(np.isfinite(ground_acceleration)):
-        raise InputError("the ground acceleration is no single row of finite values")
-    if not np.any(ground_acceleration):
-        raise InputError("the ground does not move")
-    if not (time_step > 0.0 and free_vibration >= 0.0):
-        raise InputError(f"time step {time_step:g} s, free vibration {free_vibration:g} s")
 
 
 def _length(stability: LoopStability, samples: int, time_step: float) -> int | None:
@@ -128,25 +167,6 @@ def _padded(decay: float, samples: int, time_step: float) -> int | None:
     if not length <= MOST_SAMPLES:
         return None
     return int(2 ** math.ceil(math.log2(length)))
-
-
-def _errors(
-    time: np.ndarray, direct: np.ndarray, target: np.ndarray, measured: np.ndarray, steady: bool
-) -> ExpectedErrors:
-    """Indicators of the histories, (m,) each."""
-    if not steady:
-        nothing = np.full(time.size, np.nan)
-        return ExpectedErrors(math.nan, math.nan, math.inf, math.inf, time, direct, nothing, nothing)
-    return ExpectedErrors(
-        _rms(measured - target) / _rms(target),
-        float(np.max(np.abs(measured - target)) / np.max(np.abs(target))),
-        _rms(target - direct) / _rms(direct),
-        float(np.max(np.abs(target)) / np.max(np.abs(direct)) - 1.0),
-        time,
-        direct,
-        target,
-        measured,
-    )
 
 
 def _rms(values: np.ndarray) -> float:

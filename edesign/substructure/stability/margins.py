@@ -137,7 +137,7 @@ def loop_stability(loop: Loop, highest_frequency: float | None = None) -> LoopSt
         lead_margin,
         first.mode if first else 0,
         found,
-        tuple(_mode(loop, i + 1, own[i], roots[i], found) for i in range(len(own))),
+        tuple(_mode(loop, i + 1, own[i], complex(roots[i]), found) for i in range(len(own))),
         further_roots(loop, _dips(swept), float(swept.omega[-1]), roots, swept.unstable_roots),
         swept,
     )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,104 +19,154 @@ FARTHEST_MOVE = 0.1
 """Share of |s| by which a root, and its prediction, may miss in one step."""
 LEAST_LIKENESS = 0.5
 """Of the shapes before and after a step (modal assurance criterion); below it, it is another mode."""
+ENTRIES = 2**18
+"""Of the matrices that are solved at once; bounds the memory, not the result."""
 
 
 @dataclass(frozen=True)
 class Pencil:
-    """s^2 + s C + K + coupling(s) b b^T, singular at its roots.
+    """s^2 + s d C + K + coupling(s, share) b b^T, singular at its roots; it changes with the share of a way.
 
     Attributes:
         damping: C, (n, n), 1/s, symmetric.
         squares: K, its diagonal, (n,), 1/s2.
         interface: b, (n,).
-        coupling: stiffness at the interface, complex of complex s, (m,) of (m,).
+        coupling: stiffness at the interface, complex of complex s (3, m) and of the share (m,).
+        damps: whether d is 1 all the way; False: it is the share.
     """
 
     damping: np.ndarray
     squares: np.ndarray
     interface: np.ndarray
-    coupling: Callable[[np.ndarray], np.ndarray]
+    coupling: Callable[[np.ndarray, np.ndarray], np.ndarray]
+    damps: bool = True
 
-    def linearised(self, s: complex) -> tuple[np.ndarray, np.ndarray]:
-        """The matrix at s and its derivative to s, (n, n) each."""
-        h = DIFFERENCE * abs(s)
-        here, ahead, behind = np.asarray(self.coupling(np.array([s, s + h, s - h], dtype=complex))).tolist()
-        coupled = np.outer(self.interface, self.interface)
-        matrix, slope = s * self.damping + here * coupled, self.damping + (ahead - behind) / (2.0 * h) * coupled
-        diagonal = np.arange(self.squares.size)
-        matrix[diagonal, diagonal] += s**2 + self.squares
-        slope[diagonal, diagonal] += 2.0 * s
-        return matrix, slope
-
-    def root_near(self, start: complex, shape: np.ndarray | None = None) -> tuple[complex, np.ndarray] | None:
-        """Root and shape (n,) near a start in the upper half plane; None: none found.
+    def roots_near(
+        self, starts: np.ndarray, share: np.ndarray, shapes: np.ndarray | None = None
+    ) -> tuple[np.ndarray, np.ndarray]:
+        """Roots and shapes near starts in the upper half plane.
 
         The matrix is linear in the next correction of s; an inverse iteration finds that correction, and the shape.
 
         Args:
-            start: of s, 1/s.
-            shape: of the mode, (n,); None: as the interface is pushed at the start.
+            starts: of s, (m,), 1/s.
+            share: of the way, (m,).
+            shapes: of the modes, (m, n); None: as the interface is pushed at the start.
+
+        Returns:
+            (m,) 1/s, nan: none found; and (m, n).
 
         Source: Ruhe 1973, successive linear problems; Rayleigh quotient of symmetric matrices, Lancaster 1961.
         """
-        s = start
-        for _ in range(ITERATIONS):
-            matrix, slope = self.linearised(s)
-            if not (np.all(np.isfinite(matrix)) and np.all(np.isfinite(slope))):
-                return None
+        s, found = starts.astype(complex), np.full(starts.shape, complex(np.nan, np.nan))
+        forms = np.zeros((s.size, self.squares.size), dtype=complex) if shapes is None else shapes.astype(complex)
+        sought = np.arange(s.size)
+        for i in range(ITERATIONS):
+            sought, linearised = self._finite(sought, s, share)
+            if not sought.size:
+                break
             try:
-                if shape is None:
-                    shape = _normed(np.linalg.solve(matrix, self.interface))
-                turned = slope @ shape
-                pushed = np.linalg.solve(matrix, turned)
-            except np.linalg.LinAlgError:  # it is singular to the last digit: beside its root it is not
-                s *= 1.0 + ROOT_TOLERANCE
+                if shapes is None and i == 0:
+                    pushes = np.broadcast_to(self.interface, (sought.size, self.interface.size))
+                    forms[sought] = _normed(self._solved(s[sought], share[sought], linearised[0], pushes))
+                turned = self._turned(s[sought], share[sought], linearised[1], forms[sought])
+                pushed = self._solved(s[sought], share[sought], linearised[0], turned)
+            except np.linalg.LinAlgError:  # one is singular to the last digit: beside its root it is not
+                s[sought] *= 1.0 + ROOT_TOLERANCE
                 continue
             with np.errstate(divide="ignore", invalid="ignore"):
-                correction = complex(-(shape @ turned) / (pushed @ turned))
-            s += correction
-            if not (np.isfinite(s) and s.imag > 0.0):
-                return None
-            shape = _normed(pushed)
-            if abs(correction) <= ROOT_TOLERANCE * abs(s):
-                return s, shape
-        return None
+                correction = -np.sum(forms[sought] * turned, axis=1) / np.sum(pushed * turned, axis=1)
+            s[sought] += correction
+            forms[sought] = _normed(pushed)
+            there = np.abs(correction) <= ROOT_TOLERANCE * np.abs(s[sought])
+            swings = s[sought].imag > 0.0  # of nan it is not
+            found[sought[there & swings]] = s[sought[there & swings]]
+            sought = sought[~there & swings]
+        return found, forms
+
+    def _finite(
+        self, sought: np.ndarray, s: np.ndarray, share: np.ndarray
+    ) -> tuple[np.ndarray, tuple[np.ndarray, np.ndarray]]:
+        """Those of the roots sought where the coupling is finite; it, and its derivative to s, there."""
+        h = DIFFERENCE * np.abs(s[sought])
+        here, ahead, behind = self.coupling(s[sought] + np.array([[0.0], [1.0], [-1.0]]) * h, share[sought])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            slope = (ahead - behind) / (2.0 * h)
+        finite = np.isfinite(here) & np.isfinite(slope)
+        return sought[finite], (here[finite], slope[finite])
+
+    def _solved(self, s: np.ndarray, share: np.ndarray, coupling: np.ndarray, loads: np.ndarray) -> np.ndarray:
+        """The matrices at s, inverted, times loads, (m, n) of (m, n)."""
+        n = self.squares.size
+        coupled, diagonal, solved = (
+            np.outer(self.interface, self.interface),
+            np.arange(n),
+            np.empty(loads.shape, complex),
+        )
+        for some in _blocks(s.size, max(ENTRIES // n**2, 1)):
+            at = s[some, None]
+            damped = at if self.damps else at * share[some, None]
+            matrices = damped[..., None] * self.damping + coupling[some, None, None] * coupled
+            matrices[:, diagonal, diagonal] += at**2 + self.squares
+            solved[some] = np.linalg.solve(matrices, loads[some, :, None])[..., 0]
+        return solved
+
+    def _turned(self, s: np.ndarray, share: np.ndarray, slope: np.ndarray, forms: np.ndarray) -> np.ndarray:
+        """Derivatives of the matrices to s, times shapes, (m, n) of (m, n)."""
+        damped = forms @ self.damping
+        if not self.damps:
+            damped = share[:, None] * damped
+        return np.asarray(
+            damped + 2.0 * s[:, None] * forms + np.outer(slope * (forms @ self.interface), self.interface)
+        )
 
 
-def _normed(shape: np.ndarray) -> np.ndarray:
-    return np.asarray(shape / np.linalg.norm(shape))
+def _blocks(size: int, most: int) -> Iterator[slice]:
+    return (slice(i, i + most) for i in range(0, size, most))
 
 
-def follow(part_way: Callable[[float], Pencil], start: complex, shape: np.ndarray) -> tuple[complex, np.ndarray] | None:
-    """Root and shape at the end of a way from 0 to 1 along which the pencil changes.
+def _normed(forms: np.ndarray) -> np.ndarray:
+    return np.asarray(forms / np.linalg.norm(forms, axis=1)[:, None])
+
+
+def follow(pencil: Pencil, starts: np.ndarray, shapes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Roots and shapes at the end of the way along which a pencil changes.
 
     Args:
-        part_way: the pencil at a share of the way.
-        start: root at 0, 1/s.
-        shape: of it, (n,).
+        pencil: with its way.
+        starts: roots at its beginning, (m,), 1/s.
+        shapes: of them, (m, n).
 
     Returns:
-        None: the root is lost, as it meets another or ceases to swing.
+        (m,) 1/s, nan: the root is lost, as it meets another or ceases to swing; and (m, n).
     """
-    share, step = 0.0, FIRST_STEP
-    root, drift = start, 0j
-    while share < 1.0:
-        step = min(step, 1.0 - share)
-        predicted = root + drift * step
-        found = part_way(share + step).root_near(predicted, shape)
-        if found is None or not _continues(found, predicted, root, shape):
-            step /= 2.0
-            if step < LEAST_STEP:
-                return None
-            continue
-        drift = (found[0] - root) / step
-        share, step = share + step, 2.0 * step
-        root, shape = found
-    return root, shape
+    roots, shapes = starts.astype(complex), shapes.astype(complex)
+    share, step, drift = np.zeros(roots.size), np.full(roots.size, FIRST_STEP), np.zeros(roots.size, dtype=complex)
+    under_way = np.arange(roots.size)
+    while under_way.size:
+        step[under_way] = np.minimum(step[under_way], 1.0 - share[under_way])
+        on, before, forms = step[under_way], roots[under_way], shapes[under_way]
+        predicted = before + drift[under_way] * on
+        found, found_forms = pencil.roots_near(predicted, share[under_way] + on, forms)
+        same = _continue(found, predicted, before, found_forms, forms)
+        reached = under_way[same]
+        drift[reached] = (found[same] - before[same]) / on[same]
+        roots[reached], shapes[reached] = found[same], found_forms[same]
+        share[reached] += on[same]
+        step[reached] *= 2.0
+        step[under_way[~same]] /= 2.0
+        lost = under_way[step[under_way] < LEAST_STEP]
+        roots[lost] = complex(np.nan, np.nan)
+        under_way = under_way[(share[under_way] < 1.0) & (step[under_way] >= LEAST_STEP)]
+    return roots, shapes
 
 
-def _continues(found: tuple[complex, np.ndarray], predicted: complex, root: complex, shape: np.ndarray) -> bool:
-    """Whether a root is the same mode a step on."""
-    reach = FARTHEST_MOVE * abs(root)
-    likeness = abs(np.vdot(found[1], shape)) ** 2 / (np.linalg.norm(found[1]) * np.linalg.norm(shape)) ** 2
-    return abs(found[0] - predicted) < reach and abs(found[0] - root) < reach and float(likeness) > LEAST_LIKENESS
+def _continue(
+    found: np.ndarray, predicted: np.ndarray, before: np.ndarray, found_forms: np.ndarray, forms: np.ndarray
+) -> np.ndarray:
+    """Whether roots are the same modes a step on, (m,)."""
+    reach = FARTHEST_MOVE * np.abs(before)
+    sizes = np.linalg.norm(found_forms, axis=1) * np.linalg.norm(forms, axis=1)
+    likeness = np.abs(np.sum(found_forms.conj() * forms, axis=1)) / sizes
+    near = (np.abs(found - predicted) < reach) & (np.abs(found - before) < reach)
+    return np.asarray(near & (likeness**2 > LEAST_LIKENESS))

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from edesign.substructure.stability.loop import Loop
-from edesign.substructure.stability.pencil import Pencil, follow
+from edesign.substructure.stability.pencil import follow
 
 LEANS = (0.03, 0.1, 0.3, 1.0)
 """Growth over frequency of the starts in the right half plane."""
@@ -18,20 +18,22 @@ DISTINCT = 1e-6
 """Distance over |s| below which two roots are one."""
 
 
-def loop_roots(loop: Loop) -> tuple[complex, ...]:
-    """Root of each mode in the loop as it is, 1/s, while G C goes from 1 to itself; nan: lost on the way."""
-    whole = loop.whole
+def loop_roots(loop: Loop) -> np.ndarray:
+    """Root of each mode in the loop as it is, (n,), 1/s, while G C goes from 1 to itself; nan: lost on the way."""
+    whole, found = loop.whole, np.full(len(loop.whole.modes), complex(np.nan, np.nan))
 
-    def part_way(share: float) -> Pencil:
-        return whole.pencil(lambda s: whole.specimen_at(s) * (1.0 + share * (loop.actuation(s) - 1.0)))
+    def late(s: np.ndarray, share: np.ndarray) -> np.ndarray:
+        return np.asarray(whole.specimen_at(s) * (1.0 + share * (loop.actuation(s) - 1.0)))
 
-    lost = complex(np.nan, np.nan)
-    found = (follow(part_way, mode.root, mode.shape) if np.isfinite(mode.root) else None for mode in whole.modes)
-    return tuple(one[0] if one else lost for one in found)
+    roots = np.array([mode.root for mode in whole.modes])
+    swing = np.isfinite(roots)
+    shapes = np.array([mode.shape for mode in whole.modes])
+    found[swing] = follow(whole.pencil(late), roots[swing], shapes[swing])[0]
+    return found
 
 
 def further_roots(
-    loop: Loop, dips: np.ndarray, highest: float, known: Sequence[complex], unstable: int
+    loop: Loop, dips: np.ndarray, highest: float, known: np.ndarray, unstable: int
 ) -> tuple[complex, ...]:
     """Roots of the loop that are not the structure's modes: the rig's, the compensator's, the delay's.
 
@@ -41,28 +43,33 @@ def further_roots(
         loop: with rig and compensator.
         dips: frequencies at which |R| is least, (m,), rad/s.
         highest: frequency up to which unstable roots were counted, rad/s.
-        known: roots of the modes, 1/s; nan: lost.
+        known: roots of the modes, (n,), 1/s; nan: lost.
         unstable: number of roots in the right half plane, a pair counted twice.
     """
-    pencil = loop.whole.pencil(lambda s: loop.whole.specimen_at(s) * loop.actuation(s))
-    roots = [one for one in known if np.isfinite(one)]
+    pencil = loop.whole.pencil(lambda s, _: np.asarray(loop.whole.specimen_at(s) * loop.actuation(s)))
+    roots = known[np.isfinite(known)].tolist()
     others: list[complex] = []
 
-    def look_at(start: complex) -> None:
-        found = pencil.root_near(start)
-        if found and all(abs(found[0] - one) > DISTINCT * abs(found[0]) for one in (*roots, *others)):
-            others.append(found[0])
+    def look_at(starts: np.ndarray) -> Iterator[complex]:
+        found = pencil.roots_near(starts, np.ones(starts.size))[0]
+        return (one for one in found[np.isfinite(found)].tolist() if _is_new(one, (*roots, *others)))
 
-    for start in dips.tolist():
-        look_at(1j * start)
-    for start in _net(dips, highest):
-        if 2 * sum(one.real > 0.0 for one in (*roots, *others)) >= unstable:
+    for one in look_at(1j * dips):
+        others.append(one)
+    missing = unstable - 2 * sum(one.real > 0.0 for one in (*roots, *others))
+    for one in look_at(_net(dips, highest)) if missing > 0 else ():
+        others.append(one)
+        missing -= 2 if one.real > 0.0 else 0
+        if missing <= 0:
             break
-        look_at(start)
     return tuple(others)
 
 
-def _net(dips: np.ndarray, highest: float) -> list[complex]:
+def _is_new(root: complex, known: Sequence[complex]) -> bool:
+    return all(abs(root - one) > DISTINCT * abs(root) for one in known)
+
+
+def _net(dips: np.ndarray, highest: float) -> np.ndarray:
     """Starts in the right half plane: about the dips first, then at every frequency."""
-    every = np.geomspace(highest * LOWEST_START, highest, STARTS)
-    return [omega * (1j + lean) for omega in (*dips.tolist(), *every.tolist()) for lean in LEANS]
+    omega = np.concatenate([dips, np.geomspace(highest * LOWEST_START, highest, STARTS)])
+    return np.multiply.outer(omega, 1j + np.array(LEANS)).ravel()

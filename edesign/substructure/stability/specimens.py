@@ -45,13 +45,14 @@ def tabulated_specimen(frequency: np.ndarray, stiffness: np.ndarray) -> ComplexS
         raise InputError("a specimen's stiffness over frequency takes at least four rising frequencies")
     omega = 2.0 * np.pi * frequency
     cubes = CubicSpline(omega, np.asarray(stiffness, dtype=complex)).c
+    inner = omega[1:-1]
 
     def value(at: np.ndarray) -> np.ndarray:
         real, imag = np.real(at), np.imag(at)
-        inside = np.clip(real, omega[0], omega[-1])
+        inside = np.minimum(np.maximum(real, omega[0]), omega[-1])
         off = np.where(inside == real, 1j * imag, 0.0)
-        piece = np.searchsorted(omega[1:-1], inside, side="right")
-        a, b, c, d = cubes[:, piece]
+        piece = np.searchsorted(inner, inside, side="right")
+        a, b, c, d = np.take(cubes, piece, axis=1)
         x = inside - omega[piece]
         own, slope, half_curvature = ((a * x + b) * x + c) * x + d, (3.0 * a * x + 2.0 * b) * x + c, 3.0 * a * x + b
         return np.asarray(own + (slope + half_curvature * off) * off)

@@ -120,31 +120,27 @@ class WholeStructure:
         at_rest = max(0.0, complex(self.specimen_at(np.zeros(1, dtype=complex))[0]).real)
         squares, shapes = np.linalg.eigh(np.diag(own.squares) + at_rest * np.outer(own.interface, own.interface))
 
-        def part_way(share: float) -> Pencil:
-            return self.pencil(lambda s: at_rest + share * (self.specimen_at(s) - at_rest), share)
+        def damper(s: np.ndarray, share: np.ndarray) -> np.ndarray:
+            return np.asarray(at_rest + share * (self.specimen_at(s) - at_rest))
 
-        modes = []
-        for i, square in enumerate(squares.tolist()):
-            omega, shape = max(square, 0.0) ** 0.5, shapes[:, i].astype(complex)
-            found = follow(part_way, 1j * omega, shape) if omega > 0.0 else None
-            root, shape = found or (complex(np.nan, np.nan), shape)
-            if root.real > -UNDAMPED * omega:
-                raise InputError(
-                    f"mode {i + 1} of the structure ({omega / (2.0 * np.pi):.4g} Hz) has no damping; without it every "
-                    "delay makes the test unstable"
-                )
-            modes.append(StructureMode(abs(root) if np.isfinite(root) else omega, root, shape))
+        omega = np.sqrt(np.maximum(squares, 0.0))
+        roots, forms, swing = np.full(omega.size, complex(np.nan, np.nan)), shapes.T.astype(complex), omega > 0.0
+        roots[swing], followed = follow(self.pencil(damper, damps=False), 1j * omega[swing], forms[swing])
+        forms[swing] = np.where(np.isnan(roots[swing])[:, None], forms[swing], followed)
+        if (undamped := np.flatnonzero(roots.real > -UNDAMPED * omega)).size:
+            i = int(undamped[0])
+            raise InputError(
+                f"mode {i + 1} of the structure ({omega[i] / (2.0 * np.pi):.4g} Hz) has no damping; without it every "
+                "delay makes the test unstable"
+            )
+        found = np.where(np.isnan(roots), omega, np.abs(roots)).tolist()
+        modes = (StructureMode(*one) for one in zip(found, roots.tolist(), forms, strict=True))
         return tuple(sorted(modes, key=lambda mode: mode.omega))
 
-    def pencil(self, coupling: Callable[[np.ndarray], np.ndarray], damped: float = 1.0) -> Pencil:
-        """Numerical part with something else in the specimen's place.
-
-        Args:
-            coupling: its stiffness of s, N/m, complex.
-            damped: share of the numerical part's damping.
-        """
+    def pencil(self, coupling: Callable[[np.ndarray, np.ndarray], np.ndarray], damps: bool = True) -> Pencil:
+        """Numerical part with something in the specimen's place; arguments as of `Pencil`."""
         own = self._own
-        return Pencil(damped * own.damping, own.squares, own.interface, coupling)
+        return Pencil(own.damping, own.squares, own.interface, coupling, damps)
 
     def deformation_of(self, shape: np.ndarray) -> complex:
         """Of the specimen in a shape of generalised mass |shape|^2, m."""
@@ -180,7 +176,7 @@ class _NumericalModes:
 
     @cached_property
     def _states(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Schur form of z' = A z, z = (W q, q'): triangle, unitary matrix, and W (n,), in which the two are of one size.
+        """Schur form of z' = A z, z = (W q, q'): triangle, unitary matrix, and W (n,) that makes both of one size.
 
         Source: Laub 1981, Efficient multivariable frequency response computations (with Hessenberg's form).
         """

