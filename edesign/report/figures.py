@@ -109,11 +109,14 @@ def svg_text(figure: Figure) -> str:
 
 
 def _svg_file(figure: Figure) -> str:
+    """A figure as a file; `Figure.savefig` would draw it a second time, into nothing, to lay it out before."""
     import matplotlib
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
 
-    text = StringIO()
+    text, dpi = StringIO(), figure.dpi
     with matplotlib.rc_context(_STYLE):
-        figure.savefig(text, format="svg", metadata={"Date": None})
+        FigureCanvasSVG(figure).print_svg(text, metadata={"Date": None})
+    figure.dpi = dpi
     return visible(text.getvalue())  # XML has no control characters
 
 
