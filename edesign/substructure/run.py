@@ -19,6 +19,7 @@ from edesign.stopping import Stopped
 from edesign.study.interrupt import stop_on_signals
 from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
+from edesign.substructure.advice.growing_runs import growing_runs
 from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators
 from edesign.substructure.methods.method_tests import method_group
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
@@ -56,7 +57,8 @@ def run_tests(
     check_owner(path, root, overwrite)
     laboratory = VirtualLaboratory(file)
     _ = laboratory.drives  # what is wrong with records and commands is told before anything is written
-    root.attributes["warnings"] = list(laboratory.laboratory.warnings)
+    warnings = list(laboratory.laboratory.warnings)
+    root.attributes["warnings"] = warnings
     if csv_folder is not None:
         make_folder(csv_folder)
     found = []
@@ -74,6 +76,7 @@ def run_tests(
                 for run in results.runs:
                     if csv_folder is not None and run.record is not None:
                         write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
+                warnings += growing_runs(laboratory, results)
                 found.append(results)
             for other in laboratory.run_others(begin):
                 writer.write(f"{PLACE}/{other.name}", method_group(other))
@@ -82,7 +85,7 @@ def run_tests(
             writer.partial.unlink(missing_ok=True)
             raise
         writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
-        writer.finish({"status": "completed"})
+        writer.finish({"status": "completed", "warnings": warnings})
     return path, tuple(found)
 
 

@@ -9,6 +9,7 @@ from edesign.report.table import Table, number
 from edesign.report.text import PAPER
 from edesign.substructure.advice.advice import Advice, TestAdvice
 from edesign.substructure.advice.expectation import EFFECTIVE_AMPLITUDE, MOVES_SPECIMEN, ExpectedTest, Linearisation
+from edesign.substructure.advice.growing_runs import growth_in_words
 
 MODES_SHOWN = 6
 ALMOST_NONE = 5e-6
@@ -112,6 +113,10 @@ def stability_table(advice: Advice, test: TestAdvice) -> Table:
         "until it goes; factor: (left + margin) / left, left being a main step at least; asked for: "
         + number(advice.delay_margin, 3)
     )
+    for one in test.expected:
+        if one.stability is not None and one.stability.growth > 0.0:
+            at = test.linearisation.amplitude
+            table.notes += lines(f'UNSTABLE with "{one.compensator}": {growth_in_words(at, one)}')
     if any(one.grows_below > 0.0 for one in test.expected):
         table.notes += lines("SMALL GROW: stable at the amplitude of the test, but not near rest; see the advice")
     return table
