@@ -19,10 +19,12 @@ BLOCK = 4096
 """Frequencies that are solved at once; bounds the memory, not the result."""
 ROUNDING = 1e-12
 """Damping between two modes over the largest damping of one: less is rounding of the modes, some 1e4 of a double's."""
+CONDITION = 1e5
+"""Of the modes with damping that couples them, by which rounding grows to some 1e-11; beyond it they are not used."""
 UNDAMPED = 1e-9
 """Damping ratio of the structure that is none but for rounding."""
 AT_POLE = 1e-150
-"""Instead of s^2 + s c + w^2 = 0: its inverse, and the square of that, are still finite."""
+"""Instead of a denominator of 0 at a pole: its inverse, and the square of that, are still finite."""
 
 
 @dataclass(frozen=True)
@@ -95,7 +97,7 @@ class WholeStructure:
         loads = np.column_stack([own.interface, own.shapes.T @ load])
         found = np.empty((s.size, 2), dtype=complex)
         for i in range(0, s.size, BLOCK):
-            found[i : i + BLOCK] = own.deformation(s[i : i + BLOCK]) @ loads
+            found[i : i + BLOCK] = own.deformation(s[i : i + BLOCK], loads)
         return found[:, 0], found[:, 1]
 
     def specimen_share(self, s: np.ndarray) -> np.ndarray:
@@ -175,37 +177,58 @@ class _NumericalModes:
         return bool(np.all(np.abs(self.damping - np.diag(own)) <= ROUNDING * np.max(np.abs(own), initial=0.0)))
 
     @cached_property
-    def _states(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Schur form of z' = A z, z = (W q, q'): triangle, unitary matrix, and W (n,) that makes both of one size.
-
-        Source: Laub 1981, Efficient multivariable frequency response computations (with Hessenberg's form).
-        """
+    def _states(self) -> tuple[np.ndarray, np.ndarray]:
+        """A of z' = A z, z = (W q, q'), (2n, 2n), and W (n,), which makes both of one size."""
         omega = np.sqrt(np.abs(self.squares))
         scale = np.where(omega > 0.0, omega, max(float(np.max(omega, initial=0.0)), 1.0))
         n = self.squares.size
-        matrix = np.block([[np.zeros((n, n)), np.diag(scale)], [np.diag(-self.squares / scale), -self.damping]])
+        return np.block([[np.zeros((n, n)), np.diag(scale)], [np.diag(-self.squares / scale), -self.damping]]), scale
+
+    @cached_property
+    def _poles(self) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
+        """Roots (2n,), and factors of their residues (2n,), (2n, n); None: the modes are no basis, as two are alike."""
+        matrix, scale = self._states
+        roots, forms = np.linalg.eig(matrix)
+        if not np.linalg.cond(forms) < CONDITION:
+            return None
+        n = scale.size
+        return roots, (self.interface / scale) @ forms[:n], np.linalg.inv(forms)[:, n:]
+
+    @cached_property
+    def _schur(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Triangle (2n, 2n), and what it takes of the interface (2n,) and of loads (2n, n).
+
+        Source: Laub 1981, Efficient multivariable frequency response computations (with Hessenberg's form).
+        """
+        matrix, scale = self._states
         triangle, unitary = scipy.linalg.schur(matrix, output="complex")
-        return triangle, unitary, scale
+        n = scale.size
+        return triangle, (self.interface / scale) @ unitary[:n], unitary[n:].conj().T
 
     @property
     def roots(self) -> np.ndarray:
         """With damping, 1/s, (2n,)."""
         if not self._apart:
-            return np.diagonal(self._states[0])
+            return self._poles[0] if self._poles is not None else np.diagonal(self._schur[0])
         half = 0.5 * np.diagonal(self.damping)
         swing = np.sqrt(half**2 - self.squares + 0j)
         return np.concatenate([swing - half, -swing - half])
 
-    def deformation(self, s: np.ndarray) -> np.ndarray:
-        """Of the specimen's place under a unit force on each mode, (m, n) at s of shape (m,)."""
+    def deformation(self, s: np.ndarray, loads: np.ndarray) -> np.ndarray:
+        """Of the specimen's place under loads on the modes, (m, k) at s of shape (m,) and loads of (n, k)."""
         if self._apart:
             below = s[:, None] * (s[:, None] + np.diagonal(self.damping)) + self.squares
-            return np.asarray(self.interface / np.where(below == 0.0, AT_POLE, below))
-        triangle, unitary, scale = self._states
-        n = self.squares.size
-        wanted = (self.interface / scale) @ unitary[:n]
-        solved = np.empty((2 * n, s.size), dtype=complex)
-        for j in range(2 * n):
-            below = s - triangle[j, j]
-            solved[j] = (wanted[j] + triangle[:j, j] @ solved[:j]) / np.where(below == 0.0, AT_POLE, below)
-        return np.asarray(solved.T @ unitary[n:].conj().T)
+            return np.asarray(self.interface / _apart_from_poles(below) @ loads)
+        if self._poles is not None:
+            roots, at_interface, of_load = self._poles
+            return np.asarray(at_interface / _apart_from_poles(s[:, None] - roots) @ (of_load @ loads))
+        triangle, wanted, of_load = self._schur
+        solved = np.empty((wanted.size, s.size), dtype=complex)
+        for j in range(wanted.size):
+            solved[j] = (wanted[j] + triangle[:j, j] @ solved[:j]) / _apart_from_poles(s - triangle[j, j])
+        return np.asarray(solved.T @ (of_load @ loads))
+
+
+def _apart_from_poles(below: np.ndarray) -> np.ndarray:
+    """Denominators, none of which is 0."""
+    return np.where(below == 0.0, AT_POLE, below)
