@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 import numpy as np
-import scipy
 
 from edesign.core.compensator import MEMORY, AdaptiveTimeSeries, DifferenceEquation, Signal, Term
 from edesign.errors import InputError
@@ -140,13 +139,24 @@ def smith(delay: float, gain: float, stiffness: float, damping: float, step: flo
 def butterworth(order: int, cutoff: float, step: float) -> np.ndarray:
     """Return the sections of a low-pass filter as the core takes them, (n, 5) b0, b1, b2, a1, a2.
 
+    Each is w^2 / (s^2 + 2 zeta w s + w^2) by the bilinear rule, exact at the cut-off; the least damped stands last.
+    `scipy.signal` has them too, and takes a second to load.
+
     Args:
         order: even.
         cutoff: Hz.
         step: main step, s.
+
+    Source: Oppenheim & Schafer, Discrete-Time Signal Processing, 7.1.
     """
-    sections = scipy.signal.butter(order, cutoff, fs=1.0 / step, output="sos")
-    return np.ascontiguousarray(np.delete(sections, 3, axis=1))
+    w = math.tan(math.pi * cutoff * step)
+    sections = []
+    for k in range(order // 2):
+        damped = 2.0 * w * math.cos((2 * k + 1) * math.pi / (2 * order))
+        below = 1.0 + damped + w**2
+        gain = w**2 / below
+        sections.append([gain, 2.0 * gain, gain, 2.0 * (w**2 - 1.0) / below, (1.0 - damped + w**2) / below])
+    return np.array(sections)
 
 
 def pi_phase_lead(proportional: float, integral: float, lead: float, lag: float, step: float) -> DifferenceEquation:
@@ -162,14 +172,23 @@ def pi_phase_lead(proportional: float, integral: float, lead: float, lag: float,
 
     Source: sample controller of the virtual RTHS benchmark, Silva, Gomez, Maghareh, Dyke & Spencer (2020).
     """
-    controller, below = scipy.signal.bilinear([proportional, integral], [1.0, 0.0], fs=1.0 / step)
-    ahead, ahead_below = scipy.signal.bilinear([lead, 1.0], [lag, 1.0], fs=1.0 / step)
+    controller, below = _bilinear((proportional, integral), (1.0, 0.0), step)
+    ahead, ahead_below = _bilinear((lead, 1.0), (lag, 1.0), step)
     of_target, of_measured = np.convolve(controller, ahead), np.convolve(controller, ahead_below)
     own = np.convolve(below, ahead_below)
     terms = [Term("target", late + 1, float(value)) for late, value in enumerate(of_target)]
     terms += [Term("measured", late, -float(value)) for late, value in enumerate(of_measured)]
     terms += [Term("command", late, -float(value)) for late, value in enumerate(own) if late]
     return DifferenceEquation(tuple(terms))
+
+
+def _bilinear(above: tuple[float, float], below: tuple[float, float], step: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return what becomes of (a s + b) / (c s + d) with s = 2 (1 - z) / ((1 + z) step): coefficients of 1 and z."""
+    rates = 2.0 / step * np.array([above[0], below[0]])
+    (first, second), (first_below, second_below) = (
+        (rate + rest, rest - rate) for rate, rest in zip(rates, (above[1], below[1]), strict=True)
+    )
+    return np.array([first, second]) / first_below, np.array([1.0, second_below / first_below])
 
 
 def ats(window: float, every: int, step: float, adaptive: AdaptiveTimeSeries) -> AdaptiveTimeSeries:

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
+import scipy.linalg
 
 from edesign.core.substructure import MOST_RIG_STATES, LinearRig
 from edesign.errors import InputError
@@ -76,8 +76,10 @@ class RigTransfer:
         # in time units of the rig, so that powers of s are of one size
         unit = abs(den[-1] / den[0]) ** (1.0 / n) if den[-1] != 0.0 else 1.0
         powers = unit ** np.arange(n, -1.0, -1.0)
-        A, B, C, _ = scipy.signal.tf2ss(num * powers[-len(num) :], den * powers)
-        A, B = A * unit, B[:, 0] * unit
+        num, den = num * powers[-len(num) :] / den[0] / powers[0], den * powers / den[0] / powers[0]
+        A, B, C = np.eye(n, k=-1), np.zeros(n), np.zeros(n)  # controllable canonical form
+        A[0], B[0], C[n - len(num) :] = -den[1:], 1.0, num
+        A, B = A * unit, B * unit
         # exact over a linear command: [r, w, dw] of the sub-step
         block = np.zeros((n + 2, n + 2))
         block[:n, :n], block[:n, n], block[n, n + 1] = A * sub_step, B * sub_step, 1.0
@@ -88,10 +90,10 @@ class RigTransfer:
             A=exact[:n, :n],
             b0=exact[:n, n] - ramp,
             b1=ramp,
-            c=C[0],
-            c_v=C[0] @ A,
+            c=C,
+            c_v=C @ A,
             d=0.0,
-            d_v=float(C[0] @ B),
+            d_v=float(C @ B),
         )
 
 

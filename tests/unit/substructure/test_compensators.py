@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import scipy.signal
 from edesign.core._edcore import ffi
 
 from edesign.core.compensator import (
@@ -261,3 +262,25 @@ def test_alphas_of_equal_weights_are_those_of_least_squares() -> None:
     expected = np.linalg.lstsq(np.column_stack([x, v, a]), u, rcond=None)[0]
     # normal equations of signals of sizes 1 : 20 : 400 lose the square of their condition, some 1e3, of sixteen digits
     assert found.alpha[-1] == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize("order", [2, 4, 6, 8])
+@pytest.mark.parametrize("cutoff", [5.0, 20.0, 490.0])
+def test_the_filter_is_that_of_scipy(order: int, cutoff: float) -> None:
+    """The same transfer function, whose rounding grows with the order to some 1e-12; gains of its sections differ."""
+    found = np.insert(compensators.butterworth(order, cutoff, STEP), 3, 1.0, axis=1)
+    frequencies = np.linspace(0.0, 0.99 / STEP / 2.0, 50)
+    of_ours, of_scipy = (
+        scipy.signal.sosfreqz(sections, frequencies, fs=1.0 / STEP)[1]
+        for sections in (found, scipy.signal.butter(order, cutoff, fs=1.0 / STEP, output="sos"))
+    )
+    assert of_ours == pytest.approx(of_scipy, rel=1e-10, abs=1e-14)
+
+
+def test_the_controller_is_by_the_bilinear_rule_of_scipy() -> None:
+    """Coefficients of the target: those of (p + i/s) behind those of the lead."""
+    found = compensators.pi_phase_lead(2.0, 95.0, 5.93e-3, 0.5e-3, STEP)
+    controller, _ = scipy.signal.bilinear([2.0, 95.0], [1.0, 0.0], fs=1.0 / STEP)
+    ahead, _ = scipy.signal.bilinear([5.93e-3, 1.0], [0.5e-3, 1.0], fs=1.0 / STEP)
+    of_target = [term.coefficient for term in found.terms if term.of == "target"]
+    assert of_target == pytest.approx(np.convolve(controller, ahead).tolist(), rel=1e-12)
