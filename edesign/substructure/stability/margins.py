@@ -107,7 +107,8 @@ class LoopStability:
     def growth(self) -> float:
         """Rate at which the motion grows that grows most, 1/s; 0: none of the roots that were found grows."""
         modes = (-2.0 * math.pi * mode.loop_damping * mode.loop_frequency for mode in self.modes)
-        return max(*(rate for rate in modes if math.isfinite(rate)), *(one.real for one in self.other_roots), 0.0, 0.0)
+        others = (one.real for one in self.other_roots)
+        return max([0.0, *(rate for rate in modes if math.isfinite(rate)), *others])
 
 
 def loop_stability(loop: Loop, highest_frequency: float | None = None) -> LoopStability:
