@@ -71,6 +71,20 @@ def check_file(path: Path) -> None:
         raise ArchiveError(f"{path}: cannot be written: {_words(error)}") from error
 
 
+ARCHIVES = (".h5", ".hdf5", ".nc")
+"""How names of archives end."""
+
+
+def check_archive_name(path: Path) -> None:
+    """Check the name of an archive that is to be written: no file of another kind can be meant.
+
+    Raises:
+        InputError: it has another ending.
+    """
+    if path.suffix.lower() not in ARCHIVES:
+        raise InputError(f"{path}: the name of an archive ends in .h5, .hdf5 or .nc")
+
+
 def check_csv_name(path: Path) -> None:
     """Check the name of a table that is to be written: no file of another kind can be meant.
 

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from edesign.archive.dataset import Group
-from edesign.archive.files import is_hdf5
-from edesign.archive.reader import open_archive
+from edesign.archive.files import check_archive_name, is_hdf5
+from edesign.archive.reader import DamagedArchive, open_archive
 from edesign.archive.writer import partial_path
 from edesign.errors import ArchiveError
 from edesign.input_files import spare_inputs
@@ -29,9 +29,10 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
 
     Raises:
         ArchiveError: an archive stands there that is of something else, that has more, or that cannot be read.
-        InputError: an input of the command stands there.
+        InputError: an input of the command stands there, or the name is not one of an archive.
     """
     spare_inputs(path, partial_path(path))
+    check_archive_name(path)
     for place in (path, partial_path(path)):
         if overwrite or not os.path.isfile(place) or not is_hdf5(place):
             continue  # what is no archive is spared by the writer
@@ -39,8 +40,8 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
             with open_archive(place) as archive:
                 old = archive.attributes
         except ArchiveError as error:
-            if place != path:
-                continue  # what an interrupted run left damaged
+            if place != path and isinstance(error, DamagedArchive):
+                continue  # what an interrupted run left
             raise ArchiveError(f"{error}; it is left as it is: choose another name, or --overwrite") from error
         lost = [str(name) for name in _names(old) if name not in _names(root.attributes)]
         if lost and old.get("project_checksum") == root.attributes.get("project_checksum"):

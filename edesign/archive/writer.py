@@ -12,7 +12,7 @@ from types import TracebackType
 import h5py
 
 from edesign.archive.dataset import Group
-from edesign.archive.files import reason
+from edesign.archive.files import is_hdf5, reason
 from edesign.archive.global_heap import broken_collections, disable
 from edesign.archive.hdf5 import LIBRARY_VERSIONS, write_attributes, write_group
 from edesign.archive.opening import PARTIAL_SUFFIX
@@ -183,15 +183,17 @@ class ArchiveWriter:
             raise ArchiveError(f"{self.path}: cannot write the archive: it is a folder")
         if not self.path.parent.is_dir():
             raise ArchiveError(f"{self.path}: cannot write the archive: the folder {self.path.parent} does not exist")
-        if not self.path.exists():
-            return
-        if not self.path.is_file():
-            raise ArchiveError(f"{self.path}: cannot write the archive: it is not a regular file")
-        if self.path.stat().st_size and not h5py.is_hdf5(self.path):
-            raise ArchiveError(
-                f"{self.path}: cannot write the archive: this file is no archive, and it is left as it is; "
-                "choose another name"
-            )
+        for place in (self.path, self.partial):
+            if not place.exists():
+                continue
+            if not place.is_file():
+                raise ArchiveError(f"{place}: cannot write the archive: it is not a regular file")
+            lost = place == self.partial and _was_never_written(place)
+            if place.stat().st_size and not lost and not is_hdf5(place):
+                raise ArchiveError(
+                    f"{place}: cannot write the archive: this file is no archive, and it is left as it is; "
+                    "choose another name"
+                )
 
     def _open_file(self) -> h5py.File:
         if self._file is None:
@@ -305,6 +307,12 @@ class ArchiveWriter:
     def _failure(self, error: OSError | ValueError) -> ArchiveError:
         words = reason(error) if isinstance(error, OSError) else str(error)
         return ArchiveError(f"{self.path}: cannot write the archive: {words}")
+
+
+def _was_never_written(partial: Path) -> bool:
+    """Whether the first page never came to the disk, as a power failure may leave a partial file."""
+    with partial.open("rb") as file:
+        return not any(file.read(8))
 
 
 def _sync_folder(folder: Path) -> None:

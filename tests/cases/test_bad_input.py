@@ -204,12 +204,16 @@ def test_a_file_of_another_kind_is_not_replaced_by_an_archive(tmp_path: Path, ca
     path = write(tmp_path)
     before = path.read_bytes()
     assert "this is an input, and no output" in refused(capsys, "run", path, "--archive", path)
-    (tmp_path / "notes.txt").write_text("by hand\n")
-    message = refused(capsys, "run", path, "--archive", tmp_path / "notes.txt", "--overwrite", code=4)
+    message = refused(capsys, "run", path, "--archive", tmp_path / "notes.txt")
+    assert "the name of an archive ends in .h5, .hdf5 or .nc" in message
+    (tmp_path / "notes.h5").write_text("by hand\n")
+    message = refused(capsys, "run", path, "--archive", tmp_path / "notes.h5", "--overwrite", code=4)
     assert "this file is no archive, and it is left as it is" in message and path.read_bytes() == before
-    assert (tmp_path / "notes.txt").read_text() == "by hand\n"
-    assert "not a regular file" in refused(capsys, "run", path, "--archive", "/dev/zero", code=4)
-    assert sorted(item.name for item in tmp_path.iterdir()) == ["motion.AT2", "notes.txt", "project.yaml"]
+    assert (tmp_path / "notes.h5").read_text() == "by hand\n"
+    (tmp_path / "zero.h5").symlink_to("/dev/zero")
+    assert "not a regular file" in refused(capsys, "run", path, "--archive", tmp_path / "zero.h5", code=4)
+    (tmp_path / "zero.h5").unlink()
+    assert sorted(item.name for item in tmp_path.iterdir()) == ["motion.AT2", "notes.h5", "project.yaml"]
     assert main(["run", str(path), "--quiet"]) == 0 and main(["run", str(path), "--quiet"]) == 0  # an older archive is
 
 

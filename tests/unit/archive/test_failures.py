@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import textwrap
+from collections.abc import Callable, Mapping
 from pathlib import Path
 
 import h5py
@@ -14,6 +15,7 @@ import pytest
 from unit.archive.archive_samples import history_group
 
 from edesign.archive.dataset import Group
+from edesign.archive.owner import check_owner
 from edesign.archive.reader import open_archive, read_archive
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.errors import ArchiveError
@@ -83,19 +85,40 @@ def test_fresh_discards_the_partial_file(tmp_path: Path) -> None:
         assert archive.names("analyses") == []
 
 
-@pytest.mark.parametrize("damage", ["cut", "text", "zeros"])
+@pytest.mark.parametrize("damage", ["cut", "zeros"])
 def test_a_damaged_partial_file_starts_afresh_and_says_so(tmp_path: Path, damage: str) -> None:
     path = tmp_path / "a.h5"
     interrupted(path)
     partial = partial_path(path)
     content = partial.read_bytes()
-    partial.write_bytes({"cut": content[: len(content) // 2], "text": b"hello" * 99, "zeros": bytes(4096)}[damage])
+    partial.write_bytes({"cut": content[: len(content) // 2], "zeros": bytes(4096)}[damage])
     with ArchiveWriter(path, root(), IDENTITY, reuse=completed) as writer:
         assert writer.kept == () and "damaged" in writer.note
         writer.write("analyses/a", history_group())
         writer.finish()
     with open_archive(path) as archive:
         assert archive.names("analyses") == ["a"]
+
+
+@pytest.mark.parametrize("reuse", [None, completed])
+def test_a_file_of_another_kind_at_the_place_of_the_partial_file_is_left(
+    tmp_path: Path, reuse: Callable[[str, Mapping[str, object]], bool] | None
+) -> None:
+    path = tmp_path / "a.h5"
+    partial_path(path).write_bytes(b"hello" * 99)
+    with pytest.raises(ArchiveError, match=r"a\.h5\.partial: .*this file is no archive, and it is left as it is"):
+        ArchiveWriter(path, root(), IDENTITY, reuse=reuse)
+    assert partial_path(path).read_bytes() == b"hello" * 99
+
+
+def test_a_partial_file_that_another_program_made_is_left(tmp_path: Path) -> None:
+    path = tmp_path / "a.h5"
+    with h5py.File(partial_path(path), "w") as file:
+        file["measured"] = [1.0, 2.0]
+    before = partial_path(path).read_bytes()
+    with pytest.raises(ArchiveError, match="an HDF5 file, but not an archive of edesign; .* it is left as it is"):
+        check_owner(path, root())
+    assert partial_path(path).read_bytes() == before
 
 
 def test_two_runs_on_one_archive_exclude_each_other(tmp_path: Path) -> None:
