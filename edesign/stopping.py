@@ -48,6 +48,16 @@ def wished() -> bool:
     return _wishes.wish is not None and _wishes.wish()
 
 
+def end_if_wished() -> None:
+    """Let long work in Python end as calls of the core do.
+
+    Raises:
+        Stopped: a wish of this thread is true.
+    """
+    if wished():
+        raise Stopped
+
+
 def in_threads(
     work: Callable[[T], R], items: Iterable[T], workers: int, closing: threading.Event | None = None
 ) -> Iterator[R]:

@@ -11,7 +11,7 @@ from contextlib import suppress
 
 from edesign.archive.files import reason
 from edesign.errors import InputError
-from edesign.stopping import Stopped, wished
+from edesign.stopping import end_if_wished
 
 LARGEST_PORT = 65535
 
@@ -37,9 +37,12 @@ class Connection:
         for direction in (socket.SO_RCVTIMEO, socket.SO_SNDTIMEO):  # no poll before each message: a tenth of a step
             accepted.setsockopt(socket.SOL_SOCKET, direction, struct.pack("ll", 0, 1000 * WISHES_MS))
         self._buffer = memoryview(bytearray())
+        self._done = 0  # bytes of a message that a stop left unread
 
     def read(self, size: int, seconds: float | None = None) -> memoryview:
         """Return the next bytes, valid until the next call; fewer than `size` if the client has gone.
+
+        After an exception the next call of the same size goes on where it ended, so no message is read in two.
 
         Args:
             size: bytes, at least 1.
@@ -51,23 +54,24 @@ class Connection:
         """
         if size > len(self._buffer):
             self._buffer = memoryview(bytearray(size))
-        view, done = self._buffer[:size], 0
+        view = self._buffer[:size]
         until = None if seconds is None else time.monotonic() + seconds
-        while done < size:
+        while self._done < size:
             try:
-                received = self._socket.recv_into(view[done:])
+                received = self._socket.recv_into(view[self._done :])
             except BlockingIOError:
                 _go_on_waiting(until)
                 continue
             except OSError:  # reset: as good as closed
                 received = 0
             if received == 0:
-                return view[:done]
-            done += received
-            if done < size:
+                break
+            self._done += received
+            if self._done < size:
                 self.acknowledge()
                 _go_on_waiting(until)
-        return view
+        done, self._done = self._done, 0
+        return view[:done]
 
     def acknowledge(self) -> None:
         """Acknowledge what was read at once, if no answer follows that does it.
@@ -139,8 +143,7 @@ def address(pair: tuple[str, int]) -> str:
 
 
 def _go_on_waiting(until: float | None) -> None:
-    if wished():
-        raise Stopped
+    end_if_wished()
     if until is not None and time.monotonic() >= until:
         raise TimeoutError
 

@@ -7,22 +7,20 @@ Whoever reaches the port can move the specimen: there is no password and no encr
 from __future__ import annotations
 
 import math
-import signal
-import threading
 import time
 from array import array
-from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from types import FrameType
 from typing import Literal
 
 from edesign.archive.csv_files import write_csv_file
 from edesign.archive.files import check_csv_name, check_file
 from edesign.core.damper import CoreDamper
 from edesign.errors import AnalysisError
-from edesign.stopping import Stopped, wished
+from edesign.stopping import Stopped, Wish, stoppable, wished
+from edesign.study.interrupt import stop_on_signals
 from edesign.substructure.server import protocol
 from edesign.substructure.server.connection import Connection, address, listen, wait_for_client
 from edesign.substructure.server.mounted_specimen import MountedSpecimen, RefusedMotion, check_scales
@@ -176,7 +174,8 @@ def serve(
         on_event: takes lines for people.
 
     Returns:
-        The summary, also if Ctrl-C, SIGTERM or a wish of `edesign.stopping.stoppable` ended it.
+        The summary, also if Ctrl-C, SIGTERM or a wish of `edesign.stopping.stoppable` ended it. A second Ctrl-C leaves
+        the client alone at once.
 
     Raises:
         InputError: the port is in use, the address is not of this machine, or the record's name is no table's.
@@ -193,11 +192,12 @@ def serve(
         check_file(record)
     mounted, course = MountedSpecimen(specimen, scales, allow_iterations), _Course(record is not None)
     fault = None
-    with suppress(KeyboardInterrupt), _sigterm_as_ctrl_c():
-        client, greeting = _await_client(host, port, patience, on_event)
+    with suppress(KeyboardInterrupt), stop_on_signals() as stop:
+        with stoppable(stop.is_set):
+            client, greeting = _await_client(host, port, patience, on_event)
         try:
             course.client = client.name
-            fault = _session(client, greeting, interface, mounted, course, on_event)
+            fault = _session(client, greeting, interface, mounted, course, on_event, stop.is_set)
         finally:
             client.close()
     summary = course.summary(mounted, record)
@@ -260,11 +260,13 @@ def _session(
     mounted: MountedSpecimen,
     course: _Course,
     on_event: OnEvent,
+    wish: Wish,
 ) -> str | None:
-    """Serve a client to its end; return what was wrong if something was."""
+    """Serve a client to its end, or a wish to stop; return what was wrong if something was."""
     fault = None
     try:
-        _exchange(client, Messages(greeting, interface), mounted, course)
+        with stoppable(wish):
+            _exchange(client, Messages(greeting, interface), mounted, course)
         course.ending = "goodbye"
     except _Gone as gone:
         where = gone.where or (f"the step to t = {mounted.trial.time:.9g} s" if mounted.under_way else "")
@@ -280,6 +282,10 @@ def _session(
     except KeyboardInterrupt:
         on_event(f"stopped; questions are answered with NaN for {client.patience:g} s, so that the client can end")
         _answer_nan(client, greeting.data_size, time.monotonic() + client.patience)
+    except Exception:  # also of edesign itself: the client would wait for ever
+        course.ending = "failed"
+        _answer_nan(client, greeting.data_size)
+        raise
     return fault
 
 
@@ -325,20 +331,3 @@ def _answer_nan(client: Connection, data_size: int, until: float | None = None) 
             if code in protocol.ENDS or (code in protocol.QUESTIONS and not client.write(nothing)):
                 return
             client.acknowledge()
-
-
-@contextmanager
-def _sigterm_as_ctrl_c() -> Iterator[None]:
-    """Let SIGTERM end a session as Ctrl-C does, where signals are handled: in the main thread."""
-    if threading.current_thread() is not threading.main_thread():
-        yield
-        return
-
-    def interrupt(number: int, frame: FrameType | None) -> None:
-        raise KeyboardInterrupt
-
-    before = signal.signal(signal.SIGTERM, interrupt)
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)

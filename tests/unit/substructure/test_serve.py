@@ -24,7 +24,9 @@ from edesign.core.damper import CoreDamper
 from edesign.damper.read_test import read_test
 from edesign.damper.thesis_tables import prototype_damper
 from edesign.errors import ArchiveError, EdesignError, InputError
-from edesign.stopping import stoppable
+from edesign.stopping import Stopped, stoppable
+from edesign.substructure.server.connection import Connection, listen
+from edesign.substructure.server.mounted_specimen import MountedSpecimen
 from edesign.substructure.server.protocol import NotTheProtocol, check_first_size, parse_greeting
 from edesign.substructure.server.serve import SessionError, SessionSummary, serve
 
@@ -76,7 +78,7 @@ class Laboratory:
     def __init__(self, specimen: CoreDamper, options: dict[str, Any]) -> None:
         self.lines: list[str] = []
         self._first: Queue[str | None] = Queue()
-        self.outcome: SessionSummary | EdesignError | None = None
+        self.outcome: SessionSummary | EdesignError | ArithmeticError | None = None
         self.stop = threading.Event()
         self.thread = threading.Thread(target=self._run, args=(specimen, options))
         self.thread.start()
@@ -88,7 +90,7 @@ class Laboratory:
         with stoppable(self.stop.is_set):
             try:
                 self.outcome = serve(specimen, port=0, on_event=self._hear, **{"scales": (1.0, 1.0)} | options)
-            except EdesignError as error:
+            except (EdesignError, ArithmeticError) as error:
                 self.outcome = error
             self._first.put(None)
 
@@ -442,6 +444,31 @@ def test_signals(number: int, tmp_path: Path) -> None:
         assert process.stderr.read() == b""
         assert b"session ended (stopped): 1 steps" in process.stdout.read()
     assert len(record.read_text().splitlines()) == 3
+
+
+def test_a_stop_within_a_message_loses_none_of_it() -> None:
+    """What follows is read from its beginning, so that the client gets an answer to each question."""
+    message = bytes(range(256))
+    with listen("127.0.0.1", 0) as listener, socket.create_connection(listener.getsockname()) as there:
+        connection = Connection(listener.accept()[0], "client", patience=1.0)
+        there.sendall(message[:100])
+        with stoppable(lambda: True), pytest.raises(Stopped):
+            connection.read(len(message))
+        there.sendall(message[100:] + message)
+        assert bytes(connection.read(len(message))) == message
+        assert bytes(connection.read(len(message))) == message
+        connection.close()
+
+
+def test_an_error_of_the_server_lets_the_client_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    """OpenSeesPy would wait for ever; its questions are answered with NaN, and the error is told."""
+    monkeypatch.setattr(MountedSpecimen, "move", lambda self, motion: 1 / 0)
+    with laboratory() as lab:
+        client = Client(lab.port)
+        assert math.isnan(client.force(0.01, 1e-3))
+        client.bye()
+        lab.thread.join(SOON)
+        assert isinstance(lab.outcome, ZeroDivisionError)
 
 
 # ---- before a client comes ----
