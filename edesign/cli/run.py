@@ -45,6 +45,8 @@ def run(
     from edesign.project.yaml_file import file_kind
 
     kind = file_kind(project)
+    if kind == "substructure test":
+        raise InputError(f"{project}: this is a {kind} file; `edesign rts run {project}` runs it")
     if kind == "building":
         if only or folder or scheduler:
             raise InputError("--only, --folder and --scheduler are for projects and studies, not for a building")

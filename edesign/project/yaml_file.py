@@ -40,13 +40,17 @@ def read_yaml_text(path: Path, what: str) -> str:
     return yaml_text(read_yaml_file(path, what), path)
 
 
-def file_kind(path: Path | str) -> str:
+def file_kind(path: Path | str, what: str = "project or study file") -> str:
     """Return what a file is, by the first of its keys that tells: "project", "study", "building", ...; "" if none does.
+
+    Args:
+        path: of the file.
+        what: is expected, for messages.
 
     Raises:
         InputError: it cannot be read.
     """
-    text = read_yaml_text(Path(path), "project or study file")
+    text = read_yaml_text(Path(path), what)
     return next((KINDS[key] for key in top_level_keys(text) if key in KINDS), "")
 
 

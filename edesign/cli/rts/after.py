@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from edesign.cli.rts.tests_file import load_tests
 from edesign.errors import AnalysisError, InputError
 
 if TYPE_CHECKING:
@@ -98,11 +99,8 @@ def _displacement(name: str) -> Displacement:
 
 
 def _read(rts: Path | None, test: str | None, campaign: Path | None) -> RtsFile | None:
-    from edesign.building.building_sections import BuildingSections
-    from edesign.project.substructure import load_rts_file
-
     if rts is not None:
-        return load_rts_file(rts, BuildingSections())
+        return load_tests(rts)
     for option, value in (("--test", test), ("--campaign", campaign)):
         if value is not None:
             raise InputError(f"{option}: only with --rts, which says law and specimen")

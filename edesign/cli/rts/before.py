@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from edesign.cli.rts.tests_file import load_tests
 from edesign.errors import InputError
 
 File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
@@ -22,8 +23,6 @@ def check(
 ) -> None:
     """Say, without running the loop, whether it is stable, how wrong it will be, and which compensator suits."""
     from edesign.archive.files import check_file
-    from edesign.building.building_sections import BuildingSections
-    from edesign.project.substructure import load_rts_file
     from edesign.report.figures import check_figure_name
     from edesign.report.substructure.advice_tables import advice_tables
     from edesign.report.text import print_tables
@@ -33,7 +32,7 @@ def check(
     if figure is not None:
         check_figure_name(figure)
         check_file(figure)
-    laboratory = VirtualLaboratory(load_rts_file(file, BuildingSections()))
+    laboratory = VirtualLaboratory(load_tests(file))
     advice = advise(laboratory)
     print_tables(advice_tables(advice))
     if figure is not None:
@@ -50,13 +49,11 @@ def export(
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace other files of the same names.")] = False,
 ) -> None:
     """Write a compensator as C99 for a signal processor, with a self test, a timing program, and matrices."""
-    from edesign.building.building_sections import BuildingSections
     from edesign.project.problems import unknown_name
-    from edesign.project.substructure import load_rts_file
     from edesign.substructure.compensation.export import export as write
     from edesign.substructure.laboratory import compensator_of, laboratory
 
-    tests = load_rts_file(file, BuildingSections())
+    tests = load_tests(file)
     if compensator not in tests.compensators:
         raise InputError(f"{file}: {unknown_name('compensator', compensator, tests.compensators)}")
     step = tests.loop.main_step
@@ -80,13 +77,11 @@ def serve(
     record: Annotated[Path | None, typer.Option("--record", help="Write the committed steps to a CSV file.")] = None,
 ) -> None:
     """Be the laboratory of OpenSees' genericClient: the virtual specimen of the file behind a TCP port."""
-    from edesign.building.building_sections import BuildingSections
     from edesign.core.damper import CoreDamper
-    from edesign.project.substructure import load_rts_file
     from edesign.substructure.laboratory import laboratory
     from edesign.substructure.server.serve import serve as wait
 
-    damper = laboratory(load_rts_file(file, BuildingSections())).damper
+    damper = laboratory(load_tests(file)).damper
     if damper is None:
         raise InputError(f"{file}: specimen: a laboratory needs a law; give `law` or `law_file`")
     values = damper.values

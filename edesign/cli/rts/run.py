@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from edesign.cli.rts.tests_file import load_tests
 from edesign.errors import AnalysisError
 
 File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
@@ -26,14 +27,12 @@ def run(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
     """Run the virtual tests of a file with all its compensators, archive them, and print a summary."""
-    from edesign.building.building_sections import BuildingSections
-    from edesign.project.substructure import load_rts_file
     from edesign.report.tables import overview
     from edesign.report.text import print_tables
     from edesign.report.visible import visible_line
     from edesign.substructure.run import run_tests
 
-    tests = load_rts_file(file, BuildingSections())
+    tests = load_tests(file)
 
     def tell(line: str) -> None:
         if not quiet:

@@ -1,0 +1,60 @@
+"""The commands `edesign rts ...` given a file that is not theirs, or a place that is not theirs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from edesign.cli.main import main
+
+MOVED = """\
+edesign_rts: 1
+rig: {kind: ideal}
+compensators: {none: {kind: none}}
+tests: [{name: cycles, kind: command, command: {type: sine, displacement: 5 mm, frequency: 2 Hz}}]
+"""
+
+
+def said(capsys: pytest.CaptureFixture[str], *words: str | Path, code: int = 2) -> str:
+    """Call a command that must fail with one line, and return it."""
+    assert main([str(word) for word in words]) == code
+    error = capsys.readouterr().err
+    assert error.count("\n") == 1
+    return error
+
+
+@pytest.mark.parametrize("kind", ["project", "study", "building"])
+@pytest.mark.parametrize("command", ["check", "run", "serve"])
+def test_a_file_of_another_command_names_that_command(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], kind: str, command: str
+) -> None:
+    path = tmp_path / "x.yaml"
+    path.write_text({"project": "edesign: 1\n"}.get(kind, f"edesign_{kind}: 1\n"), encoding="utf-8")
+    assert f"this is a {kind} file; `edesign run {path}` runs it" in said(capsys, "rts", command, path)
+
+
+def test_run_names_the_command_of_substructure_tests(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "rts.yaml"
+    path.write_text(MOVED, encoding="utf-8")
+    assert f"this is a substructure test file; `edesign rts run {path}` runs it" in said(capsys, "run", path)
+
+
+def test_a_missing_file_is_called_what_it_would_be(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert "there is no such substructure test file" in said(capsys, "rts", "check", tmp_path / "rts.yaml")
+
+
+def test_an_archive_has_the_name_of_one_and_takes_no_other_place(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "rts.yaml"
+    path.write_text(MOVED, encoding="utf-8")
+    said_of = said(capsys, "rts", "run", path, "--quiet", "--archive", tmp_path / "x.txt")
+    assert "x.txt: the name of an archive ends in .h5, .hdf5 or .nc" in said_of
+    notes = tmp_path / "rts.h5.partial"
+    notes.write_text("mine", encoding="utf-8")
+    assert f"{notes}: cannot write the archive: this file is no archive" in said(
+        capsys, "rts", "run", path, "--quiet", code=4
+    )
+    assert notes.read_text(encoding="utf-8") == "mine"
+    assert sorted(item.name for item in tmp_path.iterdir()) == ["rts.h5.partial", "rts.yaml"]
