@@ -78,7 +78,7 @@ def run_tests(
                         write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
                 warnings += growing_runs(laboratory, results)
                 found.append(results)
-            for other in laboratory.run_others(begin):
+            for other in laboratory.run_others(begin, stop.is_set):
                 writer.write(f"{PLACE}/{other.name}", method_group(other))
         except BaseException:  # tests take seconds: the next run begins anew, and nothing half done is left
             writer.close()

@@ -193,14 +193,18 @@ class VirtualLaboratory:
                     runs.append(self._run(test, name, drive, direct))
             yield TestResults(test.name, test.kind, drive, direct, tuple(runs))
 
-    def run_others(self, tell: Callable[[str], None] = lambda line: None) -> Iterator[MethodResults]:
+    def run_others(
+        self, tell: Callable[[str], None] = lambda line: None, wish: Wish | None = None
+    ) -> Iterator[MethodResults]:
         """Yield the results of the tests by other methods; arguments and errors as `run`."""
         for test in self.others:
             tell(test.name)
             drive = self.drives[test.name]
             assert drive.ground is not None
-            abort = DIVERGED * float(np.max(np.abs(self.direct(drive).deformation)))
-            yield run_method(test, self.laboratory, drive.time, drive.ground, abort)
+            with stoppable(wish):
+                abort = DIVERGED * float(np.max(np.abs(self.direct(drive).deformation)))
+                results = run_method(test, self.laboratory, drive.time, drive.ground, abort)
+            yield results
 
     def drive(self, test: CommandTest | RecordTest) -> Drive:
         """Return what drives a test.

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 
 from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
+from edesign.stopping import end_if_wished
 from edesign.substructure.methods.comparison import checked_ground, positive
 from edesign.substructure.methods.comparison import response_error as error_of
 from edesign.substructure.methods.rate import RateEffect, motion_frequency, rate_effect
@@ -131,6 +132,7 @@ def pseudo_dynamic_test(
     Raises:
         InputError: an impossible number, or a step beyond the limit of the method, 2 / omega of the highest mode.
         CoreError: the law of the damper failed.
+        Stopped: by a wish of `edesign.stopping.stoppable`.
 
     Source: thesis Eqs. 6.1-6.4; Shing & Mahin, UCB/EERC-83/12 (1983), for errors and feedback.
     """
@@ -351,6 +353,7 @@ def _run(integration: _Integration, laboratory: _Laboratory, ground: np.ndarray,
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # a motion that grows without end is ended by `within`
             for acceleration in ground[1:].tolist():
+                end_if_wished()
                 end = integration.advance(motion, acceleration, within)
                 motion = end.motion
                 displacement.append(end.asked)

@@ -3,6 +3,10 @@
 from __future__ import annotations
 
 import json
+import os
+import signal
+import subprocess
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +17,7 @@ from edesign.archive.reader import open_archive
 from edesign.cli.main import main
 from edesign.damper.read_test import read_test
 from edesign.project.substructure import load_rts_file
+from edesign.stopping import Stopped
 from edesign.substructure.virtual_tests import Drive, TestResults, VirtualLaboratory
 
 PROJECTS = Path(__file__).parents[3] / "projects"
@@ -227,3 +232,31 @@ def test_a_linear_building_is_that_of_lsim(tmp_path: Path, force: str, order: fl
         rms = np.sqrt(np.mean((drifts - exact) ** 2, axis=0) / np.mean(exact**2, axis=0))
         assert one.building_error == pytest.approx(np.max(rms), rel=0.15)
     assert np.log2(np.divide(errors[:3], errors[3:])) == pytest.approx(order, abs=0.1)
+
+
+@pytest.mark.parametrize("kind", ["pseudo_dynamic", "effective_force, gain: 1e-3 m/s/N"])
+def test_tests_by_other_methods_end_at_the_first_wish(tmp_path: Path, kind: str) -> None:
+    """Of a loop in Python too; the wish comes true after 100 questions, long before the 30 000 steps are over."""
+    path = tmp_path / "rts.yaml"
+    test = f"tests: [{{name: slow, kind: {kind}, record: el_centro, scale: 0.18}}]\n"
+    path.write_text(INLINE[: INLINE.index("tests:")] + test, encoding="utf-8")
+    asked = iter(range(1000))
+    with pytest.raises(Stopped):
+        list(VirtualLaboratory(load_rts_file(path)).run_others(wish=lambda: next(asked) > 100))
+    assert next(asked) < 110
+
+
+def test_one_ctrl_c_ends_a_pseudo_dynamic_test_and_leaves_nothing(tmp_path: Path) -> None:
+    path = tmp_path / "rts.yaml"
+    test = "tests: [{name: slow, kind: pseudo_dynamic, record: el_centro, scale: 0.18, free_vibration: 2000 s}]\n"
+    path.write_text(INLINE[: INLINE.index("tests:")] + test, encoding="utf-8")
+    environment = os.environ | {"PYTHONPATH": str(Path(__file__).parents[3])}
+    with subprocess.Popen(
+        [sys.executable, "-m", "edesign", "rts", "run", str(path)], stderr=subprocess.PIPE, env=environment, text=True
+    ) as process:
+        assert process.stderr is not None
+        assert process.stderr.readline() == "slow ...\n"
+        process.send_signal(signal.SIGINT)
+        assert process.wait(60) == 130
+        assert process.stderr.read() == "edesign: interrupted\n"
+    assert [item.name for item in tmp_path.iterdir()] == ["rts.yaml"]
