@@ -20,7 +20,8 @@ from edesign.core.response import Passed, Response
 from edesign.core.stop import STOP, raise_if_stopped
 
 MOST_RIG_STATES = int(lib.ED_RIG_STATES)
-SATURATED = {1: "stroke", 2: "velocity", 4: "force", 8: "range of a sensor"}
+SENSOR = "range of a sensor"
+SATURATED = {1: "stroke", 2: "velocity", 4: "force", 8: SENSOR}
 """Bits of the channel `saturated`."""
 
 

@@ -7,6 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
+from edesign.core.substructure import SATURATED
 from edesign.study.outcome import FAILED
 from edesign.study.plan import ANALYSES
 from edesign.substructure.indicators import definitions
@@ -46,8 +47,11 @@ def groups(results: TestResults, histories: Sequence[str]) -> Iterator[tuple[str
     if results.direct is not None:
         yield _analysis(results, results.direct.building)
         for run in results.runs:
-            failed = Group(attributes={"status": FAILED, "reason": run.reason})
-            yield _analysis(results, run.building or failed, run.compensator)
+            building = run.building or Group()
+            if run.outcome != "done":
+                failed = {"status": FAILED, "reason": run.reason}
+                building = Group(building.coords, building.variables, building.attributes | failed)
+            yield _analysis(results, building, run.compensator)
 
 
 def building_name(test: str, compensator: str = "") -> str:
@@ -76,11 +80,11 @@ def indicators(runs: Sequence[VirtualTest]) -> Group:
     group = Group(coords={"run": Variable(("run",), names, "", "test/compensator")})
     for name, text in (
         ("kind", "of the test"),
-        ("outcome", "done, unstable or failed"),
+        ("outcome", "done, unstable, saturated or failed"),
         ("reason", "why it is not done"),
     ):
         group.add(name, ("run",), np.array([getattr(run, name) for run in runs]), "", text)
-    group.add("saturated", ("run",), np.array([", ".join(run.saturated) for run in runs]), "", "limits that were met")
+    _add_limits(group, runs)
     text = "root mean square error of the damper's deformation over the direct one"
     group.add("response_error", ("run",), [run.response_error for run in runs], "1", text)
     text = "relative error of the largest deformation"
@@ -97,6 +101,21 @@ def indicators(runs: Sequence[VirtualTest]) -> Group:
     untold = [f"{run.test}/{run.compensator}: {name}: {why}" for run in runs for name, why in _untold(run).items()]
     group.attributes["untold"] = untold
     return group
+
+
+def _add_limits(group: Group, runs: Sequence[VirtualTest]) -> None:
+    """Which limits of rig and sensors were met, when first, and for how long."""
+    names = [", ".join(one.name for one in run.saturated) for run in runs]
+    group.add("saturated", ("run",), np.array(names), "", "limits of the rig and its sensors that were met")
+    group.coords["limit"] = Variable(("limit",), np.array(list(SATURATED.values())), "", "of the rig, or of a sensor")
+    met = [{one.name: one for one in run.saturated} for run in runs]
+    for name, text in (
+        ("first", "end of the first main step in which a limit was met"),
+        ("last", "end of the last main step in which a limit was met"),
+        ("duration", "of the main steps in which a limit was met"),
+    ):
+        values = [[getattr(of.get(limit), name, np.nan) for limit in SATURATED.values()] for of in met]
+        group.add(f"limit_{name}", ("run", "limit"), np.array(values), "s", text)
 
 
 def _untold(run: VirtualTest) -> Mapping[str, str]:

@@ -20,6 +20,7 @@ from edesign.study.interrupt import stop_on_signals
 from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
 from edesign.substructure.advice.growing_runs import growing_runs
+from edesign.substructure.advice.limit_cycles import held_by_limits
 from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators
 from edesign.substructure.methods.method_tests import method_group
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
@@ -70,7 +71,7 @@ def run_tests(
             tell(line)
 
         try:
-            for results in laboratory.run(begin, stop.is_set):
+            for results in (held_by_limits(laboratory, one) for one in laboratory.run(begin, stop.is_set)):
                 for place, group in groups(results, file.outputs.histories):
                     writer.write(place, group)
                 for run in results.runs:
@@ -85,6 +86,7 @@ def run_tests(
             writer.partial.unlink(missing_ok=True)
             raise
         writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
+        warnings += dict.fromkeys(text for results in found for run in results.runs for text in run.warnings)
         writer.finish({"status": "completed", "warnings": warnings})
     return path, tuple(found)
 

@@ -9,12 +9,13 @@ from functools import cached_property
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.core.compensator import AdaptiveTimeSeries, Compensator
+from edesign.core.compensator import AdaptiveTimeSeries, Compensator, LiveDelay
 from edesign.core.frame_part import FrameNumericalPart
 from edesign.core.substructure import (
-    SATURATED,
+    LinearRig,
     LoopRecord,
     Recursion,
+    Sensors,
     SubstructureLoop,
 )
 from edesign.errors import AnalysisError, InputError
@@ -34,6 +35,7 @@ from edesign.substructure.laboratory import (
     laboratory,
     stiffness_of,
 )
+from edesign.substructure.met_limits import MetLimit, met_limits
 from edesign.substructure.methods.method_tests import MethodResults, run_method
 from edesign.substructure.rig import rigs
 from edesign.substructure.structure.project_frame import ProjectFrame
@@ -106,9 +108,10 @@ class VirtualTest:
         building_error: as `response_error`, of the drift of the storey where it is largest.
         alpha: (3,) means of the adaptive coefficients between the first and the last motion above the threshold; NaN of
             other compensators.
-        outcome: `done`, `unstable` or `failed`.
+        outcome: `done`, `unstable`, `saturated` or `failed`.
         reason: why, if it is not done.
-        saturated: what the rig could not do.
+        saturated: limits of rig and sensors that it met.
+        warnings: what is doubtful about it, in sentences.
     """
 
     test: str
@@ -124,7 +127,8 @@ class VirtualTest:
     alpha: np.ndarray
     outcome: str
     reason: str
-    saturated: tuple[str, ...]
+    saturated: tuple[MetLimit, ...]
+    warnings: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -338,14 +342,9 @@ class VirtualLaboratory:
     def _judged(
         self, test: CommandTest | RtsTest, compensator: str, drive: Drive, direct: Direct | None, record: LoopRecord
     ) -> VirtualTest:
-        count = len(record.target)
-        bits = int(np.bitwise_or.reduce(record.saturated))
-        outcome, reason, tracked, group = "done", "", None, None
+        count, tracked, group = len(record.target), None, None
         response = peak = of_building = np.nan
-        if record.aborted:
-            outcome = "unstable"
-            what = "largest target" if direct is None else "direct deformation"
-            reason = f"diverged: {DIVERGED:g} times the {what} after {drive.time[count - 1]:.4g} s"
+        outcome, reason = self._outcome(drive, direct, record)
         drift = np.zeros((count, 0))
         if direct is not None:
             group, drift = self._building(drive, record, reason)
@@ -370,8 +369,44 @@ class VirtualLaboratory:
             alpha=_mean_alpha(record, self.compensators[compensator]),
             outcome=outcome,
             reason=reason,
-            saturated=tuple(text for bit, text in SATURATED.items() if bits & bit),
+            saturated=met_limits(record, drive.time),
+            warnings=tuple(self._doubts(test.name, compensator, drive, direct, record)),
         )
+
+    def _outcome(self, drive: Drive, direct: Direct | None, record: LoopRecord) -> tuple[str, str]:
+        """How a run ended, and why it gives no result."""
+        if record.aborted:
+            what = "largest target" if direct is None else "direct deformation"
+            return (
+                "unstable",
+                f"diverged: {DIVERGED:g} times the {what} after {drive.time[len(record.target) - 1]:.4g} s",
+            )
+        weak = [one for one in met_limits(record, drive.time) if one.name == "force"]
+        if weak and isinstance(self.laboratory.rig, LinearRig):
+            needed, limit = np.max(np.abs(record.true_force)), self.laboratory.limits.force
+            return "saturated", (
+                f"the specimen took {1e-3 * needed:.4g} kN, and the actuator has {1e-3 * limit:.4g} kN{weak[0].times}. "
+                f"A rig of the kind {self.file.plant.kind} has no balance of forces, so the actuator would have moved "
+                "less than here"
+            )
+        return "done", ""
+
+    def _doubts(
+        self, test: str, compensator: str, drive: Drive, direct: Direct | None, record: LoopRecord
+    ) -> Iterator[str]:
+        """What is doubtful about a run."""
+        motion, force = (drive.wanted, record.true_force) if direct is None else (direct.deformation, direct.force)
+        yield from lost_in_noise(test, self.laboratory.sensors, _largest(motion), _largest(force))
+        of = self.compensators[compensator]
+        if isinstance(of, (AdaptiveTimeSeries, LiveDelay)) and not np.any(np.ptp(record.alpha, axis=0)):
+            largest = _largest(record.measured)
+            why = (
+                f": the measured displacement stayed at {1e3 * largest:.3g} mm and below, and its threshold is "
+                f"{1e3 * of.threshold:.3g} mm"
+                if largest <= of.threshold
+                else ""
+            )
+            yield f'test {test}: "{compensator}" never adapted, and kept what it began with{why}'
 
 
 def response_errors(found: np.ndarray, direct: np.ndarray) -> tuple[float, float]:
@@ -390,6 +425,36 @@ def _largest_error(found: np.ndarray, direct: np.ndarray) -> float:
     """Root mean square error over that of the direct analysis, of the column where it is largest; NaN: none moves."""
     errors = [response_errors(one, other)[0] for one, other in zip(found.T, direct.T, strict=True)]
     return max((error for error in errors if not np.isnan(error)), default=np.nan)
+def without_result(run: VirtualTest, outcome: str, reason: str) -> VirtualTest:
+    """Return a run with another outcome, and without indicators, which would be no result."""
+    nan = np.nan
+    return replace(
+        run, outcome=outcome, reason=reason, tracking=None, response_error=nan, peak_error=nan, building_error=nan
+    )
+
+
+def lost_in_noise(test: str, sensors: Sensors, deformation: float, force: float) -> Iterator[str]:
+    """Yield a warning for each channel whose noise, or step of its converter, is not below the motion of a test.
+
+    Args:
+        test: its name.
+        sensors: of the laboratory.
+        deformation, force: largest of the specimen, m and N; 0: it has none.
+    """
+    for channel, largest, noise, quantum, scale, unit in (
+        ("displacement", deformation, sensors.displacement_noise, sensors.displacement_quantum, 1e3, "mm"),
+        ("force", force, sensors.force_noise, sensors.force_quantum, 1e-3, "kN"),
+    ):
+        for what, size in (("the noise", noise), ("a step of the converter", quantum)):
+            if 0.0 < largest <= size:
+                yield (
+                    f"test {test}: {what} of the {channel}, {scale * size:.3g} {unit}, is not below the largest "
+                    f"{channel} of the specimen, {scale * largest:.3g} {unit}"
+                )
+
+
+def _largest(values: np.ndarray) -> float:
+    return float(np.max(np.abs(values)))
 
 
 def _mean_alpha(record: LoopRecord, compensator: Compensator) -> np.ndarray:

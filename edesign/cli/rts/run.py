@@ -49,4 +49,6 @@ def run(
         if one.outcome != "done" or one.response_error > tests.criteria.response_error
     ]
     if check and bad:
-        raise AnalysisError(f"{file}: {len(bad)} runs are unstable or too wrong ({'; '.join(bad)}); all are in {path}")
+        raise AnalysisError(
+            f"{file}: {len(bad)} runs are unstable, saturated or too wrong ({'; '.join(bad)}); all are in {path}"
+        )

@@ -78,6 +78,25 @@ def check_sensors(rts: RtsFile, problems: Problems) -> None:
         problems.at_value(("sensors", "force_range"), f"{message}, {1e-3 * limits.force:.4g} kN")
 
 
+def check_noise(rts: RtsFile, problems: Problems) -> None:
+    """Check that the noise of the sensors is below what they can read; the rig of the file is known."""
+    in_rig_file = rts.sensors.encoder_noise is None
+    for keys, noise, reach, what, scale, unit in (
+        (
+            ("rig", "file") if in_rig_file else ("sensors", "encoder_noise"),
+            rts.encoder_noise,
+            rts.displacement_range,
+            "displacement",
+            1e3,
+            "mm",
+        ),
+        (("sensors", "force_noise"), rts.sensors.force_noise, rts.force_range, "force", 1e-3, "kN"),
+    ):
+        if reach is not None and noise >= reach:
+            message = f"a noise of {scale * noise:.4g} {unit} is not below the largest {what} that the sensor reads or"
+            problems.at_value(keys, f"{message} the rig reaches, {scale * reach:.4g} {unit}")
+
+
 def check_loop(rts: RtsFile, problems: Problems) -> None:
     """Check steps, and parameters of the integration."""
     if rts.loop.main_step > LONGEST_STEP:

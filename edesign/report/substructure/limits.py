@@ -6,6 +6,7 @@ import numpy as np
 
 from edesign.report.captions import plain
 from edesign.report.substructure.results import SubstructureResults
+from edesign.report.substructure.tables import HELD_THERE, limit_cells
 from edesign.report.table import Table
 
 NONE_MET = "No limit of the rig or of coefficients was met, as far as that was kept."
@@ -19,15 +20,15 @@ def limits_table(results: SubstructureResults) -> Table:
     """Return which limits of rig and compensators each run met; no rows if none was met."""
     table = Table(
         "Limits that were met",
-        ("test", "compensator", "limit", "steps [%]"),
+        ("test", "compensator", "limit", "first [s]", "last [s]", "in all [s]"),
         left=3,
     )
     for test in results.tests:
         for name in results.compensators(test):
             table.rows += [[test, name, *cells] for cells in _rig(results, test, name) + _series(results, test, name)]
     if table.rows:
-        table.notes.append("Of coefficients: least or largest value, or largest rate; steps with that over all steps.")
-        table.notes.append("Of the rig: its motion was held there.")
+        table.notes.append("Of coefficients: least or largest value, or largest rate.")
+        table.notes.append(HELD_THERE)
     else:
         table.notes.append(NONE_MET)
     if unknown := sorted({name for test in results.tests for name in _unknown(results, test)}):
@@ -44,8 +45,7 @@ def _unknown(results: SubstructureResults, test: str) -> list[str]:
 
 def _rig(results: SubstructureResults, test: str, name: str) -> list[list[str]]:
     run = results.run(test, name)
-    met = run.text("saturated") if run is not None else ""
-    return [[f"rig: {what}", "-"] for what in met.split(", ") if what]
+    return [[f"rig: {what}", *times] for what, *times in limit_cells(run)] if run is not None else []
 
 
 def _series(results: SubstructureResults, test: str, name: str) -> list[list[str]]:
@@ -53,9 +53,15 @@ def _series(results: SubstructureResults, test: str, name: str) -> list[list[str
     limited = series.of("limited") if series is not None else None
     if limited is None or not limited.size:
         return []
-    bits = limited.astype(int)
-    shares = [float(np.mean((bits >> i) & 1)) for i in range(len(COEFFICIENTS))]
-    return [[what, plain(100.0 * share)] for what, share in zip(COEFFICIENTS, shares, strict=True) if share]
+    assert series is not None
+    time, bits = series.time, limited.astype(int)
+    rows = []
+    for i, what in enumerate(COEFFICIENTS):
+        met = np.flatnonzero((bits >> i) & 1)
+        if met.size:
+            first, last = (plain(time[met[i]]) for i in (0, -1))
+            rows.append([what, first, last, plain(met.size * (time[-1] - time[0]) / (time.size - 1))])
+    return rows
 
 
 def untold_table(results: SubstructureResults) -> Table:

@@ -11,6 +11,7 @@ from edesign.archive.reader import Archive
 from edesign.report.table import Table, number
 from edesign.report.text import PAPER
 from edesign.substructure.archived import INDICATORS, PLACE
+from edesign.substructure.met_limits import MetLimit, in_words
 
 METHODS = {
     "pseudo_dynamic": "pseudo-dynamic",
@@ -19,6 +20,9 @@ METHODS = {
 }
 ROUNDING = 1e-12
 """Ratios, s and J below it are rounding of a perfect rig."""
+HELD_THERE = "Of the rig: its motion, or the reading of the sensor, was held there; a force was not."
+LIMIT_TIMES = ("first", "last", "duration")
+"""What is told of a limit that was met, s."""
 _NAN = math.nan
 
 
@@ -35,6 +39,16 @@ class Run:
         """Return an indicator, NaN where it has none."""
         variable = self.group.variables.get(name)
         return float(variable.values[self.number]) if variable is not None else _NAN
+
+    def limits(self) -> list[tuple[str, float, float, float]]:
+        """Return the limits of rig and sensors that it met: name, first and last time, and duration in all, s."""
+        met = [name for name in self.text("saturated").split(", ") if name]
+        if "limit" not in self.group.coords:  # of an older version
+            return [(name, _NAN, _NAN, _NAN) for name in met]
+        names = [str(name) for name in self.group.coords["limit"].values]
+        kept = [self.group.variables[f"limit_{what}"].values[self.number] for what in LIMIT_TIMES]
+        first, last, duration = ([float(of[names.index(name)]) for name in met] for of in kept)
+        return list(zip(met, first, last, duration, strict=True))
 
     def text(self, name: str) -> str:
         """Return a text of the run."""
@@ -63,7 +77,10 @@ def substructure_tables(archive: Archive) -> list[Table]:
     found = runs(archive)
     warned = archive.attributes.get("warnings")
     notes = [str(line) for line in warned] if isinstance(warned, list) else []
-    return [_tracking(found), _response(archive, found, notes), _alphas(found), other_methods(archive)]
+    tables = [_tracking(found), _response(archive, found), _alphas(found), other_methods(archive), rig_limits(found)]
+    last = tables[1] if tables[1].rows else tables[0]  # given targets alone have no response
+    last.notes += [line for note in notes for line in textwrap.wrap(note, PAPER)]
+    return tables
 
 
 def other_methods(archive: Archive) -> Table:
@@ -123,7 +140,7 @@ def _tracking(found: list[Run]) -> Table:
     return table
 
 
-def _response(archive: Archive, found: list[Run], notes: list[str]) -> Table:
+def _response(archive: Archive, found: list[Run]) -> Table:
     limit = archive.attributes.get("response_error_limit")
     most = float(limit) if isinstance(limit, (int, float)) else math.inf
     table = Table(
@@ -135,7 +152,6 @@ def _response(archive: Archive, found: list[Run], notes: list[str]) -> Table:
             f"Against the direct analysis of the same structure; at most {100.0 * most:.3g} % are allowed.",
             "`error rms` and `of peak`: of the damper's deformation. `storeys`: as `error rms`, of the",
             "drift of the storey where it is largest.",
-            *notes,
         ],
     )
     for run in found:
@@ -159,9 +175,27 @@ def _verdict(run: Run, error: float, most: float) -> str:
     if run.text("outcome") != "done":
         return f"{run.text('outcome')}: {run.text('reason')}"
     words = "good" if error <= most else "too wrong"
-    if saturated := run.text("saturated"):
-        words += f"; the rig met its limit of {saturated}"
+    if limits := run.limits():
+        words += f"; it met {in_words([MetLimit(*one) for one in limits])}"
     return words
+
+
+def rig_limits(found: list[Run]) -> Table:
+    """Return which limits of rig and sensors each run met; no rows if none was met."""
+    table = Table(
+        "Limits of the rig that were met",
+        ("test", "compensator", "limit", "first [s]", "last [s]", "in all [s]"),
+        left=3,
+        notes=["`in all`: main steps in which it was met.", HELD_THERE],
+    )
+    for run in found:
+        table.rows += [[run.test, run.compensator, *cells] for cells in limit_cells(run)]
+    return table
+
+
+def limit_cells(run: Run) -> list[list[str]]:
+    """Return name, first time and duration (s) of each limit of rig and sensors that a run met."""
+    return [[name, *(_shown(one, 1.0) for one in times)] for name, *times in run.limits()]
 
 
 def _alphas(found: list[Run]) -> Table:
@@ -188,13 +222,21 @@ def substructure_summary(archive: Archive) -> list[dict[str, object]]:
     for run in runs(archive):
         about = {name: run.text(name) for name in ("kind", "outcome", "reason", "saturated")}
         values = {
-            name: None if math.isnan(run.value(name)) else run.value(name)
+            name: _known(run.value(name))
             for name, variable in run.group.variables.items()
-            if variable.unit != ""
+            if variable.unit != "" and "limit" not in variable.dims
         }
-        found.append({"test": run.test, "compensator": run.compensator, **about, **values})
+        limits = [
+            {"limit": name, **{what: _known(one) for what, one in zip(LIMIT_TIMES, times, strict=True)}}
+            for name, *times in run.limits()
+        ]
+        found.append({"test": run.test, "compensator": run.compensator, **about, "limits": limits, **values})
     return found
 
 
+def _known(value: float) -> float | None:
+    return None if math.isnan(value) else value
+
+
 def _shown(value: float, scale: float, digits: int = 3) -> str:
-    return number(None if math.isnan(value) else value, digits, scale, negligible=ROUNDING)
+    return number(_known(value), digits, scale, negligible=ROUNDING)

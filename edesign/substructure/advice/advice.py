@@ -24,9 +24,9 @@ from edesign.substructure.advice.expectation import (
 )
 from edesign.substructure.advice.needs import AbortLevel, Need, abort_level, needs_of
 from edesign.substructure.advice.recommendation import Candidate, Recommendation, recommended
-from edesign.substructure.advice.small_motions import grows_below, smaller_benches
+from edesign.substructure.advice.small_motions import cycle_rms, grows_below, smaller_benches
 from edesign.substructure.stability.expected import DirectResponse
-from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
+from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory, lost_in_noise
 
 
 @dataclass(frozen=True)
@@ -69,7 +69,7 @@ class Advice:
         recommendation: of a compensator.
         delay_margin: factor that is asked for.
         response_error: that is accepted.
-        warnings: of unstable rigs and small motions that grow, and of structure and law.
+        warnings: of unstable rigs, small motions that grow and motions in the noise, and of structure and law.
     """
 
     tests: tuple[TestAdvice, ...]
@@ -119,7 +119,7 @@ def advise(laboratory: VirtualLaboratory) -> Advice:
         recommendation=choice,
         delay_margin=file.criteria.delay_margin,
         response_error=file.criteria.response_error,
-        warnings=(*_warnings(found), *laboratory.laboratory.warnings),
+        warnings=(*_warnings(found), *_noise(laboratory, needs), *laboratory.laboratory.warnings),
     )
 
 
@@ -153,7 +153,8 @@ def _expected(
     found = bench.expected(name, response, motion, compensator)
     if not found.stable:
         return found
-    return replace(found, grows_below=grows_below(smaller, name, compensator, motion))
+    amplitude = grows_below(smaller, name, compensator, motion)
+    return replace(found, grows_below=amplitude, cycle_rms=cycle_rms(amplitude, motion))
 
 
 def _choice(file: RtsFile, tests: tuple[TestAdvice, ...], needs: tuple[Need, ...]) -> Recommendation:
@@ -186,6 +187,11 @@ def _warnings(tests: tuple[TestAdvice, ...]) -> Iterator[str]:
             )
 
 
+def _noise(laboratory: VirtualLaboratory, needs: tuple[Need, ...]) -> Iterator[str]:
+    for need in needs:
+        yield from lost_in_noise(need.test, laboratory.laboratory.sensors, need.deformation, need.force)
+
+
 def _candidate(name: str, kind: str, tests: tuple[TestAdvice, ...]) -> Candidate:
     """A compensator by its worst test; where no test has a loop, by its tracking."""
     looped = [test for test in tests if test.modes] or list(tests)
@@ -198,6 +204,6 @@ def _candidate(name: str, kind: str, tests: tuple[TestAdvice, ...]) -> Candidate
         margin_factor=min((one.margin_factor for one in found), default=math.inf),
         error=max(errors, default=math.nan),
         of_response=any(one.stability is not None for one in found),
-        grows_below=max((one.grows_below for one in found), default=0.0),
+        cycle_error=max((one.cycle_rms for one in found), default=0.0),
         reason=next((one.as_what for one in found if not one.stable and one.stability is None), ""),
     )

@@ -116,6 +116,7 @@ class ExpectedTest:
         response_rms: error of the deformation over that of the direct analysis; inf: it grows; NaN: there is no loop.
         response_peak: relative error of its peak.
         grows_below: amplitude below which motions grow though the test is stable at its own, m; 0: none.
+        cycle_rms: most that the limit cycle of such motions may be, root mean square over that of the motion; 0: none.
     """
 
     compensator: str
@@ -130,6 +131,7 @@ class ExpectedTest:
     response_rms: float
     response_peak: float
     grows_below: float = 0.0
+    cycle_rms: float = 0.0
 
 
 def force_delay(laboratory: VirtualLaboratory) -> float:
@@ -228,7 +230,8 @@ class Bench:
         described, step = file.compensators[name], file.loop.main_step
         match described:
             case kinds.LiveDelayCompensator():
-                found = of_live_delay(described, phase_delay(self.rig, self.linearisation.frequency))
+                delay = phase_delay(self.rig, self.linearisation.frequency)
+                found = of_live_delay(described, delay, float(np.max(np.abs(motion))))
             case kinds.AtsCompensator() | kinds.ModifiedAtsCompensator():
                 found = of_adaptive_series(described, self.rig, motion, step)
             case _:

@@ -24,7 +24,7 @@ class Candidate:
         margin_factor: least factor on the delay that is left until a test is unstable.
         error: largest expected error, of the response or, without a loop, of tracking.
         of_response: whether it is that of the response.
-        grows_below: amplitude below which motions grow though it is stable in every test, m; 0: none.
+        cycle_error: largest share of the motion that a limit cycle of small motions may be; 0: no such motion grows.
         reason: why it is unstable, in words, where the structure has no part in it; empty: it has.
     """
 
@@ -34,8 +34,13 @@ class Candidate:
     margin_factor: float
     error: float
     of_response: bool
-    grows_below: float = 0.0
+    cycle_error: float = 0.0
     reason: str = ""
+
+    @property
+    def whole_error(self) -> float:
+        """With that of the limit cycle, which has nothing to do with the earthquake."""
+        return math.hypot(self.error, self.cycle_error)
 
     @property
     def simplicity(self) -> int:
@@ -63,6 +68,9 @@ class Recommendation:
 def recommended(candidates: Sequence[Candidate], delay_margin: float, response_error: float) -> Recommendation:
     """Return the compensator of least error among the safe ones; the simpler of those that are equal.
 
+    Small motions that grow end in a limit cycle. It counts as an error of the response, and bars a compensator if it
+    alone is more than is accepted.
+
     Args:
         candidates: in the order of the file.
         delay_margin: least factor on the delay that is left.
@@ -71,31 +79,33 @@ def recommended(candidates: Sequence[Candidate], delay_margin: float, response_e
     if not candidates:
         return Recommendation("", "There is no test of kind command or rts to judge by.", accurate=False)
     stable = [one for one in candidates if one.stable]
-    quiet = [one for one in stable if one.grows_below == 0.0]
+    quiet = [one for one in stable if one.cycle_error <= response_error]
     safe = [one for one in quiet if one.margin_factor >= delay_margin and math.isfinite(one.error)]
     if not safe:
-        return Recommendation("", _why_none(candidates, delay_margin), accurate=False)
-    least = min(one.error for one in safe)
-    equal = [one for one in safe if one.error <= least + ROUNDING * response_error]
-    best = min(equal, key=lambda one: (one.simplicity, one.error))
-    accurate = best.error <= response_error
+        return Recommendation("", _why_none(candidates, delay_margin, response_error), accurate=False)
+    least = min(one.whole_error for one in safe)
+    equal = [one for one in safe if one.whole_error <= least + ROUNDING * response_error]
+    best = min(equal, key=lambda one: (one.simplicity, one.whole_error))
+    accurate = best.whole_error <= response_error
     reason = _why(best, least, safe, delay_margin, response_error)
     return Recommendation(best.name, reason, accurate)
 
 
 def _why(best: Candidate, least: float, safe: Sequence[Candidate], delay_margin: float, response_error: float) -> str:
     said = [_quality(best, delay_margin), *_rival(best, least, safe)]
+    if best.cycle_error > 0.0:
+        said.append(f"That counts a limit cycle of small motions, of {_percent(best.cycle_error)} at most")
     if best.simplicity == 1:
         said.append("It relies on the rig as the file states it; an adaptive one follows a rig that differs")
-    if best.error > response_error:
+    if best.whole_error > response_error:
         said.append(f"The error is larger than the {_percent(response_error)} that are accepted")
     return ". ".join(said) + "."
 
 
 def _quality(best: Candidate, delay_margin: float) -> str:
     if not best.of_response:
-        return f"Expected tracking error {_percent(best.error)}"
-    error = f"Expected response error {_percent(best.error)}"
+        return f"Expected tracking error {_percent(best.whole_error)}"
+    error = f"Expected response error {_percent(best.whole_error)}"
     if math.isinf(best.margin_factor):
         return f"{error}, stable whatever the delay"
     return f"{error}, stable up to {best.margin_factor:.3g} times the delay that is left (asked: {delay_margin:g})"
@@ -103,25 +113,27 @@ def _quality(best: Candidate, delay_margin: float) -> str:
 
 def _rival(best: Candidate, least: float, safe: Sequence[Candidate]) -> list[str]:
     """The best of the others, in words; none if there are none."""
-    rival = min((one for one in safe if one is not best), key=lambda one: one.error, default=None)
+    rival = min((one for one in safe if one is not best), key=lambda one: one.whole_error, default=None)
     if rival is None:
         return []
-    if best.error > least:
-        return [f'"{rival.name}" has {_percent(rival.error)}, which is the same within rounding, but is less simple']
-    return [f'The next best is "{rival.name}" with {_percent(rival.error)}']
+    if best.whole_error > least:
+        return [
+            f'"{rival.name}" has {_percent(rival.whole_error)}, which is the same within rounding, but is less simple'
+        ]
+    return [f'The next best is "{rival.name}" with {_percent(rival.whole_error)}']
 
 
-def _why_none(candidates: Sequence[Candidate], delay_margin: float) -> str:
+def _why_none(candidates: Sequence[Candidate], delay_margin: float, response_error: float) -> str:
     stable = [one for one in candidates if one.stable]
     if not stable:
         reasons = {one.reason for one in candidates}
         why = f": {reasons.pop()}" if len(reasons) == 1 and "" not in reasons else ""
         return f"Every compensator of the file leaves the test unstable{why}."
     said = []
-    if growing := [one for one in stable if one.grows_below > 0.0]:
-        names = ", ".join(f'"{one.name}"' for one in growing)
+    if growing := [one for one in stable if one.cycle_error > response_error]:
+        names = ", ".join(f'"{one.name}" (to {_percent(one.cycle_error)} of the response)' for one in growing)
         said.append(f"Small motions grow with {names}.")
-    if quiet := [one for one in stable if one.grows_below == 0.0]:
+    if quiet := [one for one in stable if one.cycle_error <= response_error]:
         names = ", ".join(f'"{one.name}" ({one.margin_factor:.3g})' for one in quiet)
         said.append(f"None has a margin of {delay_margin:g} times the delay that is left; stable with less: {names}.")
     return " ".join(said)

@@ -72,6 +72,19 @@ def grows_below(benches: Sequence[Bench], name: str, learned: CompensatorTransfe
     return next((one.linearisation.amplitude for one in benches if _grows(one, name, learned, motion)), 0.0)
 
 
+def cycle_rms(growing: float, motion: np.ndarray) -> float:
+    """Return the most that a limit cycle may add to a motion: its root mean square over that of the motion.
+
+    A motion grows until the next amplitude that was looked at, at which it does not.
+
+    Args:
+        growing: largest amplitude at which motions grow, m.
+        motion: (n,) m.
+    """
+    size = float(np.sqrt(np.mean(motion**2)))
+    return 10.0 ** (1.0 / A_DECADE) * growing / np.sqrt(2.0) / size if growing > 0.0 else 0.0
+
+
 def _grows(bench: Bench, name: str, learned: CompensatorTransfer, motion: np.ndarray) -> bool:
     file = bench.laboratory.file
     if swings(loaded_poles(file.plant, bench.specimen)):

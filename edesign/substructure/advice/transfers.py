@@ -185,10 +185,17 @@ def _decays(matrix: np.ndarray) -> bool:
     return not matrix.size or bool(np.max(np.abs(np.linalg.eigvals(matrix))) < 1.0)
 
 
-def of_live_delay(described: kinds.LiveDelayCompensator, rig_delay: float) -> CompensatorTransfer:
-    """Return the polynomial of a live delay that has found the delay of the rig, s."""
+def of_live_delay(described: kinds.LiveDelayCompensator, rig_delay: float, peak: float) -> CompensatorTransfer:
+    """Return the polynomial of a live delay that has found the delay of the rig, or never adapts below its threshold.
+
+    Args:
+        described: the block of the file.
+        rig_delay: s.
+        peak: of the motion, m.
+    """
     least, largest = described.limits
-    delay = min(max(rig_delay, least), largest)
+    adapts = peak > described.threshold
+    delay = min(max(rig_delay, least), largest) if adapts else described.delay
     order = described.order
     weights = [(-1) ** j * math.comb(order + 1, j + 1) for j in range(order + 1)]
 
@@ -196,7 +203,8 @@ def of_live_delay(described: kinds.LiveDelayCompensator, rig_delay: float) -> Co
         value = sum(weight * np.exp(-s * j * delay) for j, weight in enumerate(weights))
         return np.asarray(value + np.zeros(np.shape(s)))
 
-    return CompensatorTransfer(command, None, f"with a found delay of {1e3 * delay:.4g} ms", limited=delay != rig_delay)
+    how = "with a found delay of" if adapts else "never adapts, below its threshold: a delay of"
+    return CompensatorTransfer(command, None, f"{how} {1e3 * delay:.4g} ms", limited=adapts and delay != rig_delay)
 
 
 def of_adaptive_series(
@@ -204,7 +212,8 @@ def of_adaptive_series(
 ) -> CompensatorTransfer:
     """Return an adaptive time series that has converged: the least squares over the motion, within its limits.
 
-    The compensator sees the measured motion with backward differences, both channels filtered.
+    The compensator sees the measured motion with backward differences, both channels filtered. Below its threshold it
+    never adapts, and stays as it begins.
 
     Args:
         described: the block of the file.
@@ -212,7 +221,8 @@ def of_adaptive_series(
         motion: (n,) displacement of the specimen, m, at main steps.
         step: main step, s.
     """
-    alpha = converged_series(described, rig, motion, step)
+    adapts = float(np.max(np.abs(motion))) > described.threshold
+    alpha = converged_series(described, rig, motion, step) if adapts else np.array(described.initial)
     limits = described.limits
     held = np.clip(alpha, *np.transpose([limits.a0, limits.a1, limits.a2]))
     derivatives = _differences(step) if described.derivatives == "differences" else lambda s: (s, s**2)
@@ -221,7 +231,8 @@ def of_adaptive_series(
         first, second = derivatives(s)
         return np.asarray(held[0] + held[1] * first + held[2] * second)
 
-    said = f"converged: {held[0]:.5g}, {1e3 * held[1]:.4g} ms, {1e6 * held[2]:.4g}e-6 s2"
+    how = "converged" if adapts else "never adapts, below its threshold"
+    said = f"{how}: {held[0]:.5g}, {1e3 * held[1]:.4g} ms, {1e6 * held[2]:.4g}e-6 s2"
     return CompensatorTransfer(command, None, said, alpha=held, limited=bool(np.any(held != alpha)))
 
 

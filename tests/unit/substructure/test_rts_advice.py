@@ -325,6 +325,29 @@ def test_small_motions_end_in_a_limit_cycle_of_the_amplitude_that_is_told() -> N
     told = advice.tests[0].expected[0].grows_below
     # amplitudes are half a decade apart, and the cycle passes the one where it starts to grow
     assert told < left < 10.0**0.5 * told
+    tail, direct = run.record.deformation[int(0.95 * len(run.time)) :], laboratory.direct(laboratory.drives["ec"])
+    share = np.sqrt(np.mean(tail**2) / np.mean(direct.deformation**2))
+    assert share < advice.tests[0].expected[0].cycle_rms < 10.0**0.5 * share * 1.05  # 5 %: it is no sine
+
+
+def test_a_limit_cycle_counts_as_an_error() -> None:
+    """One below what is accepted bars nothing, and decides by its size; the larger one alone is too much."""
+
+    def of(name: str, cycle: float) -> Candidate:
+        return Candidate(name, "fixed_alpha", True, math.inf, 0.03, True, cycle_error=cycle)
+
+    assert recommended([of("loud", 0.06)], 2.0, 0.05).compensator == ""
+    quiet = recommended([of("loud", 0.06), of("moving", 0.04), of("quiet", 0.02)], 2.0, 0.05)
+    assert quiet.compensator == "quiet" and quiet.accurate
+    assert "Expected response error 3.61 %" in quiet.reason and "limit cycle of small motions, of 2 %" in quiet.reason
+    assert 'The next best is "moving" with 5 %' in quiet.reason
+
+
+def test_an_adaptive_compensator_stays_as_it_begins_below_its_threshold() -> None:
+    two = "live: {kind: live_delay, delay: 5 ms, threshold: 6 mm}\nats: {kind: ats, threshold: 6 mm}"
+    live, series = advice_of(command_file("{kind: delay, delay: 12 ms}", two))[0].tests[0].expected
+    assert live.as_what == "never adapts, below its threshold: a delay of 5 ms"
+    assert series.as_what == "never adapts, below its threshold: 1, 10 ms, 60e-6 s2"
 
 
 def test_without_structure_the_best_tracking_is_taken() -> None:

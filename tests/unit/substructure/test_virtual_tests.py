@@ -129,7 +129,7 @@ def test_commands_archive_csv_and_json(tmp_path: Path, capsys: pytest.CaptureFix
     file.write_text(text.replace("compensators: {none: {kind: none}}", compensated), encoding="utf-8")
     assert main(["rts", "run", str(file), "--csv", str(tmp_path / "csv"), "--check"]) == 3
     shown = capsys.readouterr()
-    assert "1 runs are unstable or too wrong (el_centro, none)" in shown.err
+    assert "1 runs are unstable, saturated or too wrong (el_centro, none)" in shown.err
     assert max(map(len, shown.out.splitlines())) <= 100
     with open_archive(tmp_path / "rts.h5") as archive:
         group = archive.group("indicators")

@@ -92,7 +92,7 @@ def _verdict(source: Source, results: SubstructureResults) -> Section:
     if results.lost:
         parts.append(Warnings("What cannot be read of the archive", tuple(results.lost)))
     bad = [f"{run.test}, {run.compensator}: {run.text('outcome')}, {run.text('reason')}" for run in _not_done(results)]
-    parts += [Warnings("Runs that did not reach their end", tuple(bad))] if bad else []
+    parts += [Warnings("Runs without a result", tuple(bad))] if bad else []
     doubts = input_warnings(results.archive)
     parts += [Warnings("Warnings", tuple(doubts))] if doubts else []
     tiles = [tile for test in results.tests for tile in _tiles(results, test)]
