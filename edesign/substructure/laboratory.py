@@ -34,6 +34,9 @@ FRAME_HISTORIES: tuple[HistoryKind, ...] = ("floors", "storeys", "dampers", "ene
 STIFF_OIL = 1e15
 """N/m of an oil column that does not give way: 1e-6 of the displacement of the stiffest specimen of 1 GN/m."""
 
+SMALL = (1e-4, 0.1)
+"""m and s: the motion at which a damper is a spring and a dashpot, where no other is known."""
+
 
 @dataclass(frozen=True)
 class TestedDamper:
@@ -222,10 +225,20 @@ def stiffness_of(damper: TestedDamper | None) -> float:
     """Return the stiffness of a damper to a tenth of a millimetre in a tenth of a second, N/m; 0 without a damper."""
     if damper is None:
         return 0.0
-    device, small, duration = SizedDamper(damper.values, damper.scales), 1e-4, 0.1
-    velocity = small / duration
-    _, force, _ = device.step(device.start(), duration, (0.0, velocity), (small, velocity))
-    return force / small
+    _, force, _ = _small_step(damper)
+    return force / SMALL[0]
+
+
+def tangent_of(damper: TestedDamper) -> tuple[float, float]:
+    """Return the spring (N/m) and the dashpot (N s/m) that a damper is at the end of such a motion, none below 0."""
+    _, _, (of_u, of_v) = _small_step(damper)
+    return max(of_u, 0.0), max(of_v, 0.0)
+
+
+def _small_step(damper: TestedDamper) -> tuple[np.ndarray, float, tuple[float, float]]:
+    displacement, duration = SMALL
+    device, velocity = SizedDamper(damper.values, damper.scales), displacement / duration
+    return device.step(device.start(), duration, (0.0, velocity), (displacement, velocity))
 
 
 def rig_transfer(plant: rig_kinds.RigModel, specimen_stiffness: float) -> RigTransfer:

@@ -34,12 +34,13 @@ from edesign.substructure.laboratory import (
     compensator_of,
     laboratory,
     stiffness_of,
+    tangent_of,
 )
 from edesign.substructure.met_limits import MetLimit, met_limits
 from edesign.substructure.methods.method_tests import MethodResults, run_method
 from edesign.substructure.rig import rigs
 from edesign.substructure.structure.project_frame import ProjectFrame
-from edesign.substructure.structure.recursion import recursion
+from edesign.substructure.structure.recursion import growth, recursion
 
 FINER = 4
 """How many times as fine as the main step the direct analysis is. With steps four
@@ -253,6 +254,7 @@ class VirtualLaboratory:
             drive: with a ground motion.
 
         Raises:
+            InputError: the main step is far too long for the specimen on the mass at its end.
             AnalysisError: the law of the damper fails.
         """
         assert drive.ground is not None and self.laboratory.structure is not None
@@ -261,18 +263,53 @@ class VirtualLaboratory:
             return self._direct_frame(frame, drive)
         step = self.file.loop.main_step / FINER
         time = step * np.arange(FINER * (len(drive.time) - 1) + 1)
+        numerical = self._numerical(step, "exact", "extrapolated")
+        if self._grows(numerical, step, time.size):
+            advice = "in a quarter of them too. Take shorter ones, or check masses and stiffnesses"
+            where = self.file.where("loop", "main_step")
+            raise InputError(f"{where}: loop.main_step: {self._too_long()}, {advice}")
         loop = SubstructureLoop(
             step,
             1,
             compensators.none(),
             rigs.ideal().discrete(step),
             self.damper.values,
-            numerical=self._numerical(step, "exact", "extrapolated"),
+            numerical=numerical,
             scales=self.damper.scales,
         )
         found = loop.run(np.interp(time, drive.time, drive.ground))
         group, drift = self._linear_building(drive, found.outputs[::FINER])
         return Direct(found.deformation[::FINER], found.true_force[::FINER], drift, group)
+
+    def step_warnings(self, test: CommandTest | RtsTest) -> Iterator[str]:
+        """Yield warnings if a linear structure is too fast for the steps, even with an ideal rig, or too slow."""
+        drive, structure, loop = self.drives[test.name], self.laboratory.structure, self.file.loop
+        if drive.ground is None or structure is None or structure.frame is not None:
+            return
+        numerical = self._numerical(loop.main_step, self.file.integration.method, loop.force)
+        if self._grows(numerical, loop.main_step, drive.time.size):
+            yield f"test {test.name}: {self._too_long()}, whatever rig and compensator"
+        lowest = float(structure.part.frequencies(stiffness_of(self.damper))[0])
+        if lowest * drive.time[-1] < 1.0:
+            yield (
+                f"test {test.name}: the structure has {lowest:.3g} Hz, and swings not once in the "
+                f"{drive.time[-1]:.4g} s of the test; check masses and stiffnesses"
+            )
+
+    def _grows(self, numerical: Recursion, step: float, steps: int) -> bool:
+        """Whether small vibrations grow in a test, even with an ideal rig, by more than its response may be wrong."""
+        factor = growth(numerical, *tangent_of(self.damper), step)
+        return steps * np.log(max(factor, 1.0)) > np.log1p(self.file.criteria.response_error)
+
+    def _too_long(self) -> str:
+        assert self.laboratory.structure is not None
+        stiffness = stiffness_of(self.damper)
+        frequency = self.laboratory.structure.part.frequencies(stiffness)[-1]
+        return (
+            f"main steps of {1e3 * self.file.loop.main_step:.4g} ms are too long for the specimen: with its "
+            f"{1e-6 * stiffness:.4g} kN/mm the structure has a mode of {frequency:.4g} Hz, and small vibrations grow "
+            "from step to step"
+        )
 
     def _direct_frame(self, frame: ProjectFrame, drive: Drive) -> Direct:
         assert drive.ground is not None
@@ -370,7 +407,7 @@ class VirtualLaboratory:
             outcome=outcome,
             reason=reason,
             saturated=met_limits(record, drive.time),
-            warnings=tuple(self._doubts(test.name, compensator, drive, direct, record)),
+            warnings=tuple(self._doubts(test, compensator, drive, direct, record)),
         )
 
     def _outcome(self, drive: Drive, direct: Direct | None, record: LoopRecord) -> tuple[str, str]:
@@ -392,11 +429,12 @@ class VirtualLaboratory:
         return "done", ""
 
     def _doubts(
-        self, test: str, compensator: str, drive: Drive, direct: Direct | None, record: LoopRecord
+        self, test: CommandTest | RtsTest, compensator: str, drive: Drive, direct: Direct | None, record: LoopRecord
     ) -> Iterator[str]:
         """What is doubtful about a run."""
         motion, force = (drive.wanted, record.true_force) if direct is None else (direct.deformation, direct.force)
-        yield from lost_in_noise(test, self.laboratory.sensors, _largest(motion), _largest(force))
+        yield from self.step_warnings(test)
+        yield from lost_in_noise(test.name, self.laboratory.sensors, _largest(motion), _largest(force))
         of = self.compensators[compensator]
         if isinstance(of, (AdaptiveTimeSeries, LiveDelay)) and not np.any(np.ptp(record.alpha, axis=0)):
             largest = _largest(record.measured)
@@ -406,7 +444,7 @@ class VirtualLaboratory:
                 if largest <= of.threshold
                 else ""
             )
-            yield f'test {test}: "{compensator}" never adapted, and kept what it began with{why}'
+            yield f'test {test.name}: "{compensator}" never adapted, and kept what it began with{why}'
 
 
 def response_errors(found: np.ndarray, direct: np.ndarray) -> tuple[float, float]:

@@ -9,6 +9,7 @@ import numpy as np
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.problems import Keys, Problems, did_you_mean, listed, unknown_name
 from edesign.project.project import Project
+from edesign.project.substructure.checks_rig import nyquist
 from edesign.project.substructure.devices import devices_of
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure, ShearBuilding, ShearModal, ShearRayleigh
@@ -33,6 +34,7 @@ def check_structure(rts: RtsFile, problems: Problems) -> None:
         problems.at_value(("integration", "frame_steps"), _NO_FRAME)
     if isinstance(rts.structure, ShearBuilding) and _storeys(rts.structure, problems):
         _modes(rts.structure, problems)
+        _slow_enough(rts, rts.structure, problems)
         _stable(rts, rts.structure, problems)
 
 
@@ -133,6 +135,16 @@ def _modes(building: ShearBuilding, problems: Problems) -> None:
             problems.at_value((*keys, 1), f"mode {damping.modes[0]} stands here twice; two different ones are needed")
     elif isinstance(damping, ShearModal) and damping.modes is not None and damping.modes > count:
         problems.at_value(keys, f"there are {damping.modes} modes asked for, and {count} of them")
+
+
+def _slow_enough(rts: RtsFile, building: ShearBuilding, problems: Problems) -> None:
+    """Steps that do not see the lowest mode see nothing of the structure; higher ones may be as stiff as they like."""
+    lowest = frequencies(building)[0]
+    if not lowest < nyquist(rts):
+        message = (
+            f"the lowest frequency is {lowest:.3g} Hz, and half the rate of the main step is {nyquist(rts):.4g} Hz"
+        )
+        problems.at_value((*_KEYS, "stiffnesses"), f"{message}; check masses and stiffnesses, or take a shorter step")
 
 
 def _stable(rts: RtsFile, building: ShearBuilding, problems: Problems) -> None:

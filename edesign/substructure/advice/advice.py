@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from edesign.errors import InputError
 from edesign.project.substructure.programme import CommandTest, RtsTest
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.advice.expectation import (
@@ -106,7 +107,7 @@ def advise(laboratory: VirtualLaboratory) -> Advice:
         InputError: the structure is undamped or unstable by itself, or a record or command cannot be read.
     """
     prepared = [_prepared(laboratory, test) for test in laboratory.tests]
-    found = tuple(_test(laboratory, *one) for one in prepared)
+    found = tuple(_placed(laboratory, *one) for one in prepared)
     file = laboratory.file
     needs = needs_of(laboratory, [(test.name, drive, direct) for test, drive, direct in prepared])
     looped = [test.name for test in found if test.modes]
@@ -119,7 +120,7 @@ def advise(laboratory: VirtualLaboratory) -> Advice:
         recommendation=choice,
         delay_margin=file.criteria.delay_margin,
         response_error=file.criteria.response_error,
-        warnings=(*_warnings(found), *_noise(laboratory, needs), *laboratory.laboratory.warnings),
+        warnings=(*_warnings(found), *_sampling(laboratory, needs), *laboratory.laboratory.warnings),
     )
 
 
@@ -128,6 +129,15 @@ def _prepared(
 ) -> tuple[CommandTest | RtsTest, Drive, Direct | None]:
     drive = laboratory.drives[test.name]
     return test, drive, laboratory.direct(drive) if drive.ground is not None else None
+
+
+def _placed(
+    laboratory: VirtualLaboratory, test: CommandTest | RtsTest, drive: Drive, direct: Direct | None
+) -> TestAdvice:
+    try:
+        return _test(laboratory, test, drive, direct)
+    except InputError as error:
+        raise InputError(f"{laboratory.file.path}: test {test.name}: {error}") from error
 
 
 def _test(
@@ -187,7 +197,10 @@ def _warnings(tests: tuple[TestAdvice, ...]) -> Iterator[str]:
             )
 
 
-def _noise(laboratory: VirtualLaboratory, needs: tuple[Need, ...]) -> Iterator[str]:
+def _sampling(laboratory: VirtualLaboratory, needs: tuple[Need, ...]) -> Iterator[str]:
+    """Steps that are too long, and readings that are too noisy."""
+    for test in laboratory.tests:
+        yield from laboratory.step_warnings(test)
     for need in needs:
         yield from lost_in_noise(need.test, laboratory.laboratory.sensors, need.deformation, need.force)
 

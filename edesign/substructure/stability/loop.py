@@ -56,11 +56,18 @@ class Loop:
 
     def transfer(self, s: np.ndarray) -> np.ndarray:
         """L = k_E H G C, with H the receptance of the numerical part at the interface; (m,) at s of shape (m,)."""
-        return self.open_loop(self.actuation(s), self.whole.specimen_share(s), s)
+        over, under = self.parts(self.actuation(s), self.whole.specimen_share(s), s)
+        with np.errstate(divide="ignore", invalid="ignore"):  # without damping: at a frequency of the part
+            return np.asarray(over / under)
 
-    def open_loop(self, actuation: np.ndarray, share: np.ndarray, s: np.ndarray) -> np.ndarray:
-        """L by its parts: `actuation` and the share T of the specimen at s, (m,) each."""
-        return np.asarray(actuation * share / (1.0 - share))
+    def parts(self, actuation: np.ndarray, share: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """A and B of L = A / B, which are finite where L is not; (m,) each.
+
+        Args:
+            actuation, share: `actuation` and the share T of the specimen at s, (m,) each.
+            s: (m,), 1/s.
+        """
+        return actuation * share, 1.0 - share
 
     def ratio(self, s: np.ndarray) -> np.ndarray:
         """R = (1 + L)/(1 + L of the ideal loop) = 1 + (G C - 1) T: its zeros are the roots of the loop; (m,)."""
@@ -85,7 +92,7 @@ class RigDelayLoop(Loop):
     still: Transfer = nothing
     opened: Transfer = ideal
 
-    def open_loop(self, actuation: np.ndarray, share: np.ndarray, s: np.ndarray) -> np.ndarray:
-        """L by its parts: `actuation` and the share T of the specimen at s, (m,) each."""
+    def parts(self, actuation: np.ndarray, share: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """A and B of L = A / B, as of any loop."""
         moving, standing = (1.0 + (one - 1.0) * share for one in (actuation, self.still(s)))
-        return np.asarray(moving * self.opened(s) / standing - 1.0)
+        return moving * self.opened(s) - standing, standing

@@ -177,8 +177,8 @@ def crossings_of(loop: Loop, swept: Sweep) -> tuple[Crossing, ...]:
         level = np.log(size)
     own = np.array([mode.omega for mode in loop.whole.modes])
     at = _sign_changes(level)
-    omegas = _roots(lambda w: np.log(np.abs(loop.transfer(1j * w))), swept.omega[at], swept.omega[at + 1])
-    delays = (np.angle(loop.transfer(1j * omegas)) + np.pi) % (2.0 * np.pi) / omegas
+    omegas = _roots(lambda w: _above_one(loop, w), swept.omega[at], swept.omega[at + 1])
+    delays = (np.angle(_aligned(loop, omegas)[0]) + np.pi) % (2.0 * np.pi) / omegas
     found = []
     for omega, delay, before in zip(omegas.tolist(), delays.tolist(), level[at].tolist(), strict=True):
         mode = int(np.argmin(np.abs(np.log(np.maximum(own, np.finfo(float).tiny) / omega)))) + 1
@@ -192,8 +192,8 @@ def _gain_margin(loop: Loop, swept: Sweep, stable: bool) -> float:
     L = swept.transfer
     at = _sign_changes(L.imag)
     at = at[(L[at].real < 0.0) & (L[at + 1].real < 0.0)]
-    omegas = _roots(lambda w: loop.transfer(1j * w).imag, swept.omega[at], swept.omega[at + 1])
-    factors = (-1.0 / loop.transfer(1j * omegas).real).tolist()
+    aligned, size = _aligned(loop, _roots(lambda w: _aligned(loop, w)[0].imag, swept.omega[at], swept.omega[at + 1]))
+    factors = (-size[aligned.real != 0.0] / aligned.real[aligned.real != 0.0]).tolist()
     if stable:
         return min((factor for factor in factors if 1.0 < factor < GAIN_OF_INTEREST), default=math.inf)
     return max((factor for factor in factors if factor < 1.0), default=0.0)
@@ -269,3 +269,21 @@ def _roots(function: Callable[[np.ndarray], np.ndarray], low: np.ndarray, high: 
         other, at_other = np.where(passed, root, other), np.where(passed, at_root, 0.5 * at_other)
         root, at_root = root - step, value
     return np.asarray(root)
+
+
+def _parts(loop: Loop, omega: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """A and B of L = A / B, both finite: without damping L is infinite at the frequencies of the numerical part."""
+    s = 1j * omega
+    return loop.parts(loop.actuation(s), loop.whole.specimen_share(s), s)
+
+
+def _aligned(loop: Loop, omega: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """L times |B|^2, which has the phase of L, and |B|^2."""
+    over, under = _parts(loop, omega)
+    return over * under.conj(), np.abs(under) ** 2
+
+
+def _above_one(loop: Loop, omega: np.ndarray) -> np.ndarray:
+    """Of the sign of |L| - 1."""
+    over, under = _parts(loop, omega)
+    return np.asarray(np.abs(over) - np.abs(under))

@@ -108,8 +108,9 @@ def _values(loop: Loop, omega: np.ndarray) -> np.ndarray:
     if not np.all(np.isfinite(ratio)):
         first = omega[~np.isfinite(ratio)][0] / (2.0 * np.pi)
         raise InputError(f"rig, compensator or specimen has no finite transfer function at {first:.4g} Hz")
+    over, under = loop.parts(actuation, share, s)
     with np.errstate(divide="ignore", invalid="ignore"):  # all of the stiffness is the specimen's: L is infinite at 0
-        return np.array([loop.open_loop(actuation, share, s), ratio])
+        return np.array([over / under, ratio])
 
 
 def _too_far(values: np.ndarray) -> np.ndarray:

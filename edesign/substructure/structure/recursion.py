@@ -212,3 +212,23 @@ def _runge_kutta_limit(pole: complex) -> float:
     real = roots[np.abs(roots.imag) < 1e-6 * np.abs(roots)].real
     positive = real[real > 0.0]
     return float(positive.min()) / abs(pole) if positive.size else math.inf
+
+
+def growth(numerical: Recursion, stiffness: float, damping: float, step: float) -> float:
+    """Return by how much small vibrations grow in a step of the loop with an ideal rig; 1 and below: they do not.
+
+    The specimen is a spring and a dashpot, which the rig moves in ramps.
+
+    Args:
+        numerical: the numerical part.
+        stiffness, damping: of the specimen, N/m and N s/m.
+        step: s.
+    """
+    A, B, states = numerical.A, numerical.B, len(numerical.A)
+    unit = np.eye(states + 3)
+    z, force, before, position = unit[:states], unit[states], unit[states + 1], unit[states + 2]
+    ahead = A @ z + np.outer(B[:, 0], force) + np.outer(B[:, 1], before)
+    moved = numerical.C[0] @ z + numerical.D[0, 0] * force + numerical.D[0, 1] * before
+    met = stiffness * moved + damping / step * (moved - position)
+    whole = np.vstack([ahead, met, force, moved])
+    return float(np.max(np.abs(np.linalg.eigvals(whole)))) if np.all(np.isfinite(whole)) else math.inf
