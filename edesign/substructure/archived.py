@@ -114,8 +114,10 @@ def _add_limits(group: Group, runs: Sequence[VirtualTest]) -> None:
         ("last", "end of the last main step in which a limit was met"),
         ("duration", "of the main steps in which a limit was met"),
     ):
-        values = [[getattr(of.get(limit), name, np.nan) for limit in SATURATED.values()] for of in met]
-        group.add(f"limit_{name}", ("run", "limit"), np.array(values), "s", text)
+        values = np.full((len(met), len(SATURATED)), np.nan)
+        for i, of in enumerate(met):
+            values[i] = [getattr(of.get(limit), name, np.nan) for limit in SATURATED.values()]
+        group.add(f"limit_{name}", ("run", "limit"), values, "s", text)
 
 
 def _untold(run: VirtualTest) -> Mapping[str, str]:

@@ -81,13 +81,13 @@ def run_tests(
                 found.append(results)
             for other in laboratory.run_others(begin, stop.is_set):
                 writer.write(f"{PLACE}/{other.name}", method_group(other))
+            writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
+            warnings += dict.fromkeys(text for results in found for run in results.runs for text in run.warnings)
+            writer.finish({"status": "completed", "warnings": warnings})
         except BaseException:  # tests take seconds: the next run begins anew, and nothing half done is left
             writer.close()
             writer.partial.unlink(missing_ok=True)
             raise
-        writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
-        warnings += dict.fromkeys(text for results in found for run in results.runs for text in run.warnings)
-        writer.finish({"status": "completed", "warnings": warnings})
     return path, tuple(found)
 
 

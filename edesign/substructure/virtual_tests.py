@@ -220,6 +220,7 @@ class VirtualLaboratory:
         file, step = self.file, self.file.loop.main_step
         if isinstance(test, CommandTest):
             target = command_motion(test.command, step, file.folder)
+            self._moves(test, target)
             return Drive(step * np.arange(len(target)), None, target, "command")
         motion = file.motion(test)
         holder = file.project if motion.of_project else file
@@ -234,10 +235,16 @@ class VirtualLaboratory:
             )
         time = np.arange(0.0, last + 0.5 * step, step)
         ground = scale * np.interp(time, record.time, record.acceleration, right=0.0)
+        self._moves(test, ground)
         said = f"{motion.record} x {scale:.4g}"
         if record.time_step > 1.001 * step:
             said += f", linear between its samples {1e3 * record.time_step:.4g} ms apart"
         return Drive(time, ground, None, said, motion.record)
+
+    def _moves(self, test: CommandTest | RecordTest, driving: np.ndarray) -> None:
+        if not np.any(driving):
+            where = self.file.where("tests", self.file.tests.index(test))
+            raise InputError(f"{where}: test {test.name}: what drives it is zero from beginning to end")
 
     def _numerical(self, step: float, method: str, force: str) -> Recursion:
         structure = self.laboratory.structure

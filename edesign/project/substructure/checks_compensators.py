@@ -28,12 +28,16 @@ MOST_WINDOW = 4096
 """Main steps in the window of ATS; as ED_COMPENSATOR_WINDOW there."""
 FEWEST_SAMPLES = 3
 """For three coefficients."""
+TAKEN = ("time", "floor", "ground", "direct_deformation", "direct_force", "direct_floors")
+"""What stands in an archive beside the compensators of a test."""
 _UNITS = {"a0": (1.0, ""), "a1": (1e3, " ms"), "a2": (1.0, " s^2")}
 
 
 def check_compensators(rts: RtsFile, problems: Problems) -> None:
     """Check all compensators; the rig of the file is known."""
     for name, compensator in rts.compensators.items():
+        if name in TAKEN:
+            problems.at_key(("compensators", name), f"`{name}` is a history of the archive; choose another name")
         _check(rts, compensator, ("compensators", name), problems)
 
 

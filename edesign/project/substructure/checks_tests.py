@@ -12,6 +12,7 @@ from edesign.project.substructure.programme import (
     Command,
     CommandInFile,
     CommandTest,
+    PseudoDynamicTest,
     RandomCommand,
     RecordTest,
     SineCommand,
@@ -39,7 +40,14 @@ def check_tests(rts: RtsFile, problems: Problems) -> None:
         first.setdefault(test.name, i)
         if isinstance(test, CommandTest):
             _command(rts, test.command, (*keys, "command"), problems)
-        elif rts.structure is None:
+            continue
+        if isinstance(test, PseudoDynamicTest) and test.error is not None and test.error.share >= 1.0:
+            message = "an actuator that stops short by all of its way does not move; the share is below 100 %"
+            problems.at_value((*keys, "error", "share"), message)
+        if isinstance(test, PseudoDynamicTest) and test.time_scale < 1.0:
+            message = "a pseudo-dynamic test is not faster than the earthquake; 1 is real time"
+            problems.at_value((*keys, "time_scale"), message)
+        if rts.structure is None:
             message = f"a test of the kind `{test.kind}` needs the `structure`, and the file has none"
             problems.at_value((*keys, "kind"), message)
         else:

@@ -105,7 +105,7 @@ def other_methods(archive: Archive) -> Table:
         if group.attributes["outcome"] != "done":
             words.insert(0, str(group.attributes["outcome"]))
         if words:
-            table.notes += textwrap.wrap(f"{test}: {'. '.join(words)}", PAPER)
+            table.notes += textwrap.wrap(f"{test}: {'. '.join(word.rstrip('.') for word in words)}.", PAPER)
     return table
 
 

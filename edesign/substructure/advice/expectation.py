@@ -9,6 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from edesign.damper.harmonic import complex_stiffness
+from edesign.errors import InputError
 from edesign.project.substructure import compensators as kinds
 from edesign.substructure.advice.loaded_rig import loaded_poles, swinging, swings
 from edesign.substructure.advice.transfers import (
@@ -174,6 +175,8 @@ class Bench:
             InputError: the damper does not move, or the structure is unstable.
         """
         largest = float(np.max(np.abs(motion)))
+        if largest == 0.0:
+            raise InputError("the specimen does not move at all; is the record or the command zero?")
         step, damper = laboratory.file.loop.main_step, laboratory.damper
         amplitude = EFFECTIVE_AMPLITUDE * largest
         dominant = mean_frequency(motion, step)

@@ -84,8 +84,8 @@ def run_method(
         if isinstance(test, EffectiveForceTest):
             return _effective_force(test, setting)
         return _shaking_table(test, setting)
-    except InputError:
-        raise
+    except InputError as error:
+        raise InputError(f"test {test.name}: {error}") from error
     except AnalysisError as error:
         none = np.zeros(0)
         return MethodResults(

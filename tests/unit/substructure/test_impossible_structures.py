@@ -90,3 +90,11 @@ def test_no_damping_in_the_numerical_part(tmp_path: Path, capsys: pytest.Capture
     """The loop's transfer function is infinite at its frequency; the dashpot of the specimen damps the structure."""
     code, text = said(tmp_path, capsys, "check", "143.26 t", "22.6 kN/mm", "{kind: none}")
     assert code == 0 and "recommended" in text
+
+
+@pytest.mark.parametrize("command", ["check", "run"])
+def test_a_ground_at_rest_is_no_test(tmp_path: Path, capsys: pytest.CaptureFixture[str], command: str) -> None:
+    assert said(tmp_path, capsys, "check", "143.26 t", "22.6 kN/mm")[0] == 0
+    (tmp_path / "kick.csv").write_text("t,a\n0,0\n0.1,0\n0.2,0\n0.3,0\n", encoding="utf-8")
+    assert main(["rts", command, str(tmp_path / "rts.yaml")]) == 2
+    assert "rts.yaml:7:9: test kick: what drives it is zero from beginning to end" in capsys.readouterr().err

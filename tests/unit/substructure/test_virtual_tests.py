@@ -16,8 +16,11 @@ import scipy
 from edesign.archive.reader import open_archive
 from edesign.cli.main import main
 from edesign.damper.read_test import read_test
+from edesign.project.problems import FileProblems
 from edesign.project.substructure import load_rts_file
+from edesign.project.substructure.checks_compensators import TAKEN
 from edesign.stopping import Stopped
+from edesign.substructure.archived import groups
 from edesign.substructure.virtual_tests import Drive, TestResults, VirtualLaboratory
 
 PROJECTS = Path(__file__).parents[3] / "projects"
@@ -260,3 +263,21 @@ def test_one_ctrl_c_ends_a_pseudo_dynamic_test_and_leaves_nothing(tmp_path: Path
         assert process.wait(60) == 130
         assert process.stderr.read() == "edesign: interrupted\n"
     assert [item.name for item in tmp_path.iterdir()] == ["rts.yaml"]
+
+
+def test_a_file_of_other_methods_alone_has_an_archive(tmp_path: Path) -> None:
+    test = "tests: [{name: slow, kind: pseudo_dynamic, record: el_centro, scale: 0.18}]\n"
+    (tmp_path / "rts.yaml").write_text(INLINE[: INLINE.index("tests:")] + test, encoding="utf-8")
+    assert main(["rts", "run", str(tmp_path / "rts.yaml"), "--quiet"]) == 0
+    with open_archive(tmp_path / "rts.h5") as archive:
+        assert archive.group("indicators").variables["limit_first"].values.shape == (0, 4)
+        assert "response_error" in archive.group("tests/slow").variables
+
+
+def test_no_compensator_has_the_name_of_a_history(tmp_path: Path) -> None:
+    """Of a group of the archive both would be members."""
+    (results,) = run(tmp_path, INLINE)
+    (_, test), *_ = groups(results, ())
+    assert {*test.variables, *test.coords} == set(TAKEN)
+    with pytest.raises(FileProblems, match="`ground` is a history of the archive; choose another name"):
+        run(tmp_path, INLINE.replace("{none: {kind: none}}", "{ground: {kind: none}}"))
