@@ -14,6 +14,7 @@ from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
 from edesign.project.problems import unknown_name
 from edesign.project.substructure.programme import RtsTest
+from edesign.project.substructure.quantities import MOST_DELAY
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.advice.expectation import Bench
 from edesign.substructure.indicators import Tracking, Untold, tracking
@@ -141,7 +142,8 @@ def judge(path: Path | str, file: RtsFile | None = None, test: str | None = None
     record = read_measured(path, "target", "displacement", *(("force",) if file is not None else ()))
     for name in ("displacement", "force"):
         if name in record.channels and (level := clipped(record[name])) is not None:
-            raise InputError(f"{record.path}: the {name} is cut off at {level:.4g} (SI): the range of its sensor?")
+            scale, unit = (1e3, "mm") if name == "displacement" else (1e-3, "kN")
+            raise InputError(f"{record.path}: the {name} is cut off at {scale * level:.4g} {unit}: its sensor's range?")
     followed = tracking(record["target"], record["displacement"], record.step, record.channels.get("force"))
     response = None if file is None else _response(record, file, test, followed)
     criteria = () if file is None or response is None else _criteria(file, response)
@@ -281,6 +283,14 @@ def _criteria(file: RtsFile, response: JudgedResponse) -> tuple[Criterion, ...]:
 
 def _notes(record: MeasuredRecord, followed: Tracking, response: JudgedResponse | None) -> tuple[str, ...]:
     notes = [f"{name}: {why}" for name, why in followed.untold.items() if "no force" not in why]
+    late = followed.correlation_delay
+    if late < -record.step:
+        notes.append(
+            f"the displacement leads the target by {-1e3 * late:.3g} ms: the compensator asks for too much, or the two "
+            "columns are swapped"
+        )
+    if late > MOST_DELAY:
+        notes.append(f"the displacement is {late:.3g} s late, and no rig is: is one of the columns shifted?")
     if response is not None:
         notes += _of_force(response)
     if record.unread:

@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.project.substructure.quantities import MOST_DELAY
 from edesign.substructure.compensation.alpha_fit import fitted_alpha
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.frequency_index import equivalent_frequency
@@ -78,7 +79,7 @@ def identify(path: Path | str, order: int | None = None) -> IdentifiedRig:
     record = read_measured(path, "command", "displacement")
     u, x, step = record["command"], record["displacement"], record.step
     late = _delay_at_first(record)
-    _refuse_lead(record, late)
+    _refuse_no_delay(record, late)
     asked = ORDERS if order is None else (order,)
     tried = tuple(fit_rig(record, one, late) for one in asked)
     criteria = _criteria(tried, u.size)
@@ -126,12 +127,14 @@ def _delay_at_first(record: MeasuredRecord) -> float:
     raise InputError(f"{path}: {words}; is this the displacement of that command?")
 
 
-def _refuse_lead(record: MeasuredRecord, late: float) -> None:
-    """A rig that runs ahead by more than a sample: the columns are swapped, or shifted."""
+def _refuse_no_delay(record: MeasuredRecord, late: float) -> None:
+    """A rig that runs ahead by more than a sample, or that is later than any: the columns are swapped, or shifted."""
     if late < -record.step:
         raise InputError(
             f"{record.path}: the displacement leads the command by {-1e3 * late:.3g} ms: are their columns swapped?"
         )
+    if late > MOST_DELAY:
+        raise InputError(f"{record.path}: the displacement is {late:.3g} s late, and no rig is: is a column shifted?")
 
 
 def _refuse_drift(record: MeasuredRecord, fit: RigFit) -> None:

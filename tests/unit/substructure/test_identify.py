@@ -140,6 +140,10 @@ def _swapped(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, .
     return t, x, u
 
 
+def _shifted(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
+    return t, u, np.interp(t - 2.0, t, x)
+
+
 def _opposite(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray, ...]:
     return t, u, -x
 
@@ -170,6 +174,7 @@ def _unrelated(t: np.ndarray, u: np.ndarray, x: np.ndarray) -> tuple[np.ndarray,
         (_still, "the displacement is the same in all lines"),
         (_short, "are too short"),
         (_swapped, "leads the command by 10.* swapped"),
+        (_shifted, "is 2.01 s late, and no rig is"),
         (_opposite, "opposite sign"),
         (_clipped, "cut off at"),
         (_two_clocks, "drifts from .* two clocks"),

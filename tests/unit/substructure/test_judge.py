@@ -100,6 +100,24 @@ def test_a_force_that_cannot_be_that_of_the_test_is_told(tmp_path: Path) -> None
     assert scaled.response is not None and scaled.response.reproduced > REPRODUCED
 
 
+@pytest.mark.parametrize(
+    ("late", "said"),
+    [(-0.01, "leads the target by 10 ms: the compensator asks for too much"), (2.5, "2.5 s late, and no")],
+)
+def test_a_lead_and_a_shift_are_told(tmp_path: Path, late: float, said: str) -> None:
+    time = 1e-3 * np.arange(20_000)
+    target, measured = (np.sin(t**2) * np.exp(-(((t - 8.0) / 3.0) ** 2)) for t in (time, time - late))
+    rows = np.column_stack([time, target, measured]).tolist()
+    write_csv_file(["time_s", "target_mm", "displacement_mm"], rows, tmp_path / "r.csv")
+    assert any(said in note for note in judge(tmp_path / "r.csv").notes)
+
+
+def test_a_channel_that_is_cut_off_is_told_in_its_unit(tmp_path: Path) -> None:
+    cut = np.clip(1e3 * runs()["modified"].record.measured, -3.0, 3.0)  # type: ignore[union-attr]
+    with pytest.raises(InputError, match="the displacement is cut off at 3 mm: its sensor's range"):
+        judge(record(tmp_path / "r.csv", displacement_mm=cut))
+
+
 def test_noise_of_the_sensors_is_no_other_test(tmp_path: Path) -> None:
     generator = np.random.default_rng(1)
     noisy = column("force_kN") + 0.2 * generator.standard_normal(column("force_kN").size)
