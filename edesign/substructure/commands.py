@@ -9,6 +9,8 @@ import scipy
 
 from edesign.damper import signals
 from edesign.damper.read_test import read_displacement
+from edesign.errors import InputError
+from edesign.project.substructure.checks_tests import MOST_STEPS
 from edesign.project.substructure.programme import Command, CommandInFile, RandomCommand, SineCommand
 
 REST = 1.0
@@ -37,6 +39,11 @@ def command_motion(command: Command, step: float, folder: Path) -> np.ndarray:
         return _differentiated(u, step)
     if isinstance(command, CommandInFile):
         t, given = read_displacement(folder / command.file)
+        if t[-1] - t[0] > MOST_STEPS * step:
+            raise InputError(
+                f"{folder / command.file}: {t[-1] - t[0]:.4g} s are more than {MOST_STEPS} main steps of "
+                f"{1e3 * step:.4g} ms; is the unit of the time right?"
+            )
         times = np.arange(0.0, t[-1] - t[0] + 0.5 * step, step)
         u = scipy.interpolate.CubicSpline(t - t[0], given)(np.minimum(times, t[-1] - t[0]))
         if command.displacement is not None:

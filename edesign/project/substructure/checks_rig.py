@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from edesign.project.problems import Keys, Problems
-from edesign.project.substructure.rig import RigModel, ServoHydraulicRig, TransferFunctionRig
+from edesign.project.substructure.rig import RigInFile, RigModel, ServoHydraulicRig, TransferFunctionRig
 from edesign.project.substructure.rts_file import RtsFile
 
 LONGEST_STEP = 0.1
@@ -76,6 +76,23 @@ def check_sensors(rts: RtsFile, problems: Problems) -> None:
     if sensors.force_range is not None and limits.force is not None and sensors.force_range < limits.force:
         message = f"the load cell ends at {1e-3 * sensors.force_range:.4g} kN, before the force of the actuator"
         problems.at_value(("sensors", "force_range"), f"{message}, {1e-3 * limits.force:.4g} kN")
+
+
+def check_sub_steps(rts: RtsFile, problems: Problems) -> None:
+    """Check that a servo-hydraulic rig does not swing by its sub-steps alone; the rig of the file is known."""
+    plant, h = rts.plant, rts.sub_step
+    if not isinstance(plant, ServoHydraulicRig):
+        return
+    lag = plant.valve_time_constant
+    left = math.exp(-h / lag) if lag > 0.0 else 0.0
+    mean = (1.0 - left) * lag / h
+    # of the flow at the end of a sub-step, by position and flow at its start, as core_c/src/substructure/rig.c has it
+    by_x, by_q = -plant.proportional_gain * (1.0 - left), left - plant.proportional_gain * (1.0 - mean) * h
+    step = np.array([[1.0 + 0.5 * h * by_x, 0.5 * h * (1.0 + by_q)], [by_x, by_q]])
+    if np.max(np.abs(np.linalg.eigvals(step))) >= 1.0:
+        keys = ("rig", "file") if isinstance(rts.rig, RigInFile) else ("rig", "proportional_gain")
+        message = f"{plant.proportional_gain:.4g} /s is too fast for sub-steps of {1e3 * h:.4g} ms: the rig would swing"
+        problems.at_value(keys, f"{message} by them alone; take more `sub_steps` or a shorter `main_step`")
 
 
 def check_noise(rts: RtsFile, problems: Problems) -> None:

@@ -12,7 +12,7 @@ from edesign.project.problems import FileProblems, Problems
 from edesign.project.project import Project
 from edesign.project.sections import Catalogue
 from edesign.project.substructure.checks_compensators import check_compensators
-from edesign.project.substructure.checks_rig import check_loop, check_noise, check_plant, check_sensors
+from edesign.project.substructure.checks_rig import check_loop, check_noise, check_plant, check_sensors, check_sub_steps
 from edesign.project.substructure.checks_specimen import check_specimen
 from edesign.project.substructure.checks_structure import check_structure
 from edesign.project.substructure.checks_tests import check_tests
@@ -90,6 +90,7 @@ def _check(rts: RtsFile, problems: Problems) -> None:
         check_plant(rts.rig, ("rig",), problems)
     check_sensors(rts, problems)
     check_noise(rts, problems)
+    check_sub_steps(rts, problems)
     check_compensators(rts, problems)
     check_tests(rts, problems)
 

@@ -6,7 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from edesign.archive.reader import open_archive
 from edesign.cli.main import main
+from edesign.report.substructure.tables import runs
 
 MOVED = """\
 edesign_rts: 1
@@ -58,3 +60,38 @@ def test_an_archive_has_the_name_of_one_and_takes_no_other_place(
     )
     assert notes.read_text(encoding="utf-8") == "mine"
     assert sorted(item.name for item in tmp_path.iterdir()) == ["rts.h5.partial", "rts.yaml"]
+
+
+@pytest.mark.parametrize(
+    ("rig", "steps", "refused"),
+    [
+        ("proportional_gain: 990 /s", 1, False),  # a gain of 1 in a sub-step is the limit without a lag: det = -a / 2,
+        ("proportional_gain: 1010 /s", 1, True),  # trace = 1 - 3/2 a, and 1 + trace + det = 2 - 2 a
+        ("proportional_gain: 1010 /s", 2, False),
+        ("proportional_gain: 1010 /s, valve_time_constant: 2.6 ms", 1, False),
+        ("proportional_gain: 1e9 /s, valve_time_constant: 2.6 ms", 5, True),
+    ],
+)
+def test_a_servo_rig_that_its_sub_steps_make_swing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], rig: str, steps: int, refused: bool
+) -> None:
+    path = tmp_path / "rts.yaml"
+    text = MOVED.replace("{kind: ideal}", f"{{kind: servo_hydraulic, {rig}}}") + f"loop: {{sub_steps: {steps}}}\n"
+    path.write_text(text, encoding="utf-8")
+    if refused:
+        assert "is too fast for sub-steps of" in said(capsys, "rts", "run", path, "--quiet")
+    else:
+        assert main(["rts", "run", str(path), "--quiet"]) == 0
+        with open_archive(tmp_path / "rts.h5") as archive:
+            assert runs(archive)[0].text("outcome") == "done"
+
+
+def test_a_command_of_days_is_refused_before_it_takes_memory(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    (tmp_path / "days.csv").write_text("time_s,displacement_mm\n0,0\n1e9,1\n2e9,0\n", encoding="utf-8")
+    path = tmp_path / "rts.yaml"
+    path.write_text(
+        MOVED.replace("type: sine, displacement: 5 mm, frequency: 2 Hz", "file: days.csv"), encoding="utf-8"
+    )
+    assert "days.csv: 2e+09 s are more than 5000000 main steps of 1 ms" in said(capsys, "rts", "check", path)
