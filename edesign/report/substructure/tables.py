@@ -43,7 +43,7 @@ class Run:
     def limits(self) -> list[tuple[str, float, float, float]]:
         """Return the limits of rig and sensors that it met: name, first and last time, and duration in all, s."""
         met = [name for name in self.text("saturated").split(", ") if name]
-        if "limit" not in self.group.coords:  # of an older version
+        if any(f"limit_{what}" not in self.group.variables for what in LIMIT_TIMES):  # of an older version
             return [(name, _NAN, _NAN, _NAN) for name in met]
         names = [str(name) for name in self.group.coords["limit"].values]
         kept = [self.group.variables[f"limit_{what}"].values[self.number] for what in LIMIT_TIMES]
