@@ -1,6 +1,6 @@
 """Builds the extension module edesign.core._edcore from the C sources in core_c; run by setup.py, at the root.
 
-The public headers, which core_c/include/edcore.h includes, are the only declaration of the interface: the C preprocessor
+The public headers that core_c/include/edcore.h includes are the only declaration of the interface: the C preprocessor
 expands them, with ED_CFFI defined and without system headers, into what cffi reads. Integer macros ED_NAME become
 constants.
 

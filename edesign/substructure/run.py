@@ -19,8 +19,7 @@ from edesign.stopping import Stopped
 from edesign.study.interrupt import stop_on_signals
 from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
-from edesign.substructure.advice.growing_runs import growing_runs
-from edesign.substructure.advice.limit_cycles import held_by_limits
+from edesign.substructure.advice.unstable_runs import with_unstable_loops
 from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators
 from edesign.substructure.methods.method_tests import method_group
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
@@ -71,13 +70,12 @@ def run_tests(
             tell(line)
 
         try:
-            for results in (held_by_limits(laboratory, one) for one in laboratory.run(begin, stop.is_set)):
+            for results in (with_unstable_loops(laboratory, one) for one in laboratory.run(begin, stop.is_set)):
                 for place, group in groups(results, file.outputs.histories):
                     writer.write(place, group)
                 for run in results.runs:
                     if csv_folder is not None and run.record is not None:
                         write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
-                warnings += growing_runs(laboratory, results)
                 found.append(results)
             for other in laboratory.run_others(begin, stop.is_set):
                 writer.write(f"{PLACE}/{other.name}", method_group(other))

@@ -470,6 +470,8 @@ def _largest_error(found: np.ndarray, direct: np.ndarray) -> float:
     """Root mean square error over that of the direct analysis, of the column where it is largest; NaN: none moves."""
     errors = [response_errors(one, other)[0] for one, other in zip(found.T, direct.T, strict=True)]
     return max((error for error in errors if not np.isnan(error)), default=np.nan)
+
+
 def without_result(run: VirtualTest, outcome: str, reason: str) -> VirtualTest:
     """Return a run with another outcome, and without indicators, which would be no result."""
     nan = np.nan

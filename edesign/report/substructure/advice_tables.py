@@ -9,7 +9,7 @@ from edesign.report.table import Table, number
 from edesign.report.text import PAPER
 from edesign.substructure.advice.advice import Advice, TestAdvice
 from edesign.substructure.advice.expectation import EFFECTIVE_AMPLITUDE, MOVES_SPECIMEN, ExpectedTest, Linearisation
-from edesign.substructure.advice.growing_runs import growth_in_words
+from edesign.substructure.advice.unstable_runs import growth_in_words
 
 MODES_SHOWN = 6
 ALMOST_NONE = 5e-6

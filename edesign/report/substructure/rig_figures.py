@@ -13,7 +13,7 @@ from edesign.project.substructure.compensators import AtsCompensator, LiveDelayC
 from edesign.report.captions import plain
 from edesign.report.substructure.bode import Path, bode_figure, delay
 from edesign.report.substructure.results import FIRST, NONE, WITHOUT, SubstructureResults, looks
-from edesign.substructure.advice.transfers import CompensatorTransfer, late, of_equation, of_live_delay
+from edesign.substructure.advice.transfers import CompensatorTransfer, late, live_delay_command, of_equation
 from edesign.substructure.laboratory import compensator_of
 from edesign.substructure.rig.rigs import RigTransfer
 from edesign.substructure.stability.loop import Transfer
@@ -90,7 +90,9 @@ def _compensator(
         kept = [results.series(test, name) for test in results.tests if name in results.compensators(test)]
         delays = [one.of("alpha_0") for one in kept if one is not None]
         ends = [float(one[-1]) for one in delays if one is not None and one.size and np.isfinite(one[-1])]
-        return of_live_delay(described, float(np.mean(ends))) if ends else None
+        return (
+            CompensatorTransfer(live_delay_command(described.order, float(np.mean(ends))), None, "") if ends else None
+        )
     equation = compensator_of(described, step, rig)
     assert isinstance(equation, DifferenceEquation)
     return of_equation(equation, loaded, rig, step)

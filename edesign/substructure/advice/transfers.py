@@ -196,15 +196,20 @@ def of_live_delay(described: kinds.LiveDelayCompensator, rig_delay: float, peak:
     least, largest = described.limits
     adapts = peak > described.threshold
     delay = min(max(rig_delay, least), largest) if adapts else described.delay
-    order = described.order
+    command = live_delay_command(described.order, delay)
+    how = "with a found delay of" if adapts else "never adapts, below its threshold: a delay of"
+    return CompensatorTransfer(command, None, f"{how} {1e3 * delay:.4g} ms", limited=adapts and delay != rig_delay)
+
+
+def live_delay_command(order: int, delay: float) -> Transfer:
+    """Command over target of a polynomial of an order through points a delay (s) apart."""
     weights = [(-1) ** j * math.comb(order + 1, j + 1) for j in range(order + 1)]
 
     def command(s: np.ndarray) -> np.ndarray:
         value = sum(weight * np.exp(-s * j * delay) for j, weight in enumerate(weights))
         return np.asarray(value + np.zeros(np.shape(s)))
 
-    how = "with a found delay of" if adapts else "never adapts, below its threshold: a delay of"
-    return CompensatorTransfer(command, None, f"{how} {1e3 * delay:.4g} ms", limited=adapts and delay != rig_delay)
+    return command
 
 
 def of_adaptive_series(

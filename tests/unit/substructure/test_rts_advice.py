@@ -14,11 +14,11 @@ from edesign.project.substructure import load_rts_file, parse_rts_file
 from edesign.report.substructure.advice_tables import advice_tables
 from edesign.report.text import print_tables
 from edesign.substructure.advice.advice import Advice, advise
-from edesign.substructure.advice.growing_runs import growing_runs
 from edesign.substructure.advice.loaded_rig import loaded_poles, swings
 from edesign.substructure.advice.needs import ABORT, Need, abort_level
 from edesign.substructure.advice.recommendation import Candidate, recommended
 from edesign.substructure.advice.transfers import converged_series, force_over_step, phase_delay
+from edesign.substructure.advice.unstable_runs import with_unstable_loops
 from edesign.substructure.rig.rigs import second_order
 from edesign.substructure.run import run_tests
 from edesign.substructure.stability.specimens import linear_specimen
@@ -241,7 +241,7 @@ def test_a_loop_that_grows_slowly_ends_as_done_and_is_told() -> None:
     assert not expected.stable and expected.stability is not None
     results = only_results(laboratory)
     assert results.runs[0].outcome == "done"
-    (said,) = growing_runs(laboratory, results)
+    (said,) = with_unstable_loops(laboratory, results).runs[0].warnings
     rate = expected.stability.growth
     assert f"grow by {rate:.3g} per second" in said
     _, longer = advice_of(controlled(SOFT_SPRING, 30))

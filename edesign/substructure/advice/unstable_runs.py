@@ -1,0 +1,85 @@
+"""Runs that reached their end though their loop is unstable: held by a limit of the rig, or growing slowly.
+
+A run ends as unstable when it has grown by a factor. A loop that grows ends in a limit cycle where the rig is at its
+limits, or where a law softens; a record can end before; and a law that is linearised at one amplitude may not grow at
+another. Only the linearised loop tells such runs from those that an earthquake drove there.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from edesign.errors import InputError
+from edesign.substructure.advice.expectation import Bench, ExpectedTest
+from edesign.substructure.met_limits import in_words
+from edesign.substructure.virtual_tests import DIVERGED, TestResults, VirtualLaboratory, VirtualTest, without_result
+
+
+def with_unstable_loops(laboratory: VirtualLaboratory, results: TestResults) -> TestResults:
+    """Return the results with what the linearised loop says of runs that it may explain.
+
+    A run that met a limit is `unstable` if its loop is: only the limit holds it. One that met none and is too wrong
+    keeps its outcome, with a warning how fast its motions grow.
+
+    Args:
+        laboratory: that made them.
+        results: of a test.
+    """
+    most = laboratory.file.criteria.response_error
+    asked = [run for run in results.runs if _met_a_limit(run) or _is_too_wrong(run, most)]
+    if not asked:
+        return results
+    structure, direct = laboratory.laboratory.structure, results.direct
+    part = structure.part if structure is not None and direct is not None else None
+    motion = results.drive.wanted if direct is None else direct.deformation
+    try:
+        bench = Bench.of(laboratory, motion, part)
+        response = bench.under(results.drive)
+        found = {
+            run.compensator: bench.expected(
+                run.compensator, response, motion, bench.compensator(run.compensator, motion)
+            )
+            for run in asked
+        }
+    except InputError:  # structure without damping, specimen at rest, a part that is not finite: nothing can be said
+        return results
+    amplitude = bench.linearisation.amplitude
+    runs = [_told(run, amplitude, found[run.compensator]) if run.compensator in found else run for run in results.runs]
+    return replace(results, runs=tuple(runs))
+
+
+def _met_a_limit(run: VirtualTest) -> bool:
+    return bool(run.saturated) and run.outcome in ("done", "saturated")
+
+
+def _is_too_wrong(run: VirtualTest, most: float) -> bool:
+    return run.outcome == "done" and run.response_error > most
+
+
+def _told(run: VirtualTest, amplitude: float, expected: ExpectedTest) -> VirtualTest:
+    if expected.stable:
+        return run
+    if run.saturated:
+        return without_result(run, "unstable", f"held by {in_words(run.saturated)}")
+    warning = (
+        f'test {run.test}: the run with "{run.compensator}" reached its end, but its linearised loop is unstable: '
+        f"{growth_in_words(amplitude, expected)}"
+    )
+    return replace(run, warnings=(*run.warnings, warning))
+
+
+def growth_in_words(amplitude: float, found: ExpectedTest) -> str:
+    """Return how fast motions of an unstable test grow.
+
+    Args:
+        amplitude: at which the law is linearised, m.
+        found: the test.
+    """
+    growth = found.stability.growth if found.stability is not None else 0.0
+    if growth <= 0.0:
+        return found.as_what
+    return (
+        f"motions of {1e3 * amplitude:.3g} mm grow by {growth:.3g} per second, {DIVERGED:g} times in "
+        f"{math.log(DIVERGED) / growth:.3g} s"
+    )
