@@ -28,7 +28,7 @@ MOST_WINDOW = 4096
 """Main steps in the window of ATS; as ED_COMPENSATOR_WINDOW there."""
 FEWEST_SAMPLES = 3
 """For three coefficients."""
-TAKEN = ("time", "floor", "ground", "direct_deformation", "direct_force", "direct_floors")
+TAKEN = ("time", "ground", "direct_deformation", "direct_force")
 """What stands in an archive beside the compensators of a test."""
 _UNITS = {"a0": (1.0, ""), "a1": (1e3, " ms"), "a2": (1.0, " s^2")}
 

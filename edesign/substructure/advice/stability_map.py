@@ -12,7 +12,7 @@ from edesign.core.compensator import DifferenceEquation
 from edesign.errors import InputError
 from edesign.substructure.advice.expectation import Bench
 from edesign.substructure.advice.transfers import CompensatorTransfer
-from edesign.substructure.stability.loop import Loop, RigDelayLoop, nothing
+from edesign.substructure.stability.loop import Loop, RigDelayLoop, Transfer, nothing
 from edesign.substructure.stability.stable_delays import stable_delays
 from edesign.substructure.virtual_tests import VirtualLaboratory
 
@@ -193,9 +193,19 @@ def rig_delay_loop(bench: Bench, name: str, compensator: CompensatorTransfer) ->
     return RigDelayLoop(
         bench.whole,
         loop.rig,
-        still=standing.seen(opened),
-        opened=lambda s: np.asarray(opened.command(s) / compensator.command(s)),
+        still=_quiet(standing.seen(opened)),
+        opened=_quiet(lambda s: np.asarray(opened.command(s) / compensator.command(s))),
     )
+
+
+def _quiet(transfer: Transfer) -> Transfer:
+    """Without warnings at rest, where the integrator of a controller that is not closed is infinite."""
+
+    def value(s: np.ndarray) -> np.ndarray:
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return transfer(s)
+
+    return value
 
 
 def _moved(intervals: Sequence[tuple[float, float]], by: float) -> tuple[tuple[float, float], ...]:

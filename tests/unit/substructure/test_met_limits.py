@@ -43,7 +43,7 @@ def ran(folder: Path, text: str, limits: str = "") -> Path:
     path = folder / "rts.yaml"
     text = text.replace("LIMITS", f"limits: {{{limits}}}") if limits else text.replace(", LIMITS", "")
     path.write_text(text, encoding="utf-8")
-    return run_tests(load_rts_file(path))[0]
+    return run_tests(load_rts_file(path), overwrite=True)[0]
 
 
 def said(archive: Archive) -> str:
