@@ -12,6 +12,8 @@ from edesign.study.outcome import FAILED
 from edesign.study.plan import ANALYSES
 from edesign.substructure.indicators import definitions
 from edesign.substructure.indicators.interface_energy import work_along
+from edesign.substructure.methods import PseudoDynamicRecord
+from edesign.substructure.methods.method_tests import MethodResults
 from edesign.substructure.virtual_tests import TestResults, VirtualTest
 
 PLACE = "tests"
@@ -153,3 +155,34 @@ def _add_histories(group: Group, run: VirtualTest, histories: Sequence[str]) -> 
     if "energy" in histories:
         work = work_along(record.force, record.measured - record.target)
         group.add("interface_energy_error", ("time",), work, "J", "work that the test feeds into the structure")
+
+
+def method_group(results: MethodResults, time: np.ndarray) -> Group:
+    """Return a test by another method.
+
+    Args:
+        results: of the test.
+        time: (n,) s, of the earthquake.
+    """
+    group = Group(attributes={"kind": results.kind, "outcome": results.outcome, "told": list(results.told)})
+    record = results.record
+    count = 0 if record is None else record.deformation.size
+    group.coords["time"] = Variable(("time",), time[:count], "s", "time of the earthquake")
+    if record is None:
+        return group
+    for name, values, unit, text in (
+        ("deformation", record.deformation, "m", "deformation of the damper"),
+        ("force", record.damper_force, "N", "force of the damper"),
+        ("direct_deformation", record.direct_deformation, "m", "deformation of the damper, without a test"),
+        ("direct_force", record.direct_force, "N", "force of the damper, without a test"),
+    ):
+        group.add(name, ("time",), values[:count], unit, text)
+    if isinstance(record, PseudoDynamicRecord):
+        group.add("target", ("time",), record.target, "m", "target displacement of the specimen")
+        work = work_along(record.damper_force, record.deformation - record.target)
+        group.add("interface_energy_error", ("time",), work, "J", "work that the test feeds into the structure")
+    text = "root mean square error of the damper's deformation over the direct one"
+    group.add("response_error", (), record.response_error, "1", text)
+    for name, value, unit, text in results.figures:
+        group.add(name, (), value, unit, text)
+    return group

@@ -20,8 +20,7 @@ from edesign.study.interrupt import stop_on_signals
 from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
 from edesign.substructure.advice.unstable_runs import with_unstable_loops
-from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators
-from edesign.substructure.methods.method_tests import method_group
+from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators, method_group
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
 
 HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")
@@ -78,7 +77,7 @@ def run_tests(
                         write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
                 found.append(results)
             for other in laboratory.run_others(begin, stop.is_set):
-                writer.write(f"{PLACE}/{other.name}", method_group(other))
+                writer.write(f"{PLACE}/{other.name}", method_group(other, laboratory.drives[other.name].time))
             writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
             warnings += dict.fromkeys(text for results in found for run in results.runs for text in run.warnings)
             writer.finish({"status": "completed", "warnings": warnings})

@@ -27,6 +27,7 @@ from edesign.stopping import Wish, stoppable
 from edesign.substructure.commands import command_motion
 from edesign.substructure.compensation import compensators
 from edesign.substructure.indicators import Tracking, tracking
+from edesign.substructure.indicators.response_error import peak_error, response_error
 from edesign.substructure.laboratory import (
     NOTHING,
     Laboratory,
@@ -208,7 +209,7 @@ class VirtualLaboratory:
             assert drive.ground is not None
             with stoppable(wish):
                 abort = DIVERGED * float(np.max(np.abs(self.direct(drive).deformation)))
-                results = run_method(test, self.laboratory, drive.time, drive.ground, abort)
+                results = run_method(test, self.laboratory, self.file.loop.main_step, drive.ground, abort)
             yield results
 
     def drive(self, test: CommandTest | RecordTest) -> Drive:
@@ -397,7 +398,8 @@ class VirtualLaboratory:
         if outcome == "done":
             tracked = tracking(record.target, record.measured, self.file.loop.main_step, record.force)
         if outcome == "done" and direct is not None:
-            response, peak = response_errors(record.deformation, direct.deformation)
+            response = response_error(record.deformation, direct.deformation)
+            peak = peak_error(record.deformation, direct.deformation)
             of_building = _largest_error(drift, direct.drift)
         return VirtualTest(
             test=test.name,
@@ -454,21 +456,9 @@ class VirtualLaboratory:
             yield f'test {test.name}: "{compensator}" never adapted, and kept what it began with{why}'
 
 
-def response_errors(found: np.ndarray, direct: np.ndarray) -> tuple[float, float]:
-    """Return the root mean square error over that of the direct response, and the relative error of its peak.
-
-    Args:
-        found, direct: (n,) deformation of the damper, m.
-    """
-    size, peak = float(np.sqrt(np.mean(direct**2))), float(np.max(np.abs(direct)))
-    if size == 0.0:
-        return np.nan, np.nan
-    return float(np.sqrt(np.mean((found - direct) ** 2))) / size, float(np.max(np.abs(found))) / peak - 1.0
-
-
 def _largest_error(found: np.ndarray, direct: np.ndarray) -> float:
     """Root mean square error over that of the direct analysis, of the column where it is largest; NaN: none moves."""
-    errors = [response_errors(one, other)[0] for one, other in zip(found.T, direct.T, strict=True)]
+    errors = [response_error(one, other) for one, other in zip(found.T, direct.T, strict=True)]
     return max((error for error in errors if not np.isnan(error)), default=np.nan)
 
 

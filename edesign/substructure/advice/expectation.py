@@ -23,6 +23,7 @@ from edesign.substructure.advice.transfers import (
     phase_delay,
     rig_response,
 )
+from edesign.substructure.indicators.response_error import peak_error, response_error
 from edesign.substructure.laboratory import TestedDamper
 from edesign.substructure.stability.expected import DirectResponse, expected_errors
 from edesign.substructure.stability.loop import Loop, Transfer
@@ -31,7 +32,7 @@ from edesign.substructure.stability.specimens import linearised_law
 from edesign.substructure.stability.whole import ComplexStiffness, WholeStructure
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.recursion import OVER_THE_STEP
-from edesign.substructure.virtual_tests import Drive, VirtualLaboratory, response_errors
+from edesign.substructure.virtual_tests import Drive, VirtualLaboratory
 
 EFFECTIVE_AMPLITUDE = 0.65
 """Of the largest deformation, at which a law stands for its motion under an earthquake.
@@ -291,7 +292,8 @@ class Bench:
         tracking, wrong = (math.nan, math.nan), (math.inf, math.inf)
         if math.isfinite(found.response_rms):
             measured = self._measured(compensator, found.target, response.step)
-            tracking, wrong = _tracking(found.target, measured), response_errors(measured, found.direct)
+            tracking = _tracking(found.target, measured)
+            wrong = response_error(measured, found.direct), peak_error(measured, found.direct)
         said, held, margin = compensator.as_what, compensator.limited, _margin(verdict, step)
         return ExpectedTest(name, said, verdict, verdict.stable, *margin, held, *tracking, *wrong)
 

@@ -19,13 +19,14 @@ from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.advice.expectation import Bench
 from edesign.substructure.indicators import Tracking, Untold, tracking
 from edesign.substructure.indicators.correlation_delay import correlation_delay
+from edesign.substructure.indicators.response_error import peak_error, response_error
 from edesign.substructure.indicators.tracking_error import nrms_root
 from edesign.substructure.judgement.measured import MeasuredRecord, clipped, read_measured
 from edesign.substructure.judgement.measured_force import response_to_force
 from edesign.substructure.laboratory import TestedDamper, stiffness_of
 from edesign.substructure.stability.margins import critical_delays
 from edesign.substructure.structure.recursion import recursion
-from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory, response_errors
+from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
 
 REPRODUCED = 0.05
 """Root of squared error over squared target, by which the numerical part under the measured force may miss the recorded
@@ -179,7 +180,6 @@ def _response(record: MeasuredRecord, file: RtsFile, name: str | None, followed:
     by_force = _by_force(laboratory, force, drive.ground[: time.size])
     _refuse_another_test(record, target, by_force, whole, file.loop.main_step)
     direct = whole.deformation[: time.size]
-    response, peak = response_errors(measured, direct)
     law = _law_force(laboratory.damper, time, measured)
     part = structure.part
     crossings = critical_delays(Bench.of(laboratory, whole.deformation, part).whole, 0.5 / file.loop.main_step)
@@ -189,9 +189,9 @@ def _response(record: MeasuredRecord, file: RtsFile, name: str | None, followed:
         test=test.name,
         driven_by=drive.source,
         reproduced=nrms_root(target, by_force),
-        response_error=response,
-        peak_error=peak,
-        target_error=response_errors(target, direct)[0],
+        response_error=response_error(measured, direct),
+        peak_error=peak_error(measured, direct),
+        target_error=response_error(target, direct),
         force_nrms=nrms_root(force, law) ** 2,
         force_nrms_root=nrms_root(force, law),
         critical_delay=critical,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.substructure.methods.comparison import response_error
+from edesign.substructure.methods.comparison import MethodRecord
 from edesign.substructure.methods.effective_force import EffectiveForceRecord, Forcing, effective_force_test
 from edesign.substructure.methods.pseudo_dynamic import ControlError, PseudoDynamicRecord, pseudo_dynamic_test
 from edesign.substructure.methods.rate import RateEffect, steady_stiffness
@@ -12,13 +12,13 @@ __all__ = [
     "ControlError",
     "EffectiveForceRecord",
     "Forcing",
+    "MethodRecord",
     "PseudoDynamicRecord",
     "RateEffect",
     "ShakingTable",
     "ShakingTableRecord",
     "effective_force_test",
     "pseudo_dynamic_test",
-    "response_error",
     "shaking_table_test",
     "steady_stiffness",
 ]

@@ -1,13 +1,15 @@
-"""What the records of all methods share: a checked ground motion, and the response against the direct one."""
+"""What the tests of all methods share: a checked ground motion, and the response against the direct one."""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.errors import InputError
+from edesign.substructure.indicators.response_error import response_error
 
 
 def checked_ground(step: float, ground: ArrayLike) -> np.ndarray:
@@ -39,15 +41,29 @@ def positive(name: str, value: float) -> None:
         raise InputError(f"{name}: must be greater than zero, not {value:g}")
 
 
-def response_error(found: np.ndarray, direct: np.ndarray) -> float:
-    """Return the root mean square of the difference over that of the direct response, dimensionless.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class MethodRecord:
+    """A test by any method in the time of the earthquake, beside the direct response; n samples of N, d degrees.
 
-    Where the test ended early, the direct response is cut at the same sample.
-
-    Args:
-        found: (n, ...) of the test.
-        direct: (m, ...) of the direct analysis, m >= n, in the same unit.
+    Attributes:
+        time: (N,) s.
+        displacement: (n, d) of the structure, m.
+        deformation: (n,) of the damper, m.
+        damper_force: (n,) N.
+        direct_displacement: (N, d) without a test, m.
+        direct_deformation: (N,) of the damper, m.
+        direct_force: (N,) of the damper, N.
     """
-    same = direct[: len(found)]
-    scale = float(np.sqrt(np.mean(same**2)))
-    return float(np.sqrt(np.mean((found - same) ** 2))) / scale if scale > 0.0 else math.nan
+
+    time: np.ndarray
+    displacement: np.ndarray
+    deformation: np.ndarray
+    damper_force: np.ndarray
+    direct_displacement: np.ndarray
+    direct_deformation: np.ndarray
+    direct_force: np.ndarray
+
+    @property
+    def response_error(self) -> float:
+        """Root mean square error of the damper's deformation over that of the direct one, dimensionless."""
+        return response_error(self.deformation, self.direct_deformation)

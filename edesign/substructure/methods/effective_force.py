@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 
 from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
-from edesign.substructure.methods.comparison import checked_ground, positive
-from edesign.substructure.methods.comparison import response_error as error_of
+from edesign.substructure.indicators.response_error import response_error
+from edesign.substructure.methods.comparison import MethodRecord, checked_ground, positive
 from edesign.substructure.methods.rate import motion_frequency, steady_stiffness
 from edesign.substructure.methods.state_space import LinearSystem, fixed_base, respond
 from edesign.substructure.structure.numerical import LinearPart
@@ -50,43 +50,27 @@ class Forcing:
         return (1.0 - self.velocity_feedback) / self.gain
 
 
-@dataclass(frozen=True, eq=False)
-class EffectiveForceRecord:
-    """An effective force test beside the response to the same ground motion; n samples, d degrees.
+@dataclass(frozen=True, eq=False, kw_only=True)
+class EffectiveForceRecord(MethodRecord):
+    """An effective force test beside the response to the forces as commanded; n samples, d degrees.
 
     Attributes:
-        time: (n,) s.
         command: (n, d) effective forces -m influence a_g, N.
         force: (n, d) of the actuators, N.
-        displacement: (n, d) m.
-        deformation: (n,) of the damper, m.
-        damper_force: (n,) N.
-        direct_displacement: (n, d) under the forces as commanded, m.
-        direct_deformation: (n,) of the damper, m.
-        direct_force: (n,) of the damper, N.
         damper_stiffness: of the damper at the largest deformation and mean frequency of the direct response, N/m.
         frequency: (d,) natural frequencies with the real part of it, Hz.
         force_ratio: (d,) share of the commanded modal force that arrives at these frequencies, complex.
         added_damping: (d,) damping ratio that the actuators as dashpots add to each mode.
         force_error: rms of force less command over that of the command, dimensionless.
-        response_error: rms of the error of the displacements over that of the direct ones, dimensionless.
     """
 
-    time: np.ndarray
     command: np.ndarray
     force: np.ndarray
-    displacement: np.ndarray
-    deformation: np.ndarray
-    damper_force: np.ndarray
-    direct_displacement: np.ndarray
-    direct_deformation: np.ndarray
-    direct_force: np.ndarray
     damper_stiffness: complex
     frequency: np.ndarray
     force_ratio: np.ndarray
     added_damping: np.ndarray
     force_error: float
-    response_error: float
 
 
 def effective_force_test(
@@ -130,8 +114,7 @@ def effective_force_test(
         frequency=part.frequencies(stiffness.real),
         force_ratio=force_ratios(part, forcing, stiffness),
         added_damping=added_damping(part, forcing, stiffness.real),
-        force_error=error_of(force, command),
-        response_error=error_of(states[:, :n], direct[:, :n]),
+        force_error=response_error(force, command),
     )
 
 

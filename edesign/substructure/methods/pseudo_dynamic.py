@@ -13,8 +13,7 @@ from numpy.typing import ArrayLike
 from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
 from edesign.stopping import end_if_wished
-from edesign.substructure.methods.comparison import checked_ground, positive
-from edesign.substructure.methods.comparison import response_error as error_of
+from edesign.substructure.methods.comparison import MethodRecord, checked_ground, positive
 from edesign.substructure.methods.rate import RateEffect, motion_frequency, rate_effect
 from edesign.substructure.methods.state_space import fixed_base, respond
 from edesign.substructure.structure.numerical import LinearPart
@@ -56,44 +55,31 @@ class ControlError:
 NO_ERROR = ControlError()
 
 
-@dataclass(frozen=True, eq=False)
-class PseudoDynamicRecord:
+@dataclass(frozen=True, eq=False, kw_only=True)
+class PseudoDynamicRecord(MethodRecord):
     """A pseudo-dynamic test in the time of the earthquake, beside the direct response; n samples of N of the record.
 
+    The test takes `time_scale` times as long; its `displacement` is what the integration asks for. The direct response
+    has real speed and no errors.
+
     Attributes:
-        time: (N,) s; the test takes `time_scale` times as long.
-        displacement: (n, d) that the integration asks for, of all degrees, m.
         target: (n,) deformation of the specimen that is asked for, m.
-        measured: (n,) deformation of the specimen, m.
-        force: (n,) of the specimen, N.
-        direct_displacement: (N, d) at real speed and without errors, m.
-        direct_deformation: (N,) of the specimen, m.
-        direct_force: (N,) of the specimen, N.
         time_scale: by which the test is slower.
         feedback: `measured` or `computed` displacement is what the integration goes on from.
         rate: the damper at the largest deformation and the mean frequency of the direct response, and slowed down.
         frequency: (m,) of the oscillating modes of the test, Hz, rising, of the linearised loop.
         damping: (m,) their damping ratios, which the undershoot changes; negative: the motion grows.
         amplification: largest growth of a motion in a step of the linearised loop; above 1: it grows for ever.
-        response_error: rms of the error of `measured` over that of the direct deformation, dimensionless.
         aborted: the test ended because the specimen came to the abort displacement, or a number was not finite.
     """
 
-    time: np.ndarray
-    displacement: np.ndarray
     target: np.ndarray
-    measured: np.ndarray
-    force: np.ndarray
-    direct_displacement: np.ndarray
-    direct_deformation: np.ndarray
-    direct_force: np.ndarray
     time_scale: float
     feedback: Feedback
     rate: RateEffect
     frequency: np.ndarray
     damping: np.ndarray
     amplification: float
-    response_error: float
     aborted: bool
 
 
@@ -156,8 +142,8 @@ def pseudo_dynamic_test(
         time=step * np.arange(values.size),
         displacement=test.displacement,
         target=test.target,
-        measured=test.measured,
-        force=test.force,
+        deformation=test.measured,
+        damper_force=test.force,
         direct_displacement=direct,
         direct_deformation=deformation,
         direct_force=direct_force,
@@ -167,7 +153,6 @@ def pseudo_dynamic_test(
         frequency=frequency,
         damping=damping,
         amplification=float(np.abs(poles).max()),
-        response_error=error_of(test.measured, deformation),
         aborted=len(test.measured) < values.size,
     )
 

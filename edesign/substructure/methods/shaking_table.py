@@ -12,9 +12,9 @@ from numpy.typing import ArrayLike
 from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
 from edesign.substructure.indicators.correlation_delay import correlation_delay
+from edesign.substructure.indicators.response_error import response_error
 from edesign.substructure.indicators.untold import Untold
-from edesign.substructure.methods.comparison import checked_ground, positive
-from edesign.substructure.methods.comparison import response_error as error_of
+from edesign.substructure.methods.comparison import MethodRecord, checked_ground, positive
 from edesign.substructure.methods.state_space import LinearSystem, fixed_base, respond
 from edesign.substructure.structure.numerical import LinearPart
 
@@ -62,43 +62,35 @@ class ShakingTable:
         return GAIN_MARGIN * self.gain if self.leakage is None else self.leakage
 
 
-@dataclass(frozen=True, eq=False)
-class ShakingTableRecord:
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ShakingTableRecord(MethodRecord):
     """A shaking table test beside the response to the ground motion itself; n samples, d degrees.
 
+    Displacements of the structure are relative to the table.
+
     Attributes:
-        time: (n,) s.
         command: (n,) acceleration that is commanded, the ground motion unless it was iterated, m/s2.
         ground: (n,) acceleration that the table should have, m/s2.
         table: (n,) acceleration of the table, m/s2.
         command_displacement: (n,) m.
         table_displacement: (n,) m.
-        displacement: (n, d) of the structure relative to the table, m.
-        deformation: (n,) of the damper, m.
-        damper_force: (n,) N.
-        direct_displacement: (n, d) under the ground motion itself, m.
-        direct_deformation: (n,) of the damper, m.
-        direct_force: (n,) of the damper, N.
         delay: by which the table is late as a whole, s; that does the structure no harm, and is taken off the errors.
         table_errors: (iterations + 1,) rms of table less ground over that of the ground, before and after each.
-        response_error: rms of the error of the displacements over that of the direct ones, dimensionless.
     """
 
-    time: np.ndarray
     command: np.ndarray
     ground: np.ndarray
     table: np.ndarray
     command_displacement: np.ndarray
     table_displacement: np.ndarray
-    displacement: np.ndarray
-    deformation: np.ndarray
-    damper_force: np.ndarray
-    direct_displacement: np.ndarray
-    direct_deformation: np.ndarray
-    direct_force: np.ndarray
     delay: float
     table_errors: np.ndarray
-    response_error: float
+
+    @property
+    def response_error(self) -> float:
+        """As of any method, against the direct response as late as the table."""
+        step = float(self.time[1] - self.time[0])
+        return response_error(self.deformation, _later(self.direct_deformation, self.delay, step))
 
 
 def shaking_table_test(
@@ -149,7 +141,7 @@ def shaking_table_test(
         states, damper_force = respond(system, command, step, damper)
         achieved = _table_acceleration(system, states, damper_force, len(part.names))
         delay = _delay(values, achieved, step)
-        errors.append(error_of(achieved, _later(values, delay, step)))
+        errors.append(response_error(achieved, _later(values, delay, step)))
         if again < iterations:
             command = command + _correction(values - achieved, table, step, band)
     direct, direct_force = respond(fixed_base(part), values, step, damper)
@@ -169,7 +161,6 @@ def shaking_table_test(
         direct_force=direct_force,
         delay=delay,
         table_errors=np.array(errors),
-        response_error=error_of(states[:, :n], _later(direct[:, :n], delay, step)),
     )
 
 

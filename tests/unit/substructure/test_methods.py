@@ -14,6 +14,7 @@ import scipy
 from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
 from edesign.project.damping import RayleighDamping
+from edesign.substructure.indicators.response_error import response_error
 from edesign.substructure.methods import (
     ControlError,
     Forcing,
@@ -21,7 +22,6 @@ from edesign.substructure.methods import (
     ShakingTable,
     effective_force_test,
     pseudo_dynamic_test,
-    response_error,
     shaking_table_test,
     steady_stiffness,
 )
@@ -175,7 +175,7 @@ def test_lag_with_measured_feedback_takes_amplitude_instead(omega_step):
     record = pseudo_dynamic_test(
         oscillator(1.0, 0.0, 0.0), spring(1.0), omega_step, kick(2000), error=ControlError(lag=lag), feedback="measured"
     )
-    first, last = np.array_split(np.abs(record.measured) / amplitude_right, 2)
+    first, last = np.array_split(np.abs(record.deformation) / amplitude_right, 2)
     assert first.max() == pytest.approx(0.98, abs=2e-3) and last.max() == pytest.approx(0.98, abs=2e-3)
 
 
@@ -227,7 +227,7 @@ def test_slow_test_of_a_maxwell_damper_gives_its_slow_stiffness(time_scale):
     record = pseudo_dynamic_test(part, damper, step, ground, time_scale=time_scale)
     slow = 1j * TURN * frequency * tau / time_scale
     expected = c / tau * slow / (1.0 + slow)
-    e, F = (amplitude(values, time, frequency) for values in (record.measured, record.force))
+    e, F = (amplitude(values, time, frequency) for values in (record.deformation, record.damper_force))
     # the velocity of the specimen is known to the second order in the step: (omega dt)^2 = 4e-4
     assert F / e == pytest.approx(expected, rel=1e-3)
     assert steady_stiffness(damper, 0.01, frequency / time_scale) == pytest.approx(expected, rel=1e-3)
@@ -255,7 +255,7 @@ def test_spring_is_the_same_at_any_speed():
     part = three_storeys()
     record = pseudo_dynamic_test(part, spring(4.346e6), 0.005, noise(1000, 0.005, 5.0), time_scale=200.0)
     fast = pseudo_dynamic_test(part, spring(4.346e6), 0.005, noise(1000, 0.005, 5.0), time_scale=1.0)
-    np.testing.assert_allclose(record.measured, fast.measured, atol=1e-14)
+    np.testing.assert_allclose(record.deformation, fast.deformation, atol=1e-14)
     assert record.rate.change < 1e-10
     # of the bare thesis frame with the spring; explicit Newmark shortens periods by (omega dt)^2 / 24 = 1e-3 at most
     np.testing.assert_allclose(record.frequency, part.frequencies(4.346e6), rtol=1e-3)
@@ -276,8 +276,8 @@ def test_growing_test_ends_at_the_abort_displacement():
     arguments = (oscillator(1.0, 0.0, 0.0), spring(1.0), 0.5, kick(400))
     record = pseudo_dynamic_test(*arguments, abort=5.0, **given)
     assert record.aborted
-    assert 0.9 * 5.0 / 1.5 < np.abs(record.measured).max() <= 5.0
-    assert len(record.measured) == len(record.force) == len(record.displacement) < len(record.time)
+    assert 0.9 * 5.0 / 1.5 < np.abs(record.deformation).max() <= 5.0
+    assert len(record.deformation) == len(record.damper_force) == len(record.displacement) < len(record.time)
 
 
 @pytest.mark.parametrize(
