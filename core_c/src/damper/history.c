@@ -1,4 +1,5 @@
 /* Dampers on their own: one step, and force histories under given deformation. */
+#include "base/finite.h"
 #include "damper/law.h"
 #include "damper/ode_system.h"
 
@@ -68,14 +69,6 @@ static ed_ode_system *system_for(const ed_damper *damper, int method, double tol
   return system;
 }
 
-static int all_finite(int n, const double *values)
-{
-  for (int i = 0; i < n; i++)
-    if (!isfinite(values[i]))
-      return 0;
-  return 1;
-}
-
 int ed_damper_step(const ed_damper *damper, int method, double tolerance, const double *committed, double h, double u0, double v0,
                    double u1, double v1, double *trial, double *force, double *slope)
 {
@@ -83,7 +76,7 @@ int ed_damper_step(const ed_damper *damper, int method, double tolerance, const 
   double none = 0.0;
   if (!(h > 0.0) || !isfinite(h + u0 + v0 + u1 + v1))
     return ED_E_ARGUMENT;
-  if (!all_finite(size, committed))
+  if (!ed_all_finite((size_t)size, committed))
     return ED_E_NOT_FINITE;
   if (size == 0) /* the caller need not have a place for nothing */
     committed = trial = &none;
@@ -102,7 +95,7 @@ int ed_damper_step(const ed_damper *damper, int method, double tolerance, const 
   ed_ode_system_free(system);
   if (status != ED_OK)
     return status;
-  if (!isfinite(out.force + out.slope[0] + out.slope[1]) || !all_finite(size, trial))
+  if (!isfinite(out.force + out.slope[0] + out.slope[1]) || !ed_all_finite((size_t)size, trial))
     return ED_E_NOT_FINITE;
   *force = out.force;
   slope[0] = out.slope[0];

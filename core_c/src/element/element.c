@@ -1,5 +1,6 @@
 #include "element/element.h"
 
+#include "base/finite.h"
 #include "base/symmetric.h"
 
 #include <math.h>
@@ -37,14 +38,6 @@ static void setup_link(ed_element *e, const ed_member *m, double dx, double dy)
         e->link[6 * i + j] += m->stiffness[k] * B[k][i] * B[k][j];
 }
 
-static int all_finite(int n, const double *values)
-{
-  int finite = 1;
-  for (int i = 0; i < n; i++)
-    finite &= isfinite(values[i]);
-  return finite;
-}
-
 int ed_element_setup(ed_element *e, const ed_model *model, int index)
 {
   const ed_member *m = &model->members[index];
@@ -62,7 +55,7 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
   e->length = hypot(dx, dy);
   if (m->kind == ED_LINK) {
     setup_link(e, m, dx, dy);
-    return isfinite(e->length) && all_finite(36, e->link);
+    return isfinite(e->length) && ed_all_finite(36, e->link);
   }
   e->c = dx / e->length;
   e->s = dy / e->length;
@@ -108,7 +101,7 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
     }
   }
   stiffness_of(e->flexibility, e->release, e->stiffness);
-  return isfinite(e->length) && all_finite(6, e->stiffness);
+  return isfinite(e->length) && ed_all_finite(6, e->stiffness);
 }
 
 int ed_element_block_size(const ed_element *e)

@@ -1,4 +1,5 @@
 /* A linear structure as a recursion: z' = A z + B w, y' = C z + D w. */
+#include "base/finite.h"
 #include "substructure/numerical.h"
 
 #include <math.h>
@@ -16,20 +17,12 @@ typedef struct {
   double *state, *z, *z_next;
 } recursion;
 
-static int all_finite(size_t n, const double *values)
-{
-  for (size_t i = 0; i < n; i++)
-    if (!isfinite(values[i]))
-      return 0;
-  return 1;
-}
-
 const char *ed_wrong_recursion(const ed_substructure_input *in)
 {
   if (in->n_states > ED_PART_MOST || in->n_outputs < 0 || in->n_outputs > ED_PART_MOST)
     return "the numerical part has too many states or outputs";
   const size_t n = (size_t)in->n_states, rows = ED_PART_TARGETS + (size_t)in->n_outputs;
-  if (!all_finite(n * n, in->A) || !all_finite(n * INPUTS, in->B) || !all_finite(rows * n, in->C) || !all_finite(rows * INPUTS, in->D))
+  if (!ed_all_finite(n * n, in->A) || !ed_all_finite(n * INPUTS, in->B) || !ed_all_finite(rows * n, in->C) || !ed_all_finite(rows * INPUTS, in->D))
     return "a value of the numerical part is not finite";
   return NULL;
 }
