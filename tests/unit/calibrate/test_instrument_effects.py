@@ -121,27 +121,20 @@ def test_an_actuator_makes_the_motion_of_its_transfer_function(from_rest: bool) 
         np.testing.assert_allclose(made.displacement[:30], np.interp(time[:30], fine, begun), atol=0.01 * 5e-3)
 
 
-def test_a_stiff_actuator_is_a_plain_delay_and_a_gain_is_one_of_the_displacement() -> None:
+def test_a_stiff_actuator_is_a_plain_delay() -> None:
     trial = _trial(60.0, 5.0)
     stiff = lag.Actuator().actuator({"lag": 0.0102, "f": 200.0, "zeta": 0.7}, trial, trial.motion)
     plain = lag.Delay().actuator({"lag": 0.0102}, trial, trial.motion)
     np.testing.assert_allclose(stiff.displacement[2:], plain.displacement[2:], atol=0.01 * 1e-3)  # begun from rest
-    p = {"lag": 0.0102, "f": 21.4, "zeta": 0.4}
-    larger = lag.ActuatorWithGain().actuator({**p, "g": 0.03}, trial, trial.motion)
-    np.testing.assert_allclose(
-        larger.displacement, 1.03 * lag.Actuator().actuator(p, trial, trial.motion).displacement, rtol=1e-12
-    )
 
 
 def test_an_actuator_is_asked_for_where_a_delay_was_found() -> None:
     """No candidate of a search by itself; as simple as a delay where it is stiff."""
     assert lag.Actuator not in lag.FORMS
     assert [type(form) for form in lag.Delay().finer()] == [lag.Actuator]
-    assert [type(form) for form in lag.Actuator().finer()] == [lag.ActuatorWithGain]
-    for form in (lag.Actuator(), lag.ActuatorWithGain()):
-        unknowns = form.unknowns(_sizes())
-        for start in form.starts(_sizes()):
-            assert all(u.lower < value < u.upper for u, value in zip(unknowns, start, strict=True))
+    unknowns = lag.Actuator().unknowns(_sizes())
+    for start in lag.Actuator().starts(_sizes()):
+        assert all(u.lower < value < u.upper for u, value in zip(unknowns, start, strict=True))
     ((simpler, values),) = lag.Actuator().simpler({"lag": 0.01, "f": 150.0, "zeta": 0.5})
     assert type(simpler) is lag.Delay and values["lag"] == 0.01
 

@@ -202,37 +202,9 @@ class Actuator(_Lag):
         """A plain delay, of an actuator that is stiff next to the motion."""
         return ((Delay(), p),)
 
-    def finer(self) -> tuple[Form, ...]:
-        """With a gain."""
-        return (ActuatorWithGain(),)
-
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
         from_rest, swings = trial.start is None, p["zeta"] / (np.pi * p["f"])
         return _later(_swung(motion, p["f"], p["zeta"], from_rest), p["lag"] - swings, from_rest=from_rest)
-
-
-class ActuatorWithGain(Actuator):
-    """As `actuator`, and the specimen moves by (1 + g) times as much."""
-
-    form: ClassVar[str] = "actuator_with_gain"
-    title: ClassVar[str] = "actuator that follows the recorded displacement late, as its target, with a gain"
-
-    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        return (*super().unknowns(sizes), Unknown("g", "", -0.5, 1.0, 0.1))
-
-    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((*row, 0.01) for row in super().starts(sizes))
-
-    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
-        """Without the gain."""
-        return ((Actuator(), p),)
-
-    def finer(self) -> tuple[Form, ...]:
-        return ()
-
-    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
-        made, gain = super().actuator(p, trial, motion), 1.0 + p["g"]
-        return Motion(motion.time, gain * made.displacement, gain * made.velocity, gain * made.acceleration)
 
 
 def _swung(motion: Motion, frequency: float, damping: float, from_rest: bool) -> Motion:
