@@ -34,6 +34,9 @@ def law_force(
     Raises:
         PredictionError: there is none.
     """
+    if motion.with_onset is not None:
+        whole, own = motion.with_onset
+        return law_force(law, values, whole, been, v_ref)[own]
     if motion.passing:
         return _force(law.name, tuple(values.values()), motion, been)
     return _kept_force(law.name, tuple(values.items()), motion, been, v_ref)

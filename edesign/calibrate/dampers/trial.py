@@ -23,6 +23,8 @@ APART = 1.0
 """K between temperatures that are not the same: a thermometer may be wrong by 0.2 K in each test."""
 
 _ROUNDED = 0.1  # parts of a step
+_NEAR = 1e-3
+"""Of a step, between samples before and after an onset: what it is late by is a thousandth of what a step tells."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,6 +35,8 @@ class Motion:
         passing: whether it stands between two rounds of a prediction, and is not asked for again.
         resampled: whether its samples are others than those of the test: what is defined from sample to sample is taken
             in the limit of short steps.
+        onset: time s and velocity m/s with which it sets out from rest between two samples; None: it does not. No cubic
+            between these follows a jump of the velocity.
     """
 
     time: np.ndarray
@@ -41,6 +45,7 @@ class Motion:
     acceleration: np.ndarray
     passing: bool = field(default=False, kw_only=True)
     resampled: bool = field(default=False, kw_only=True)
+    onset: tuple[float, float] | None = field(default=None, kw_only=True)
 
     def thinned(self, stride: int) -> Motion:
         """Every so many samples."""
@@ -51,6 +56,12 @@ class Motion:
             ),
             resampled=self.resampled or stride > 1,
         )
+
+    def times(self, factor: float) -> Motion:
+        """So many times as large."""
+        own = (factor * a for a in (self.displacement, self.velocity, self.acceleration))
+        onset = None if self.onset is None else (self.onset[0], factor * self.onset[1])
+        return Motion(self.time, *own, onset=onset)
 
     @cached_property
     def steps(self) -> np.ndarray:
@@ -72,6 +83,32 @@ class Motion:
     def spline(self) -> Spline:
         """Through histories on its samples."""
         return Spline(self.time)
+
+    @cached_property
+    def with_onset(self) -> tuple[Motion, np.ndarray] | None:
+        """With a sample just before the onset and one just after it, and where (n,) its own ones stand; None: there is
+        none. A sample of its own that is as near is the one after.
+
+        The one before is half as far from the onset as the one after, so that the velocity of the cubic between them
+        rises all the way, and not beyond its end.
+        """
+        if self.onset is None:
+            return None
+        time, velocity = self.onset
+        near = _NEAR * float(np.min(self.steps))
+        at = int(np.searchsorted(self.time, time - near))
+        on_sample = int(self.time[at] <= time + near)
+        if on_sample:
+            time = self.time[at] - near
+        if at == 0 or time - 0.5 * near <= self.time[at - 1]:
+            return None
+        u = self.displacement[at - 1]
+        added = np.array(((time - 0.5 * near, time + near), (u, u + near * velocity), (0.0, velocity), (0.0, 0.0)))
+        samples = np.array((self.time, self.displacement, self.velocity, self.acceleration))
+        whole = np.hstack((samples[:, :at], added, samples[:, at + on_sample :]))
+        own = np.arange(self.time.size)
+        own[at:] += 2 - on_sample
+        return Motion(*np.ascontiguousarray(whole), resampled=True), own
 
     @cached_property
     def path(self) -> np.ndarray:
@@ -100,7 +137,8 @@ class Motion:
         change = displacement - self.displacement
         rate = np.gradient(change, self.time)
         acceleration = self.acceleration + np.gradient(rate, self.time)
-        return replace(self, displacement=displacement, velocity=self.velocity + rate, acceleration=acceleration)
+        velocity = self.velocity + rate
+        return replace(self, displacement=displacement, velocity=velocity, acceleration=acceleration, onset=None)
 
 
 _KEPT = 256  # tests with what went before them

@@ -45,8 +45,7 @@ class Displacement(_Gain):
     signature: ClassVar[str] = "that of a gain of the force where the law is linear; by its tangent where it is not"
 
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
-        share = 1.0 / (1.0 + p["g"])
-        return Motion(motion.time, share * motion.displacement, share * motion.velocity, share * motion.acceleration)
+        return motion.times(1.0 / (1.0 + p["g"]))
 
 
 class _FromTest(Form):

@@ -31,9 +31,13 @@ def _later(motion: Motion, lag: float, skew: float = 0.0, from_rest: bool = Fals
     then = time - lag - skew * (time - time[0])
     known = np.clip(then, time[0], time[-1])
     u, v, a = (motion.spline.at(one, known) for one in (motion.displacement, motion.velocity, motion.acceleration))
+    onset = None
     if from_rest:
         v = np.where(then < time[0], 0.0, v)
-    return Motion(time, u + v * (then - known), v, np.where(then == known, a, 0.0))
+        begins = time[0] + lag / (1.0 - skew)
+        if time[0] < begins < time[-1] and motion.velocity[0]:
+            onset = (float(begins), float(motion.velocity[0]))
+    return Motion(time, u + v * (then - known), v, np.where(then == known, a, 0.0), onset=onset)
 
 
 def _period(sizes: Sizes) -> float:
