@@ -162,6 +162,14 @@ def test_a_late_motion_makes_a_late_force(late: float) -> None:
     np.testing.assert_allclose(found, exact, atol=2e-3 * np.max(np.abs(exact)))
 
 
+def test_a_rig_may_be_late_by_30_ms_however_fast_its_tests_are() -> None:
+    """Bonnet et al., in thesis 6.2.1; no more than a quarter of the slowest period, and slow loggers a twentieth."""
+    for frequency, longest in ((5.0, 0.03), (20.0, 0.0125), (0.5, 0.1)):
+        sizes = Sizes.of([_trial(50.0 * frequency, 10.0 / frequency, frequency)])
+        for form in (lag.Delay(), lag.Growing(), lag.Actuator()):
+            assert form.unknowns(sizes)[0].upper == pytest.approx(longest, rel=0.02)
+
+
 def test_a_motion_sets_out_from_rest_without_swinging() -> None:
     """Between the samples around an onset the velocity of the cubic rises from 0 to its own and not beyond."""
     late = lag.Delay().actuator({"lag": 0.0063}, _trial(25.0, 5.0), _trial(25.0, 5.0).motion)

@@ -14,6 +14,10 @@ from edesign.calibrate.unknown import Unknown
 
 _LONGEST, _SLOWEST = 0.05, 20.0
 """Of the slowest period, s, up to this one: more is another test, not a lag; no logger is a second late."""
+_LATEST, _QUARTER = 0.03, 0.25
+"""s: a rig may be as late behind its target, however fast the motion (Bonnet et al., in thesis 6.2.1: 5 to 30 ms). And
+of the slowest period, beyond which it moves against its target.
+"""
 _STARTS = (0.002, 0.02)  # of it: what a long lag does is not linear in it where tests are fast
 _SWINGS, _DAMPED, _STIFF = 20.0, 0.5, 200.0
 """Frequency (Hz) and damping from which that of an actuator is sought, as servo-hydraulic ones have 10 to 40 Hz; and
@@ -44,6 +48,12 @@ def _period(sizes: Sizes) -> float:
     return min(sizes.period, _SLOWEST)
 
 
+def _longest(sizes: Sizes) -> float:
+    """Of a motion that is late, s."""
+    period = _period(sizes)
+    return max(_LONGEST * period, min(_LATEST, _QUARTER * period))
+
+
 class _Lag(Form):
     name: ClassVar[str] = "lag"
     kind: ClassVar[Kind] = "instrument"
@@ -61,7 +71,7 @@ class Delay(_Lag):
     source: ClassVar[str] = "Horiuchi et al. (1999), Earthquake Engng Struct. Dyn. 28, 1121-1141; thesis chapter 6"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        longest = _LONGEST * _period(sizes)
+        longest = _longest(sizes)
         return (Unknown("lag", "s", -longest, longest, 0.1 * longest),)
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
@@ -88,7 +98,7 @@ class Growing(_Lag):
     source: ClassVar[str] = "skew of clocks: Mills (1991), IEEE Trans. Commun. 39, 1482-1493; as `delay`"
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        longest = _LONGEST * _period(sizes)
+        longest = _longest(sizes)
         most = longest / sizes.duration
         return (
             Unknown("lag", "s", -longest, longest, 0.1 * longest),
@@ -191,7 +201,7 @@ class Actuator(_Lag):
     )
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        longest = _LONGEST * _period(sizes)
+        longest = _longest(sizes)
         least = 1.0 / (np.pi * longest)  # of damping 1 and the longest lag
         return (
             Unknown("lag", "s", -longest, longest, 0.1 * longest),
