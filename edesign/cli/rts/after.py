@@ -13,6 +13,7 @@ from edesign.errors import AnalysisError, InputError
 
 if TYPE_CHECKING:
     from edesign.project.substructure.rts_file import RtsFile
+    from edesign.substructure.judgement.judge import Judgement
     from edesign.substructure.judgement.record_campaign import Displacement
 
 Json = Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of tables.")]
@@ -55,13 +56,18 @@ def identify(
 
 
 def judge(
-    record: Annotated[Path, typer.Argument(help="CSV with time, target, displacement, and force.", show_default=False)],
+    records: Annotated[
+        list[Path],
+        typer.Argument(metavar="CSV...", help="With time, target, displacement, and force.", show_default=False),
+    ],
     rts: Annotated[
-        Path | None, typer.Option("--rts", help="File of the test: judges the response of the structure too.")
+        Path | None, typer.Option("--rts", help="File of the tests: judges the response of the structure too.")
     ] = None,
-    test: Annotated[str | None, typer.Option("--test", help="Which test of it, if it has several.")] = None,
+    test: Annotated[
+        list[str] | None, typer.Option("--test", metavar="NAME", help="Of each CSV in turn, if its name does not say.")
+    ] = None,
     campaign: Annotated[
-        Path | None, typer.Option("--campaign", metavar="DIR", help="Write it as a campaign for `edesign calibrate`.")
+        Path | None, typer.Option("--campaign", metavar="DIR", help="Write them as a campaign for `edesign calibrate`.")
     ] = None,
     displacement: Annotated[
         str, typer.Option("--displacement", help="Of the campaign: target or encoder.")
@@ -69,24 +75,28 @@ def judge(
     check: Annotated[bool, typer.Option("--check", help="Exit with 3 if a criterion is not met.")] = False,
     as_json: Json = False,
 ) -> None:
-    """Judge a measured substructure test: tracking, error of the response, force against the law."""
+    """Judge measured substructure tests: tracking, error of the response, force against the law."""
     from edesign.one_thread import one_thread
     from edesign.report.substructure.judgement_tables import judgement_data, judgement_tables
     from edesign.report.text import print_tables
     from edesign.substructure.judgement.judge import judge as judged
 
     chosen, file = _displacement(displacement), _read(rts, test, campaign)
+    if test and len(test) != len(records):
+        raise InputError(f"--test: {len(test)} for {len(records)} CSVs; one for each of them, in their order, or none")
     with one_thread():
-        found = judged(record, file, test)
-    written = _write_campaign(record, file, campaign, chosen)
+        found = [judged(one, file, name) for one, name in zip(records, test or [None] * len(records), strict=True)]
+    written = _write_campaign(found, file, campaign, chosen)
     if as_json:
-        print(json.dumps(judgement_data(found), indent=2, allow_nan=False, ensure_ascii=False))
+        data = [judgement_data(one) for one in found]
+        print(json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False))
     else:
-        print_tables(judgement_tables(found))
+        print_tables([table for one in found for table in judgement_tables(one)])
         if written is not None:
             print(f"written: {written}")
-    if check and found.good is not True:
-        raise AnalysisError(f"{record}: {found.verdict}")
+    bad = [one for one in found if one.good is not True and (one.test is None or one.response is not None)]
+    if check and bad:
+        raise AnalysisError("; ".join(f"{one.source}: {one.verdict}" for one in bad))
 
 
 def _displacement(name: str) -> Displacement:
@@ -98,19 +108,20 @@ def _displacement(name: str) -> Displacement:
     return chosen
 
 
-def _read(rts: Path | None, test: str | None, campaign: Path | None) -> RtsFile | None:
+def _read(rts: Path | None, test: list[str] | None, campaign: Path | None) -> RtsFile | None:
     if rts is not None:
         return load_tests(rts)
     for option, value in (("--test", test), ("--campaign", campaign)):
-        if value is not None:
+        if value:
             raise InputError(f"{option}: only with --rts, which says law and specimen")
     return None
 
 
-def _write_campaign(record: Path, file: RtsFile | None, folder: Path | None, chosen: Displacement) -> Path | None:
-    from edesign.substructure.judgement.measured import read_measured
-    from edesign.substructure.judgement.record_campaign import CHANNELS, write_test_campaign
+def _write_campaign(
+    found: list[Judgement], file: RtsFile | None, folder: Path | None, chosen: Displacement
+) -> Path | None:
+    from edesign.substructure.judgement.record_campaign import write_record_campaign
 
     if folder is None or file is None:
         return None
-    return write_test_campaign(read_measured(record, CHANNELS[chosen], "force"), file, folder, chosen).path
+    return write_record_campaign(found, file, folder, chosen).path

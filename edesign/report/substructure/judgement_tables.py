@@ -35,6 +35,7 @@ def judgement_data(found: Judgement) -> dict[str, Any]:
         }
     return {
         "source": str(found.source),
+        "test": None if found.test is None else found.test.name,
         "step": found.step,
         "samples": found.samples,
         "tracking": {

@@ -13,7 +13,7 @@ from edesign.calibrate.noise import smooth
 from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
 from edesign.project.problems import unknown_name
-from edesign.project.substructure.programme import RtsTest
+from edesign.project.substructure.programme import CommandTest, RtsTest
 from edesign.project.substructure.quantities import MOST_DELAY
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.advice.expectation import Bench
@@ -99,15 +99,17 @@ class Judgement:
 
     Attributes:
         source: the record.
+        test: that was recorded; None without a file of substructure tests.
         step: between its samples, s.
         samples: how many.
         tracking: of the specimen.
-        response: None without a file of substructure tests.
+        response: None without a file, and of a test of the kind `command`, which has none.
         criteria: of that file.
         notes: what to mind, for people.
     """
 
     source: Path
+    test: RtsTest | CommandTest | None
     step: float
     samples: int
     tracking: Tracking
@@ -123,6 +125,8 @@ class Judgement:
     @property
     def verdict(self) -> str:
         """In one sentence."""
+        if self.test is not None and self.response is None:
+            return "no verdict: a command has no response of a structure"
         if not self.criteria:
             return "no verdict: the file of the test (--rts) says what a good one is"
         bad = [one.name for one in self.criteria if not one.met]
@@ -135,7 +139,7 @@ def judge(path: Path | str, file: RtsFile | None = None, test: str | None = None
     Args:
         path: CSV with time, target, displacement, and force if there is one.
         file: of substructure tests, from `load_rts_file`; None: tracking alone is judged.
-        test: of the file, of the kind `rts`; None: the only one.
+        test: of the file; None: as `chosen_test` finds it.
 
     Raises:
         InputError: the record cannot be read, or is not of that test; the message says why.
@@ -146,30 +150,50 @@ def judge(path: Path | str, file: RtsFile | None = None, test: str | None = None
             scale, unit = (1e3, "mm") if name == "displacement" else (1e-3, "kN")
             raise InputError(f"{record.path}: the {name} is cut off at {scale * level:.4g} {unit}: its sensor's range?")
     followed = tracking(record["target"], record["displacement"], record.step, record.channels.get("force"))
-    response = None if file is None else _response(record, file, test, followed)
-    criteria = () if file is None or response is None else _criteria(file, response)
+    chosen = None if file is None else chosen_test(file, record.path, test)
+    response = _response(record, file, chosen, followed) if file is not None and isinstance(chosen, RtsTest) else None
     return Judgement(
-        record.path, record.step, record.time.size, followed, response, criteria, _notes(record, followed, response)
+        source=record.path,
+        test=chosen,
+        step=record.step,
+        samples=record.time.size,
+        tracking=followed,
+        response=response,
+        criteria=() if file is None or response is None else _criteria(file, response),
+        notes=_notes(record, followed, response),
     )
 
 
-def chosen_test(file: RtsFile, name: str | None) -> RtsTest:
-    """Return the test of the kind `rts` that is meant.
+def chosen_test(file: RtsFile, path: Path, name: str | None = None) -> RtsTest | CommandTest:
+    """Return the test that a record is of.
+
+    Unless it is named, it is the test whose name the file has, alone or before `_`, as `edesign rts run --csv` names
+    files; the longest such name, if there are several. A file with another name is of the only test of the kind `rts`.
+
+    Args:
+        file: of substructure tests.
+        path: of the record.
+        name: of the test; None: it is not said.
 
     Raises:
         InputError: there is none of that name, or a name is needed.
     """
-    tests = {one.name: one for one in file.tests if isinstance(one, RtsTest)}
-    if name is not None and name not in tests:
-        raise InputError(f"{file.path}: {unknown_name('test of the kind `rts`', name, tests)}")
-    if name is None and len(tests) != 1:
+    tests = {one.name: one for one in file.tests if isinstance(one, (RtsTest, CommandTest))}
+    if name is not None:
+        if name not in tests:
+            raise InputError(f"{file.path}: {unknown_name('test of the kind `rts` or `command`', name, tests)}")
+        return tests[name]
+    alike = [one for one in tests if path.stem == one or path.stem.startswith(f"{one}_")]
+    in_loop = [one for one in tests.values() if isinstance(one, RtsTest)]
+    if alike:
+        return tests[max(alike, key=len)]
+    if len(in_loop) != 1:
         which = f"--test NAME: which of {', '.join(tests)}?" if tests else "there is no test of the kind `rts`"
-        raise InputError(f"{file.path}: {which}")
-    return tests[name] if name is not None else next(iter(tests.values()))
+        raise InputError(f"{path}: of which test of {file.path} is it? {which}")
+    return in_loop[0]
 
 
-def _response(record: MeasuredRecord, file: RtsFile, name: str | None, followed: Tracking) -> JudgedResponse:
-    test = chosen_test(file, name)
+def _response(record: MeasuredRecord, file: RtsFile, test: RtsTest, followed: Tracking) -> JudgedResponse:
     laboratory = VirtualLaboratory(file)
     drive = laboratory.drive(test)
     whole = laboratory.direct(drive)

@@ -1,7 +1,8 @@
-"""A measured substructure test as a campaign that `edesign calibrate` takes."""
+"""Measured substructure tests as a campaign that `edesign calibrate` takes."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -9,34 +10,39 @@ from edesign.damper.campaign import Campaign, write_campaign
 from edesign.damper.law_file import read_law_file
 from edesign.damper.temperature import REFERENCE_C
 from edesign.damper.test_files import LawChoice
-from edesign.damper.test_record import DamperTest
+from edesign.damper.test_record import DamperTest, Use
 from edesign.errors import InputError
 from edesign.project.dampers import LawDescription
+from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rts_file import RtsFile
-from edesign.substructure.judgement.measured import MeasuredRecord
+from edesign.substructure.judgement.judge import Judgement
+from edesign.substructure.judgement.measured import read_measured
 from edesign.substructure.laboratory import TestedDamper, laboratory
 
 Displacement = Literal["target", "encoder"]
 """Which displacement of a record the campaign has: what the specimen should do, or what was read at it."""
 CHANNELS: dict[Displacement, str] = {"target": "target", "encoder": "displacement"}
+EVERY = 3
+"""Which tests are to validate with: each third one, so that three tests suffice, two of which are fitted to."""
 
 
-def write_test_campaign(
-    record: MeasuredRecord, file: RtsFile, folder: Path, displacement: Displacement = "encoder"
+def write_record_campaign(
+    found: Sequence[Judgement], file: RtsFile, folder: Path, displacement: Displacement = "encoder"
 ) -> Campaign:
-    """Write a record as a campaign of one test: NAME.csv and campaign.yaml.
+    """Write records as one campaign: NAME.csv of each, and campaign.yaml.
 
     Force and displacement are those of one prototype of the law, as its parameters are. Effects of the specimen are
-    not named, so that they can be found.
+    not named, so that they can be found. Every third test is one to validate with, the others are to fit to.
 
     Args:
-        record: has target or displacement, and force.
-        file: of the test; says law and specimen.
+        found: what was judged with the file, in the order in which the tests were made.
+        file: of the tests; says law and specimen.
         folder: made if it does not exist.
         displacement: which one; with `target` a late rig is one of the things that are found.
 
     Raises:
-        InputError: the law has no size, or a channel is missing; the files would take the place of an input.
+        InputError: the law has no size, or a channel is missing; two records have one name; the files would take the
+            place of an input.
         ArchiveError: a file cannot be written.
     """
     damper = laboratory(file).damper
@@ -44,21 +50,30 @@ def write_test_campaign(
         raise InputError(f"{file.path}: specimen: a campaign needs a law; give `law` or `law_file`")
     if damper.specimen is None:
         raise InputError(f"{file.path}: specimen: the law has no `prototype`, so the size of the layers is not known")
-    for name in (CHANNELS[displacement], "force"):
-        if name not in record.channels:
-            raise InputError(f"{record.path}: there is no column of {name}, which the campaign needs")
+    tests = [
+        _test(one, damper, displacement, "validate" if number % EVERY == 0 else "fit")
+        for number, one in enumerate(found, start=1)
+    ]
+    said = _description(file, damper)
+    law = LawChoice(said.type or damper.values.law, said.parameters)
+    return write_campaign(folder, damper.specimen, tests, law, file.title or file.path.stem)
+
+
+def _test(found: Judgement, damper: TestedDamper, displacement: Displacement, use: Use) -> DamperTest:
+    channel = CHANNELS[displacement]
+    record = read_measured(found.source, channel, "force")
     force, deformation = damper.scales
-    test = DamperTest(
+    return DamperTest(
         name=record.path.stem,
         time=record.time,
-        displacement=deformation * record[CHANNELS[displacement]],
+        displacement=deformation * record[channel],
         force=record["force"] / force,
         temperature_C=REFERENCE_C if damper.temperature_C is None else damper.temperature_C,
         title=f"{record.path.stem}, displacement of the {displacement}",
+        use=use,
+        # time counts from the beginning of the ground motion; before it the specimen is at rest
+        start="at_rest" if isinstance(found.test, RtsTest) else "unknown",
     )
-    said = _description(file, damper)
-    law = LawChoice(said.type or damper.values.law, said.parameters)
-    return write_campaign(folder, damper.specimen, [test], law, f"{file.title or file.path.stem}: {record.path.stem}")
 
 
 def _description(file: RtsFile, damper: TestedDamper) -> LawDescription:

@@ -15,11 +15,11 @@ from edesign.cli.main import main
 from edesign.damper.campaign import load_campaign
 from edesign.errors import InputError
 from edesign.project.substructure import load_rts_file
+from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rts_file import RtsFile
-from edesign.substructure.judgement.judge import REPRODUCED, judge
-from edesign.substructure.judgement.measured import read_measured
+from edesign.substructure.judgement.judge import REPRODUCED, chosen_test, judge
 from edesign.substructure.judgement.measured_force import response_to_force
-from edesign.substructure.judgement.record_campaign import write_test_campaign
+from edesign.substructure.judgement.record_campaign import write_record_campaign
 from edesign.substructure.run import HEADERS, write_run
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.recursion import recursion
@@ -154,38 +154,70 @@ def test_an_oscillator_under_a_known_force_is_that_of_its_recursion() -> None:
 
 
 @pytest.mark.parametrize("displacement", ["target", "encoder"])
-def test_a_test_becomes_a_campaign_for_calibrate(tmp_path: Path, displacement: str) -> None:
-    path = record(tmp_path / "measured.csv")
+def test_tests_become_a_campaign_for_calibrate(tmp_path: Path, displacement: str) -> None:
+    """Three records of the test, one without compensator: two to fit to, and the third to validate with."""
+    names = {"el_centro": "modified", "el_centro_first": "first", "el_centro_none": "none"}
+    paths = [str(record(tmp_path / f"{name}.csv", compensator)) for name, compensator in names.items()]
     arguments = ["--rts", str(RTS), "--campaign", str(tmp_path / "campaign"), "--displacement", displacement]
-    assert main(["rts", "judge", str(path), *arguments]) == 0
+    assert main(["rts", "judge", *paths, *arguments]) == 0
     campaign = load_campaign(tmp_path / "campaign" / "campaign.yaml")
-    (test,) = campaign.tests
+    assert [(test.name, test.use) for test in campaign.tests] == list(
+        zip(names, ["fit", "fit", "validate"], strict=True)
+    )
     assert campaign.law is not None and campaign.law.parameters == "thesis_table_4_2"
-    assert campaign.specimen.layers == 2 and test.temperature_C == 20.0
-    run = runs()["modified"].record
-    assert run is not None
-    whole = run.target if displacement == "target" else run.measured
-    np.testing.assert_allclose(test.displacement, whole, atol=1e-10)
-    np.testing.assert_allclose(test.measured_force(), run.force, atol=1e-3)
+    assert campaign.specimen.layers == 2
+    for test, compensator in zip(campaign.tests, names.values(), strict=True):
+        run = runs()[compensator].record
+        assert run is not None and test.temperature_C == 20.0 and test.start == "at_rest"
+        whole = run.target if displacement == "target" else run.measured
+        np.testing.assert_allclose(test.displacement, whole, atol=1e-10)
+        np.testing.assert_allclose(test.measured_force(), run.force, atol=1e-3)
 
 
-def test_a_campaign_needs_its_channel(tmp_path: Path) -> None:
-    path = record(tmp_path / "measured.csv")
+def test_a_record_is_of_the_test_whose_name_it_has(tmp_path: Path) -> None:
+    """The longest such name; any other one is of the only test in the loop, unless its test is said."""
+    tests = {name: chosen_test(file(), Path(f"{name}.csv")).name for name in ("white_none", "cycles", "white2", "new")}
+    assert tests == {"white_none": "white", "cycles": "cycles", "white2": "el_centro", "new": "el_centro"}
+    assert chosen_test(file(), Path("white_none.csv"), "cycles").name == "cycles"
+    in_loop = file().tests[-1]
+    assert isinstance(in_loop, RtsTest)
+    names = ("white", "white_a")
+    two = file().model_copy(update={"tests": tuple(in_loop.model_copy(update={"name": name}) for name in names)})
+    assert chosen_test(two, Path("white_a_none.csv")).name == "white_a"
+    with pytest.raises(InputError, match="--test NAME: which of white, white_a"):
+        chosen_test(two, Path("measured.csv"))
+
+
+def test_a_command_is_judged_by_its_tracking_alone(tmp_path: Path) -> None:
+    found = judge(record(tmp_path / "cycles_none.csv", "none"), file())
+    assert found.response is None and found.good is None and "a command has no response" in found.verdict
+    arguments = ["rts", "judge", str(record(tmp_path / "white.csv")), "--rts", str(RTS), "--check"]
+    assert main(arguments) == 0  # there is no criterion that it could miss
+
+
+def test_a_campaign_needs_its_channels_and_a_name_for_each_test(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    one = record(tmp_path / "el_centro.csv")
+    found = judge(one, file())
+    other = tmp_path / "other"
+    other.mkdir()
+    with pytest.raises(InputError, match="two tests are called el_centro"):
+        write_record_campaign([found, judge(record(other / "el_centro.csv"), file())], file(), tmp_path / "campaign")
+    assert not (tmp_path / "campaign").exists()
+    table = np.loadtxt(one, delimiter=",", skiprows=1)[:, :-1]
+    write_csv_file(list(HEADERS[:-1]), table.tolist(), one, digits=9)
     with pytest.raises(InputError, match="no column of force"):
-        write_test_campaign(_without_force(path), file(), tmp_path / "campaign")
-
-
-def _without_force(path: Path):  # type: ignore[no-untyped-def]
-    found = read_measured(path)
-    channels = {name: values for name, values in found.channels.items() if name != "force"}
-    return type(found)(found.path, found.time, found.step, channels)
+        write_record_campaign([found], file(), tmp_path / "campaign")
+    assert main(["rts", "judge", str(one), str(one), "--rts", str(RTS), "--test", "el_centro"]) == 2
+    assert "1 for 2 CSVs; one for each of them" in capsys.readouterr().err
 
 
 def test_the_command_prints_json_and_says_what_it_needs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = record(tmp_path / "measured.csv", "none")
     assert main(["rts", "judge", str(path), "--rts", str(RTS), "--json", "--check"]) == 3
-    data = json.loads(capsys.readouterr().out)
-    assert data["good"] is False and data["response"]["test"] == "el_centro"
+    (data,) = json.loads(capsys.readouterr().out)
+    assert data["test"] == "el_centro" and data["good"] is False and data["response"]["test"] == "el_centro"
     assert [one["met"] for one in data["criteria"]] == [True, False, True]
     assert main(["rts", "judge", str(path), "--campaign", str(tmp_path / "c")]) == 2
     assert "only with --rts" in capsys.readouterr().err
