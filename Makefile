@@ -14,6 +14,8 @@ WORKERS ?= 2
 # make blind: how many campaigns, and of which draw
 CAMPAIGNS ?= 115
 SEED    ?= 1
+# make blind-rts: how many campaigns of substructure tests
+RTS_CAMPAIGNS ?= 100
 
 PY     := $(VENV)/bin/python
 BIN    := $(VENV)/bin
@@ -29,7 +31,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 THESIS := projects/thesis_10_storey
 RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
 
-.PHONY: help run study causes blind setup test slow test-setup lint types layers ctest pytest format bench memcheck clean distclean
+.PHONY: help run study causes blind blind-rts setup test slow test-setup lint types layers ctest pytest format bench memcheck clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
@@ -38,6 +40,7 @@ help:
 	@echo "make study     the thesis study: run it, compare it with the printed tables, write the report (study.html)"
 	@echo "make causes    what the damped frame's response depends on: ten variants beside Table 5.8"
 	@echo "make blind     calibration against data with hidden effects: CAMPAIGNS made by SEED, what was found, what was missed"
+	@echo "make blind-rts the same with substructure tests behind a late rig: RTS_CAMPAIGNS made by SEED"
 	@echo "make test      set up, then lint, types, import layers, C tests with sanitizers, Python tests"
 	@echo "make slow      the tests that make test leaves out for their time; CI runs them too"
 	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio; cost of dampers"
@@ -112,6 +115,9 @@ causes: setup
 
 blind: setup
 	@$(PY) -m blind --number $(CAMPAIGNS) --seed $(SEED) --folder build/blind_$(SEED)
+
+blind-rts: setup
+	@$(PY) -m blind.substructure --number $(RTS_CAMPAIGNS) --seed $(SEED) --folder build/blind_rts_$(SEED)
 
 bench: test-setup
 	@$(PY) -m benchmarks.run

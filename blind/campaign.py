@@ -92,7 +92,7 @@ def make(planned: Planned, seed: int) -> Campaign:
 def _drawn(rng: Generator, planned: Planned, seed: int) -> Campaign:
     forms = [_form(name, i) for name, i in planned.effects]
     trusted = any(form.needs == "trusted" for form in forms) or rng.random() < 0.12
-    declared, true = _law(rng, exact=trusted or rng.random() < 0.45)
+    declared, true = draw_law(rng, exact=trusted or rng.random() < 0.45)
     warm = any(form.needs == "temperatures" for form in forms)
     tests = programme(rng, warm)
     effects, alone = _effects(rng, true, tests, forms)
@@ -171,7 +171,7 @@ def _effects(
     """Effects with sizes drawn so that their shares are log-uniform."""
     least = SMALLEST if len(forms) < 2 else SMALLEST_OF_TWO
     for _ in range(DRAWS):
-        drawn = [_sized(rng, true, tests, form, least) for form in forms]
+        drawn = [sized(rng, true, tests, form, least) for form in forms]
         effects, alone = [effect for effect, _ in drawn], [value for _, value in drawn]
         if len(effects) < 2:
             return effects, alone
@@ -184,9 +184,10 @@ def _effects(
     raise Unreachable(f"no draw of {', '.join(f'{form.name} {form.form}' for form in forms)} shows both")
 
 
-def _sized(
+def sized(
     rng: Generator, true: Parameters, tests: list[Trial], form: type[Effect], least: float
 ) -> tuple[Effect, float]:
+    """An effect with a size that makes its share log-uniform from the least one on, and that share."""
     target = log_uniform(rng, least, LARGEST)
     for i in range(DRAWS):
         effect = form(rng, tests)
@@ -198,7 +199,7 @@ def _sized(
     raise Unreachable(f"{form.name} {form.form}: no draw reaches {target:.2g}")
 
 
-def _law(rng: Generator, exact: bool) -> tuple[Parameters | None, Parameters]:
+def draw_law(rng: Generator, exact: bool) -> tuple[Parameters | None, Parameters]:
     """Declared parameters (None: Table 4.2 by name) and true ones."""
     own = rng.random() < 0.3
     spread = rng.uniform(0.03, 0.15)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Callable
 from pathlib import Path
 
 from blind.campaign import make
@@ -11,8 +12,21 @@ from blind.run import outcome_path
 from blind.write import truth_path, write
 
 
-def generate(planned: Planned, seed: int, folder: Path) -> Path:
+def write_new(planned: Planned, seed: int, folder: Path) -> None:
+    """Make a campaign and write it into its folder."""
+    write(make(planned, seed), folder)
+
+
+def generate(
+    planned: Planned, seed: int, folder: Path, write_new: Callable[[Planned, int, Path], None] = write_new
+) -> Path:
     """Make a campaign, unless this very one is there.
+
+    Args:
+        planned: the campaign.
+        seed: of everything.
+        folder: for all campaigns.
+        write_new: makes and writes it.
 
     Returns:
         Its folder.
@@ -26,6 +40,6 @@ def generate(planned: Planned, seed: int, folder: Path) -> Path:
     outcome_path(place).unlink(missing_ok=True)
     for old in place.glob("*.csv"):
         old.unlink()
-    write(make(planned, seed), place)
+    write_new(planned, seed, place)
     mark.write_text(json.dumps(wanted) + "\n", encoding="ascii")
     return place

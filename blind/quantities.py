@@ -8,7 +8,7 @@ from typing import Any
 
 NORMAL_95 = 1.96
 
-_SI = {
+SI = {
     "s": (1.0, "s"),
     "ms": (1e-3, "s"),
     "N": (1.0, "N"),
@@ -28,6 +28,7 @@ _SI = {
     "": (1.0, "1"),
     "%": (1e-2, "1"),
 }
+"""Units with their factor and that of SI."""
 
 
 @dataclass(frozen=True)
@@ -110,12 +111,12 @@ def compared(true: Mapping[str, Any], found: Mapping[str, Any]) -> list[dict[str
         if true["form"] not in same.forms or (same.in_forms and not any(word in form for word in same.in_forms)):
             continue
         right = true["parameters"][same.true]
-        scale, dimension = _SI[right["unit"]]
+        scale, dimension = SI[right["unit"]]
         for name in same.names:
             parameter = given.get(name)
             if not isinstance(parameter, Mapping) or parameter.get("value") is None:
                 continue
-            unit, its_dimension = _SI.get(str(parameter.get("unit") or ""), (1.0, "unknown"))
+            unit, its_dimension = SI.get(str(parameter.get("unit") or ""), (1.0, "unknown"))
             if its_dimension != dimension:
                 continue
             a, b = scale * right["value"], unit * float(parameter["value"])

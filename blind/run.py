@@ -8,6 +8,7 @@ import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +16,9 @@ LONGEST = 1800.0  # s
 RESULT = "calibration.json"
 
 
-def command(campaign: Path, out: Path) -> list[str]:
+def command(campaign: Path, out: Path, options: Sequence[str] = ()) -> list[str]:
     """The command; what changes in its options changes here."""
-    return [sys.executable, "-m", "edesign", "calibrate", str(campaign / "campaign.yaml"), "--out", str(out)]
+    return [sys.executable, "-m", "edesign", "calibrate", str(campaign / "campaign.yaml"), "--out", str(out), *options]
 
 
 def outcome_path(campaign: Path) -> Path:
@@ -30,12 +31,13 @@ def result_folder(campaign: Path) -> Path:
     return campaign.with_name(f"{campaign.name}.result")
 
 
-def calibrate(campaign: Path, again: bool = False) -> dict[str, Any]:
+def calibrate(campaign: Path, again: bool = False, options: Sequence[str] = ()) -> dict[str, Any]:
     """Calibrate with a campaign, unless that has been done.
 
     Args:
         campaign: its folder.
         again: even if it has been done.
+        options: more of the command.
 
     Returns:
         seconds, and failure: a message or None.
@@ -46,7 +48,7 @@ def calibrate(campaign: Path, again: bool = False) -> dict[str, Any]:
     out = result_folder(campaign)
     shutil.rmtree(out, ignore_errors=True)
     start = time.monotonic()
-    failure = _run(command(campaign, out))
+    failure = _run(command(campaign, out, options))
     outcome = {"seconds": time.monotonic() - start, "failure": failure}
     if failure is None and result(campaign) is None:
         outcome["failure"] = f"no readable {RESULT}"

@@ -123,7 +123,7 @@ def test_every_compared_parameter_is_told() -> None:
 
     from blind.effects import EFFECTS
     from blind.programme import programme
-    from blind.quantities import _SI, SAME
+    from blind.quantities import SAME, SI
 
     tests = programme(np.random.default_rng(0), temperatures=True)
     for name, pairs in SAME.items():
@@ -131,7 +131,7 @@ def test_every_compared_parameter_is_told() -> None:
         for same in pairs:
             for form in same.forms:
                 told = forms[form](np.random.default_rng(0), tests).told()
-                assert told[same.true][1] in _SI, (name, form, same.true)
+                assert told[same.true][1] in SI, (name, form, same.true)
 
 
 @pytest.fixture
@@ -147,7 +147,9 @@ def fake(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Path:
         "(out.parent / 'calls').open('a').write('x')\n"
     )
     monkeypatch.setattr(
-        run, "command", lambda campaign, out: [sys.executable, str(script), str(campaign / "campaign.yaml"), str(out)]
+        run,
+        "command",
+        lambda campaign, out, options: [sys.executable, str(script), str(campaign / "campaign.yaml"), str(out)],
     )
     return tmp_path
 
