@@ -84,8 +84,9 @@ def judge(
     chosen, file = _displacement(displacement), _read(rts, test, campaign)
     if test and len(test) != len(records):
         raise InputError(f"--test: {len(test)} for {len(records)} CSVs; one for each of them, in their order, or none")
+    names: list[str | None] = [*test] if test else [None] * len(records)
     with one_thread():
-        found = [judged(one, file, name) for one, name in zip(records, test or [None] * len(records), strict=True)]
+        found = [judged(one, file, name) for one, name in zip(records, names, strict=True)]
     written = _write_campaign(found, file, campaign, chosen)
     if as_json:
         data = [judgement_data(one) for one in found]
