@@ -162,6 +162,10 @@ class SecondOrder(_Lag):
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
         return tuple((0.8 / (np.pi * share * _period(sizes)), 0.8) for share in _STARTS)
 
+    def finer(self) -> tuple[Form, ...]:
+        """An actuator that swings likewise."""
+        return (Actuator(),)
+
     def channel(self, p: Values, trial: Trial, force: np.ndarray) -> np.ndarray:
         return swung_force(trial.motion, force - force[0], p["f"], p["zeta"]) + force[0]
 
@@ -191,7 +195,7 @@ class Actuator(_Lag):
 
     P(s) = e^(-tau s) / (1 + 2 zeta s/w + s^2/w^2), w = 2 pi f; slow motions are late by lag = tau + 2 zeta/w. No
     candidate of a search: beside other effects it would take for its own what dashpots and masses do. It is asked
-    where a delay was found, plain or growing, and more than noise is left.
+    where a delay, plain or growing, or a filter of second order was found and more than noise is left.
     """
 
     refined: int = 4
