@@ -17,6 +17,7 @@ from edesign.project.substructure.programme import (
     RecordTest,
     SineCommand,
     SweepCommand,
+    Undershoot,
 )
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure
@@ -41,7 +42,7 @@ def check_tests(rts: RtsFile, problems: Problems) -> None:
         if isinstance(test, CommandTest):
             _command(rts, test.command, (*keys, "command"), problems)
             continue
-        if isinstance(test, PseudoDynamicTest) and test.error is not None and test.error.share >= 1.0:
+        if isinstance(test, PseudoDynamicTest) and isinstance(test.error, Undershoot) and test.error.share >= 1.0:
             message = "an actuator that stops short by all of its way does not move; the share is below 100 %"
             problems.at_value((*keys, "error", "share"), message)
         if isinstance(test, PseudoDynamicTest) and test.time_scale < 1.0:

@@ -12,6 +12,7 @@ from edesign.project.substructure.quantities import (
     Band,
     Hertz,
     Hertzes,
+    NoNegativeRate,
     PositiveVelocityPerForce,
     Rate,
     SweepBand,
@@ -22,7 +23,9 @@ from edesign.project.units import (
     PositiveLength,
     PositiveMass,
     PositiveRatio,
+    PositiveStiffness,
     PositiveTime,
+    UnitRatio,
 )
 
 TestName = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]
@@ -115,40 +118,67 @@ class Undershoot(Model):
     share: PositiveRatio
 
 
+class Lag(Model):
+    """The actuator stays behind by a displacement (m), against the direction of each increment."""
+
+    kind: Literal["lag"]
+    displacement: PositiveLength
+
+
+class ControlNoise(Model):
+    """Where the actuator stops is off at random, with a standard deviation (m)."""
+
+    kind: Literal["noise"]
+    displacement: PositiveLength
+    seed: Annotated[int, Field(ge=0)] = 1
+
+
+AnyControlError = Annotated[
+    Annotated[Undershoot, Tag("?kind=undershoot")]
+    | Annotated[Lag, Tag("?kind=lag")]
+    | Annotated[ControlNoise, Tag("?kind=noise")],
+    Discriminator(by_key("kind")),
+]
+
+
 class PseudoDynamicTest(RecordTest):
     """A pseudo-dynamic test, `time_scale` times as slow as the earthquake.
 
-    `feedback`: the integration goes on from the displacement that was measured, or the one that was computed.
+    `physical`: the damper alone is tested, or the whole structure with an actuator a degree. `feedback`: the
+    integration goes on from the displacement that was measured, or the one that was computed.
     """
 
     kind: Literal["pseudo_dynamic"]
+    physical: Literal["specimen", "structure"] = "specimen"
     time_scale: PositiveFactor = 100.0
-    error: Undershoot | None = None
+    error: AnyControlError | None = None
     feedback: Literal["measured", "computed"] = "measured"
 
 
 class EffectiveForceTest(RecordTest):
-    """An effective force test: the force loop has a gain (m/s/N), and perhaps feeds the velocity back."""
+    """An effective force test: gain of the force loop (m/s/N), oil (N/m), share of the velocity that is fed back."""
 
     kind: Literal["effective_force"]
     gain: PositiveVelocityPerForce
-    velocity_feedback: bool = False
+    oil_stiffness: PositiveStiffness | None = None
+    velocity_feedback: UnitRatio = 0.0
 
 
 class Table(Model):
-    """A shaking table: its mass (kg), the frequency of the oil below it (Hz), the gain of its loop (1/s)."""
+    """A shaking table: its mass (kg), the frequency of the oil below it (Hz), gain of its loop and leakage (1/s)."""
 
     mass: PositiveMass
     oil_frequency: Hertz
     gain: Rate
+    leakage: NoNegativeRate | None = None
 
 
 class ShakingTableTest(RecordTest):
-    """The whole structure on a shaking table."""
+    """The whole structure on a shaking table, whose command is corrected in so many iterations before."""
 
     kind: Literal["shaking_table"]
     table: Table
-    payload: Literal["whole"] = "whole"
+    iterations: Annotated[int, Field(ge=0, le=20)] = 0
 
 
 AnyTest = Annotated[

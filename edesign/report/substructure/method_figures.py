@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -23,9 +24,10 @@ from edesign.report.substructure.response_figures import (
 )
 from edesign.report.substructure.results import BEST, FIRST, OTHERS, Series, SubstructureResults, times
 from edesign.report.substructure.tables import METHODS
-from edesign.substructure.methods.effective_force import Forcing, force_transfer
+from edesign.substructure.methods.effective_force import force_transfer
+from edesign.substructure.methods.method_tests import forcing_of, table_of
 from edesign.substructure.methods.rate import motion_frequency, steady_stiffness
-from edesign.substructure.methods.shaking_table import ShakingTable, table_transfer
+from edesign.substructure.methods.shaking_table import table_transfer
 from edesign.substructure.sized_damper import SizedDamper
 from edesign.substructure.stability.loop import Transfer
 from edesign.substructure.structure.numerical import LinearPart
@@ -110,13 +112,13 @@ def _effective_force(test: EffectiveForceTest, part: LinearPart, stiffness: comp
 
     def arrives(share: float) -> Transfer:
         def transfer(s: np.ndarray) -> np.ndarray:
-            forcing, frequency = Forcing(test.gain, velocity_feedback=share), s.imag / (2.0 * np.pi)
+            forcing, frequency = replace(forcing_of(test), velocity_feedback=share), s.imag / (2.0 * np.pi)
             force, _ = force_transfer(part, forcing, frequency, stiffness)
             return np.asarray(np.einsum("i,mij,j->m", shapes[:, 0], force, load))
 
         return transfer
 
-    own = float(test.velocity_feedback)
+    own = test.velocity_feedback
     paths = []
     for share, text, color in (
         (0.0, "no velocity feedback", FIRST),
@@ -139,7 +141,7 @@ def _effective_force(test: EffectiveForceTest, part: LinearPart, stiffness: comp
 
 def _shaking_table(test: ShakingTableTest, part: LinearPart, stiffness: complex) -> Drawn:
     """Displacement of the table over its command, with the structure and without."""
-    table = ShakingTable(test.table.mass, test.table.oil_frequency, test.table.gain)
+    table = table_of(test)
     lines = part.frequencies(stiffness.real).tolist()
     band = (lines[0] / BELOW, 2.0 * max(lines[0], table.oil_frequency))
     frequency = np.geomspace(*band, 2000)

@@ -8,7 +8,15 @@ from math import inf
 import numpy as np
 
 from edesign.errors import AnalysisError, InputError
-from edesign.project.substructure.programme import EffectiveForceTest, PseudoDynamicTest, ShakingTableTest
+from edesign.project.substructure.programme import (
+    AnyControlError,
+    ControlNoise,
+    EffectiveForceTest,
+    Lag,
+    PseudoDynamicTest,
+    ShakingTableTest,
+    Undershoot,
+)
 from edesign.substructure.laboratory import Laboratory
 from edesign.substructure.methods import (
     ControlError,
@@ -19,6 +27,7 @@ from edesign.substructure.methods import (
     pseudo_dynamic_test,
     shaking_table_test,
 )
+from edesign.substructure.methods.pseudo_dynamic import NO_ERROR
 from edesign.substructure.sized_damper import SizedDamper
 from edesign.substructure.structure.numerical import LinearPart
 
@@ -94,8 +103,9 @@ def _pseudo_dynamic(test: PseudoDynamicTest, of: _Setting, abort: float) -> Meth
         of.step,
         of.ground,
         time_scale=test.time_scale,
-        error=ControlError(undershoot=test.error.share if test.error is not None else 0.0),
+        error=_control_error(test.error),
         feedback=test.feedback,
+        physical=test.physical,
         abort=abort,
     )
     figures = (
@@ -106,9 +116,29 @@ def _pseudo_dynamic(test: PseudoDynamicTest, of: _Setting, abort: float) -> Meth
     return MethodResults(test.name, test.kind, record, figures, told, "unstable" if record.aborted else "done")
 
 
+def _control_error(described: AnyControlError | None) -> ControlError:
+    match described:
+        case Undershoot():
+            return ControlError(undershoot=described.share)
+        case Lag():
+            return ControlError(lag=described.displacement)
+        case ControlNoise():
+            return ControlError(noise=described.displacement, seed=described.seed)
+    return NO_ERROR
+
+
+def forcing_of(test: EffectiveForceTest) -> Forcing:
+    """Return the actuators of an effective force test."""
+    return Forcing(test.gain, test.oil_stiffness or inf, test.velocity_feedback)
+
+
+def table_of(test: ShakingTableTest) -> ShakingTable:
+    """Return the table of a test."""
+    return ShakingTable(test.table.mass, test.table.oil_frequency, test.table.gain, test.table.leakage)
+
+
 def _effective_force(test: EffectiveForceTest, of: _Setting) -> MethodResults:
-    forcing = Forcing(test.gain, velocity_feedback=float(test.velocity_feedback))
-    record = effective_force_test(of.part, of.device, of.step, of.ground, forcing)
+    record = effective_force_test(of.part, of.device, of.step, of.ground, forcing_of(test))
     figures = (
         ("force_ratio", float(abs(record.force_ratio[0])), "1", "force over command at the first frequency"),
         ("added_damping", float(record.added_damping[0]), "1", "damping ratio that actuators add to mode 1"),
@@ -118,8 +148,7 @@ def _effective_force(test: EffectiveForceTest, of: _Setting) -> MethodResults:
 
 
 def _shaking_table(test: ShakingTableTest, of: _Setting) -> MethodResults:
-    table = ShakingTable(test.table.mass, test.table.oil_frequency, test.table.gain)
-    record = shaking_table_test(of.part, of.device, of.step, of.ground, table)
+    record = shaking_table_test(of.part, of.device, of.step, of.ground, table_of(test), iterations=test.iterations)
     figures = (
         ("table_error", float(record.table_errors[-1]), "1", "root mean square error of the table"),
         ("table_delay", record.delay, "s", "by which the table is late as a whole"),

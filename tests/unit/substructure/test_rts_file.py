@@ -85,8 +85,8 @@ tests:
   - {{name: el_centro, kind: rts, record: el_centro, scale: 0.18, free_vibration: 2 s}}
   - {{name: of_analysis, kind: rts}}
   - {{name: slow, kind: pseudo_dynamic, scale: 0.1, time_scale: 50, error: {{kind: undershoot, share: 2 %}}}}
-  - {{name: force, kind: effective_force, gain: 1e-3 m/s/N, velocity_feedback: true}}
-  - {{name: table, kind: shaking_table, table: {{mass: 2 t, oil_frequency: 20 Hz, gain: 60 /s}}, payload: whole}}
+  - {{name: force, kind: effective_force, gain: 1e-3 m/s/N, oil_stiffness: 50 kN/mm, velocity_feedback: 95 %}}
+  - {{name: table, kind: shaking_table, table: {{mass: 2 t, oil_frequency: 20 Hz, gain: 60 /s}}, iterations: 3}}
 criteria: {{response_error: 4 %, delay_margin: 3}}
 outputs: {{archive: thesis_rts.h5, histories: [target, measured, command, force, alpha, energy]}}
 """
@@ -546,7 +546,13 @@ def test_nothing_to_test() -> None:
         ("free_vibration: 2 s", "free_vibration: @-2 s", "must not be negative"),
         ("share: 2 %", "share: @200 %", "`200 %` is out of range"),
         ("gain: 1e-3 m/s/N", "gain: @1e-3 m/s", "but a velocity per force"),
-        ("payload: whole", "payload: @half", "`half` is unknown (allowed: `whole`)"),
+        ("velocity_feedback: 95 %", "velocity_feedback: @120 %", "`120 %` is out of range"),
+        (
+            "kind: undershoot",
+            "kind: @overshoot",
+            "`overshoot` is unknown; did you mean `undershoot`? (allowed: `undershoot`, `lag`, `noise`)",
+        ),
+        ("iterations: 3", "iterations: @-1", "it must be at least 0"),
         # criteria and outputs
         ("response_error: 4 %", "response_error: @0 %", "`0 %` is out of range"),
         ("thesis_rts.h5", "@thesis_rts.csv", "`thesis_rts.csv` needs the ending .h5, .hdf5 or .nc"),

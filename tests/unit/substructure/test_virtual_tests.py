@@ -21,6 +21,7 @@ from edesign.project.substructure import load_rts_file
 from edesign.project.substructure.checks_compensators import TAKEN
 from edesign.stopping import Stopped
 from edesign.substructure.archived import groups
+from edesign.substructure.methods import PseudoDynamicRecord, ShakingTableRecord
 from edesign.substructure.virtual_tests import Drive, TestResults, VirtualLaboratory
 
 PROJECTS = Path(__file__).parents[3] / "projects"
@@ -235,6 +236,34 @@ def test_a_linear_building_is_that_of_lsim(tmp_path: Path, force: str, order: fl
         rms = np.sqrt(np.mean((drifts - exact) ** 2, axis=0) / np.mean(exact**2, axis=0))
         assert one.building_error == pytest.approx(np.max(rms), rel=0.15)
     assert np.log2(np.divide(errors[:3], errors[3:])) == pytest.approx(order, abs=0.1)
+
+
+def test_errors_and_corrections_of_other_methods_are_said_in_the_file(tmp_path: Path) -> None:
+    """Each does what the method is known for.
+
+    Random errors reach the record (Shing & Mahin 1983: with measured displacement they are the deformation itself); a
+    lag is there in each step; corrections by the inverse of the bare table bring the response to that of the ground motion.
+    """
+    table = "kind: shaking_table, record: el_centro, scale: 0.18"
+    loaded = "table: {mass: 300 t, oil_frequency: 20 Hz, gain: 60 /s}"
+    slow = "kind: pseudo_dynamic, record: el_centro, scale: 0.18, time_scale: 1"
+    three = THREE.replace("@step@", "5").replace("@force@", "held")
+    text = three[: three.index("tests:")] + (
+        "tests:\n"
+        f"  - {{name: noisy, {slow}, physical: structure, error: {{kind: noise, displacement: 50 um}}}}\n"
+        f"  - {{name: lagging, {slow}, error: {{kind: lag, displacement: 5 um}}}}\n"
+        f"  - {{name: alone, {table}, {loaded}}}\n"
+        f"  - {{name: corrected, {table}, {loaded}, iterations: 3}}\n"
+    )
+    path = tmp_path / "rts.yaml"
+    path.write_text(text, encoding="utf-8")
+    noisy, lagging, alone, corrected = (one.record for one in VirtualLaboratory(load_rts_file(path)).run_others())
+    assert isinstance(noisy, PseudoDynamicRecord) and isinstance(lagging, PseudoDynamicRecord)
+    assert np.std(noisy.deformation - noisy.target) == pytest.approx(2.0**0.5 * 50e-6, rel=0.03)  # two floors
+    assert np.abs(lagging.deformation - lagging.target)[10:] == pytest.approx(5e-6, rel=1e-6)
+    assert isinstance(alone, ShakingTableRecord) and isinstance(corrected, ShakingTableRecord)
+    assert corrected.table_errors.size == 4
+    assert corrected.response_error < 0.2 * alone.response_error
 
 
 @pytest.mark.parametrize("kind", ["pseudo_dynamic", "effective_force, gain: 1e-3 m/s/N"])
