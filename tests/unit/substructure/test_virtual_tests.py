@@ -242,7 +242,7 @@ def test_errors_and_corrections_of_other_methods_are_said_in_the_file(tmp_path: 
     """Each does what the method is known for.
 
     Random errors reach the record (Shing & Mahin 1983: with measured displacement they are the deformation itself); a
-    lag is there in each step; corrections by the inverse of the bare table bring the response to that of the ground motion.
+    lag is there in each step; corrections by the inverse of the bare table bring the response to the direct one.
     """
     table = "kind: shaking_table, record: el_centro, scale: 0.18"
     loaded = "table: {mass: 300 t, oil_frequency: 20 Hz, gain: 60 /s}"
