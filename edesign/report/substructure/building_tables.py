@@ -57,12 +57,13 @@ def _energy(*terms: str) -> Measure:
     return of
 
 
-BALANCE = "balance"
-"""What is left of the energies: an error itself, which has none."""
+BALANCE, RESIDUAL = "balance", "residual [%]"
+LEFT = (BALANCE, RESIDUAL)
+"""What is left of the energies, and of the drift: mostly near zero, so that an error over it says nothing."""
 PEAKS: tuple[tuple[str, Measure, float], ...] = (
     ("drift [%]", _measure("interstorey_drift"), 0.01),
     ("drift [mm]", _storey_displacement, 1e-3),
-    ("residual [%]", _measure("residual_interstorey_drift"), 0.01),
+    (RESIDUAL, _measure("residual_interstorey_drift"), 0.01),
     ("floor a [m/s2]", _floor_acceleration, 1.0),
     ("base shear [kN]", _measure("base_shear_N"), 1e3),
     ("plastic rot. [mrad]", _measure("beam_plastic_rotation_rad", "column_plastic_rotation_rad"), 1e-3),
@@ -129,7 +130,7 @@ def _beside(
             whole = group.attributes.get("status") == "completed"
             direct = known.get(DIRECT) if name != DIRECT and whole else None
             cells = [
-                _cell(of(group), None if direct is None or header == BALANCE else of(direct), unit)
+                _cell(of(group), None if direct is None or header in LEFT else of(direct), unit)
                 for header, of, unit in shown
             ]
             table.rows.append([test, name if whole else f"{name} *", *cells])
