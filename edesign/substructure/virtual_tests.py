@@ -351,8 +351,12 @@ class VirtualLaboratory:
         response = structure.frame.tested(found, drive.ground, self.file.loop.main_step)
         return response.group, response.drift
 
-    def _in_loop(self) -> Recursion | FrameNumericalPart:
-        """The numerical part of tests with a loop."""
+    def in_loop(self) -> Recursion | FrameNumericalPart:
+        """Return the numerical part of tests with a loop.
+
+        Raises:
+            InputError: the integrator is unstable with the main step.
+        """
         file, structure = self.file, self.laboratory.structure
         if structure is not None and structure.frame is not None:
             return structure.frame.numerical_part(file.loop.force, file.integration.frame_steps)
@@ -370,7 +374,7 @@ class VirtualLaboratory:
             lab.rig,
             self.damper.values,
             sensors=lab.sensors,
-            numerical=self._in_loop() if closed else None,
+            numerical=self.in_loop() if closed else None,
             limits=lab.limits,
             flexibility=lab.flexibility,
             corrected=lab.corrected,

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 
+from edesign.core.substructure import Recursion
 from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
 from edesign.project.substructure import compensators as kinds
 from edesign.substructure.advice.loaded_rig import loaded_poles, swinging, swings
+from edesign.substructure.advice.sampled_rig import MOST_SUB_STEPS, sampled_rig
 from edesign.substructure.advice.transfers import (
     CompensatorTransfer,
     followed,
@@ -28,7 +30,8 @@ from edesign.substructure.laboratory import TestedDamper
 from edesign.substructure.stability.expected import DirectResponse, expected_errors
 from edesign.substructure.stability.loop import Loop, Transfer
 from edesign.substructure.stability.margins import LoopMode, LoopStability, critical_delays, loop_stability
-from edesign.substructure.stability.specimens import linearised_law
+from edesign.substructure.stability.sampled import SampledLoop, SampledPlant, SampledStability
+from edesign.substructure.stability.specimens import linearised_law, tabulated_specimen
 from edesign.substructure.stability.whole import ComplexStiffness, WholeStructure
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.recursion import OVER_THE_STEP
@@ -119,6 +122,7 @@ class ExpectedTest:
         response_peak: relative error of its peak.
         grows_below: amplitude below which motions grow though the test is stable at its own, m; 0: none.
         cycle_rms: most that the limit cycle of such motions may be, root mean square over that of the motion; 0: none.
+        sampled: verdict on the loop in main steps, which is that of the test; None: there is none, and `stability` is.
     """
 
     compensator: str
@@ -134,6 +138,7 @@ class ExpectedTest:
     response_peak: float
     grows_below: float = 0.0
     cycle_rms: float = 0.0
+    sampled: SampledStability | None = None
 
 
 def force_delay(laboratory: VirtualLaboratory) -> float:
@@ -235,7 +240,7 @@ class Bench:
         match described:
             case kinds.LiveDelayCompensator():
                 delay = phase_delay(self.rig, self.linearisation.frequency)
-                found = of_live_delay(described, delay, float(np.max(np.abs(motion))))
+                found = of_live_delay(described, delay, float(np.max(np.abs(motion))), step)
             case kinds.AtsCompensator() | kinds.ModifiedAtsCompensator():
                 found = of_adaptive_series(described, self.rig, motion, step)
             case _:
@@ -243,9 +248,56 @@ class Bench:
                 found = of_equation(equation, self.rig, self.laboratory.laboratory.transfer, step)  # type: ignore[arg-type]
         unseen = 0.0 if described.kind == "none" else file.loop.unseen_delay * step
         force = late(unseen, found.force) if found.force is not None else None
-        return CompensatorTransfer(
-            late(unseen, found.command), force, found.as_what, found.settles, found.alpha, found.limited
-        )
+        return replace(found, command=late(unseen, found.command), force=force)
+
+    @cached_property
+    def plant(self) -> SampledPlant | None:
+        """Structure and rig in main steps, the same for every compensator; None: a frame that may yield has none.
+
+        Raises:
+            InputError: the integrator of the file is unstable with its main step.
+        """
+        file, numerical = self.laboratory.file, self.laboratory.in_loop()
+        if not isinstance(numerical, Recursion):
+            return None
+        step, count = file.loop.main_step, file.loop.sub_steps
+        rig = sampled_rig(self.laboratory.laboratory, self._specimen_in_sub_steps(), step, count)
+        roots = np.array([mode.root for mode in self.whole.modes if np.isfinite(mode.root)])
+        return SampledPlant(numerical, rig, step, np.concatenate([roots, self.whole.numerical_roots]))
+
+    def _specimen_in_sub_steps(self) -> ComplexStiffness:
+        """The specimen up to half the rate of the sub-steps, as closely as below half that of the main steps."""
+        count = min(self.laboratory.file.loop.sub_steps, MOST_SUB_STEPS)
+        known = 2.0 * np.pi * self.band
+        further = math.ceil(math.log(count) / math.log(self.band[-1] / self.band[-2]))
+        if further == 0:
+            return self.specimen
+        beyond = np.geomspace(self.band[-1], count * self.band[-1], further + 1)[1:]
+        damper = self.laboratory.damper
+        force, deformation = damper.scales
+        values = [
+            force * deformation * complex_stiffness(damper.values, self.linearisation.amplitude * deformation, f)
+            for f in beyond.tolist()
+        ]
+        frequency = np.concatenate([self.band, beyond])
+        return tabulated_specimen(frequency, np.concatenate([self.specimen(known + 0j), values]))
+
+    def sampled(self, name: str, compensator: CompensatorTransfer) -> SampledStability | None:
+        """Return whether the loop in main steps is stable; None: there is no recursion of it.
+
+        Args:
+            name: of the compensator.
+            compensator: of `compensator`.
+
+        Raises:
+            InputError: as `plant`, or a part of the loop is not finite.
+        """
+        if self.plant is None or compensator.equation is None:
+            return None
+        file = self.laboratory.file
+        unseen = 0 if file.compensators[name].kind == "none" else file.loop.unseen_delay
+        corrected = self.laboratory.laboratory.corrected
+        return SampledLoop(self.plant, compensator.equation, unseen, corrected).stability()
 
     @property
     def rig_swings(self) -> str:
@@ -287,15 +339,19 @@ class Bench:
 
     def _in_loop(self, name: str, compensator: CompensatorTransfer, response: DirectResponse) -> ExpectedTest:
         step, loop = self.laboratory.file.loop.main_step, Loop(self.whole, self.seen(compensator))
-        verdict = loop_stability(loop, 0.5 / step)
+        verdict, sampled = loop_stability(loop, 0.5 / step), self.sampled(name, compensator)
+        stable = verdict.stable if sampled is None else sampled.stable
         found = expected_errors(loop, verdict, response)
-        tracking, wrong = (math.nan, math.nan), (math.inf, math.inf)
-        if math.isfinite(found.response_rms):
+        grown = math.nan if stable else math.inf
+        tracking, wrong = (math.nan, math.nan), (grown, grown)
+        if stable and math.isfinite(found.response_rms):
             measured = self._measured(compensator, found.target, response.step)
             tracking = _tracking(found.target, measured)
             wrong = response_error(measured, found.direct), peak_error(measured, found.direct)
         said, held, margin = compensator.as_what, compensator.limited, _margin(verdict, step)
-        return ExpectedTest(name, said, verdict, verdict.stable, *margin, held, *tracking, *wrong)
+        if not stable:
+            margin = margin[0], 0.0
+        return ExpectedTest(name, said, verdict, stable, *margin, held, *tracking, *wrong, sampled=sampled)
 
     def _measured(self, compensator: CompensatorTransfer, target: np.ndarray, step: float) -> np.ndarray:
         return followed(target, step, lambda s: self.rig(s) * compensator.command(s))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -32,6 +32,7 @@ class CompensatorTransfer:
         settles: whether it is stable by itself, with the rig where it feeds back what is measured.
         alpha: (3,) coefficients of an adaptive series, 1, s, s2; None: it has none.
         limited: whether limits of the file hold one of them.
+        equation: it as the loop runs it, an adaptive one with what it has found; None: not known.
     """
 
     command: Transfer
@@ -40,6 +41,7 @@ class CompensatorTransfer:
     settles: bool = True
     alpha: np.ndarray | None = None
     limited: bool = False
+    equation: DifferenceEquation | None = None
 
 
 def rig_response(plant: rig_kinds.RigModel, transfer: RigTransfer, specimen: ComplexStiffness, step: float) -> Transfer:
@@ -138,7 +140,7 @@ def of_equation(equation: DifferenceEquation, rig: Transfer, plain: RigTransfer,
         return np.asarray(of_target + (of_command + of_measured) * sent)
 
     added = force if equation.force_terms else None
-    return CompensatorTransfer(command, added, "as it is", settles(equation, plain, step))
+    return CompensatorTransfer(command, added, "as it is", settles(equation, plain, step), equation=equation)
 
 
 def _sum(terms: Iterable[Term], signals: Iterable[str], s: np.ndarray, step: float) -> np.ndarray:
@@ -185,25 +187,44 @@ def _decays(matrix: np.ndarray) -> bool:
     return not matrix.size or bool(np.max(np.abs(np.linalg.eigvals(matrix))) < 1.0)
 
 
-def of_live_delay(described: kinds.LiveDelayCompensator, rig_delay: float, peak: float) -> CompensatorTransfer:
+def of_live_delay(
+    described: kinds.LiveDelayCompensator, rig_delay: float, peak: float, step: float
+) -> CompensatorTransfer:
     """Return the polynomial of a live delay that has found the delay of the rig, or never adapts below its threshold.
 
     Args:
         described: the block of the file.
         rig_delay: s.
         peak: of the motion, m.
+        step: main step, s.
     """
     least, largest = described.limits
     adapts = peak > described.threshold
     delay = min(max(rig_delay, least), largest) if adapts else described.delay
     command = live_delay_command(described.order, delay)
     how = "with a found delay of" if adapts else "never adapts, below its threshold: a delay of"
-    return CompensatorTransfer(command, None, f"{how} {1e3 * delay:.4g} ms", limited=adapts and delay != rig_delay)
+    said, limited = f"{how} {1e3 * delay:.4g} ms", adapts and delay != rig_delay
+    equation = DifferenceEquation(tuple(_between_steps(described.order, delay / step)))
+    return CompensatorTransfer(command, None, said, limited=limited, equation=equation)
+
+
+def _between_steps(order: int, delay: float) -> Iterator[Term]:
+    """A polynomial through targets a delay of main steps apart, which are linear between these."""
+    for j, weight in enumerate(_polynomial_weights(order)):
+        whole = math.floor(j * delay)
+        part = j * delay - whole
+        yield Term("target", whole, weight * (1.0 - part))
+        yield Term("target", whole + 1, weight * part)
+
+
+def _polynomial_weights(order: int) -> list[int]:
+    """Of values at 0, -d, -2 d ... for the value at d."""
+    return [(-1) ** j * math.comb(order + 1, j + 1) for j in range(order + 1)]
 
 
 def live_delay_command(order: int, delay: float) -> Transfer:
     """Command over target of a polynomial of an order through points a delay (s) apart."""
-    weights = [(-1) ** j * math.comb(order + 1, j + 1) for j in range(order + 1)]
+    weights = _polynomial_weights(order)
 
     def command(s: np.ndarray) -> np.ndarray:
         value = sum(weight * np.exp(-s * j * delay) for j, weight in enumerate(weights))
@@ -238,7 +259,24 @@ def of_adaptive_series(
 
     how = "converged" if adapts else "never adapts, below its threshold"
     said = f"{how}: {held[0]:.5g}, {1e3 * held[1]:.4g} ms, {1e6 * held[2]:.4g}e-6 s2"
-    return CompensatorTransfer(command, None, said, alpha=held, limited=bool(np.any(held != alpha)))
+    limited, equation = bool(np.any(held != alpha)), series_equation(held, described.derivatives, step)
+    return CompensatorTransfer(command, None, said, alpha=held, limited=limited, equation=equation)
+
+
+def series_equation(alpha: np.ndarray, derivatives: str, step: float) -> DifferenceEquation:
+    """Return alpha_0 x + alpha_1 v + alpha_2 a with constant coefficients.
+
+    Args:
+        alpha: (3,) coefficients, 1, s, s2.
+        derivatives: `differences` of the target, or `target`, as the numerical part gives them.
+        step: main step, s.
+    """
+    a0, a1, a2 = alpha.tolist()
+    if derivatives != "differences":
+        return DifferenceEquation((Term("target", 0, a0), Term("velocity", 0, a1), Term("acceleration", 0, a2)))
+    first, second = a1 / step, a2 / step**2
+    lags = (a0 + first + second, -first - 2.0 * second, second)
+    return DifferenceEquation(tuple(Term("target", lag, one) for lag, one in enumerate(lags)))
 
 
 def converged_series(

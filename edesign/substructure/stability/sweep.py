@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -76,20 +77,42 @@ def sweep(loop: Loop, highest_frequency: float | None = None) -> Sweep:
     resonances = np.array([*(mode.root for mode in modes if np.isfinite(mode.root)), *loop.whole.numerical_roots])
     top = max(float(np.max(np.abs(resonances), initial=0.0)), max(mode.omega for mode in modes))
     end, bounded = _end(loop, top) if highest_frequency is None else (2.0 * np.pi * highest_frequency, True)
-    omega = _first_grid(resonances, end)
-    values = _values(loop, omega)
-    for _ in range(ROUNDS):
-        coarse = np.nonzero(_too_far(values) & (np.diff(omega) > CLOSEST * omega[1:]))[0]
-        if not coarse.size:
-            break
-        between = 0.5 * (omega[coarse] + omega[coarse + 1])
-        values = np.insert(values, coarse + 1, _values(loop, between), axis=1)
-        omega = np.insert(omega, coarse + 1, between)
+    omega = first_grid(resonances, end)
+    omega, values = refined(omega, _values(loop, omega), lambda at: _values(loop, at), _too_far)
     return Sweep(omega, values[0], values[1], bounded)
 
 
-def _first_grid(resonances: np.ndarray, end: float) -> np.ndarray:
-    """Even steps and points about each resonance, rad/s, from 0 to the end."""
+def refined(
+    omega: np.ndarray,
+    values: np.ndarray,
+    function: Callable[[np.ndarray], np.ndarray],
+    too_far: Callable[[np.ndarray], np.ndarray],
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return a grid that resolves a function of frequency, rad/s, and its values there.
+
+    Args:
+        omega: (m,) to begin with, rising.
+        values: (k, m) there.
+        function: values at further frequencies.
+        too_far: whether they change too much from each frequency to the next, (m - 1,).
+    """
+    for _ in range(ROUNDS):
+        coarse = np.nonzero(too_far(values) & (np.diff(omega) > CLOSEST * omega[1:]))[0]
+        if not coarse.size:
+            break
+        between = 0.5 * (omega[coarse] + omega[coarse + 1])
+        values = np.insert(values, coarse + 1, function(between), axis=1)
+        omega = np.insert(omega, coarse + 1, between)
+    return omega, values
+
+
+def first_grid(resonances: np.ndarray, end: float) -> np.ndarray:
+    """Return even steps and points about each resonance, rad/s, from 0 to the end.
+
+    Args:
+        resonances: (k,) roots, 1/s.
+        end: rad/s.
+    """
     half_width = np.maximum(np.abs(resonances.real), NARROWEST * np.abs(resonances))
     about = (resonances.imag[:, None] + half_width[:, None] * BANDWIDTHS).ravel()
     grid = np.unique(np.concatenate([np.linspace(0.0, end, EVEN_POINTS + 1), about]))

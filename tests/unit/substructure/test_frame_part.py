@@ -98,7 +98,7 @@ def loop_of(lab: VirtualLaboratory, abort: float = np.inf) -> SubstructureLoop:
         lab.compensators["none"],
         lab.laboratory.rig,
         lab.damper.values,
-        numerical=lab._in_loop(),
+        numerical=lab.in_loop(),
         scales=lab.damper.scales,
         abort=abort,
     )
