@@ -114,9 +114,14 @@ def stability_table(advice: Advice, test: TestAdvice) -> Table:
         + number(advice.delay_margin, 3)
     )
     for one in test.expected:
-        if one.stability is not None and one.stability.growth > 0.0:
+        if one.stability is not None and not one.stable:
             at = test.linearisation.amplitude
             table.notes += lines(f'UNSTABLE with "{one.compensator}": {growth_in_words(at, one)}')
+        elif one.stability is not None and not one.stability.stable:
+            table.notes += lines(
+                f'NO MARGIN with "{one.compensator}": stable in main steps, but the continuous loop grows, of which '
+                "margins and errors are told"
+            )
     if any(one.grows_below > 0.0 for one in test.expected):
         table.notes += lines("SMALL GROW: stable at the amplitude of the test, but not near rest; see the advice")
     return table
@@ -125,6 +130,8 @@ def stability_table(advice: Advice, test: TestAdvice) -> Table:
 def _verdict(one: ExpectedTest) -> str:
     if not one.stable:
         return "UNSTABLE"
+    if one.stability is not None and not one.stability.stable:
+        return "NO MARGIN"
     return "SMALL GROW" if one.grows_below > 0.0 else "stable"
 
 
@@ -132,9 +139,9 @@ def _margins(one: ExpectedTest) -> list[str]:
     if one.stability is None:
         return ["-", "-", "-", "-"]
     return [
-        _unless_infinite(one.stability.gain_margin),
+        _unless_infinite(one.stability.gain_margin) if one.stable == one.stability.stable else "-",
         "-" if math.isnan(one.delay_left) else number(one.delay_left, 3, 1e-3, negligible=ALMOST_NONE),
-        _unless_infinite(one.stability.delay_margin, 1e-3),
+        _unless_infinite(one.stability.delay_margin, 1e-3) if one.stable == one.stability.stable else "-",
         _unless_infinite(one.margin_factor) if one.stable else "-",
     ]
 

@@ -96,8 +96,9 @@ class Advice:
 def advise(laboratory: VirtualLaboratory) -> Advice:
     """Return what can be said of the tests of a laboratory without running their loops.
 
-    The numerical part counts as integrated exactly, and sensors as without noise. Limits of the rig are compared with
-    what is needed, and not met here. Adaptive compensators have converged.
+    Whether a test is stable is said of the loop in main steps, except with a frame that may yield. For margins and
+    errors the numerical part counts as integrated exactly. Sensors are without noise. Limits of the rig are compared
+    with what is needed, and not met here. Adaptive compensators have converged.
 
     Response errors came out within a factor of 1.5 for linear dampers and the thesis' tests. Where the stiffness of a
     damper changes much within a cycle they are worse. At 0.8 mm of the thesis' damper, in a servo-hydraulic rig, they

@@ -33,11 +33,13 @@ class StableRegion:
         as_what: how it was taken, in words.
         delays: of the rig, s; intervals (from, to) for each frequency of the map. They reach beyond the map by its
             height, so that lines can be drawn to its edges.
+        stable: whether the test as it is does not grow in main steps; None: it has no recursion.
     """
 
     compensator: str
     as_what: str
     delays: tuple[tuple[tuple[float, float], ...], ...]
+    stable: bool | None = None
 
 
 @dataclass(frozen=True)
@@ -69,13 +71,12 @@ class StabilityMap:
     left_out: tuple[tuple[str, str], ...]
 
     def is_stable(self, compensator: str) -> bool:
-        """Whether the test as it is lies in the region of a compensator."""
-        return any(
-            begin <= self.delay <= end
-            for region in self.regions
-            if region.compensator == compensator
-            for begin, end in region.delays[int(np.argmin(np.abs(self.frequencies - self.frequency)))]
-        )
+        """Whether the test as it is does not grow with a compensator: in main steps, or else in its region."""
+        region = next((one for one in self.regions if one.compensator == compensator), None)
+        if region is None or region.stable is not None:
+            return region is not None and bool(region.stable)
+        column = region.delays[int(np.argmin(np.abs(self.frequencies - self.frequency)))]
+        return any(begin <= self.delay <= end for begin, end in column)
 
 
 def governing_map(laboratory: VirtualLaboratory, motions: Mapping[str, np.ndarray]) -> tuple[str, StabilityMap] | None:
@@ -129,10 +130,12 @@ def stability_map(bench: Bench, motion: np.ndarray) -> StabilityMap | None:
             continue
         try:
             delays = tuple(_moved(_stable(column, name, compensator, *reach), present) for column in columns)
+            sampled = bench.sampled(name, compensator)
         except InputError as error:
             left_out.append((name, str(error)))
             continue
-        regions.append(StableRegion(name, compensator.as_what, delays))
+        stable = None if sampled is None else sampled.stable
+        regions.append(StableRegion(name, compensator.as_what, delays, stable))
     return StabilityMap(
         first.number,
         bench.linearisation.amplitude,

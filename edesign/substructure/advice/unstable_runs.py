@@ -76,10 +76,15 @@ def growth_in_words(amplitude: float, found: ExpectedTest) -> str:
         amplitude: at which the law is linearised, m.
         found: the test.
     """
-    growth = found.stability.growth if found.stability is not None else 0.0
+    growth, sampled = found.stability.growth if found.stability is not None else 0.0, found.sampled
+    at = ""
+    if sampled is not None and sampled.growth > 0.0:
+        at = f" at {sampled.frequency:.4g} Hz" if growth <= 0.0 else ""
+        growth = sampled.growth
     if growth <= 0.0:
-        return found.as_what
-    return (
-        f"motions of {1e3 * amplitude:.3g} mm grow by {growth:.3g} per second, {DIVERGED:g} times in "
+        return "motions grow in main steps" if sampled is not None and not sampled.stable else found.as_what
+    said = (
+        f"motions of {1e3 * amplitude:.3g} mm grow by {growth:.3g} per second{at}, {DIVERGED:g} times in "
         f"{math.log(DIVERGED) / growth:.3g} s"
     )
+    return f"{said}. Only main steps make them grow; shorter ones need not help" if at else said
