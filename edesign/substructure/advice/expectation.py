@@ -13,7 +13,7 @@ from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
 from edesign.project.substructure import compensators as kinds
 from edesign.substructure.advice.loaded_rig import loaded_poles, swinging, swings
-from edesign.substructure.advice.sampled_rig import MOST_SUB_STEPS, sampled_rig
+from edesign.substructure.advice.sampled_rig import MOST_SUB_STEPS, REACH, sampled_rig
 from edesign.substructure.advice.transfers import (
     CompensatorTransfer,
     followed,
@@ -266,12 +266,10 @@ class Bench:
         return SampledPlant(numerical, rig, step, np.concatenate([roots, self.whole.numerical_roots]))
 
     def _specimen_in_sub_steps(self) -> ComplexStiffness:
-        """The specimen up to half the rate of the sub-steps, as closely as below half that of the main steps."""
-        count = min(self.laboratory.file.loop.sub_steps, MOST_SUB_STEPS)
+        """The specimen as far up as its path in sub-steps goes, as closely as below half the rate of main steps."""
+        count = REACH * min(self.laboratory.file.loop.sub_steps, MOST_SUB_STEPS)
         known = 2.0 * np.pi * self.band
         further = math.ceil(math.log(count) / math.log(self.band[-1] / self.band[-2]))
-        if further == 0:
-            return self.specimen
         beyond = np.geomspace(self.band[-1], count * self.band[-1], further + 1)[1:]
         damper = self.laboratory.damper
         force, deformation = damper.scales
