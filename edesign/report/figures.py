@@ -24,8 +24,8 @@ MOST_TICKS = 13
 BEFORE, AFTER, TARGET, MEAN = "#8a8f98", "#1f5fa8", "#c0392b", "#111111"
 """Colours that stay apart in grey print and for colour-blind readers."""
 
-VARIANTS = ("#d9822b", AFTER, "#3aa08f", "#7b3f98", "#5a5f66")
-"""Of the variants of a structure, in their order; of a sixth the first again."""
+VARIANTS = ("#d9822b", AFTER, "#3aa08f", "#7b3f98", "#5a5f66", "#b8476b", "#8c6d1f", "#4fa3d9")
+"""Of the variants of a structure, in their order; of a ninth the first again."""
 
 RECORDS = "#b4bac3"
 """Of each of many records."""

@@ -9,7 +9,8 @@ from dataclasses import dataclass, replace
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import record_label
-from edesign.report.figures import AFTER, VARIANTS
+from edesign.report.figures import AFTER, MEAN, VARIANTS
+from edesign.study.kinds import DIRECT
 from edesign.study.plan import ANALYSES
 
 
@@ -81,7 +82,9 @@ def variant_colors(archive: Archive) -> dict[str, str]:
     names = dict.fromkeys((*labels, *(history.variant for history in histories(archive))))
     if len(names) == 1:
         return dict.fromkeys(names, AFTER)
-    return {name: VARIANTS[i % len(VARIANTS)] for i, name in enumerate(names)}
+    others = [name for name in names if name != DIRECT]
+    found = {name: VARIANTS[i % len(VARIANTS)] for i, name in enumerate(others)}
+    return found | {DIRECT: MEAN}  # what compensators are held against
 
 
 def by_level(chosen: Iterable[History]) -> dict[str, dict[str, list[History]]]:

@@ -3,3 +3,6 @@
 STUDY = "study"
 BUILDING = "building"
 SUBSTRUCTURE = "substructure"
+
+DIRECT = "direct analysis"
+"""In the place of a variant, or of the compensator of a substructure test: the structure without laboratory."""

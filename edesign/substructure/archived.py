@@ -8,6 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group, Variable
 from edesign.core.substructure import SATURATED
+from edesign.study.kinds import DIRECT
 from edesign.study.outcome import FAILED
 from edesign.study.plan import ANALYSES
 from edesign.substructure.indicators import definitions
@@ -19,8 +20,6 @@ from edesign.substructure.virtual_tests import TestResults, VirtualTest
 PLACE = "tests"
 INDICATORS = "indicators"
 """Where what was found of all runs stands side by side."""
-DIRECT = "direct analysis"
-"""What stands for the compensator of an analysis without laboratory."""
 HISTORIES = {
     "target": (("target", "m", "target displacement of the specimen"),),
     "measured": (
@@ -66,7 +65,9 @@ def _analysis(results: TestResults, building: Group, compensator: str = "") -> t
     name = building_name(results.name, compensator)
     drive = results.drive
     assert drive.ground is not None
-    labels = {"name": name, "kind": "history", "variant": compensator or DIRECT, "record": drive.record, "level": None}
+    # two tests may have one record: the test stands where studies have their level
+    of_test = {"variant": compensator or DIRECT, "record": drive.record, "level": results.name}
+    labels = {"name": name, "kind": "history", **of_test}
     motion = {
         "input_motion": drive.source,
         "input_pga_m_s2": float(np.max(np.abs(drive.ground))),

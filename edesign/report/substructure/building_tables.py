@@ -17,9 +17,10 @@ from edesign.errors import EdesignError
 from edesign.report.archived import archived_project
 from edesign.report.table import Table, number
 from edesign.report.verdict_tables import performance_table
+from edesign.study.kinds import DIRECT
 from edesign.study.plan import ANALYSES
 from edesign.study.warnings import warning_lines
-from edesign.substructure.archived import DIRECT, building_name
+from edesign.substructure.archived import building_name
 
 Measure = Callable[[Group], float | None]
 

@@ -391,17 +391,20 @@ def mean_frequency(motion: np.ndarray, step: float) -> float:
 
 
 def first_moving(part: LinearPart, specimen: ComplexStiffness) -> float:
-    """Return the frequency of the first mode that moves the specimen, Hz; with the specimen's stiffness there."""
+    """Return the frequency of the first mode that moves the specimen, Hz; with the specimen's stiffness there.
 
-    def at(stiffness: float) -> float:
-        omega, shapes = part.modes(stiffness)
-        shares = stiffness * (part.interface @ shapes) ** 2 / np.maximum(omega, np.finfo(float).tiny) ** 2
+    A dashpot has no stiffness that would share in that of a mode, but its force does: |k_E| counts.
+    """
+
+    def at(stiffness: complex) -> float:
+        omega, shapes = part.modes(stiffness.real)
+        shares = abs(stiffness) * (part.interface @ shapes) ** 2 / np.maximum(omega, np.finfo(float).tiny) ** 2
         moving = np.flatnonzero(shares >= MOVES_SPECIMEN)
         return float(omega[moving[0] if moving.size else np.argmax(shares)])
 
-    omega = at(0.0) or 1.0
+    omega = at(0j) or 1.0
     for _ in range(ROUNDS):
-        before, omega = omega, at(float(np.real(specimen(np.array([omega + 0j]))[0])))
+        before, omega = omega, at(complex(specimen(np.array([omega + 0j]))[0]))
         if abs(omega - before) <= SETTLED * omega:
             break
     return omega / (2.0 * math.pi)

@@ -118,7 +118,8 @@ def _rival(best: Candidate, least: float, safe: Sequence[Candidate]) -> list[str
         return []
     if best.whole_error > least:
         return [
-            f'"{rival.name}" has {_percent(rival.whole_error)}, which is the same within rounding, but is less simple'
+            f'"{rival.name}" has {_percent(rival.whole_error)}: a difference of less than {ROUNDING:g} of the accepted '
+            "error decides nothing, and it is less simple"
         ]
     return [f'The next best is "{rival.name}" with {_percent(rival.whole_error)}']
 

@@ -12,15 +12,19 @@ from dataclasses import replace
 
 from edesign.errors import InputError
 from edesign.substructure.advice.expectation import Bench, ExpectedTest
+from edesign.substructure.advice.recommendation import ADAPTIVE
 from edesign.substructure.met_limits import in_words
 from edesign.substructure.virtual_tests import DIVERGED, TestResults, VirtualLaboratory, VirtualTest, without_result
+
+AGREES = 1.5
+"""Errors of runs over those expected of linear dampers, at most: tests/unit/substructure/test_advice_partitions.py."""
 
 
 def with_unstable_loops(laboratory: VirtualLaboratory, results: TestResults) -> TestResults:
     """Return the results with what the linearised loop says of runs that it may explain.
 
     A run that met a limit is `unstable` if its loop is: only the limit holds it. One that met none and is too wrong
-    keeps its outcome, with a warning how fast its motions grow.
+    keeps its outcome, with a warning how fast its motions grow; or that its loop is stable, and much less was expected.
 
     Args:
         laboratory: that made them.
@@ -45,7 +49,13 @@ def with_unstable_loops(laboratory: VirtualLaboratory, results: TestResults) -> 
     except InputError:  # structure without damping, specimen at rest, a part that is not finite: nothing can be said
         return results
     amplitude = bench.linearisation.amplitude
-    runs = [_told(run, amplitude, found[run.compensator]) if run.compensator in found else run for run in results.runs]
+    kinds = {name: one.kind for name, one in laboratory.file.compensators.items()}
+    runs = []
+    for run in results.runs:
+        if run.compensator in found:
+            adapts = ", an adaptation that need not settle" if kinds[run.compensator] in ADAPTIVE else ""
+            run = _told(run, amplitude, found[run.compensator], adapts)
+        runs.append(run)
     return replace(results, runs=tuple(runs))
 
 
@@ -57,16 +67,27 @@ def _is_too_wrong(run: VirtualTest, most: float) -> bool:
     return run.outcome == "done" and run.response_error > most
 
 
-def _told(run: VirtualTest, amplitude: float, expected: ExpectedTest) -> VirtualTest:
+def _told(run: VirtualTest, amplitude: float, expected: ExpectedTest, why_else: str) -> VirtualTest:
     if expected.stable:
-        return run
+        return _unexpected(run, expected.response_rms, why_else)
     if run.saturated:
         return without_result(run, "unstable", f"held by {in_words(run.saturated)}")
-    warning = (
-        f'test {run.test}: the run with "{run.compensator}" reached its end, but its linearised loop is unstable: '
-        f"{growth_in_words(amplitude, expected)}"
+    return _warned(run, f"reached its end, but its linearised loop is unstable: {growth_in_words(amplitude, expected)}")
+
+
+def _unexpected(run: VirtualTest, expected: float, why_else: str) -> VirtualTest:
+    if run.outcome != "done" or not run.response_error > AGREES * expected:
+        return run
+    met = f", {in_words(run.saturated)}" if run.saturated else ""
+    return _warned(
+        run,
+        f"is {100.0 * run.response_error:.3g} % wrong, and {100.0 * expected:.3g} % was expected of its linearised "
+        f"loop, which is stable. What that leaves out: how far the law is from linear{why_else}{met}",
     )
-    return replace(run, warnings=(*run.warnings, warning))
+
+
+def _warned(run: VirtualTest, what: str) -> VirtualTest:
+    return replace(run, warnings=(*run.warnings, f'test {run.test}: the run with "{run.compensator}" {what}'))
 
 
 def growth_in_words(amplitude: float, found: ExpectedTest) -> str:
