@@ -15,6 +15,7 @@ from edesign.project.substructure.programme import (
     PseudoDynamicTest,
     RandomCommand,
     RecordTest,
+    RtsTest,
     SineCommand,
     SweepCommand,
     Undershoot,
@@ -51,8 +52,14 @@ def check_tests(rts: RtsFile, problems: Problems) -> None:
         if rts.structure is None:
             message = f"a test of the kind `{test.kind}` needs the `structure`, and the file has none"
             problems.at_value((*keys, "kind"), message)
-        else:
-            _record(rts, test, keys, problems)
+            continue
+        if rts.may_yield and not isinstance(test, RtsTest):
+            message = (
+                f"`{test.kind}` takes the frame's linear tangent, and `structure.frame: nonlinear` asks for all that "
+                "yields (allowed with it: `rts`, `command`; or `frame: linear`)"
+            )
+            problems.at_value((*keys, "kind"), message)
+        _record(rts, test, keys, problems)
     _records(rts, problems)
     _outputs(rts, problems)
 
