@@ -46,7 +46,7 @@ class TestedDamper:
         values: law and effects, as the core takes them.
         scales: of force and deformation, F = scales[0] law(scales[1] u).
         declared: the law without the effects that the tests are to find.
-        specimen: its layers; None: the law has no size.
+        prototype: layers that the parameters of the law are of, not those of the damper; None: the law has no size.
         temperature_C: degC; None: that of the parameters.
         warnings: of the law at this temperature.
     """
@@ -54,7 +54,7 @@ class TestedDamper:
     values: LawValues
     scales: tuple[float, float]
     declared: DamperLaw
-    specimen: Specimen | None
+    prototype: Specimen | None
     temperature_C: float | None
     warnings: tuple[str, ...]
 
@@ -196,20 +196,20 @@ def _damper(file: RtsFile, scales: tuple[float, float] | None) -> TestedDamper |
         whole = described.model_copy(update={"effects": (*described.effects, *file.specimen.effects)})
         found = resolve(whole, own, placed.law.temperature, asked)
     prototype = placed.law.prototype or described.prototype
-    own_scales, specimen = _size(file, prototype)
+    own_scales, layers = _size(file, prototype)
     force, deformation = scales or own_scales
     return TestedDamper(
         values=found.for_core,
         scales=(force * placed.law.property_factor if scales is None else force, deformation),
         declared=placed.law,
-        specimen=specimen,
+        prototype=layers,
         temperature_C=placed.law.temperature,
         warnings=found.warnings,
     )
 
 
 def _size(file: RtsFile, prototype: Prototype | None) -> tuple[tuple[float, float], Specimen | None]:
-    """Scales of force and deformation, and the layers."""
+    """Scales of force and deformation from the prototype to the specimen, and the layers of the prototype."""
     said = file.specimen
     if prototype is None:
         return (float(said.number), 1.0), None
@@ -218,7 +218,8 @@ def _size(file: RtsFile, prototype: Prototype | None) -> tuple[tuple[float, floa
     thickness = said.layer_thickness or prototype.layer_thickness
     force = said.number * layers * area / (prototype.layers * prototype.layer_area)
     name = file.specimen.law if isinstance(file.specimen.law, str) else "specimen"
-    return (force, prototype.layer_thickness / thickness), Specimen(name, said.number * layers, area, thickness)
+    own = Specimen(name, prototype.layers, prototype.layer_area, prototype.layer_thickness)
+    return (force, prototype.layer_thickness / thickness), own
 
 
 def stiffness_of(damper: TestedDamper | None) -> float:

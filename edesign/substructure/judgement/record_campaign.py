@@ -31,7 +31,7 @@ def write_record_campaign(
 ) -> Campaign:
     """Write records as one campaign: NAME.csv of each, and campaign.yaml.
 
-    Force and displacement are those of one prototype of the law, as its parameters are. Effects of the specimen are
+    Force, displacement and layers are those of one prototype of the law, as its parameters are. Effects of the specimen are
     not named, so that they can be found. Every third test is one to validate with, the others are to fit to.
 
     Args:
@@ -48,7 +48,7 @@ def write_record_campaign(
     damper = laboratory(file).damper
     if damper is None:
         raise InputError(f"{file.path}: specimen: a campaign needs a law; give `law` or `law_file`")
-    if damper.specimen is None:
+    if damper.prototype is None:
         raise InputError(f"{file.path}: specimen: the law has no `prototype`, so the size of the layers is not known")
     tests = [
         _test(one, damper, displacement, "validate" if number % EVERY == 0 else "fit")
@@ -56,7 +56,7 @@ def write_record_campaign(
     ]
     said = _description(file, damper)
     law = LawChoice(said.type or damper.values.law, said.parameters)
-    return write_campaign(folder, damper.specimen, tests, law, file.title or file.path.stem)
+    return write_campaign(folder, damper.prototype, tests, law, file.title or file.path.stem)
 
 
 def _test(found: Judgement, damper: TestedDamper, displacement: Displacement, use: Use) -> DamperTest:

@@ -14,7 +14,7 @@ from edesign.building.building_sections import BuildingSections
 from edesign.cli.main import main
 from edesign.damper.campaign import load_campaign
 from edesign.errors import InputError
-from edesign.project.substructure import load_rts_file
+from edesign.project.substructure import load_rts_file, parse_rts_file
 from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.judgement.judge import REPRODUCED, chosen_test, judge
@@ -172,6 +172,33 @@ def test_tests_become_a_campaign_for_calibrate(tmp_path: Path, displacement: str
         whole = run.target if displacement == "target" else run.measured
         np.testing.assert_allclose(test.displacement, whole, atol=1e-10)
         np.testing.assert_allclose(test.measured_force(), run.force, atol=1e-3)
+
+
+@pytest.mark.parametrize("size", ["", ", layer_thickness: 24 mm", ", layers: 4", ", number: 2"])
+def test_a_campaign_has_the_shear_modulus_of_the_law(tmp_path: Path, size: str) -> None:
+    """G = k t / (n A) of the spring on its prototype, 5 kN/mm x 12 mm / (2 x 41400 mm2), whatever the tested size."""
+    text = f"""\
+edesign_rts: 1
+specimen:
+  law:
+    type: kelvin_voigt
+    parameters: {{k: 5 kN/mm, c: 0 N*s/m}}
+    prototype: {{layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}}
+{f"  {size[2:]}" if size else ""}
+rig: {{kind: ideal}}
+compensators: {{none: {{kind: none}}}}
+tests: [{{name: cycles, kind: command, command: {{type: sine, displacement: 5 mm, frequency: 1 Hz}}}}]
+"""
+    chosen = parse_rts_file(text, tmp_path / "rts.yaml")
+    (results,) = VirtualLaboratory(chosen).run()
+    write_run(results.runs[0], tmp_path / "cycles.csv")
+    found = write_record_campaign([judge(tmp_path / "cycles.csv", chosen)], chosen, tmp_path / "campaign")
+    (test,) = found.tests
+    shear = found.specimen.strain(test.displacement)
+    modulus = np.max(found.specimen.stress(test.measured_force())) / np.max(shear)
+    assert modulus == pytest.approx(5e6 * 12e-3 / (2 * 41400e-6), rel=1e-6)
+    tested = 24e-3 if "thickness" in size else 12e-3
+    assert np.max(shear) == pytest.approx(5e-3 / tested, rel=1e-3)
 
 
 def test_a_record_is_of_the_test_whose_name_it_has(tmp_path: Path) -> None:
