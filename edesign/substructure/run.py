@@ -21,6 +21,7 @@ from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
 from edesign.substructure.advice.unstable_runs import with_unstable_loops
 from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators, method_group
+from edesign.substructure.methods.method_tests import MethodResults
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
 
 HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")
@@ -32,7 +33,7 @@ def run_tests(
     overwrite: bool = False,
     tell: Callable[[str], None] = lambda line: None,
     csv_folder: Path | None = None,
-) -> tuple[Path, tuple[TestResults, ...]]:
+) -> tuple[Path, tuple[TestResults, ...], tuple[MethodResults, ...]]:
     """Run all virtual tests of a file, and archive them.
 
     Args:
@@ -43,7 +44,7 @@ def run_tests(
         csv_folder: where each run is written as CSV as well; made if it does not exist.
 
     Returns:
-        The archive, and the results test by test.
+        The archive, the results test by test, and those of tests by other methods.
 
     Raises:
         InputError: structure, law, compensator or record cannot be used so.
@@ -60,7 +61,8 @@ def run_tests(
     root.attributes["warnings"] = warnings
     if csv_folder is not None:
         make_folder(csv_folder)
-    found = []
+    found: list[TestResults] = []
+    others: list[MethodResults] = []
     with stop_on_signals() as stop, ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
 
         def begin(line: str) -> None:
@@ -78,6 +80,7 @@ def run_tests(
                 found.append(results)
             for other in laboratory.run_others(begin, stop.is_set):
                 writer.write(f"{PLACE}/{other.name}", method_group(other, laboratory.drives[other.name].time))
+                others.append(other)
             writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
             warnings += dict.fromkeys(text for results in found for run in results.runs for text in run.warnings)
             writer.finish({"status": "completed", "warnings": warnings})
@@ -85,7 +88,7 @@ def run_tests(
             writer.close()
             writer.partial.unlink(missing_ok=True)
             raise
-    return path, tuple(found)
+    return path, tuple(found), tuple(others)
 
 
 def write_run(run: VirtualTest, path: Path) -> None:

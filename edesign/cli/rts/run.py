@@ -38,7 +38,7 @@ def run(
         if not quiet:
             print(f"{visible_line(line)} ...", file=sys.stderr, flush=True)
 
-    path, found = run_tests(tests, archive, overwrite, tell, csv)
+    path, found, others = run_tests(tests, archive, overwrite, tell, csv)
     if not quiet:
         print_tables(overview(path))
         print(f"archive: {path}")
@@ -47,6 +47,11 @@ def run(
         for results in found
         for one in results.runs
         if one.outcome != "done" or one.response_error > tests.criteria.response_error
+    ]
+    bad += [
+        one.name
+        for one in others
+        if one.outcome != "done" or one.record is None or one.record.response_error > tests.criteria.response_error
     ]
     if check and bad:
         raise AnalysisError(

@@ -174,7 +174,7 @@ def test_buildings_are_archived_as_histories(tmp_path: Path) -> None:
     project = parse_project(path.read_text(encoding="utf-8"), path, profile_names())
     group = run_analysis(project, project.analyses[0])
     (tmp_path / "rts.yaml").write_text(file_text(path, 10.0, "extrapolated", more="title: all\n"), encoding="utf-8")
-    archive, _ = run_tests(load_rts_file(tmp_path / "rts.yaml"))
+    archive, *_ = run_tests(load_rts_file(tmp_path / "rts.yaml"))
     with open_archive(archive) as opened:
         buildings = {name: opened.group(f"analyses/{name}") for name in opened.names("analyses")}
         summary = summarise(opened)["analyses"]

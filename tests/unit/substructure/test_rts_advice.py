@@ -255,7 +255,7 @@ def test_a_softening_law_that_reaches_its_end_is_told(tmp_path: Path) -> None:
     """Motions of the thesis' damper grow at the amplitude of the test and decay below: the run is done, and far off."""
     path = tmp_path / "rts.yaml"
     path.write_text(controlled(TESTED, 0), encoding="utf-8")
-    archive, (results,) = run_tests(load_rts_file(path))
+    archive, (results,), _ = run_tests(load_rts_file(path))
     assert results.runs[0].outcome == "done" and results.runs[0].response_error > 1.0
     with open_archive(archive) as opened:
         (said,) = opened.attributes["warnings"]

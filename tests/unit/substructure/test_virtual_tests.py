@@ -167,6 +167,18 @@ def test_other_methods_of_a_file(tmp_path: Path) -> None:
     assert fast.record is not None and fast.record.response_error < 1e-3
 
 
+def test_check_tells_a_test_by_another_method_that_is_too_wrong(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """A slow test of this damper misses half of the response, one at real speed does not."""
+    text = INLINE.replace("kind: rts, ", "kind: pseudo_dynamic, time_scale: @, ")
+    path = tmp_path / "rts.yaml"
+    for scale, code in (("100", 3), ("1", 0)):
+        path.write_text(text.replace("@", scale), encoding="utf-8")
+        assert main(["rts", "run", str(path), "--overwrite", "--quiet", "--check"]) == code
+        assert ("too wrong (el_centro)" in capsys.readouterr().err) is (code == 3)
+
+
 THREE = """\
 edesign_rts: 1
 structure:
