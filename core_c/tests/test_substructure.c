@@ -282,8 +282,16 @@ static void test_refusals(void)
   c.forgetting = 0.0;
   check_refused(&input, "forgetting");
   adaptive(&c, ED_COMPENSATE_ATS);
-  c.window = 40;
+  for (c.window = -1; c.window <= 32; c.window += 11) /* the last step, and those 16 and 32 before it, need 33 */
+    check_refused(&input, "window");
+  c.every = 2000000000;
+  c.window = 33;
   check_refused(&input, "window");
+  c.every = 16;
+  int made;
+  ed_substructure *shortest = ed_substructure_new(&input, &made, NULL, 0);
+  CHECK_STATUS(made, ED_OK);
+  ed_substructure_free(shortest);
   no_compensator(&c);
   input.specimen = spring(1e8);
   check_refused(&input, "brace");

@@ -35,7 +35,8 @@ static const char *wrong_adaptation(const ed_compensator_parameters *c)
       return "an initial alpha lies outside its limits, or a rate is below 0";
   if (c->kind == ED_COMPENSATE_MODIFIED_ATS && !(c->forgetting > 0.0 && c->forgetting <= 1.0))
     return "the forgetting factor must be above 0 and at most 1";
-  if (c->kind == ED_COMPENSATE_ATS && (c->every < 1 || c->window > ED_COMPENSATOR_WINDOW || c->window / c->every < 3))
+  /* a window holds its last step and each `every`th before it */
+  if (c->kind == ED_COMPENSATE_ATS && (c->every < 1 || c->window < 1 || c->window > ED_COMPENSATOR_WINDOW || (c->window - 1) / c->every < 2))
     return "the window of ATS must hold three samples at least, and not too many steps";
   return NULL;
 }

@@ -14,6 +14,7 @@ import yaml
 from spoiled_files import spoiled
 
 from edesign.cli.main import main
+from edesign.core.compensator import run_compensator
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import find_recordings
 from edesign.project.problems import ProjectError
@@ -25,6 +26,8 @@ from edesign.project.substructure.rig import IdealRig, SecondOrderRig
 from edesign.project.substructure.structure import ShearBuilding
 from edesign.project.substructure.summary import summary
 from edesign.project.yaml_file import file_kind
+from edesign.substructure.laboratory import compensator_of
+from edesign.substructure.rig.rigs import ideal
 
 PROJECTS = Path(__file__).parents[3] / "projects"
 PAGE = PROJECTS.parent / "docs" / "rts_file.md"
@@ -185,6 +188,13 @@ def test_the_defaults_of_adaptive_time_series_are_those_of_the_thesis() -> None:
             assert found.forgetting == 0.996
 
 
+def test_the_shortest_window_of_adaptive_time_series_can_be_run() -> None:
+    """Its last step and those 16 and 32 before it are three samples; 33 steps hold them."""
+    chosen = rts(INLINE.replace("{kind: ats}", "{kind: ats, window: 33 ms, every: 16}"))
+    compensator = compensator_of(chosen.compensators["ats"], chosen.loop.main_step, ideal())
+    assert run_compensator(compensator, 1e-3, np.zeros((40, 3)), np.zeros(40)).shape == (40,)
+
+
 def test_adaptive_time_series_without_a_filter() -> None:
     found = rts(MINIMAL.replace("{kind: none}", "{kind: ats, filter: none}")).compensators["none"]
     assert isinstance(found, AtsCompensator) and found.filter is None
@@ -289,8 +299,11 @@ def test_file_kind_and_summary(tmp_path: Path) -> None:
     assert summary(rts(MINIMAL))["runs"] == "1 test x 1 compensator"
 
 
+OTHER_METHODS = FULL[FULL.index("  - {name: slow") : FULL.index("criteria:")]
+
+
 def test_a_frame_that_may_yield() -> None:
-    text = FULL.replace("analysis: damped}", "analysis: damped, frame: nonlinear}")
+    text = FULL.replace(OTHER_METHODS, "").replace("analysis: damped}", "analysis: damped, frame: nonlinear}")
     text = text.replace("integration: {method: kr_alpha, rho_inf: 0.75}", "integration: {frame_steps: 2}")
     found = rts(text)
     assert found.may_yield and found.integration.frame_steps == 2 and not rts(FULL).may_yield
@@ -304,9 +317,9 @@ def test_a_frame_that_may_yield() -> None:
 
 def test_a_frame_that_may_yield_is_integrated_as_its_project_says(tmp_path: Path) -> None:
     text = FULL.replace("analysis: damped}", "analysis: damped, frame: nonlinear}")
-    found = faults(text)
+    found = [one for one in faults(text) if "integrated as" in one[1]]
     assert [place for place, _ in found] == [(15, 23), (15, 42)]
-    assert all("integrated as" in said and "leave it out" in said for _, said in found)
+    assert all("leave it out" in said for _, said in found)
     steps = FULL.replace("{method: kr_alpha, rho_inf: 0.75}", "{frame_steps: @2}")
     check_fault(steps.replace("@", ""), "frame_steps: 2", "frame_steps: @2", "of a frame that may yield")
     inline = INLINE.replace("{method: newmark_explicit}", "{method: newmark_explicit, frame_steps: 2}")
@@ -323,6 +336,18 @@ def test_a_frame_that_may_yield_is_integrated_as_its_project_says(tmp_path: Path
     base = base[: base.index("specimen:")] + base[base.index("structure:") :]
     ((_, said),) = faults(base)
     assert "a frame that may yield needs `integration`" in said
+
+
+def test_a_frame_that_may_yield_is_tested_in_the_loop_alone() -> None:
+    """Each test by another method is refused at its kind, with what is allowed."""
+    text = FULL.replace("analysis: damped}", "analysis: damped, frame: nonlinear}")
+    text = text.replace("integration: {method: kr_alpha, rho_inf: 0.75}", "integration: {frame_steps: 2}")
+    for kind in ("pseudo_dynamic", "effective_force", "shaking_table"):
+        text = text.replace(f"kind: {kind}", f"kind: @{kind}")
+    text, places = marked(text)
+    found = faults(text)
+    assert [place for place, _ in found] == places and len(places) == 3
+    assert all("linear tangent" in said and "allowed with it: `rts`, `command`" in said for _, said in found)
 
 
 def test_all_mistakes_at_once() -> None:
