@@ -51,6 +51,8 @@ class TestedDamper:
         warnings: of the law at this temperature.
     """
 
+    __test__ = False  # no test of pytest
+
     values: LawValues
     scales: tuple[float, float]
     declared: DamperLaw
@@ -75,6 +77,8 @@ class TestedStructure:
         warnings: what the linear part leaves out.
         frame: that may yield, and runs in the loop; None: the linear part does.
     """
+
+    __test__ = False  # no test of pytest
 
     part: LinearPart
     building: LinearBuilding

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import inf
+from math import inf, nan
 
 import numpy as np
 
@@ -108,12 +108,15 @@ def _pseudo_dynamic(test: PseudoDynamicTest, of: _Setting, abort: float) -> Meth
         physical=test.physical,
         abort=abort,
     )
+    least = float(np.min(record.damping)) if record.damping.size else nan  # no mode oscillates
     figures = (
         ("amplification", record.amplification, "1", "largest growth of a motion in a step"),
-        ("least_damping", float(np.min(record.damping, initial=inf)), "1", "least damping ratio of the test"),
+        ("least_damping", least, "1", "least damping ratio of the test"),
     )
-    told = (record.rate.sentence(UNLIKE), *(("the motion left the abort displacement",) if record.aborted else ()))
-    return MethodResults(test.name, test.kind, record, figures, told, "unstable" if record.aborted else "done")
+    told = record.rate.sentence(UNLIKE)
+    if record.aborted:  # no method is valid then, whatever the rate does to the damper
+        told = "The method is not valid for this test: the motion left the abort displacement."
+    return MethodResults(test.name, test.kind, record, figures, (told,), "unstable" if record.aborted else "done")
 
 
 def _control_error(described: AnyControlError | None) -> ControlError:

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
 
 from edesign.core.damper import CoreDamper
@@ -23,6 +24,7 @@ Feedback = Literal["measured", "computed"]
 Physical = Literal["specimen", "structure"]
 
 _SLACK = 1e-9  # of the largest step: a step at the limit itself is allowed
+_ROUNDING = 1e-6  # of a growth: a double eigenvalue is known to the root of the precision, 1.5e-8, times a few
 
 
 @dataclass(frozen=True)
@@ -116,7 +118,8 @@ def pseudo_dynamic_test(
         abort: deformation of the specimen that ends the test, m.
 
     Raises:
-        InputError: an impossible number, or a step beyond the limit of the method, 2 / omega of the highest mode.
+        InputError: an impossible number, or a step beyond the limit of the method: 2 / omega of the highest mode,
+            less with a damper that resists velocity (m / c of a mass on a dashpot).
         CoreError: the law of the damper failed.
         Stopped: by a wish of `edesign.stopping.stoppable`.
 
@@ -126,7 +129,7 @@ def pseudo_dynamic_test(
     positive("time_scale", time_scale)
     if not abort > 0.0:
         raise InputError(f"abort: must be greater than zero, not {abort:g}")
-    _check_step(part, damper, step)
+    _check_step(part, damper, step, time_scale)
     states, direct_force = respond(fixed_base(part), values, step, damper)
     direct = states[:, : len(part.names)]
     integration = _Integration(part, step, error, feedback, physical)
@@ -349,9 +352,9 @@ def _run(integration: _Integration, laboratory: _Laboratory, ground: np.ndarray,
     return _History(x, x @ integration.part.interface, measured, force)
 
 
-def _check_step(part: LinearPart, damper: CoreDamper, step: float) -> None:
-    """Refuse a step beyond the limit with the damper's own stiffness at rest."""
-    _, _, (stiffness, _) = damper.step(damper.start(), step, (0.0, 0.0), (0.0, 0.0))
+def _check_step(part: LinearPart, damper: CoreDamper, step: float, time_scale: float) -> None:
+    """Refuse a step beyond the limit with the damper at rest as a spring and a dashpot, as the slow motion sees it."""
+    _, _, (stiffness, damping) = damper.step(damper.start(), step * time_scale, (0.0, 0.0), (0.0, 0.0))
     specimen = max(stiffness, 0.0)
     largest, mode = largest_step(part, "newmark_explicit", specimen)
     if step > largest * (1.0 + _SLACK):
@@ -359,3 +362,19 @@ def _check_step(part: LinearPart, damper: CoreDamper, step: float) -> None:
             f"the pseudo-dynamic test is unstable with steps of {1e3 * step:g} ms: mode {mode} with the damper "
             f"({part.frequencies(specimen)[mode - 1]:.4g} Hz) allows at most {1e3 * largest:.4g} ms"
         )
+    dashpot = max(damping, 0.0) / time_scale
+    if dashpot == 0.0 or not math.isfinite(dashpot):  # a power of the velocity has an infinite slope at rest
+        return
+
+    def growth(h: float) -> float:
+        return float(np.abs(step_poles(part, h, specimen, dashpot)).max()) - 1.0 - _ROUNDING
+
+    if growth(step) <= 0.0:
+        return
+    shortest = 1e-3 * step
+    allowed = "at most" if growth(shortest) <= 0.0 else "less than"
+    limit = scipy.optimize.brentq(growth, shortest, step) if allowed == "at most" else shortest
+    raise InputError(
+        f"the pseudo-dynamic test is unstable with steps of {1e3 * step:g} ms: the method takes the damper's "
+        f"{1e-3 * dashpot:.4g} kN s/m explicitly, and allows {allowed} {1e3 * limit:.4g} ms"
+    )

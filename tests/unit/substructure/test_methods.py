@@ -11,10 +11,13 @@ import numpy as np
 import pytest
 import scipy
 
-from edesign.core.damper import CoreDamper
+from edesign.core.damper import CoreDamper, LawValues
 from edesign.errors import InputError
+from edesign.project.dampers import DamperLaw
 from edesign.project.damping import RayleighDamping
+from edesign.project.substructure.programme import PseudoDynamicTest, Undershoot
 from edesign.substructure.indicators.response_error import response_error
+from edesign.substructure.laboratory import Laboratory, TestedDamper, TestedStructure
 from edesign.substructure.methods import (
     ControlError,
     Forcing,
@@ -26,6 +29,7 @@ from edesign.substructure.methods import (
     steady_stiffness,
 )
 from edesign.substructure.methods.effective_force import added_damping, force_ratios, force_transfer
+from edesign.substructure.methods.method_tests import run_method
 from edesign.substructure.methods.pseudo_dynamic import apparent_damping, modes_of, step_poles
 from edesign.substructure.methods.rate import motion_frequency, rate_effect
 from edesign.substructure.methods.shaking_table import table_transfer
@@ -184,6 +188,32 @@ def test_explicit_dashpot_has_a_limit():
     free = oscillator(1.0, 0.0, 0.0)
     assert np.abs(step_poles(free, 0.01, 0.0, 99.0)).max() < 1.0 + 1e-9
     assert np.abs(step_poles(free, 0.01, 0.0, 101.0)).max() > 1.01
+
+
+def test_a_dashpot_shortens_the_largest_step():
+    """Of a free mass it is m / c, g = 1 above; a test that is slower sees so much less of the dashpot."""
+    free = oscillator(2.0, 0.0, 0.0)
+    dashpot = CoreDamper("viscous", (100.0,))
+    with pytest.raises(InputError, match=r"allows at most 20 ms"):
+        pseudo_dynamic_test(free, dashpot, 0.021, kick(10), time_scale=1.0)
+    pseudo_dynamic_test(free, dashpot, 0.019, kick(10), time_scale=1.0)
+    pseudo_dynamic_test(free, dashpot, 0.19, kick(10), time_scale=10.0)
+    with pytest.raises(InputError, match=r"allows at most 200 ms"):
+        pseudo_dynamic_test(free, dashpot, 0.21, kick(10), time_scale=10.0)
+
+
+def test_an_unstable_test_is_never_called_valid():
+    """Undershoot with computed feedback grows by sqrt(1 + undershoot (omega dt)^2) a step, until the abort."""
+    law = LawValues("kelvin_voigt", (1.0, 0.0))
+    damper = TestedDamper(law, (1.0, 1.0), DamperLaw(type="kelvin_voigt"), None, None, ())
+    structure = TestedStructure(oscillator(1.0, 0.0, 0.0), None, ())
+    own = Laboratory(structure, damper, None, None, None, 0.0, False, None)
+    error = Undershoot.model_construct(share=0.1)
+    test = PseudoDynamicTest.model_construct(
+        name="slow", kind="pseudo_dynamic", time_scale=1.0, error=error, feedback="computed"
+    )
+    found = run_method(test, own, 0.5, kick(400), abort=5.0)
+    assert found.outcome == "unstable" and not any("method is valid" in text for text in found.told)
 
 
 def test_computed_feedback_takes_the_error_of_displacement_out_of_the_integration():
