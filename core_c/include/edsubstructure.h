@@ -84,7 +84,8 @@ enum {
   ED_RTS_TRUE_FORCE = 8,
   ED_RTS_ALPHA = 9,          /* three, of ATS; of a live delay the first is the delay, s */
   ED_RTS_INDEPENDENCE = 12, ED_RTS_LIMITED = 13, ED_RTS_SATURATED = 14,
-  ED_RTS_CHANNELS = 15       /* then n_outputs */
+  ED_RTS_APPLIED_FORCE = 15, /* on the numerical part in the next step: as read, and what the compensator adds */
+  ED_RTS_CHANNELS = 16       /* then n_outputs */
 };
 
 /* NULL: *status and `message` (size bytes) say why. */
@@ -95,6 +96,9 @@ void ed_substructure_ask(ed_substructure *test, const ed_stop *stop);
  * row by row. seed: of the noise. *done: rows that hold. ED_LIMIT: the abort displacement or the limit of a channel of the frame was
  * exceeded, in the last of them. */
 int ed_substructure_run(ed_substructure *test, int n, const double *drive, unsigned long long seed, double *record, int *done);
+/* The numerical part alone from rest, under a force of the specimen that is known: n + 1 ground accelerations, forces and target
+ * displacements. *done: targets that hold. */
+int ed_substructure_by_force(ed_substructure *test, int n, const double *ground, const double *force, double *target, int *done);
 const char *ed_substructure_message(const ed_substructure *test); /* of the last run that failed: what did, for people */
 /* A compensator on its own: commands of n steps. target: n x 3. */
 int ed_compensator_run(const ed_compensator_parameters *parameters, int n, const double *target, const double *measured, double *command);

@@ -88,6 +88,21 @@ static void test_delay(void)
   ed_damper_free(specimen);
 }
 
+/* Under the forces of a test the numerical part alone has the targets of `record` again. */
+static void check_by_force(const ed_substructure_input *input, const double *drive, const double *force, int width)
+{
+  static double found[STEPS + 1];
+  int status, done;
+  char message[256];
+  ed_substructure *test = ed_substructure_new(input, &status, message, sizeof message);
+  CHECK_STATUS(ed_substructure_by_force(test, STEPS, drive, force, found, &done), ED_OK);
+  CHECK_INT(done, STEPS + 1);
+  for (int k = 0; k <= STEPS; k++)
+    CHECK_NEAR(found[k], record[k * width + ED_RTS_TARGET], 1e-12);
+  CHECK_STATUS(ed_substructure_by_force(test, -1, drive, force, found, &done), ED_E_ARGUMENT);
+  ed_substructure_free(test);
+}
+
 /* An undamped mass on a numerical spring and the specimen, by the explicit Newmark method: x_(k+1) = 2 x_k - x_(k-1) + dt^2 a_k. */
 static void test_closed_loop(void)
 {
@@ -114,14 +129,28 @@ static void test_closed_loop(void)
   drive[0] = 1.0;
   CHECK_STATUS(run(&input, drive, 0, record, &done), ED_OK);
   const int width = ED_RTS_CHANNELS + 1;
-  double x = 0.0, before = 0.0;
+  double x = 0.0, before = 0.0, force[STEPS + 1];
+  force[0] = 0.0;
   for (int k = 0; k < STEPS; k++) {
     const double next = 2.0 * x - before - h * h * ((k_N + STIFFNESS) / mass * x + (k ? 0.0 : 1.0));
     before = x;
     x = next;
     CHECK_NEAR(record[(k + 1) * width + ED_RTS_TARGET], x, 1e-12);
     CHECK_NEAR(record[(k + 1) * width + ED_RTS_CHANNELS], x, 1e-12);
+    force[k + 1] = STIFFNESS * x;
+    CHECK_NEAR(record[(k + 1) * width + ED_RTS_APPLIED_FORCE], force[k + 1], 1e-6);
   }
+  /* a force that the compensator adds to the one that is read is as a part of the numerical part's own */
+  c.n_force_terms = 1;
+  c.force_term[0].coefficient = -0.25 * STIFFNESS;
+  CHECK_STATUS(run(&input, drive, 0, other, &done), ED_OK);
+  for (int k = 1; k <= STEPS; k++) {
+    const double *row = other + k * width;
+    CHECK_NEAR(row[ED_RTS_APPLIED_FORCE], 0.75 * STIFFNESS * row[ED_RTS_TARGET], 1e-6);
+    CHECK_NEAR(row[ED_RTS_FORCE], STIFFNESS * row[ED_RTS_TARGET], 1e-6);
+  }
+  c.n_force_terms = 0;
+  check_by_force(&input, drive, force, width);
   input.abort_displacement = 1e-9;
   CHECK_STATUS(run(&input, drive, 0, record, &done), ED_LIMIT);
   CHECK(done >= 2 && done < STEPS);

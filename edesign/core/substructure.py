@@ -149,6 +149,7 @@ class LoopRecord:
         actuator: displacement of the piston.
         deformation: of the specimen, true.
         force, true_force: of the specimen, as read and true.
+        applied_force: on the numerical part: as read, and what a compensator adds to it.
         alpha: (n, 3) of ATS; the first is the delay, s, of a live delay.
         independence: of the signals that the alphas stand for, 1 to 0: smallest pivot of their correlation matrix.
         limited: bits 0 to 2 for an alpha at a limit.
@@ -168,6 +169,7 @@ class LoopRecord:
     deformation: np.ndarray
     force: np.ndarray
     true_force: np.ndarray
+    applied_force: np.ndarray
     alpha: np.ndarray
     independence: np.ndarray
     limited: np.ndarray
@@ -175,6 +177,11 @@ class LoopRecord:
     outputs: np.ndarray
     aborted: bool
     frame: Response | None = None
+
+    @property
+    def force_is_corrected(self) -> bool:
+        """Whether the compensator adds something to the force."""
+        return not np.array_equal(self.applied_force, self.force)
 
 
 class SubstructureLoop:
@@ -281,10 +288,7 @@ class SubstructureLoop:
             self._handle, n, ffi.from_buffer("double[]", values), seed, ffi.from_buffer("double[]", record), done
         )
         cpu = thread_time() - cpu
-        raise_if_stopped(status)
-        if status < 0:
-            why = ffi.string(lib.ed_substructure_message(self._handle)).decode(errors="replace")
-            raise CoreError(status_name(status), f"substructure test: failed at {done[0] * self.step:.6g} s: {why}")
+        self._raise_if_failed(status, done[0])
         found = frame.analysis.recorded(recording, cpu=cpu) if frame and recording else None
         aborted = status == lib.ED_LIMIT
         if found is not None and recording is not None and aborted:
@@ -292,6 +296,31 @@ class SubstructureLoop:
             aborted = passed is None
             found = replace(found, status="failed" if aborted else "limit", passed=passed)
         return _recorded(record[: done[0]], aborted, found)
+
+    def by_force(self, ground: ArrayLike, force: ArrayLike) -> np.ndarray:
+        """Run the numerical part alone from rest, and return the target displacements (n,) in m.
+
+        Args:
+            ground: (n,) ground acceleration at main steps, m/s2.
+            force: (n,) of the specimen, N.
+
+        Raises:
+            CoreError: a value is not finite, or the frame failed; it says at which time.
+            KeyboardInterrupt: the user stopped it.
+        """
+        drive, known = (np.ascontiguousarray(values, dtype=float) for values in (ground, force))
+        if drive.ndim != 1 or drive.shape != known.shape or not drive.size:
+            raise ValueError(f"ground and force have the shapes {drive.shape} and {known.shape}")
+        target, done = np.empty(drive.size), ffi.new("int *")
+        buffers = (ffi.from_buffer("double[]", values) for values in (drive, known, target))
+        self._raise_if_failed(lib.ed_substructure_by_force(self._handle, drive.size - 1, *buffers, done), done[0])
+        return target[: done[0]]
+
+    def _raise_if_failed(self, status: int, done: int) -> None:
+        raise_if_stopped(status)
+        if status < 0:
+            why = ffi.string(lib.ed_substructure_message(self._handle)).decode(errors="replace")
+            raise CoreError(status_name(status), f"substructure test: failed at {done * self.step:.6g} s: {why}")
 
 
 def _passed(found: Response, limits: Mapping[str, float], time: float) -> Passed | None:
@@ -315,6 +344,7 @@ def _recorded(record: np.ndarray, aborted: bool, frame: Response | None) -> Loop
         deformation=of(lib.ED_RTS_DEFORMATION),
         force=of(lib.ED_RTS_FORCE),
         true_force=of(lib.ED_RTS_TRUE_FORCE),
+        applied_force=of(lib.ED_RTS_APPLIED_FORCE),
         alpha=record[:, lib.ED_RTS_ALPHA : lib.ED_RTS_ALPHA + 3].copy(),
         independence=of(lib.ED_RTS_INDEPENDENCE),
         limited=of(lib.ED_RTS_LIMITED).astype(int),

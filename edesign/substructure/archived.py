@@ -147,6 +147,9 @@ def _add_histories(group: Group, run: VirtualTest, histories: Sequence[str]) -> 
     for kept in histories:
         for name, unit, text in HISTORIES.get(kept, ()):
             group.add(name, ("time",), getattr(record, name), unit, text)
+    if "force" in histories and record.force_is_corrected:
+        text = "force on the numerical part: as read, and what the compensator adds"
+        group.add("applied_force", ("time",), record.applied_force, "N", text)
     if "alpha" in histories and record.alpha.any():
         for i, unit in enumerate(("1", "s", "s^2")):
             group.add(f"alpha_{i}", ("time",), record.alpha[:, i], unit, f"coefficient alpha_{i} of the compensator")
@@ -154,7 +157,7 @@ def _add_histories(group: Group, run: VirtualTest, histories: Sequence[str]) -> 
         text = "smallest pivot of the correlation matrix of displacement, velocity, acceleration"
         group.add("independence", ("time",), record.independence, "1", text)
     if "energy" in histories:
-        work = work_along(record.force, record.measured - record.target)
+        work = work_along(record.force, record.measured) - work_along(record.applied_force, record.target)
         group.add("interface_energy_error", ("time",), work, "J", "work that the test feeds into the structure")
 
 

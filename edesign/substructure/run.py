@@ -25,6 +25,8 @@ from edesign.substructure.methods.method_tests import MethodResults
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
 
 HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")
+APPLIED_FORCE = "applied_force_kN"
+"""Header of the force on the numerical part, where a compensator corrects what is measured."""
 
 
 def run_tests(
@@ -94,6 +96,8 @@ def run_tests(
 def write_run(run: VirtualTest, path: Path) -> None:
     """Write a run as CSV, as a laboratory records it: time, target, command, displacement at the specimen, force.
 
+    Where the compensator corrects the force, `APPLIED_FORCE` is a column too.
+
     Raises:
         ArchiveError: it cannot be written.
     """
@@ -101,7 +105,11 @@ def write_run(run: VirtualTest, path: Path) -> None:
     assert record is not None
     mm = (record.target, record.command, record.measured, record.actuator)
     columns = [run.time, *(1e3 * one for one in mm), 1e-3 * record.force]
-    write_csv_file(list(HEADERS), zip(*(column.tolist() for column in columns), strict=True), path, digits=9)
+    headers = list(HEADERS)
+    if record.force_is_corrected:
+        headers.append(APPLIED_FORCE)
+        columns.append(1e-3 * record.applied_force)
+    write_csv_file(headers, zip(*(column.tolist() for column in columns), strict=True), path, digits=9)
 
 
 def _planned(file: RtsFile) -> list[str]:

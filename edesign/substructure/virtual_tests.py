@@ -351,16 +351,40 @@ class VirtualLaboratory:
         response = structure.frame.tested(found, drive.ground, self.file.loop.main_step)
         return response.group, response.drift
 
-    def in_loop(self) -> Recursion | FrameNumericalPart:
+    def in_loop(self, record: bool = True) -> Recursion | FrameNumericalPart:
         """Return the numerical part of tests with a loop.
+
+        Args:
+            record: whether a frame that may yield records what it does.
 
         Raises:
             InputError: the integrator is unstable with the main step.
         """
         file, structure = self.file, self.laboratory.structure
         if structure is not None and structure.frame is not None:
-            return structure.frame.numerical_part(file.loop.force, file.integration.frame_steps)
+            return structure.frame.numerical_part(file.loop.force, file.integration.frame_steps, record)
         return self._numerical(file.loop.main_step, file.integration.method, file.loop.force)
+
+    def by_force(self, force: np.ndarray, ground: np.ndarray) -> np.ndarray:
+        """Return the target displacements (n,) in m of the numerical part alone, from rest.
+
+        Args:
+            force: (n,) of the specimen at main steps, N.
+            ground: (n,) ground acceleration there, m/s2.
+
+        Raises:
+            CoreError: the frame failed.
+        """
+        loop = self.file.loop
+        part = SubstructureLoop(
+            loop.main_step,
+            1,
+            compensators.none(),
+            rigs.ideal().discrete(loop.main_step),
+            NOTHING.values,
+            numerical=self.in_loop(record=False),
+        )
+        return part.by_force(ground, force)
 
     def _run(self, test: CommandTest | RtsTest, compensator: str, drive: Drive, direct: Direct | None) -> VirtualTest:
         lab, loop = self.laboratory, self.file.loop
@@ -400,7 +424,8 @@ class VirtualLaboratory:
             if group.attributes["status"] != "completed" and outcome == "done":
                 outcome, reason = "failed", f"the numerical part: {group.attributes['reason']}"
         if outcome == "done":
-            tracked = tracking(record.target, record.measured, self.file.loop.main_step, record.force)
+            step, applied = self.file.loop.main_step, record.applied_force
+            tracked = tracking(record.target, record.measured, step, record.force, applied=applied)
         if outcome == "done" and direct is not None:
             response = response_error(record.deformation, direct.deformation)
             peak = peak_error(record.deformation, direct.deformation)

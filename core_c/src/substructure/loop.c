@@ -239,6 +239,11 @@ static int move_specimen(ed_substructure *t, double w, readings *now)
   return status;
 }
 
+static double applied_force(const ed_substructure *t, const readings *now)
+{
+  return now->force + ed_compensator_force(&t->compensator, &t->compensating);
+}
+
 static void write_row(const ed_substructure *t, const double *target, double command, const readings *now, double *row)
 {
   const ed_compensator *c = &t->compensating;
@@ -257,6 +262,7 @@ static void write_row(const ed_substructure *t, const double *target, double com
   row[ED_RTS_INDEPENDENCE] = c->independence;
   row[ED_RTS_LIMITED] = c->limited;
   row[ED_RTS_SATURATED] = now->saturated;
+  row[ED_RTS_APPLIED_FORCE] = applied_force(t, now);
 }
 
 static void read_sensors(ed_substructure *t, double delayed_force, readings *now)
@@ -308,10 +314,9 @@ static int run(ed_substructure *t, int n, const double *drive, ed_watch *watch, 
       return ED_E_STOPPED;
     int moved = ED_OK;
     if (numerical) {
-      const double force = now.force + ed_compensator_force(&t->compensator, &t->compensating);
       /* the first three of y are the target, and lie in the row before what is recorded of them */
       double *y = row + ED_RTS_CHANNELS - TARGETS;
-      moved = numerical->step(numerical, force, y);
+      moved = numerical->step(numerical, applied_force(t, &now), y);
       if (moved < 0)
         return numerical_part_failed(t, moved);
       memcpy(target, y, sizeof target);
@@ -348,6 +353,41 @@ int ed_substructure_run(ed_substructure *t, int n, const double *drive, unsigned
     ed_ode_system_watch(t->system, NULL);
   if (t->numerical)
     t->numerical->end(t->numerical);
+  return status;
+}
+
+/* y: room for targets and outputs. */
+static int move_by_force(ed_substructure *t, int n, const double *ground, const double *force, ed_watch *watch, double *y, double *target,
+                         int *done)
+{
+  ed_numerical *numerical = t->numerical;
+  int status = numerical->start(numerical, n, ground, y + TARGETS);
+  target[0] = 0.0;
+  *done = 1;
+  for (int k = 0; k < n && status == ED_OK; k++) {
+    if (ed_watch_step(watch))
+      return ED_E_STOPPED;
+    status = numerical->step(numerical, force[k], y);
+    if (status >= 0)
+      target[(*done)++] = y[0];
+  }
+  return status < 0 ? numerical_part_failed(t, status) : status;
+}
+
+int ed_substructure_by_force(ed_substructure *t, int n, const double *ground, const double *force, double *target, int *done)
+{
+  ed_watch watch = ed_watch_of(&t->stop);
+  *done = 0;
+  if (!t->numerical)
+    return failed(t, ED_E_ARGUMENT, "the numerical part", "there is none");
+  if (n < 0 || !ed_all_finite((size_t)n + 1, ground) || !ed_all_finite((size_t)n + 1, force))
+    return failed(t, ED_E_ARGUMENT, "what drives the test", NULL);
+  double *y = malloc(sizeof *y * (TARGETS + (size_t)t->numerical->n_outputs));
+  if (!y)
+    return failed(t, ED_E_MEMORY, "the numerical part", NULL);
+  const int status = move_by_force(t, n, ground, force, &watch, y, target, done);
+  t->numerical->end(t->numerical);
+  free(y);
   return status;
 }
 

@@ -69,7 +69,7 @@ class Tracking:
         "signed area of the synchronisation plot, summed, above zero if late (Mercan & Ricles 2007)", "m2"
     )
     energy_error: float = _indicator(
-        "integral of F d(measured - target), above zero if the rig feeds the structure (Mosqueda et al. 2007)",
+        "work on the specimen less that of the structure, above zero if the rig feeds it (Mosqueda et al. 2007)",
         "J",
     )
     energy_share: float = _indicator("energy error over the largest work done on the specimen", "1")
@@ -92,6 +92,7 @@ def tracking(
     step: float,
     force: ArrayLike | None = None,
     *,
+    applied: ArrayLike | None = None,
     threshold: float | None = None,
     floors: ArrayLike | None = None,
     reference: ArrayLike | None = None,
@@ -103,6 +104,7 @@ def tracking(
         measured: x_m (n,), m, at the same instants.
         step: between samples, s.
         force: F (n,) of the specimen, above zero for x above zero, N; None: no energies.
+        applied: (n,) force on the structure, which a compensator may correct, N; None: that of the specimen.
         threshold: of displacement, m: half-cycles within it have no crossings and no peaks; None: `QUIET` of the
             largest target.
         floors, reference: as `benchmark_criteria`, (n, 3) m; both or none.
@@ -146,8 +148,8 @@ def tracking(
         peak_error_largest=errors.largest if errors else math.nan,
         peaks=errors.errors.size if errors else 0,
         tracking_indicator=float(tracking_indicator(x_t, x_m)[-1]),
-        energy_error=_number(lambda: float(energy_error(_given(f), x_t, x_m)[-1]), why, "energy_error"),
-        energy_share=_number(lambda: energy_share(_given(f), x_t, x_m), why, "energy_share"),
+        energy_error=_number(lambda: float(energy_error(_given(f), x_t, x_m, applied)[-1]), why, "energy_error"),
+        energy_share=_number(lambda: energy_share(_given(f), x_t, x_m, applied), why, "energy_share"),
         benchmark=_criteria(x_m, floors, reference, step),
         untold=why,
     )

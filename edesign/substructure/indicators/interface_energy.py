@@ -31,8 +31,12 @@ def work_along(force: np.ndarray, displacement: np.ndarray) -> np.ndarray:
     return np.concatenate(([0.0], np.cumsum(0.5 * (force[1:] + force[:-1]) * np.diff(displacement))))
 
 
-def energy_error(force: ArrayLike, target: ArrayLike, measured: ArrayLike) -> np.ndarray:
-    """Integral of F d(x_m - x_t): what the specimen took less what the structure believes to have given.
+def energy_error(
+    force: ArrayLike, target: ArrayLike, measured: ArrayLike, applied: ArrayLike | None = None
+) -> np.ndarray:
+    """Integral of F dx_m - F_a dx_t: what the specimen took less what the structure believes to have given.
+
+    Without a correction of the force F_a = F, and it is the integral of F d(x_m - x_t).
 
     Above zero the rig has fed energy into the structure, as a negative damper does. A spring k under a sine of
     amplitude a, late by phi, gains pi k a^2 sin(phi) a cycle.
@@ -41,6 +45,7 @@ def energy_error(force: ArrayLike, target: ArrayLike, measured: ArrayLike) -> np
         force: F (n,) of the specimen, above zero for x above zero, N.
         target: x_t (n,), m.
         measured: x_m (n,), m.
+        applied: F_a (n,) on the structure, which a compensator may correct, N; None: F.
 
     Returns:
         (n,) J.
@@ -53,16 +58,18 @@ def energy_error(force: ArrayLike, target: ArrayLike, measured: ArrayLike) -> np
     """
     x_t = channel("target", target)
     x_m = channel("measured", measured, x_t.size)
-    return work(channel("force", force, x_t.size), x_m - x_t)
+    f = channel("force", force, x_t.size)
+    given = f if applied is None else channel("applied force", applied, x_t.size)
+    return work_along(f, x_m) - work_along(given, x_t)
 
 
-def energy_share(force: ArrayLike, target: ArrayLike, measured: ArrayLike) -> float:
+def energy_share(force: ArrayLike, target: ArrayLike, measured: ArrayLike, applied: ArrayLike | None = None) -> float:
     """Energy error at the end over the largest work done on the specimen; arguments and InputError: as `energy_error`.
 
     Raises:
         Untold: no work is done on the specimen, or it gives out more than it took, as with a force of wrong sign.
     """
-    error = float(energy_error(force, target, measured)[-1])
+    error = float(energy_error(force, target, measured, applied)[-1])
     taken = work(force, measured)
     most, least = float(np.max(taken)), float(np.min(taken))
     if -least > most:

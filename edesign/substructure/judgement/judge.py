@@ -11,6 +11,7 @@ import numpy as np
 
 from edesign.calibrate.noise import smooth
 from edesign.core.damper import CoreDamper
+from edesign.core.errors import CoreError
 from edesign.errors import InputError
 from edesign.project.problems import unknown_name
 from edesign.project.substructure.programme import CommandTest, RtsTest
@@ -22,10 +23,8 @@ from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.response_error import peak_error, response_error
 from edesign.substructure.indicators.tracking_error import nrms_root
 from edesign.substructure.judgement.measured import MeasuredRecord, clipped, read_measured
-from edesign.substructure.judgement.measured_force import response_to_force
-from edesign.substructure.laboratory import TestedDamper, stiffness_of
+from edesign.substructure.laboratory import TestedDamper
 from edesign.substructure.stability.margins import critical_delays
-from edesign.substructure.structure.recursion import recursion
 from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
 
 REPRODUCED = 0.05
@@ -42,14 +41,15 @@ class JudgedResponse:
     Attributes:
         test: of the file.
         driven_by: the ground motion, in words.
-        reproduced: root of squared error over squared target, of the numerical part under the measured force.
+        reproduced: root of squared error over squared target, of the numerical part under the measured force,
+            or the applied one where the record has it.
         response_error, peak_error: of the measured displacement against the direct analysis: root of squared error over
             squares, relative error of the peak.
         target_error: root of squared error over squares, of the recorded target against the direct analysis.
         force_nrms, force_nrms_root: of the law under the measured displacement against the measured force, without and
             with a root.
         critical_delay: at which the loop would have become unstable, s; inf: at none.
-        margin: of it over the measured delay; inf: the specimen was not late.
+        margin: of it over the measured delay and that of the force; inf: neither is late; NaN: the delay is not told.
         time: (n,) s at main steps; target, measured, force, direct_deformation, by_force, law_force: (n,) SI.
     """
 
@@ -149,7 +149,8 @@ def judge(path: Path | str, file: RtsFile | None = None, test: str | None = None
         if name in record.channels and (level := clipped(record[name])) is not None:
             scale, unit = (1e3, "mm") if name == "displacement" else (1e-3, "kN")
             raise InputError(f"{record.path}: the {name} is cut off at {scale * level:.4g} {unit}: its sensor's range?")
-    followed = tracking(record["target"], record["displacement"], record.step, record.channels.get("force"))
+    force, applied = (record.channels.get(name) for name in ("force", "applied_force"))
+    followed = tracking(record["target"], record["displacement"], record.step, force, applied=applied)
     chosen = None if file is None else chosen_test(file, record.path, test)
     response = _response(record, file, chosen, followed) if file is not None and isinstance(chosen, RtsTest) else None
     return Judgement(
@@ -201,7 +202,8 @@ def _response(record: MeasuredRecord, file: RtsFile, test: RtsTest, followed: Tr
     assert structure is not None and drive.ground is not None
     time = _shared_time(record, drive)
     target, measured, force = (_at(record, one, time) for one in ("target", "displacement", "force"))
-    by_force = _by_force(laboratory, force, drive.ground[: time.size])
+    applied = _at(record, "applied_force", time) if "applied_force" in record.channels else force
+    by_force = _by_force(record, laboratory, applied, drive.ground[: time.size])
     _refuse_another_test(record, target, by_force, whole, file.loop.main_step)
     direct = whole.deformation[: time.size]
     law = _law_force(laboratory.damper, time, measured)
@@ -250,15 +252,16 @@ def _at(record: MeasuredRecord, channel: str, time: np.ndarray) -> np.ndarray:
     return np.interp(time, record.time, record[channel])
 
 
-def _by_force(laboratory: VirtualLaboratory, force: np.ndarray, ground: np.ndarray) -> np.ndarray:
-    file, structure = laboratory.file, laboratory.laboratory.structure
-    assert structure is not None
-    stiffness = stiffness_of(laboratory.damper)
-    loop, how = file.loop, file.integration
-    part = recursion(
-        structure.part, loop.main_step, how.method, loop.force, specimen_stiffness=stiffness, rho=how.rho_inf
-    )
-    return response_to_force(part, force, ground)[0]
+def _by_force(
+    record: MeasuredRecord, laboratory: VirtualLaboratory, force: np.ndarray, ground: np.ndarray
+) -> np.ndarray:
+    try:
+        return laboratory.by_force(force, ground)
+    except CoreError as error:
+        raise InputError(
+            f"{record.path}: the numerical part cannot take the measured force: {error}; unit, sign or channel of the "
+            "force, or another structure?"
+        ) from error
 
 
 def _refuse_another_test(
@@ -329,4 +332,7 @@ def _of_force(response: JudgedResponse) -> Iterable[str]:
     if float(np.sum(response.force * response.law_force)) < 0.0:
         yield "the measured force has the opposite sign of the law's: F > 0 pulls back for x > 0"
     else:
-        yield "the measured force does not make the recorded target: unit or channel of the force, or another structure"
+        yield (
+            "the measured force does not make the recorded target: unit or channel of the force, another structure, "
+            "or a compensator that corrects the force (a column such as `applied_force_kN`)"
+        )

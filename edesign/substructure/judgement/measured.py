@@ -1,4 +1,4 @@
-"""Measured records of a rig: CSV with time, target, command, displacement, actuator and force, evenly sampled."""
+"""Measured records of a rig: CSV with time, target, command, displacement, actuator and forces, evenly sampled."""
 
 from __future__ import annotations
 
@@ -22,6 +22,7 @@ COLUMNS: dict[str, tuple[Units, tuple[str, ...]]] = {
     "displacement": (DISPLACEMENT, ("displacement", "measured", "encoder", "measured displacement")),
     "actuator": (DISPLACEMENT, ("actuator", "lvdt", "actuator displacement", "stroke")),
     "force": (FORCE, ("force", "load", "measured force")),
+    "applied_force": (FORCE, ("applied force",)),
 }
 """Quantities with their units, and the names that they have in headers."""
 SHARE_OF_STEP = 0.02

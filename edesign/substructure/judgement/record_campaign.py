@@ -31,8 +31,9 @@ def write_record_campaign(
 ) -> Campaign:
     """Write records as one campaign: NAME.csv of each, and campaign.yaml.
 
-    Force, displacement and layers are those of one prototype of the law, as its parameters are. Effects of the specimen are
-    not named, so that they can be found. Every third test is one to validate with, the others are to fit to.
+    Force, displacement and layers are those of one prototype of the law, as its parameters are. Effects of the
+    specimen are not named, so that they can be found. Every third test is one to validate with, the others are to fit
+    to.
 
     Args:
         found: what was judged with the file, in the order in which the tests were made.

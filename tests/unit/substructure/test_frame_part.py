@@ -22,7 +22,8 @@ from edesign.report.summary import summarise
 from edesign.stopping import Stopped, stoppable
 from edesign.study.analyses import run_analysis
 from edesign.substructure.indicators.response_error import response_error
-from edesign.substructure.run import run_tests
+from edesign.substructure.judgement.judge import judge
+from edesign.substructure.run import run_tests, write_run
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.project_frame import loop_grows
 from edesign.substructure.structure.project_structure import project_part
@@ -120,6 +121,18 @@ def test_elastic_frames_are_as_their_linear_part(name: str, force: str) -> None:
         errors.append(response_error(found[1].target, found[0].target))
     assert errors[1] < 1e-3
     assert np.log2(errors[0] / errors[1]) == pytest.approx(2.0, abs=0.1)
+
+
+def test_a_frame_that_yields_is_judged_as_it_was_run(tmp_path: Path) -> None:
+    """The frame under the force that it met makes the target again, which its linear tangent misses by a half."""
+    project = yielding(tmp_path, 0.01)
+    lab = laboratory(project, 10.0, "extrapolated", more="title: x\n")
+    (results,) = lab.run()
+    write_run(results.runs[0], tmp_path / "quake.csv")
+    found = judge(tmp_path / "quake.csv", lab.file)
+    assert found.response is not None and found.response.reproduced < 1e-6  # the digits of the file
+    assert found.response.response_error == pytest.approx(results.runs[0].response_error, abs=1e-6)
+    assert found.good is True
 
 
 PEAKS = ("storey_drift", "floor_acceleration", "beam_plastic_rotation")

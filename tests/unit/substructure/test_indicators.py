@@ -235,6 +235,8 @@ def test_energy_of_a_spring_and_of_a_dashpot() -> None:
     viscous = c * omega * AMPLITUDE * np.cos(omega * (t - delay))
     taken = cycles * math.pi * c * omega * AMPLITUDE**2 * polygon
     assert energy_error(viscous, x_t, x_m)[-1] == pytest.approx(taken * (1.0 - math.cos(omega * delay)), rel=1e-8)
+    # the force that a perfect prediction gives the structure is that of its target: nothing is fed after whole cycles
+    assert energy_error(k * x_m, x_t, x_m, k * x_t)[-1] == pytest.approx(0.0, abs=1e-9 * fed)
     assert energy_share(viscous, x_t, x_m) == pytest.approx(1.0 - math.cos(omega * delay), rel=1e-8)
     both = tracking(x_t, x_m, STEP, k * x_m + viscous)
     assert both.energy_error == pytest.approx(fed + taken * (1.0 - math.cos(omega * delay)), rel=1e-8)
