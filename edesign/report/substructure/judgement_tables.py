@@ -97,7 +97,7 @@ def _criteria(found: Judgement) -> Table:
 
 
 def _criterion(one: Criterion) -> list[str]:
-    met = "yes" if one.met else "no"
+    met = "yes" if one.met else "no" if one.determined else "not determined"
     if one.at_least:
         value = "no limit" if math.isinf(one.value) else number(one.value, 3)
         return [one.name, value, f"at least {one.limit:g}", met]

@@ -17,7 +17,7 @@ from edesign.project.problems import unknown_name
 from edesign.project.substructure.programme import CommandTest, RtsTest
 from edesign.project.substructure.quantities import MOST_DELAY
 from edesign.project.substructure.rts_file import RtsFile
-from edesign.substructure.advice.expectation import Bench
+from edesign.substructure.advice.expectation import Bench, force_delay
 from edesign.substructure.indicators import Tracking, Untold, tracking
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.response_error import peak_error, response_error
@@ -88,6 +88,11 @@ class Criterion:
     at_least: bool = False
 
     @property
+    def determined(self) -> bool:
+        """Whether the test tells the value."""
+        return not math.isnan(self.value)
+
+    @property
     def met(self) -> bool:
         """Whether it is kept; not if the value is not known."""
         return self.value >= self.limit if self.at_least else self.value <= self.limit
@@ -129,7 +134,7 @@ class Judgement:
             return "no verdict: a command has no response of a structure"
         if not self.criteria:
             return "no verdict: the file of the test (--rts) says what a good one is"
-        bad = [one.name for one in self.criteria if not one.met]
+        bad = [one.name if one.determined else f"{one.name} (not determined)" for one in self.criteria if not one.met]
         return f"not good: {' and '.join(bad)}" if bad else "good: all criteria are met"
 
 
@@ -210,7 +215,7 @@ def _response(record: MeasuredRecord, file: RtsFile, test: RtsTest, followed: Tr
     part = structure.part
     crossings = critical_delays(Bench.of(laboratory, whole.deformation, part).whole, 0.5 / file.loop.main_step)
     critical = min((one.delay for one in crossings if one.delay > 0.0), default=math.inf)
-    late = followed.correlation_delay
+    late = followed.correlation_delay + force_delay(laboratory)
     return JudgedResponse(
         test=test.name,
         driven_by=drive.source,
@@ -221,7 +226,7 @@ def _response(record: MeasuredRecord, file: RtsFile, test: RtsTest, followed: Tr
         force_nrms=nrms_root(force, law) ** 2,
         force_nrms_root=nrms_root(force, law),
         critical_delay=critical,
-        margin=critical / late if late > 0.0 else math.inf,
+        margin=math.inf if late <= 0.0 or math.isinf(critical) else critical / late,
         time=time,
         target=target,
         measured=measured,

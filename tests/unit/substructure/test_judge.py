@@ -12,14 +12,18 @@ import pytest
 from edesign.archive.csv_files import write_csv_file
 from edesign.building.building_sections import BuildingSections
 from edesign.cli.main import main
+from edesign.core.substructure import SubstructureLoop
 from edesign.damper.campaign import load_campaign
 from edesign.errors import InputError
 from edesign.project.substructure import load_rts_file, parse_rts_file
 from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rts_file import RtsFile
+from edesign.report.substructure.judgement_tables import judgement_tables
+from edesign.substructure.compensation import compensators
 from edesign.substructure.judgement.judge import REPRODUCED, chosen_test, judge
-from edesign.substructure.judgement.measured_force import response_to_force
 from edesign.substructure.judgement.record_campaign import write_record_campaign
+from edesign.substructure.laboratory import NOTHING
+from edesign.substructure.rig.rigs import ideal
 from edesign.substructure.run import HEADERS, write_run
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.recursion import recursion
@@ -78,11 +82,11 @@ def test_a_virtual_test_is_judged_as_it_was_run(tmp_path: Path, compensator: str
 
 
 def test_the_critical_delay_is_that_of_the_thesis_frame(tmp_path: Path) -> None:
-    """32 to 40 ms of the linearised law (design notes, section 0); the test without compensator is late by 10 ms."""
+    """32 to 40 ms of the linearised law (design notes, section 0); the rig is late by 10 ms, held force by 0.5."""
     response = judge(record(tmp_path / "measured.csv", "none"), file()).response
     assert response is not None
     assert 0.0315 < response.critical_delay < 0.040
-    assert response.margin == pytest.approx(response.critical_delay / 0.01025, rel=0.02)
+    assert response.margin == pytest.approx(response.critical_delay / (0.01025 + 0.0005), rel=0.02)
 
 
 def test_tracking_alone_needs_no_file(tmp_path: Path) -> None:
@@ -147,10 +151,80 @@ def test_an_oscillator_under_a_known_force_is_that_of_its_recursion() -> None:
     """A constant force bends a spring at rest by F/k when all has died out."""
     part = LinearPart(np.array([[1e3]]), np.array([[2e3]]), np.array([[1e5]]), np.ones(1), np.ones(1), ("floor 1",))
     step = recursion(part, 1e-3, "exact", "extrapolated")
-    target, floors = response_to_force(step, np.full(20000, 50.0), np.zeros(20000))
+    rig = ideal().discrete(1e-3)
+    loop = SubstructureLoop(1e-3, 1, compensators.none(), rig, NOTHING.values, numerical=step)
+    target = loop.by_force(np.zeros(20000), np.full(20000, 50.0))
     assert target[0] == 0.0
     assert target[-1] == pytest.approx(-50.0 / 1e5, rel=1e-6)
-    np.testing.assert_array_equal(floors[:, 0], target)
+
+
+def short(folder: Path, rest: str) -> RtsFile:
+    """A storey of 143.26 t on 22.6 kN/mm under some seconds of a sine, with rig and compensators in `rest`."""
+    motion = "{file: motion.csv, acceleration_unit: m/s^2, columns: {time: t, acceleration: a}}"
+    time = np.arange(0.0, 6.0, 0.01)
+    ground = np.column_stack([time, np.sin(2.0 * np.pi * 1.5 * time) * np.minimum(time, 1.0)])
+    np.savetxt(folder / "motion.csv", ground, delimiter=",", header="t,a", comments="")
+    text = f"""\
+edesign_rts: 1
+structure: {{masses: [143.26 t], stiffnesses: [22.6e6 N/m], damping: {{kind: modal, ratio: 2 %}}}}
+specimen: {{law: {{type: kelvin_voigt, parameters: {{k: 6 kN/mm, c: 100 kN*s/m}}}}}}
+records: {{ground: {motion}}}
+tests: [{{name: ground, kind: rts, record: ground, scale: 1}}]
+{rest}
+"""
+    return parse_rts_file(text, folder / "rts.yaml")
+
+
+def test_a_perfect_smith_prediction_is_a_good_test(tmp_path: Path) -> None:
+    """Rig and predictor have one delay, and its specimen is the law: the structure meets the force of its target.
+
+    So the target is that of the direct analysis, up to the error of the step. Of the energy that the
+    delay alone feeds into the structure, nothing stays.
+    """
+    smith = "smith: {kind: smith, delay: 10 ms, stiffness: 6 kN/mm, damping: 100 kN*s/m}"
+    chosen = short(tmp_path, f"rig: {{kind: delay, delay: 10 ms}}\ncompensators: {{none: {{kind: none}}, {smith}}}")
+    (results,) = VirtualLaboratory(chosen).run()
+    none, predicted = results.runs
+    write_run(predicted, tmp_path / "ground_smith.csv")
+    assert (tmp_path / "ground_smith.csv").read_text().splitlines()[0].endswith(",force_kN,applied_force_kN")
+    write_run(none, tmp_path / "ground_none.csv")
+    assert (tmp_path / "ground_none.csv").read_text().splitlines()[0] == ",".join(HEADERS)
+    found = judge(tmp_path / "ground_smith.csv", chosen)
+    assert found.response is not None and results.direct is not None and predicted.record is not None
+    assert found.response.reproduced < 1e-6 and found.response.target_error < 0.02
+    assert found.tracking.energy_share == pytest.approx(0.0, abs=0.02)
+    law = 6e6 * predicted.record.target + 1e5 * predicted.record.target_velocity
+    assert np.max(np.abs(predicted.record.applied_force - law)) < 0.02 * np.max(np.abs(law))
+    lines = [line.rsplit(",", 1)[0] for line in (tmp_path / "ground_smith.csv").read_text().splitlines()]
+    (tmp_path / "ground_bare.csv").write_text("\n".join(lines))
+    bare = judge(tmp_path / "ground_bare.csv", chosen)
+    assert bare.response is not None and bare.response.reproduced > REPRODUCED
+    assert any("a compensator that corrects the force" in note for note in bare.notes)
+
+
+def test_a_late_force_counts_as_a_late_rig(tmp_path: Path) -> None:
+    """8 ms of the rig and 8 ms of the load cell are 16 ms in the loop, whose critical delay has half the factor."""
+    rig = "rig: {kind: delay, delay: 8 ms}\ncompensators: {none: {kind: none}}\nsensors: {force_delay: @ ms}"
+    margins = []
+    for late in ("0", "8"):
+        chosen = short(tmp_path, rig.replace("@", late))
+        (results,) = VirtualLaboratory(chosen).run()
+        write_run(results.runs[0], tmp_path / "ground.csv")
+        response = judge(tmp_path / "ground.csv", chosen).response
+        assert response is not None
+        margins.append(response.margin * 1e3 / response.critical_delay)
+    assert margins == pytest.approx([1e6 / 8.0, 1e6 / 16.0], rel=2e-3)
+
+
+def test_a_delay_that_cannot_be_told_leaves_its_criterion_open(tmp_path: Path) -> None:
+    """A displacement against its target has no delay; the margin is not determined, and so not met."""
+    backwards = -1e3 * runs()["none"].record.measured  # type: ignore[union-attr]
+    path = record(tmp_path / "measured.csv", "none", displacement_mm=backwards)
+    found = judge(path, file())
+    margin = found.criteria[-1]
+    assert np.isnan(margin.value) and not margin.met and not margin.determined and found.good is False
+    assert "margin of the delay (not determined)" in found.verdict
+    assert "not determined" in judgement_tables(found)[-1].rows[-1]
 
 
 @pytest.mark.parametrize("displacement", ["target", "encoder"])
