@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike
 from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
 from edesign.stopping import end_if_wished
+from edesign.substructure.laboratory import SMALL
 from edesign.substructure.methods.comparison import MethodRecord, checked_ground, positive
 from edesign.substructure.methods.rate import RateEffect, motion_frequency, rate_effect
 from edesign.substructure.methods.state_space import fixed_base, respond
@@ -353,8 +354,13 @@ def _run(integration: _Integration, laboratory: _Laboratory, ground: np.ndarray,
 
 
 def _check_step(part: LinearPart, damper: CoreDamper, step: float, time_scale: float) -> None:
-    """Refuse a step beyond the limit with the damper at rest as a spring and a dashpot, as the slow motion sees it."""
-    _, _, (stiffness, damping) = damper.step(damper.start(), step * time_scale, (0.0, 0.0), (0.0, 0.0))
+    """Refuse a step beyond the limit with the damper as the spring and dashpot that a slow test sees in small motions.
+
+    Not at rest itself, where a power of the velocity has an infinite slope.
+    """
+    speed = SMALL[0] / SMALL[1]
+    slow = speed / time_scale
+    _, _, (stiffness, damping) = damper.step(damper.start(), step * time_scale, (0.0, slow), (speed * step, slow))
     specimen = max(stiffness, 0.0)
     largest, mode = largest_step(part, "newmark_explicit", specimen)
     if step > largest * (1.0 + _SLACK):
@@ -363,7 +369,7 @@ def _check_step(part: LinearPart, damper: CoreDamper, step: float, time_scale: f
             f"({part.frequencies(specimen)[mode - 1]:.4g} Hz) allows at most {1e3 * largest:.4g} ms"
         )
     dashpot = max(damping, 0.0) / time_scale
-    if dashpot == 0.0 or not math.isfinite(dashpot):  # a power of the velocity has an infinite slope at rest
+    if not 0.0 < dashpot < math.inf:
         return
 
     def growth(h: float) -> float:

@@ -202,6 +202,15 @@ def test_a_dashpot_shortens_the_largest_step():
         pseudo_dynamic_test(free, dashpot, 0.21, kick(10), time_scale=10.0)
 
 
+def test_a_power_of_the_velocity_is_a_dashpot_in_small_motions():
+    """C |v|^a sgn v has the slope a C v^(a - 1), infinite at rest; at 1 mm/s and a = 0.5 it is 0.5 C / sqrt(v)."""
+    free, damper = oscillator(2.0, 0.0, 0.0), CoreDamper("viscous_power", (10.0, 0.5))
+    limit = 2.0 / (0.5 * 10.0 / math.sqrt(1e-3))
+    pseudo_dynamic_test(free, damper, 0.99 * limit, 1e-3 * kick(10), time_scale=1.0)
+    with pytest.raises(InputError, match=f"allows at most {1e3 * limit:.4g} ms"):
+        pseudo_dynamic_test(free, damper, 1.01 * limit, 1e-3 * kick(10), time_scale=1.0)
+
+
 def test_an_unstable_test_is_never_called_valid():
     """Undershoot with computed feedback grows by sqrt(1 + undershoot (omega dt)^2) a step, until the abort."""
     law = LawValues("kelvin_voigt", (1.0, 0.0))
