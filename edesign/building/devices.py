@@ -58,6 +58,39 @@ class BraceBar:
 
 
 @dataclass(frozen=True)
+class DeviceSize:
+    """What a damper says of its size: how many stand side by side, and what replaces the size of a law's prototype.
+
+    Attributes:
+        number: side by side.
+        layers, layer_area (m2), layer_thickness (m): of one of them; None: as the prototype.
+    """
+
+    number: int
+    layers: int | None = None
+    layer_area: float | None = None
+    layer_thickness: float | None = None
+
+    @property
+    def resized(self) -> bool:
+        """Whether anything replaces the size of a prototype."""
+        return any(one is not None for one in (self.layers, self.layer_area, self.layer_thickness))
+
+    def scales(self, law: DeviceLaw) -> tuple[float, float, float | None]:
+        """Return the factors on force and deformation of a law, and the layers' thickness, m; None: it has no layers.
+
+        Source: thesis Eqs. 5.18-5.21.
+        """
+        if law.layers is None or law.layer_area is None or law.layer_thickness is None:
+            return self.number * law.property_factor, 1.0, None
+        layers = self.layers if self.layers is not None else law.layers
+        area = self.layer_area if self.layer_area is not None else law.layer_area
+        thickness = self.layer_thickness if self.layer_thickness is not None else law.layer_thickness
+        force = self.number * layers * area / (law.layers * law.layer_area)
+        return law.property_factor * force, law.layer_thickness / thickness, thickness
+
+
+@dataclass(frozen=True)
 class Device:
     """A damper in the frame model.
 
@@ -68,6 +101,7 @@ class Device:
         storey: storey whose drift works it, from 1; 0: none.
         terms: (coefficient, node, degree) that its deformation is the sum of.
         layer_thickness: m, for the shear strain; None: the law has no layers.
+        size: that its scales follow from.
         force_scale, deformation_scale: F = force_scale * law(deformation_scale * u).
         brace: N/m; 0: rigid.
         tested_strain: of its law.
@@ -81,6 +115,7 @@ class Device:
     storey: int
     terms: tuple[Term, ...]
     layer_thickness: float | None
+    size: DeviceSize
     force_scale: float
     deformation_scale: float
     brace: float
@@ -141,7 +176,8 @@ def add_devices(
         if law.layers is None and (run.layers or run.layer_area or run.layer_thickness):
             raise InputError(f"{where}: the law `{run.law}` has no `prototype` whose size could be changed")
         for place in _places(project, run, nodes, where):
-            force_scale, deformation_scale, thickness = _scales(run, law, place)
+            size = _size(run, place)
+            force_scale, deformation_scale, thickness = size.scales(law)
             brace = _brace(project, run, place, i)
             name = _free(place.name, taken)
             taken.add(name)
@@ -152,7 +188,7 @@ def add_devices(
             except CoreError as error:  # an effect that the law cannot have with a brace
                 raise InputError(f"{where}: {error}") from error
             scales = (force_scale, deformation_scale, brace, law.tested_strain, _brace_bar(run, place))
-            found.append(Device(name, number, run.law, law.law, place.storey, place.terms, thickness, *scales))
+            found.append(Device(name, number, run.law, law.law, place.storey, place.terms, thickness, size, *scales))
     return tuple(found)
 
 
@@ -232,15 +268,9 @@ def _node(nodes: Mapping[str, int], name: str, where: str) -> int:
     return nodes[name]
 
 
-def _scales(run: DamperRun | DamperBetween, law: DeviceLaw, place: _Place) -> tuple[float, float, float | None]:
-    """Factors on force and deformation, and the layers' thickness."""
-    if law.layers is None or law.layer_area is None or law.layer_thickness is None:
-        return run.number * law.property_factor, 1.0, None
-    layers = run.layers if run.layers is not None else law.layers
-    area = law.layer_area if run.layer_area is None else _of_storey(run.layer_area, place)
-    thickness = run.layer_thickness if run.layer_thickness is not None else law.layer_thickness
-    force = run.number * layers * area / (law.layers * law.layer_area)
-    return law.property_factor * force, law.layer_thickness / thickness, thickness
+def _size(run: DamperRun | DamperBetween, place: _Place) -> DeviceSize:
+    area = None if run.layer_area is None else _of_storey(run.layer_area, place)
+    return DeviceSize(run.number, run.layers, area, run.layer_thickness)
 
 
 def _of_storey(values: float | tuple[float, ...], place: _Place) -> float:

@@ -7,13 +7,14 @@ from math import inf
 
 import numpy as np
 
-from edesign.building.devices import Device
+from edesign.building.devices import Device, DeviceLaw, DeviceSize
 from edesign.core.compensator import AdaptiveTimeSeries, Compensator, LiveDelay
 from edesign.core.damper import LawValues
 from edesign.core.substructure import LinearRig, RigLimits, Sensors, ServoHydraulicRig
 from edesign.damper.law_file import Source, read_law_file, resolve
 from edesign.damper.specimen import Specimen
-from edesign.project.dampers import DamperLaw, LawDescription, Prototype
+from edesign.errors import InputError
+from edesign.project.dampers import DamperLaw, LawDescription
 from edesign.project.damping import ModalDamping, NoDamping, RayleighDamping
 from edesign.project.outputs import HistoryKind
 from edesign.project.substructure import compensators as kinds
@@ -121,7 +122,7 @@ def laboratory(file: RtsFile) -> Laboratory:
         InputError: the law or the structure cannot be tested so; the message says why, and where it stands.
     """
     structure, device = _structure(file)
-    damper = _damper(file, None if device is None else (device.force_scale, device.deformation_scale))
+    damper = _damper(file, device)
     if structure is not None and device is not None and file.may_yield:
         structure = _with_frame(structure, device, damper or NOTHING, file)
     plant = file.plant
@@ -159,6 +160,8 @@ def _with_frame(structure: TestedStructure, device: Device, damper: TestedDamper
     assert file.project is not None
     collapse = file.analysis.collapse_drift if file.analysis is not None else None
     kept = FRAME_HISTORIES if "building" in file.outputs.histories else ()
+    thickness = damper.specimen.layer_thickness / damper.scales[1] if damper.specimen is not None else None
+    device = replace(device, layer_thickness=thickness)
     frame = ProjectFrame(file.project, device, damper.values, damper.scales, collapse, kept)
     structure = replace(structure, frame=frame)
     specimen_stiffness = stiffness_of(damper)
@@ -185,8 +188,9 @@ def _damping(described: ShearBuilding) -> NoDamping | RayleighDamping | ModalDam
     return NoDamping(kind="none")
 
 
-def _damper(file: RtsFile, scales: tuple[float, float] | None) -> TestedDamper | None:
-    placed = file.law
+def _damper(file: RtsFile, device: Device | None) -> TestedDamper | None:
+    """The specimen, at the size of a device of a project, or at that of the file."""
+    placed, said = file.law, file.specimen
     if placed is None:
         return None
     described: LawDescription = placed.law
@@ -195,35 +199,34 @@ def _damper(file: RtsFile, scales: tuple[float, float] | None) -> TestedDamper |
         described, source = read_law_file(placed.path.parent / placed.law.file)
     bare = resolve(described, source, placed.law.temperature, asked)
     found = bare
-    if file.specimen.effects:
+    if said.effects:
         own = Source(file.path, file.root, ("specimen",))
-        whole = described.model_copy(update={"effects": (*described.effects, *file.specimen.effects)})
+        whole = described.model_copy(update={"effects": (*described.effects, *said.effects)})
         found = resolve(whole, own, placed.law.temperature, asked)
+    size = DeviceSize(said.number, said.layers, said.layer_area, said.layer_thickness)
+    if device is not None:
+        size = device.size
     prototype = placed.law.prototype or described.prototype
-    own_scales, layers = _size(file, prototype)
-    force, deformation = scales or own_scales
+    if prototype is None and size.resized:
+        whose = "the specimen" if device is None else f"the damper {device.name} of the project"
+        raise InputError(
+            f"{file.where('specimen')}: specimen: the law has no `prototype`, and {whose} changes the size of one; "
+            "give the law its `prototype`"
+        )
+    law, of_law = DeviceLaw(found.for_core, property_factor=placed.law.property_factor), None
+    if prototype is not None:
+        layers = (prototype.layers, prototype.layer_area, prototype.layer_thickness)
+        law = DeviceLaw(found.for_core, *layers, property_factor=placed.law.property_factor)
+        of_law = Specimen(said.law if isinstance(said.law, str) else "specimen", *layers)
+    force, deformation, _ = size.scales(law)
     return TestedDamper(
         values=found.for_core,
-        scales=(force * placed.law.property_factor if scales is None else force, deformation),
+        scales=(force, deformation),
         declared=placed.law,
-        prototype=layers,
+        prototype=of_law,
         temperature_C=placed.law.temperature,
         warnings=found.warnings,
     )
-
-
-def _size(file: RtsFile, prototype: Prototype | None) -> tuple[tuple[float, float], Specimen | None]:
-    """Scales of force and deformation from the prototype to the specimen, and the layers of the prototype."""
-    said = file.specimen
-    if prototype is None:
-        return (float(said.number), 1.0), None
-    layers = said.layers or prototype.layers
-    area = said.layer_area or prototype.layer_area
-    thickness = said.layer_thickness or prototype.layer_thickness
-    force = said.number * layers * area / (prototype.layers * prototype.layer_area)
-    name = file.specimen.law if isinstance(file.specimen.law, str) else "specimen"
-    own = Specimen(name, prototype.layers, prototype.layer_area, prototype.layer_thickness)
-    return (force, prototype.layer_thickness / thickness), own
 
 
 def stiffness_of(damper: TestedDamper | None) -> float:

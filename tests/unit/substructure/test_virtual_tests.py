@@ -16,6 +16,7 @@ import scipy
 from edesign.archive.reader import open_archive
 from edesign.cli.main import main
 from edesign.damper.read_test import read_test
+from edesign.errors import InputError
 from edesign.project.problems import FileProblems
 from edesign.project.substructure import load_rts_file
 from edesign.project.substructure.checks_compensators import TAKEN
@@ -322,3 +323,45 @@ def test_no_compensator_has_the_name_of_a_history(tmp_path: Path) -> None:
     assert {*test.variables, *test.coords} == set(TAKEN)
     with pytest.raises(FileProblems, match="`ground` is a history of the archive; choose another name"):
         run(tmp_path, INLINE.replace("{none: {kind: none}}", "{ground: {kind: none}}"))
+
+
+PROTOTYPE = "prototype: {layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}"
+
+
+def test_another_law_of_the_project_comes_at_the_size_of_the_device(tmp_path: Path) -> None:
+    """By hand, thesis Eqs. 5.18-5.21: two side by side, each of 6 layers of 41400 mm2 and 24 mm.
+
+    Of a prototype of 4 layers of 20700 mm2 and 12 mm, and a factor of 0.5 on forces: 0.5 x 2 x 6/4 x 2 = 3, and half
+    the deformation.
+    """
+    said = (PROJECTS / "thesis_one_storey" / "project.yaml").read_text(encoding="utf-8")
+    twin = """\
+    twin:
+      type: mgmm
+      parameters: thesis_table_4_2
+      temperature: 20 degC
+      property_factor: 0.5
+      prototype: {layers: 4, layer_area: 20700 mm^2, layer_thickness: 12 mm}
+  devices:
+"""
+    size = "law: tested, number: 2, layers: 6, layer_area: 41400 mm^2, layer_thickness: 24 mm}"
+    project = said.replace("  devices:\n", twin, 1).replace("law: tested}", size, 1)
+    (tmp_path / "project.yaml").write_text(project, encoding="utf-8")
+    text = """\
+edesign_rts: 1
+structure: {project: project.yaml, physical: [S_1_1], analysis: damped}
+specimen: {law: twin}
+rig: {kind: ideal}
+compensators: {none: {kind: none}}
+tests: [{name: quake, kind: rts}]
+"""
+    path = tmp_path / "rts.yaml"
+    path.write_text(text, encoding="utf-8")
+    assert VirtualLaboratory(load_rts_file(path)).damper.scales == pytest.approx((3.0, 0.5), rel=1e-15)
+    (tmp_path / "project.yaml").write_text(project.replace(PROTOTYPE, "property_factor: 2"), encoding="utf-8")
+    with pytest.raises(FileProblems, match="prototype"):  # the device itself could not be of the size it has
+        VirtualLaboratory(load_rts_file(path))
+    bare = project.replace("prototype: {layers: 4, layer_area: 20700 mm^2, layer_thickness: 12 mm}", "", 1)
+    (tmp_path / "project.yaml").write_text(bare, encoding="utf-8")
+    with pytest.raises(InputError, match="specimen: the law has no `prototype`, and the damper S_1_1 of the project"):
+        VirtualLaboratory(load_rts_file(path))
