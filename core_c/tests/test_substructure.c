@@ -262,6 +262,37 @@ static void test_servo_hydraulic(void)
   ed_damper_free(specimen);
 }
 
+/* The stroke is the piston's: at its end the rig gives way, and the oil does not. By hand, of three springs in series. */
+static void test_stroke_of_the_piston(void)
+{
+  ed_compensator_parameters c;
+  ed_rig_model rig;
+  int done;
+  ed_damper *specimen = spring(0.0);
+  no_compensator(&c);
+  ideal_rig(&rig);
+  rig.kind = ED_RIG_SERVO_HYDRAULIC;
+  rig.gain = 140.0;
+  rig.oil = 5e6;
+  rig.stroke = 0.8e-3;
+  const ed_substructure_input input = input_of(&c, &rig, specimen);
+  const double *last = record + STEPS * ED_RTS_CHANNELS;
+  for (int soft = 0; soft <= 1; soft++) {
+    rig.flexibility = soft ? 4e6 : 0.0;
+    memset(target, 0, sizeof target);
+    for (int k = 1; k <= STEPS; k++) /* there and back: 0.7 mm of piston need 0.98 mm of oil and piston together */
+      target[3 * k] = k < STEPS / 2 ? -2e-3 : 0.7e-3;
+    CHECK_STATUS(run(&input, target, 0, record, &done), ED_OK);
+    const double *held = record + (STEPS / 2 - 1) * ED_RTS_CHANNELS, give = soft ? 1.0 + STIFFNESS / 4e6 : 1.0;
+    CHECK_NEAR(held[ED_RTS_ACTUATOR], -0.8e-3, 1e-15);
+    CHECK_NEAR(held[ED_RTS_DEFORMATION], -0.8e-3 / give, 1e-12);
+    CHECK_NEAR(held[ED_RTS_TRUE_FORCE], -0.8e-3 * STIFFNESS / give, 1e-6);
+    CHECK_NEAR(last[ED_RTS_ACTUATOR], 0.7e-3, 1e-9);
+    CHECK_NEAR(last[ED_RTS_DEFORMATION], 0.7e-3 / give, 1e-9);
+  }
+  ed_damper_free(specimen);
+}
+
 /* A law that SUNDIALS integrates. */
 static void test_law_without_exact_step(void)
 {
@@ -355,6 +386,7 @@ int main(void)
   test_closed_loop();
   test_all_compensators();
   test_servo_hydraulic();
+  test_stroke_of_the_piston();
   test_law_without_exact_step();
   test_refusals();
   return checks_end("substructure tests");

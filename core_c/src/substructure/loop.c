@@ -178,27 +178,28 @@ static void commit(ed_substructure *t)
   t->trial = swap;
 }
 
-/* The specimen behind oil and rig that give way: force(x) = stiffness (drive - x) at the end of the sub-step, over which x rises in a
+/* The specimen behind oil and rig that give way (m/N): force(x) = stiffness (drive - x) at the end of the sub-step, over which x rises in a
  * ramp. A force that grows with x leaves one solution; Newton's method finds it, and where it does not halve its steps or leaves the
- * bracket of what was tried, the middle of that. */
-static int move_in_series(ed_substructure *t, double drive, readings *now)
+ * bracket of what was tried, the middle of that. Where nothing gives way, x is the drive. The caller commits. */
+static int move_in_series(ed_substructure *t, double flexibility, double drive, readings *now)
 {
-  const double stiffness = 1.0 / t->in_series, from = now->deformation, scale = t->deformation_scale;
+  const double stiffness = flexibility > 0.0 ? 1.0 / flexibility : 0.0, from = now->deformation, scale = t->deformation_scale;
   double low = -HUGE_VAL, high = HUGE_VAL, last = HUGE_VAL;
-  double x = from + (stiffness * (drive - from) - now->true_force) / (stiffness + fmax(t->tangent, 0.0));
+  double x = drive;
+  if (flexibility > 0.0)
+    x = from + (stiffness * (drive - from) - now->true_force) / (stiffness + fmax(t->tangent, 0.0));
   for (int i = 0; i < MOST_ITERATIONS; i++) {
     const ed_path path = {.h = t->h, .c = {scale * from, scale * (x - from) / t->h}}, along[2] = {{.h = t->h, .c = {0.0, scale / t->h}}};
     double force, slope;
     const int status = try_path(t, &path, along, &force, &slope);
     if (status != ED_OK)
       return status;
-    const double rest = stiffness * (drive - x) - force;
+    const double rest = flexibility > 0.0 ? stiffness * (drive - x) - force : 0.0;
     t->largest = fmax(t->largest, fabs(x));
     if (fabs(rest) <= SETTLED * stiffness * t->largest || x == low || x == high) {
       t->tangent = isfinite(slope) ? slope : 0.0;
       now->true_force = force;
       now->deformation = x;
-      commit(t);
       return ED_OK;
     }
     *(rest > 0.0 ? &low : &high) = x;
@@ -221,7 +222,6 @@ static int move_with_rig(ed_substructure *t, double from, double start, const ed
   ed_path_hermite(&path, t->h, scale * from, scale * start, scale * rig->x, scale * rig->v);
   const int status = try_path(t, &path, none, &now->true_force, &slope);
   now->deformation = rig->x;
-  commit(t);
   return status;
 }
 
@@ -234,7 +234,15 @@ static int move_specimen(ed_substructure *t, double w, readings *now)
   ed_rig_move(&t->rig, rig, t->h, w, now->true_force, &start, &now->saturated);
   if (!isfinite(rig->x + rig->v))
     return ED_E_NOT_FINITE;
-  const int status = t->in_series > 0.0 ? move_in_series(t, rig->x, now) : move_with_rig(t, from, start, rig, now);
+  const readings before = *now;
+  int status = t->in_series > 0.0 ? move_in_series(t, t->in_series, rig->x, now) : move_with_rig(t, from, start, rig, now);
+  const double end = ed_rig_beyond(&t->rig, rig, now->true_force);
+  if (status == ED_OK && end != 0.0) { /* the piston stands, and no oil gives way */
+    *now = before;
+    status = move_in_series(t, ed_rig_give(&t->rig), end, now);
+    ed_rig_stop(&t->rig, rig, end, now->true_force, &now->saturated);
+  }
+  commit(t);
   ed_rig_settle(&t->rig, rig, now->true_force, &now->saturated);
   return status;
 }

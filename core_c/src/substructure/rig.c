@@ -67,14 +67,8 @@ static void move_servo(const ed_rig_model *m, ed_rig_state *s, double h, double 
     q_1 = left * q_0 + m->gain * ((mean - left) * e_0 + (1.0 - mean) * e_1);
   }
   q_1 = held_flow(m, q_1, force, saturated);
-  double x = s->x + 0.5 * h * (q_0 + q_1);
-  if (fabs(x) > m->stroke) {
-    *saturated |= ED_SATURATED_STROKE;
-    x = copysign(m->stroke, x);
-    q_1 = 0.0;
-  }
   *v_start = q_0;
-  s->x = x;
+  s->x += 0.5 * h * (q_0 + q_1);
   s->v = s->flow = q_1;
 }
 
@@ -85,6 +79,21 @@ void ed_rig_move(const ed_rig_model *m, ed_rig_state *s, double h, double w, dou
   else
     move_linear(m, s, h, w, v_start, saturated);
   s->command = w;
+}
+
+double ed_rig_beyond(const ed_rig_model *m, const ed_rig_state *s, double force)
+{
+  if (m->kind != ED_RIG_SERVO_HYDRAULIC)
+    return 0.0;
+  const double piston = s->x - force / m->oil;
+  return fabs(piston) > m->stroke ? copysign(m->stroke, piston) : 0.0;
+}
+
+void ed_rig_stop(const ed_rig_model *m, ed_rig_state *s, double end, double force, int *saturated)
+{
+  s->x = end + force / m->oil;
+  s->v = s->flow = 0.0;
+  *saturated |= ED_SATURATED_STROKE;
 }
 
 void ed_rig_settle(const ed_rig_model *m, ed_rig_state *s, double force, int *saturated)
