@@ -8,7 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.project.substructure.rig import RigModel, ServoHydraulicRig
+from edesign.core.substructure import RigLimits
+from edesign.project.substructure.rig import ServoHydraulicRig
 from edesign.substructure.sized_damper import SizedDamper
 from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
 
@@ -26,10 +27,11 @@ class Need:
     Attributes:
         test: its name.
         deformation: largest of the specimen, m.
-        stroke: of the actuator, with what the rig gives way, m.
-        velocity: m/s.
+        stroke: of the piston, with what the rig gives way, m.
+        velocity: of the piston without load, m/s: with what the oil of a servo-hydraulic rig gives way.
         force: N.
-        stroke_use, velocity_use, force_use: over the limits of the rig; 0: it has no limit.
+        stroke_use, velocity_use, force_use: over the limits of the rig; 0: it has no limit. The force of a
+            servo-hydraulic rig lowers the velocity that it has left.
     """
 
     test: str
@@ -78,18 +80,32 @@ def _need(laboratory: VirtualLaboratory, name: str, drive: Drive, direct: Direct
         assert drive.target is not None
         deformation, force = drive.target[:, 0], _force(laboratory, drive)
     lab, step = laboratory.laboratory, laboratory.file.loop.main_step
-    piston = deformation + _gives_way(laboratory.file.plant) * force
-    needed = [_peak(piston), _peak(np.gradient(piston, step)), _peak(force)]
-    limits = lab.limits
-    uses = [value / limit for value, limit in zip(needed, (limits.stroke, limits.velocity, limits.force), strict=True)]
-    return Need(name, _peak(deformation), *needed, *uses)
-
-
-def _gives_way(plant: RigModel) -> float:
-    """Flexibility of the rig, and of the oil of a servo-hydraulic one, m/N."""
+    plant, limits = laboratory.file.plant, lab.limits
+    piston = deformation + (force / plant.flexibility.stiffness if plant.flexibility is not None else 0.0)
     oil = plant.oil_stiffness if isinstance(plant, ServoHydraulicRig) else None
-    of_rig = 1.0 / plant.flexibility.stiffness if plant.flexibility is not None else 0.0
-    return of_rig + (1.0 / oil if oil is not None else 0.0)
+    velocity = np.gradient(piston + (force / oil if oil is not None else 0.0), step)
+    return Need(
+        name,
+        _peak(deformation),
+        stroke=_peak(piston),
+        velocity=_peak(velocity),
+        force=_peak(force),
+        stroke_use=_peak(piston) / limits.stroke,
+        velocity_use=_velocity_use(velocity, force, limits, isinstance(plant, ServoHydraulicRig)),
+        force_use=_peak(force) / limits.force,
+    )
+
+
+def _velocity_use(velocity: np.ndarray, force: np.ndarray, limits: RigLimits, servo: bool) -> float:
+    """Largest velocity over what the rig gives; a valve gives v_max sqrt(1 - F/F_max) against the force, as in runs.
+
+    Source: Merritt (1967), Hydraulic Control Systems, 5.2: the flow goes with the root of the drop of pressure.
+    """
+    if not servo or math.isinf(limits.velocity):
+        return _peak(velocity) / limits.velocity
+    left = np.sqrt(np.maximum(1.0 - np.sign(velocity) * force / limits.force, 0.0))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return _peak(np.where(velocity == 0.0, 0.0, velocity / (limits.velocity * left)))
 
 
 def _force(laboratory: VirtualLaboratory, drive: Drive) -> np.ndarray:

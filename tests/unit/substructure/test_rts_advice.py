@@ -419,6 +419,42 @@ def test_the_actuator_makes_up_for_what_gives_way() -> None:
     assert soft.needs[0].deformation == stiff.needs[0].stroke
 
 
+def test_the_oil_takes_velocity_and_no_stroke() -> None:
+    """By hand: a spring of 10 kN/mm, 5 mm, oil of 25 kN/mm: the piston goes 5 mm, the oil takes 2 mm more of flow."""
+    rig = "{kind: servo_hydraulic, proportional_gain: 300 /s, oil_stiffness: 25 kN/mm, limits: {stroke: 6 mm}}"
+    spring = "{law: {type: kelvin_voigt, parameters: {k: 10 kN/mm, c: 0 N*s/m}}}"
+    advice, laboratory = advice_of(slow_sine(rig, spring, "5 mm", 0.5))
+    (need,) = advice.needs
+    assert need.stroke == pytest.approx(5e-3, rel=1e-5) and need.possible
+    assert need.velocity == pytest.approx(7e-3 * np.pi, rel=1e-4)
+    (run,) = only_results(laboratory).runs
+    assert run.record is not None and not run.saturated
+    assert np.max(np.abs(run.record.actuator)) == pytest.approx(5e-3, rel=1e-3)  # late by 1/300 s: (omega/300)^2 / 2
+
+
+def test_a_valve_has_less_velocity_left_under_a_force() -> None:
+    """By hand: F = c v, so the largest use is at the peak of v, v / (v_max sqrt(1 - c v / F_max)).
+
+    c = 400 kN s/m and 8 mm at 2 Hz: v = 0.1005 m/s and 40.2 kN; 0.914 and 0.838 of the limits, together 2.27.
+    """
+    rig = "{kind: servo_hydraulic, proportional_gain: 300 /s, limits: {velocity: 0.11 m/s, force: 48 kN}}"
+    dashpot = "{law: {type: viscous, parameters: {c: 400 kN*s/m}}}"
+    (need,) = advice_of(slow_sine(rig, dashpot, "8 mm", 2.0))[0].needs
+    v = 8e-3 * 4.0 * np.pi
+    assert need.velocity == pytest.approx(v, rel=1e-3)
+    assert need.velocity_use == pytest.approx(v / (0.11 * np.sqrt(1.0 - 4e5 * v / 48e3)), rel=1e-3)
+    assert not need.possible and need.beyond.startswith("velocity 227 %")
+
+
+def slow_sine(rig: str, specimen: str, displacement: str, frequency: float) -> str:
+    """A file of a sine with a rig and a specimen."""
+    sine = f"{{type: sine, displacement: {displacement}, frequency: {frequency} Hz, cycles: 4}}"
+    return (
+        f"edesign_rts: 1\nspecimen: {specimen}\nrig: {rig}\ncompensators: {{none: {{kind: none}}}}\n"
+        f"tests: [{{name: sine, kind: command, command: {sine}}}]\n"
+    )
+
+
 def test_the_abort_level_is_of_the_largest_test() -> None:
     small, large = (Need(name, x, x, 0.1, 1e3, 0.0, 0.0, 0.0) for name, x in (("a", 1e-3), ("b", 4e-3)))
     level = abort_level((small, large), math.inf)
