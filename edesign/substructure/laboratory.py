@@ -164,13 +164,14 @@ def _with_frame(structure: TestedStructure, device: Device, damper: TestedDamper
     device = replace(device, layer_thickness=thickness)
     frame = ProjectFrame(file.project, device, damper.values, damper.scales, collapse, kept)
     structure = replace(structure, frame=frame)
-    specimen_stiffness = stiffness_of(damper)
+    k, c = tangent_of(damper)
     step, force = file.loop.main_step, file.loop.force
-    if not loop_grows(structure.part, specimen_stiffness, step, force == "held"):
+    if not loop_grows(structure.part, (k, c), step, force == "held"):
         return structure
     text = (
         f"the frame meets the specimen's force {force}: with main steps of {1e3 * step:.4g} ms small vibrations grow "
-        f"even with an ideal rig and a spring of {specimen_stiffness:.3g} N/m as specimen; take shorter main steps"
+        f"even with an ideal rig and a spring of {k:.3g} N/m with a dashpot of {c:.3g} N s/m as specimen; take shorter "
+        "main steps"
     )
     return replace(structure, warnings=(*structure.warnings, text))
 

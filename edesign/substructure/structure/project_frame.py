@@ -27,28 +27,30 @@ DEFORMATION, FORCE, WORK = (f"{what} of the specimen" for what in ("deformation"
 """Channels that are recorded beside those of a history."""
 
 
-def loop_grows(part: LinearPart, specimen_stiffness: float, step: float, held: bool) -> bool:
-    """Return whether small vibrations grow in the loop of an implicit frame, a spring as specimen, and an ideal rig.
+def loop_grows(part: LinearPart, specimen: tuple[float, float], step: float, held: bool) -> bool:
+    """Return whether small vibrations grow in the loop of an implicit frame, its specimen, and an ideal rig.
 
     Newmark's constant average acceleration, with the force of the specimen at the end of the step extrapolated or held.
+    The rig moves the specimen in ramps.
 
     Args:
         part: the frame's tangent under gravity, of n degrees.
-        specimen_stiffness: N/m.
+        specimen: a spring and a dashpot, N/m and N s/m.
         step: main step, s.
         held: whether the force is held over a step.
     """
     n, h = len(part.names), step
     inverse = np.linalg.inv(part.mass)
     at_end = np.linalg.inv(part.mass + 0.5 * h * part.damping + 0.25 * h**2 * part.stiffness)
-    unit = np.eye(2 * n + 1)
-    u, v, before = unit[:n], unit[n : 2 * n], unit[2 * n]
-    force = specimen_stiffness * part.interface @ u
+    unit = np.eye(2 * n + 2)
+    u, v, before, position = unit[:n], unit[n : 2 * n], unit[2 * n], unit[2 * n + 1]
+    moved = part.interface @ u
+    force = specimen[0] * moved + specimen[1] / h * (moved - position)
     ahead = force if held else 2.0 * force - before
     a0 = -inverse @ (part.damping @ v + part.stiffness @ u + np.outer(part.interface, force))
     going = u + h * v + 0.25 * h**2 * a0, v + 0.5 * h * a0
     a1 = -at_end @ (part.stiffness @ going[0] + part.damping @ going[1] + np.outer(part.interface, ahead))
-    whole = np.vstack([going[0] + 0.25 * h**2 * a1, going[1] + 0.5 * h * a1, force])
+    whole = np.vstack([going[0] + 0.25 * h**2 * a1, going[1] + 0.5 * h * a1, force, moved])
     return float(np.max(np.abs(np.linalg.eigvals(whole)))) > 1.0 + GROWTH
 
 

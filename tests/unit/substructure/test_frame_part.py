@@ -282,10 +282,35 @@ def oscillator(ratio: float, k: float) -> LinearPart:
 def test_the_loop_of_an_implicit_frame_is_stable_up_to(ratio: float) -> None:
     """0.38 sqrt(m / k_E) with 2 % damping and the force extrapolated; held it feeds the mode, c_eq = -k_E dt / 2."""
     part = oscillator(ratio, 100.0)
-    assert not loop_grows(part, 100.0, 0.038, held=False) and loop_grows(part, 100.0, 0.07, held=False)
+    assert not loop_grows(part, (100.0, 0.0), 0.038, held=False) and loop_grows(part, (100.0, 0.0), 0.07, held=False)
     held = 2.0 * 0.04 * np.sqrt(ratio * 100.0) / 100.0
-    assert not loop_grows(part, 100.0, 0.8 * held, held=True) and loop_grows(part, 100.0, 1.2 * held, held=True)
-    assert not loop_grows(part, 0.0, 0.1, held=True)
+    assert not loop_grows(part, (100.0, 0.0), 0.8 * held, held=True) and loop_grows(
+        part, (100.0, 0.0), 1.2 * held, held=True
+    )
+    assert not loop_grows(part, (0.0, 0.0), 0.1, held=True)
+
+
+@pytest.mark.parametrize(("held", "limit"), [(True, 2.0), (False, (np.sqrt(17.0) - 1.0) / 2.0)])
+def test_the_loop_of_a_free_mass_and_a_dashpot_is_stable_up_to(held: bool, limit: float) -> None:
+    """By hand, for the motion d in a step, with q = c dt / m.
+
+    Held: d' = d - q/2 (d + d_1), whose roots leave the circle at q = 2; extrapolated: d' = d - q/4 (3 d + 2 d_1 - d_2),
+    by Jury's criterion at 4 (q/4)^2 + q/4 = 1.
+    """
+    part = oscillator(0.0, 100.0)
+    for c in (1.0, 1e3):
+        assert not loop_grows(part, (0.0, c), 0.999 * limit / c, held)
+        assert loop_grows(part, (0.0, c), 1.001 * limit / c, held)
+
+
+def test_a_dashpot_too_strong_for_the_step_is_told(tmp_path: Path) -> None:
+    path = yielding(tmp_path, 0.01, "pot")
+    spring = "spring: {type: kelvin_voigt, parameters: {k: 4 kN/mm, c: 0 N*s/m}}"
+    said = path.read_text(encoding="utf-8")
+    assert spring in said
+    path.write_text(said.replace(spring, "pot: {type: viscous, parameters: {c: 120000 kN*s/m}}"), encoding="utf-8")
+    (warning,) = laboratory(path, 1.0, "extrapolated", more="title: pot\n").laboratory.warnings
+    assert "a dashpot of 1.2e+08 N s/m" in warning
 
 
 def test_a_specimen_too_stiff_for_the_step(tmp_path: Path) -> None:
