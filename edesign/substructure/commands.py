@@ -28,7 +28,7 @@ def command_motion(command: Command, step: float, folder: Path) -> np.ndarray:
         folder: that a CSV file is relative to.
 
     Raises:
-        InputError: the command cannot be made, or its file cannot be read.
+        InputError: the command cannot be made, its file cannot be read, or the file does not begin at rest.
     """
     if isinstance(command, SineCommand):
         return _sines(command, step)
@@ -48,6 +48,7 @@ def command_motion(command: Command, step: float, folder: Path) -> np.ndarray:
         u = scipy.interpolate.CubicSpline(t - t[0], given)(np.minimum(times, t[-1] - t[0]))
         if command.displacement is not None:
             u *= command.displacement / np.max(np.abs(u))
+        _begins_at_rest(u, folder / command.file)
         return _differentiated(u, step)
     t = np.arange(0.0, command.duration + 0.5 * step, step)
     low, high = command.band
@@ -57,6 +58,17 @@ def command_motion(command: Command, step: float, folder: Path) -> np.ndarray:
     return command.displacement * np.column_stack(
         [np.sin(phase), omega * np.cos(phase), 2.0 * np.pi * pace * np.cos(phase) - omega**2 * np.sin(phase)]
     )
+
+
+def _begins_at_rest(u: np.ndarray, path: Path) -> None:
+    """Refuse a command that would make the rig, which rests at 0, jump faster than the command itself ever moves."""
+    fastest = float(np.max(np.abs(np.diff(u)), initial=0.0))
+    if abs(u[0]) > fastest:
+        raise InputError(
+            f"{path}: the command begins at {1e3 * u[0]:.4g} mm, and the rig at 0: it would jump there in one main "
+            f"step, in which the command itself moves {1e3 * fastest:.3g} mm at most; let the file begin at rest, by a "
+            "ramp from 0"
+        )
 
 
 def _sines(command: SineCommand, step: float) -> np.ndarray:
