@@ -11,6 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.files import make_folder, source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
+from edesign.errors import InputError
 from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rig import RigInFile
 from edesign.project.substructure.rts_file import RtsFile
@@ -49,7 +50,7 @@ def run_tests(
         The archive, the results test by test, and those of tests by other methods.
 
     Raises:
-        InputError: structure, law, compensator or record cannot be used so.
+        InputError: structure, law, compensator or record cannot be used so; two CSV files would have one name.
         ArchiveError: the archive or a CSV file cannot be written, or is that of something else.
         KeyboardInterrupt: by Ctrl-C; nothing is left then.
     """
@@ -58,6 +59,7 @@ def run_tests(
     root = _root(file, path)
     check_owner(path, root, overwrite)
     laboratory = VirtualLaboratory(file)
+    names = _csv_names(laboratory) if csv_folder is not None else {}
     _ = laboratory.drives  # what is wrong with records and commands is told before anything is written
     warnings = list(laboratory.laboratory.warnings)
     root.attributes["warnings"] = warnings
@@ -78,7 +80,7 @@ def run_tests(
                     writer.write(place, group)
                 for run in results.runs:
                     if csv_folder is not None and run.record is not None:
-                        write_run(run, csv_folder / f"{run.test}_{run.compensator}.csv")
+                        write_run(run, csv_folder / names[run.test, run.compensator])
                 found.append(results)
             for other in laboratory.run_others(begin, stop.is_set):
                 writer.write(f"{PLACE}/{other.name}", method_group(other, laboratory.drives[other.name].time))
@@ -110,6 +112,26 @@ def write_run(run: VirtualTest, path: Path) -> None:
         headers.append(APPLIED_FORCE)
         columns.append(1e-3 * record.applied_force)
     write_csv_file(headers, zip(*(column.tolist() for column in columns), strict=True), path, digits=9)
+
+
+def _csv_names(laboratory: VirtualLaboratory) -> dict[tuple[str, str], str]:
+    """Name of the CSV file of each run, by test and compensator; `judge` finds the test by it.
+
+    Raises:
+        InputError: two runs have one.
+    """
+    names: dict[tuple[str, str], str] = {}
+    runs: dict[str, tuple[str, str]] = {}
+    for run in ((test.name, compensator) for test in laboratory.tests for compensator in laboratory.compensators):
+        names[run] = name = "{}_{}.csv".format(*run)
+        if name in runs:
+            (test, compensator), other = run, runs[name]
+            raise InputError(
+                f"{laboratory.file.path}: {name} would be both test {other[0]} with {other[1]} and test {test} with "
+                f"{compensator}; rename one of the tests or compensators, or run without CSV files"
+            )
+        runs[name] = run
+    return names
 
 
 def _planned(file: RtsFile) -> list[str]:

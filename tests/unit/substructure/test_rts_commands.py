@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
@@ -95,3 +96,32 @@ def test_a_command_of_days_is_refused_before_it_takes_memory(
         MOVED.replace("type: sine, displacement: 5 mm, frequency: 2 Hz", "file: days.csv"), encoding="utf-8"
     )
     assert "days.csv: 2e+09 s are more than 5000000 main steps of 1 ms" in said(capsys, "rts", "check", path)
+
+
+def test_a_command_that_begins_displaced_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """20 mm cos(2 pi t) moves 20 (2 pi) 1e-3 = 0.126 mm in a step of 1 ms, and would jump by 20 mm."""
+    path = tmp_path / "rts.yaml"
+    path.write_text(MOVED.replace("type: sine, displacement: 5 mm, frequency: 2 Hz", "file: u.csv"), encoding="utf-8")
+
+    def write(first: float) -> None:
+        lines = [f"{0.01 * i:g},{20.0 * math.sin(2.0 * math.pi * 0.01 * i + first):.9g}" for i in range(200)]
+        (tmp_path / "u.csv").write_text("\n".join(["time_s,displacement_mm", *lines, ""]), encoding="utf-8")
+
+    write(0.5 * math.pi)
+    error = said(capsys, "rts", "run", path, "--quiet")
+    assert "u.csv: the command begins at 20 mm, and the rig at 0" in error and "moves 0.126 mm at most" in error
+    assert "ramp from 0" in error and not (tmp_path / "rts.h5").exists()
+    write(0.005)  # 0.1 mm, less than it moves in other steps
+    assert main(["rts", "run", str(path), "--quiet"]) == 0
+
+
+def test_two_runs_of_one_csv_name_are_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "rts.yaml"
+    sine = "kind: command, command: {type: sine, displacement: 5 mm, frequency: 2 Hz}"
+    compensators = "{b_c: {kind: none}, c: {kind: inverse, delay: 5 ms}}"
+    text = MOVED.replace("{none: {kind: none}}", compensators).partition("tests:")[0]
+    path.write_text(f"{text}tests: [{{name: a, {sine}}}, {{name: a_b, {sine}}}]\n", encoding="utf-8")
+    error = said(capsys, "rts", "run", path, "--quiet", "--csv", tmp_path / "csv")
+    assert "a_b_c.csv would be both test a with b_c and test a_b with c" in error
+    assert [item.name for item in tmp_path.iterdir()] == ["rts.yaml"]
+    assert main(["rts", "run", str(path), "--quiet"]) == 0
