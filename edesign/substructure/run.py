@@ -13,9 +13,7 @@ from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
 from edesign.errors import InputError
 from edesign.project.substructure.programme import RtsTest
-from edesign.project.substructure.rig import RigInFile
 from edesign.project.substructure.rts_file import RtsFile
-from edesign.project.yaml_file import read_yaml_text
 from edesign.stopping import Stopped
 from edesign.study.interrupt import stop_on_signals
 from edesign.study.kinds import SUBSTRUCTURE
@@ -154,10 +152,6 @@ def _root(file: RtsFile, path: Path) -> Group:
             "status": "running",
         }
     )
-    root.add("rts_text", (), file.text, "", "text of the file of substructure tests")
-    if isinstance(file.rig, RigInFile):
-        text = read_yaml_text(file.folder / file.rig.file, "rig file")
-        root.add("rig_text", (), text, "", "text of the rig file")
-    if file.project is not None:
-        root.add("project_text", (), file.project.text, "", "text of the project file")
+    for name, (text, what) in file.texts.items():
+        root.add(name, (), text, "", f"text of the {what}")
     return root

@@ -24,6 +24,7 @@ from edesign.project.substructure.rig import AnyRig, RigFile, RigInFile, RigMode
 from edesign.project.substructure.specimen import PlacedLaw, Specimen
 from edesign.project.substructure.structure import ProjectStructure, Structure
 from edesign.project.units import PositiveFactor, PositiveRatio
+from edesign.project.yaml_file import read_yaml_text
 
 Channel = Literal["target", "measured", "command", "force", "alpha", "energy", "building"]
 CHANNELS: tuple[Channel, ...] = ("target", "measured", "command", "force", "alpha", "energy", "building")
@@ -197,9 +198,32 @@ class RtsFile(RecordFiles, FileModel):
         return Motion(analysis.record, factor, pga, analysis.free_vibration if free is None else free, True)
 
     @property
+    def texts(self) -> dict[str, tuple[str, str]]:
+        """Texts of all YAML files that tests come from, and what each is, by the names that archives give them.
+
+        Raises:
+            InputError: the rig file or a law file cannot be read.
+        """
+        found = {"rts_text": (self._text, "file of substructure tests")}
+        if isinstance(self.rig, RigInFile):
+            found["rig_text"] = read_yaml_text(self.folder / self.rig.file, "rig file"), "rig file"
+        if self._project is not None:
+            found["project_text"] = self._project.text, "project file"
+            laws = self._project.dampers.laws if self._project.dampers is not None else {}
+            for name, law in laws.items():
+                if law.file is not None:
+                    text = read_yaml_text(self._project.folder / law.file, "law file")
+                    found[f"law_text_{name}"] = text, f"law file {law.file}"
+        placed = self.law
+        if placed is not None and placed.path == self.path and placed.law.file is not None:
+            text = read_yaml_text(self.folder / placed.law.file, "law file")
+            found["law_text"] = text, f"law file {placed.law.file}"
+        return found
+
+    @property
     def checksum(self) -> str:
-        """SHA-256 of the texts of this file and of the project (UTF-8), hexadecimal."""
-        whole = self._text if self._project is None else f"{self._text}\n{self._project.text}"
+        """SHA-256 of `texts` (UTF-8), hexadecimal; errors as theirs."""
+        whole = "\n".join(text for text, _ in self.texts.values())
         return hashlib.sha256(whole.encode("utf-8")).hexdigest()
 
     @property

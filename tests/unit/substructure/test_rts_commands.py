@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 from pathlib import Path
 
@@ -125,3 +126,21 @@ def test_two_runs_of_one_csv_name_are_refused(tmp_path: Path, capsys: pytest.Cap
     assert "a_b_c.csv would be both test a with b_c and test a_b with c" in error
     assert [item.name for item in tmp_path.iterdir()] == ["rts.yaml"]
     assert main(["rts", "run", str(path), "--quiet"]) == 0
+
+
+def test_rig_and_law_in_files_are_archived_and_count(tmp_path: Path) -> None:
+    """Each of two states of each file has a checksum of its own: that of the texts one after another."""
+    path = tmp_path / "rts.yaml"
+    text = MOVED.replace("rig: {kind: ideal}", "rig: {file: rig.yaml}\nspecimen: {law_file: law.yaml}")
+    path.write_text(text, encoding="utf-8")
+    for delay, k in ((5, 5), (15, 5), (5, 50)):
+        rig = f"rig: {{kind: delay, delay: {delay} ms}}\n"
+        law = f"type: kelvin_voigt\nparameters: {{k: {k} kN/mm, c: 1 N*s/m}}\n"
+        (tmp_path / "rig.yaml").write_text(rig, encoding="utf-8")
+        (tmp_path / "law.yaml").write_text(law, encoding="utf-8")
+        assert main(["rts", "run", str(path), "--quiet"]) == 0
+        with open_archive(tmp_path / "rts.h5") as archive:
+            held = archive.group().variables
+            assert str(held["rig_text"].values) == rig and str(held["law_text"].values) == law
+            expected = hashlib.sha256("\n".join((text, rig, law)).encode()).hexdigest()
+            assert archive.attributes["rts_checksum"] == expected

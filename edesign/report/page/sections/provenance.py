@@ -19,7 +19,7 @@ ROOT = (
     ("Project file", "project_file"),
     ("File of tests", "rts_file"),
     ("SHA-256 of the input files", "project_checksum"),
-    ("SHA-256 of the texts of tests and project", "rts_checksum"),
+    ("SHA-256 of the texts of tests, project, rig and laws", "rts_checksum"),
     ("SHA-256 of files and records", "input_checksum"),
 )
 

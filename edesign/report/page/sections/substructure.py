@@ -34,7 +34,12 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Drawn = Callable[[SubstructureResults], Iterator[tuple[str, str, "Figure"]]]
-TEXTS = (("rts_text", "The file of tests"), ("project_text", "The project file"), ("rig_text", "The rig file"))
+TEXTS = (
+    ("rts_text", "The file of tests"),
+    ("project_text", "The project file"),
+    ("rig_text", "The rig file"),
+    ("law_text", "The law file"),
+)
 LIMITS = "Limits that were met"
 ALL_TOLD = "All indicators could be told of all runs."
 
