@@ -62,6 +62,7 @@ class Drive:
         target: (n, 3) m, m/s, m/s2; None: the structure makes them.
         source: in words.
         record: name of the ground motion, "" without one.
+        left_out: what main steps leave out of a record, a sentence; empty: nothing.
     """
 
     time: np.ndarray
@@ -69,6 +70,7 @@ class Drive:
     target: np.ndarray | None
     source: str
     record: str = ""
+    left_out: str = ""
 
     @property
     def wanted(self) -> np.ndarray:
@@ -240,7 +242,15 @@ class VirtualLaboratory:
         said = f"{motion.record} x {scale:.4g}"
         if record.time_step > 1.001 * step:
             said += f", linear between its samples {1e3 * record.time_step:.4g} ms apart"
-        return Drive(time, ground, None, said, motion.record)
+        left_out = ""
+        if step > 1.001 * record.time_step:
+            whole, kept = abs(scale) * record.pga, _largest(ground)
+            left_out = (
+                f"the record {motion.record} has samples {1e3 * record.time_step:.4g} ms apart, and main steps of "
+                f"{1e3 * step:.4g} ms leave some out: of its peak of {whole:.4g} m/s2 {kept:.4g} m/s2 act; take main "
+                "steps no longer than its own"
+            )
+        return Drive(time, ground, None, said, motion.record, left_out)
 
     def _moves(self, test: CommandTest | RecordTest, driving: np.ndarray) -> None:
         if not np.any(driving):
@@ -290,8 +300,13 @@ class VirtualLaboratory:
         return Direct(found.deformation[::FINER], found.true_force[::FINER], drift, group)
 
     def step_warnings(self, test: CommandTest | RtsTest) -> Iterator[str]:
-        """Yield warnings if a linear structure is too fast for the steps, even with an ideal rig, or too slow."""
+        """Yield warnings if steps leave out samples, and if a linear structure is too fast for them, or too slow.
+
+        Too fast is one whose vibrations grow even with an ideal rig.
+        """
         drive, structure, loop = self.drives[test.name], self.laboratory.structure, self.file.loop
+        if drive.left_out:
+            yield f"test {test.name}: {drive.left_out}"
         if drive.ground is None or structure is None or structure.frame is not None:
             return
         numerical = self._numerical(loop.main_step, self.file.integration.method, loop.force)

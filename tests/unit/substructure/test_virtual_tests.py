@@ -365,3 +365,16 @@ tests: [{name: quake, kind: rts}]
     (tmp_path / "project.yaml").write_text(bare, encoding="utf-8")
     with pytest.raises(InputError, match="specimen: the law has no `prototype`, and the damper S_1_1 of the project"):
         VirtualLaboratory(load_rts_file(path))
+
+
+def test_a_record_finer_than_the_main_step_is_told(tmp_path: Path) -> None:
+    """By hand: 1, 3, 2, -1 m/s2 every 5 ms; steps of 10 ms take 1 and 2, those of 5 ms all."""
+    (tmp_path / "fine.csv").write_text("t,a\n0,1\n0.005,3\n0.01,2\n0.015,-1\n", encoding="utf-8")
+    fine = "{file: fine.csv, acceleration_unit: m/s^2, columns: {time: t, acceleration: a}}"
+    head, _, _ = INLINE.partition("records:")
+    text = f"{head}records: {{fine: {fine}}}\ntests: [{{name: q, kind: rts, record: fine, free_vibration: 2 s}}]\n"
+    (coarse,) = run(tmp_path, text + "loop: {main_step: 10 ms}\n")
+    (said,) = coarse.runs[0].warnings
+    assert "samples 5 ms apart, and main steps of 10 ms leave some out: of its peak of 3 m/s2 2 m/s2 act" in said
+    (whole,) = run(tmp_path, text + "loop: {main_step: 5 ms}\n")
+    assert not whole.runs[0].warnings
