@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from edesign.report.table import Table, number
+from edesign.substructure.compensation.alpha_fit import CUTOFF, filtered
 from edesign.substructure.rig.identify import IdentifiedRig
 from edesign.substructure.rig.rig_fit import RigFit, RigParameter
 
@@ -54,5 +55,8 @@ def _alphas(found: IdentifiedRig) -> Table:
         ("the rig, by its series", found.alpha_of_rig),
     ):
         table.rows.append([name, number(a0, 5), number(a1, 4, 1e-3), number(a2, 3, 1e-6)])
-    table.notes.append("least squares: filtered at 20 Hz, backward differences, as thesis 6.2.3")
+    how = (
+        f"filtered at {CUTOFF:g} Hz" if filtered(found.step) else f"not filtered, sampled at {1.0 / found.step:.3g} Hz"
+    )
+    table.notes.append(f"least squares: {how}, backward differences, as thesis 6.2.3")
     return table

@@ -9,6 +9,11 @@ ORDER, CUTOFF = 6, 20.0
 """Of the Butterworth filter on command and displacement, Hz (thesis 6.2.3, after Chae et al. 2013)."""
 
 
+def filtered(step: float) -> bool:
+    """Whether a record with samples a step (s) apart goes through the filter: it is fast enough for it."""
+    return CUTOFF < 0.5 / step
+
+
 def fitted_alpha(command: np.ndarray, displacement: np.ndarray, step: float) -> tuple[float, float, float]:
     """Return alpha_0 (-), alpha_1 (s), alpha_2 (s2) of command = alpha_0 x + alpha_1 x' + alpha_2 x''.
 
@@ -21,7 +26,7 @@ def fitted_alpha(command: np.ndarray, displacement: np.ndarray, step: float) -> 
         step: between samples, s.
     """
     u, x = command - command[0], displacement - displacement[0]
-    if CUTOFF < 0.5 / step:
+    if filtered(step):
         sections = scipy.signal.butter(ORDER, CUTOFF, fs=1.0 / step, output="sos")
         u, x = (scipy.signal.sosfilt(sections, one) for one in (u, x))
     velocity = np.diff(x) / step

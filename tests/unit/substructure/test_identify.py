@@ -11,6 +11,7 @@ from edesign.cli.main import main
 from edesign.damper import signals
 from edesign.errors import InputError
 from edesign.project.substructure.loader import read_rig_file
+from edesign.report.substructure.identified_rig_tables import identified_rig_tables
 from edesign.substructure.compensation.alpha_fit import fitted_alpha
 from edesign.substructure.judgement.measured import read_measured
 from edesign.substructure.laboratory import rig_transfer
@@ -217,3 +218,13 @@ def test_headers_of_machines_and_other_units_are_read(tmp_path: Path) -> None:
     assert found.step == pytest.approx(5e-4) and found.unread == ("Valve (V)",)
     assert found["displacement"][1] == pytest.approx(0.01 * np.sin(0.1), abs=1e-8)
     assert found["force"][10] == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize(("step", "says"), [(0.03, "not filtered, sampled at 33.3 Hz"), (0.01, "filtered at 20 Hz")])
+def test_the_filter_of_the_alphas_is_told_as_it_was(tmp_path: Path, step: float, says: str) -> None:
+    """Half of 33 Hz is below its 20 Hz."""
+    t, u = signals.random(60.0, (0.1, 3.0), 3, peak=5e-3, sampling_rate=1.0 / step)
+    x = rig_response(rigs.pure_delay(0.05), u, step) + 1e-6 * np.random.default_rng(1).standard_normal(u.size)
+    found = identify(write(tmp_path / "slow.csv", t, u, x))
+    (note,) = identified_rig_tables(found)[-1].notes
+    assert note.startswith(f"least squares: {says},")
