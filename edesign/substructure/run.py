@@ -20,12 +20,9 @@ from edesign.study.kinds import SUBSTRUCTURE
 from edesign.study.provenance import circumstances, versions
 from edesign.substructure.advice.unstable_runs import with_unstable_loops
 from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators, method_group
+from edesign.substructure.judgement.measured import APPLIED_FORCE, HEADERS
 from edesign.substructure.methods.method_tests import MethodResults
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
-
-HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")
-APPLIED_FORCE = "applied_force_kN"
-"""Header of the force on the numerical part, where a compensator corrects what is measured."""
 
 
 def run_tests(

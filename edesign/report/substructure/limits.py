@@ -8,12 +8,11 @@ from edesign.report.captions import plain
 from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.tables import HELD_THERE, limit_cells
 from edesign.report.table import Table
+from edesign.substructure.advice.recommendation import ADAPTIVE
 
 NONE_MET = "No limit of the rig or of coefficients was met, as far as that was kept."
 COEFFICIENTS = ("alpha_0", "alpha_1", "alpha_2")
 """By the bits of `limited`."""
-ADAPTIVE = ("ats", "modified_ats", "live_delay")
-"""Kinds of compensators that have coefficients with limits."""
 
 
 def limits_table(results: SubstructureResults) -> Table:

@@ -11,7 +11,7 @@ ROUNDING = 0.1
 the response, and a law that is linearised does not tell it more closely."""
 _FEEDBACK = ("smith", "pi_phase_lead")
 ADAPTIVE = ("live_delay", "ats", "modified_ats")
-"""Compensators that learn from what they have measured."""
+"""Compensators that learn from what they have measured: their coefficients have limits."""
 
 
 @dataclass(frozen=True)

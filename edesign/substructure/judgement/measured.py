@@ -14,7 +14,11 @@ from edesign.damper.csv_table import CsvTable, read_csv_table
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean, listed
 
-EXAMPLE = "time_s,target_mm,command_mm,displacement_mm,actuator_mm,force_kN"
+HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")
+"""As virtual tests are written."""
+APPLIED_FORCE = "applied_force_kN"
+"""Header of the force on the numerical part, where a compensator corrects what is measured."""
+EXAMPLE = ",".join(HEADERS)
 COLUMNS: dict[str, tuple[Units, tuple[str, ...]]] = {
     "time": (TIME, ("time",)),
     "target": (DISPLACEMENT, ("target", "target displacement")),
