@@ -30,12 +30,6 @@ class Path:
     style: str = "-"
 
 
-def delay(transfer: Transfer, frequency: float) -> float:
-    """Return what a sine of a frequency (Hz) comes late by, s."""
-    omega = 2.0 * np.pi * np.linspace(0.0, frequency, 200)[1:]
-    return float(-np.unwrap(np.angle(transfer(1j * omega)))[-1] / omega[-1])
-
-
 @styled
 def bode_figure(
     paths: Sequence[Path],

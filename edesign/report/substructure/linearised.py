@@ -9,8 +9,7 @@ import numpy as np
 from edesign.errors import EdesignError
 from edesign.report.substructure.file import ArchivedTests
 from edesign.substructure.advice.expectation import Bench, Linearisation
-from edesign.substructure.advice.transfers import phase_delay
-from edesign.substructure.stability.loop import Transfer
+from edesign.substructure.stability.loop import Transfer, phase_delay
 
 
 @dataclass(frozen=True)

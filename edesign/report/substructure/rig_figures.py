@@ -11,12 +11,12 @@ from edesign.core.compensator import DifferenceEquation
 from edesign.errors import EdesignError
 from edesign.project.substructure.compensators import AtsCompensator, LiveDelayCompensator, ModifiedAtsCompensator
 from edesign.report.captions import plain
-from edesign.report.substructure.bode import Path, bode_figure, delay
+from edesign.report.substructure.bode import Path, bode_figure
 from edesign.report.substructure.results import FIRST, NONE, WITHOUT, SubstructureResults, looks
 from edesign.substructure.advice.transfers import CompensatorTransfer, late, live_delay_command, of_equation
 from edesign.substructure.laboratory import compensator_of
 from edesign.substructure.rig.rigs import RigTransfer
-from edesign.substructure.stability.loop import Transfer
+from edesign.substructure.stability.loop import Transfer, phase_delay
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -33,7 +33,7 @@ def rig_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure
     paths, without = _paths(results, described.transfer)
     lines = _frequencies(results)
     at = lines[0] if lines else 1.0
-    times = [f"{path.label} {plain(1e3 * delay(path.transfer, at))} ms" for path in paths]
+    times = [f"{path.label} {plain(1e3 * phase_delay(path.transfer, at))} ms" for path in paths]
     left = f" Not shown: {'; '.join(f'{name}, {why}' for name, why in without)}." if without else ""
     corrected = " Of a compensator that corrects the measured force, that force over the one under the target."
     left = (corrected if any(path.label.endswith(FORCE) for path in paths) else "") + left

@@ -22,13 +22,13 @@ from edesign.substructure.advice.transfers import (
     of_adaptive_series,
     of_equation,
     of_live_delay,
-    phase_delay,
     rig_response,
 )
+from edesign.substructure.indicators.frequency_index import equivalent_frequency
 from edesign.substructure.indicators.response_error import peak_error, response_error
 from edesign.substructure.laboratory import TestedDamper
 from edesign.substructure.stability.expected import DirectResponse, expected_errors
-from edesign.substructure.stability.loop import Loop, Transfer
+from edesign.substructure.stability.loop import Loop, Transfer, phase_delay
 from edesign.substructure.stability.margins import LoopMode, LoopStability, critical_delays, loop_stability
 from edesign.substructure.stability.sampled import SampledLoop, SampledPlant, SampledStability
 from edesign.substructure.stability.specimens import linearised_law, tabulated_specimen
@@ -185,7 +185,7 @@ class Bench:
             raise InputError("the specimen does not move at all; is the record or the command zero?")
         step, damper = laboratory.file.loop.main_step, laboratory.damper
         amplitude = EFFECTIVE_AMPLITUDE * largest
-        dominant = mean_frequency(motion, step)
+        dominant = equivalent_frequency(motion, step)
         lowest = min(dominant, *part.frequencies()[:1]) if part is not None else dominant
         band = np.geomspace(LOWEST * max(lowest, LOWEST * dominant), 0.5 / step, FREQUENCIES)
         force, deformation = damper.scales
@@ -382,12 +382,6 @@ def law_at(damper: TestedDamper, amplitude: float, band: np.ndarray) -> ComplexS
     force, deformation = damper.scales
     law = linearised_law(damper.values, amplitude * deformation, band)
     return lambda omega: np.asarray(force * deformation * law(omega))
-
-
-def mean_frequency(motion: np.ndarray, step: float) -> float:
-    """Return the mean frequency of a motion, weighted by its power, Hz; step in s."""
-    power = np.abs(np.fft.rfft(motion)) ** 2
-    return float(np.sum(power * np.fft.rfftfreq(motion.size, step)) / np.sum(power))
 
 
 def first_moving(part: LinearPart, specimen: ComplexStiffness) -> float:

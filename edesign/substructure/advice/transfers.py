@@ -108,13 +108,6 @@ def late(delay: float, transfer: Transfer) -> Transfer:
     return lambda s: np.asarray(np.exp(-s * delay) * transfer(s))
 
 
-def phase_delay(transfer: Transfer, frequency: float) -> float:
-    """Return what a sine comes late by, -phase/omega with the phase followed from rest, s; frequency in Hz."""
-    omega = 2.0 * math.pi * frequency
-    phase = np.unwrap(np.angle(transfer(1j * np.linspace(0.0, omega, 200))))
-    return float(-phase[-1] / omega)
-
-
 def of_equation(equation: DifferenceEquation, rig: Transfer, plain: RigTransfer, step: float) -> CompensatorTransfer:
     """Return a compensator with constant coefficients; what it takes from the measured displacement closes a loop.
 

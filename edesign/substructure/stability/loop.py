@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -11,6 +12,21 @@ from edesign.substructure.stability.whole import WholeStructure
 
 Transfer = Callable[[np.ndarray], np.ndarray]
 """Of s, 1/s, complex of any shape; the value has the same shape."""
+PHASE_POINTS = 200
+"""From rest to a frequency, over which a phase is followed: it may turn by half a circle from one to the next."""
+
+
+def phase_delay(transfer: Transfer, frequency: float) -> float:
+    """Return what a sine comes late by, -phase/omega with the phase followed from near rest, s; NaN: of no frequency.
+
+    Args:
+        transfer: at rest itself it may be 0 / 0.
+        frequency: Hz.
+    """
+    if frequency <= 0.0:
+        return math.nan
+    omega = 2.0 * math.pi * np.linspace(0.0, frequency, PHASE_POINTS)[1:]
+    return float(-np.unwrap(np.angle(transfer(1j * omega)))[-1] / omega[-1])
 
 
 def ideal(s: np.ndarray) -> np.ndarray:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.substructure.stability.loop import Loop
+from edesign.substructure.stability.loop import Loop, phase_delay
 from edesign.substructure.stability.roots import further_roots, loop_roots
 from edesign.substructure.stability.sweep import GAIN_OF_INTEREST, Sweep, sweep
 from edesign.substructure.stability.whole import StructureMode, WholeStructure
@@ -214,7 +214,7 @@ def _mode(loop: Loop, number: int, own: StructureMode, root: complex, crossings:
         abs(root) / (2.0 * math.pi),
         -root.real / abs(root),
         share,
-        _phase_delay(loop, own.omega),
+        phase_delay(loop.actuation, own.omega / (2.0 * math.pi)),
         abs(actuation),
         _nearest_ahead(tuple(mine), gone=root.real > 0.0),
     )
@@ -225,14 +225,6 @@ def _nearest_ahead(delays: Sequence[float], gone: bool) -> float:
     if gone:
         return max((delay for delay in delays if delay <= 0.0), default=-math.inf)
     return min((delay for delay in delays if delay >= 0.0), default=math.inf)
-
-
-def _phase_delay(loop: Loop, omega: float) -> float:
-    """-phase/omega of G C with the phase followed from zero frequency, s."""
-    if omega <= 0.0:
-        return math.nan
-    values = loop.actuation(1j * np.linspace(0.0, omega, 200))
-    return float(-np.unwrap(np.angle(values))[-1] / omega)
 
 
 def _dips(swept: Sweep) -> np.ndarray:

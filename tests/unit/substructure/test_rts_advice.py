@@ -17,10 +17,11 @@ from edesign.substructure.advice.advice import Advice, advise
 from edesign.substructure.advice.loaded_rig import loaded_poles, swings
 from edesign.substructure.advice.needs import ABORT, Need, abort_level
 from edesign.substructure.advice.recommendation import Candidate, recommended
-from edesign.substructure.advice.transfers import converged_series, force_over_step, phase_delay
+from edesign.substructure.advice.transfers import converged_series, force_over_step
 from edesign.substructure.advice.unstable_runs import with_unstable_loops
 from edesign.substructure.rig.rigs import second_order
 from edesign.substructure.run import run_tests
+from edesign.substructure.stability.loop import phase_delay
 from edesign.substructure.stability.specimens import linear_specimen
 from edesign.substructure.virtual_tests import TestResults as Results
 from edesign.substructure.virtual_tests import VirtualLaboratory
