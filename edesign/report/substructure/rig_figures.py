@@ -7,14 +7,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.core.compensator import DifferenceEquation
 from edesign.errors import EdesignError
 from edesign.project.substructure.compensators import AtsCompensator, LiveDelayCompensator, ModifiedAtsCompensator
 from edesign.report.captions import plain
 from edesign.report.substructure.bode import Path, bode_figure
 from edesign.report.substructure.results import FIRST, NONE, WITHOUT, SubstructureResults, looks
-from edesign.substructure.advice.transfers import CompensatorTransfer, late, live_delay_command, of_equation
-from edesign.substructure.laboratory import compensator_of
+from edesign.substructure.advice.transfers import (
+    CompensatorTransfer,
+    actuation,
+    behind,
+    live_delay_command,
+    series_command,
+)
 from edesign.substructure.rig.rigs import RigTransfer
 from edesign.substructure.stability.loop import Transfer, phase_delay
 
@@ -77,44 +81,39 @@ def _compensator(
     """A compensator of the file; an adaptive one with what it found in the tests, None if it found nothing."""
     file = results.described.file
     assert file is not None
-    described, step = file.compensators[name], file.loop.main_step
+    described, learned = file.compensators[name], None
     if isinstance(described, (AtsCompensator, ModifiedAtsCompensator)):
         runs = [run for run in results.runs if run.compensator == name]
         found = [[run.value(f"mean_alpha_{i}") for i in range(3)] for run in runs]
         known = [values for values in found if np.all(np.isfinite(values))]
         if not known:
             return None
-        a0, a1, a2 = np.mean(known, axis=0)
-        return CompensatorTransfer(lambda s: np.asarray(a0 + a1 * s + a2 * s**2), None, "")
-    if isinstance(described, LiveDelayCompensator):
+        learned = series_command(described, np.mean(known, axis=0), file.loop.main_step)
+    elif isinstance(described, LiveDelayCompensator):
         kept = [results.series(test, name) for test in results.tests if name in results.compensators(test)]
         delays = [one.of("alpha_0") for one in kept if one is not None]
         ends = [float(one[-1]) for one in delays if one is not None and one.size and np.isfinite(one[-1])]
-        return (
-            CompensatorTransfer(live_delay_command(described.order, float(np.mean(ends))), None, "") if ends else None
-        )
-    equation = compensator_of(described, step, rig)
-    assert isinstance(equation, DifferenceEquation)
-    return of_equation(equation, loaded, rig, step)
+        if not ends:
+            return None
+        learned = live_delay_command(described.order, float(np.mean(ends)))
+    as_found = CompensatorTransfer(learned, None, "") if learned is not None else None
+    return behind(file, name, loaded, rig, as_found)
 
 
 def _behind(
     results: SubstructureResults, name: str, found: CompensatorTransfer | None, loaded: Transfer
 ) -> tuple[str, Transfer] | str:
     """Label and transfer function of a compensator and the rig behind it; or why there is none, in words."""
-    file, linear = results.described.file, results.linearised
-    assert file is not None
+    linear = results.linearised
     if found is None:
         return "it kept nothing of what it found"
     if not found.settles:
         return "unstable with the rig alone"
-    unseen = file.loop.unseen_delay * file.loop.main_step
     if found.force is None:
-        return name, late(unseen, lambda s: found.command(s) * loaded(s))
+        return name, actuation(found, loaded, None)
     if linear is None:
         return "it corrects the force, and no specimen is known"
-    force, specimen = found.force, linear.bench.specimen
-    return f"{name}{FORCE}", late(unseen, lambda s: found.command(s) * loaded(s) + force(s) / specimen(-1j * s))
+    return f"{name}{FORCE}", actuation(found, loaded, linear.bench.specimen)
 
 
 def _frequencies(results: SubstructureResults) -> list[float]:

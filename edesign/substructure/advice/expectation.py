@@ -16,11 +16,12 @@ from edesign.substructure.advice.loaded_rig import loaded_poles, swinging, swing
 from edesign.substructure.advice.sampled_rig import MOST_SUB_STEPS, REACH, sampled_rig
 from edesign.substructure.advice.transfers import (
     CompensatorTransfer,
+    actuation,
+    behind,
     followed,
     force_over_step,
     late,
     of_adaptive_series,
-    of_equation,
     of_live_delay,
     rig_response,
 )
@@ -237,18 +238,14 @@ class Bench:
         """
         file = self.laboratory.file
         described, step = file.compensators[name], file.loop.main_step
+        learned = None
         match described:
             case kinds.LiveDelayCompensator():
                 delay = phase_delay(self.rig, self.linearisation.frequency)
-                found = of_live_delay(described, delay, float(np.max(np.abs(motion))), step)
+                learned = of_live_delay(described, delay, float(np.max(np.abs(motion))), step)
             case kinds.AtsCompensator() | kinds.ModifiedAtsCompensator():
-                found = of_adaptive_series(described, self.rig, motion, step)
-            case _:
-                equation = self.laboratory.compensators[name]
-                found = of_equation(equation, self.rig, self.laboratory.laboratory.transfer, step)  # type: ignore[arg-type]
-        unseen = 0.0 if described.kind == "none" else file.loop.unseen_delay * step
-        force = late(unseen, found.force) if found.force is not None else None
-        return replace(found, command=late(unseen, found.command), force=force)
+                learned = of_adaptive_series(described, self.rig, motion, step)
+        return behind(file, name, self.rig, self.laboratory.laboratory.transfer, learned)
 
     @cached_property
     def plant(self) -> SampledPlant | None:
@@ -360,12 +357,11 @@ class Bench:
         sensor = self.laboratory.laboratory.sensors.force_delay
         over_step = force_over_step(file.loop.force, file.loop.main_step)
         holds = file.integration.method in OVER_THE_STEP
+        moved = actuation(replace(compensator, command=late(sensor, compensator.command)), self.rig, self.specimen)
 
         def seen(s: np.ndarray) -> np.ndarray:
             s = np.asarray(s, dtype=complex)
-            value = self.rig(s) * compensator.command(s) * np.exp(-s * sensor)
-            if compensator.force is not None:
-                value = value + compensator.force(s) / self.specimen(-1j * s)
+            value = moved(s)
             return np.asarray(value * over_step(s) if holds else value)
 
         return seen

@@ -11,7 +11,9 @@ import numpy as np
 from edesign.core.compensator import DifferenceEquation, Term
 from edesign.project.substructure import compensators as kinds
 from edesign.project.substructure import rig as rig_kinds
+from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.compensation.compensator_matrices import state_space
+from edesign.substructure.laboratory import compensator_of
 from edesign.substructure.rig.rigs import RigTransfer
 from edesign.substructure.stability.loop import Transfer
 from edesign.substructure.stability.whole import ComplexStiffness
@@ -106,6 +108,47 @@ def force_over_step(force: str, step: float) -> Transfer:
 def late(delay: float, transfer: Transfer) -> Transfer:
     """Return a transfer function behind a delay, s."""
     return lambda s: np.asarray(np.exp(-s * delay) * transfer(s))
+
+
+def behind(
+    file: RtsFile, name: str, rig: Transfer, plain: RigTransfer, learned: CompensatorTransfer | None = None
+) -> CompensatorTransfer:
+    """Return a compensator of a file, behind the delay that it does not see.
+
+    Args:
+        file: with the compensator.
+        name: of it.
+        rig: displacement of the specimen over command.
+        plain: the rig as far as a state space has it.
+        learned: what an adaptive one has come to; None: its coefficients are constant.
+    """
+    described, step = file.compensators[name], file.loop.main_step
+    if learned is None:
+        equation = compensator_of(described, step, plain)
+        assert isinstance(equation, DifferenceEquation)
+        learned = of_equation(equation, rig, plain, step)
+    unseen = 0.0 if described.kind == "none" else file.loop.unseen_delay * step
+    force = late(unseen, learned.force) if learned.force is not None else None
+    return replace(learned, command=late(unseen, learned.command), force=force)
+
+
+def actuation(compensator: CompensatorTransfer, rig: Transfer, specimen: ComplexStiffness | None) -> Transfer:
+    """Return displacement over target; of one that corrects the force, that force over the one under the target.
+
+    Args:
+        compensator: of `behind`.
+        rig: displacement of the specimen over command.
+        specimen: its complex stiffness; None: nothing corrects the force.
+    """
+
+    def transfer(s: np.ndarray) -> np.ndarray:
+        value = rig(s) * compensator.command(s)
+        if compensator.force is not None:
+            assert specimen is not None
+            value = value + compensator.force(s) / specimen(-1j * s)
+        return np.asarray(value)
+
+    return transfer
 
 
 def of_equation(equation: DifferenceEquation, rig: Transfer, plain: RigTransfer, step: float) -> CompensatorTransfer:
@@ -244,16 +287,24 @@ def of_adaptive_series(
     alpha = converged_series(described, rig, motion, step) if adapts else np.array(described.initial)
     limits = described.limits
     held = np.clip(alpha, *np.transpose([limits.a0, limits.a1, limits.a2]))
+    how = "converged" if adapts else "never adapts, below its threshold"
+    said = f"{how}: {held[0]:.5g}, {1e3 * held[1]:.4g} ms, {1e6 * held[2]:.4g}e-6 s2"
+    command = series_command(described, held, step)
+    limited, equation = bool(np.any(held != alpha)), series_equation(held, described.derivatives, step)
+    return CompensatorTransfer(command, None, said, alpha=held, limited=limited, equation=equation)
+
+
+def series_command(
+    described: kinds.AtsCompensator | kinds.ModifiedAtsCompensator, alpha: np.ndarray, step: float
+) -> Transfer:
+    """Command over target of an adaptive time series with coefficients (3,), by the derivatives that it takes."""
     derivatives = _differences(step) if described.derivatives == "differences" else lambda s: (s, s**2)
 
     def command(s: np.ndarray) -> np.ndarray:
         first, second = derivatives(s)
-        return np.asarray(held[0] + held[1] * first + held[2] * second)
+        return np.asarray(alpha[0] + alpha[1] * first + alpha[2] * second)
 
-    how = "converged" if adapts else "never adapts, below its threshold"
-    said = f"{how}: {held[0]:.5g}, {1e3 * held[1]:.4g} ms, {1e6 * held[2]:.4g}e-6 s2"
-    limited, equation = bool(np.any(held != alpha)), series_equation(held, described.derivatives, step)
-    return CompensatorTransfer(command, None, said, alpha=held, limited=limited, equation=equation)
+    return command
 
 
 def series_equation(alpha: np.ndarray, derivatives: str, step: float) -> DifferenceEquation:
