@@ -16,6 +16,7 @@ import scipy
 from edesign.archive.reader import open_archive
 from edesign.cli.main import main
 from edesign.damper.read_test import read_test
+from edesign.damper.specimen import Specimen
 from edesign.errors import InputError
 from edesign.project.problems import FileProblems
 from edesign.project.substructure import load_rts_file
@@ -357,7 +358,9 @@ tests: [{name: quake, kind: rts}]
 """
     path = tmp_path / "rts.yaml"
     path.write_text(text, encoding="utf-8")
-    assert VirtualLaboratory(load_rts_file(path)).damper.scales == pytest.approx((3.0, 0.5), rel=1e-15)
+    damper = VirtualLaboratory(load_rts_file(path)).damper
+    assert damper.scales == pytest.approx((3.0, 0.5), rel=1e-15)
+    assert damper.specimen == Specimen("twin", 4, 0.0207, 0.012)  # a campaign has its channels at the prototype's size
     (tmp_path / "project.yaml").write_text(project.replace(PROTOTYPE, "property_factor: 2"), encoding="utf-8")
     with pytest.raises(FileProblems, match="prototype"):  # the device itself could not be of the size it has
         VirtualLaboratory(load_rts_file(path))
