@@ -160,7 +160,7 @@ def _with_frame(structure: TestedStructure, device: Device, damper: TestedDamper
     assert file.project is not None
     collapse = file.analysis.collapse_drift if file.analysis is not None else None
     kept = FRAME_HISTORIES if "building" in file.outputs.histories else ()
-    thickness = damper.prototype.layer_thickness / damper.scales[1] if damper.specimen is not None else None
+    thickness = damper.prototype.layer_thickness / damper.scales[1] if damper.prototype is not None else None
     device = replace(device, layer_thickness=thickness)
     frame = ProjectFrame(file.project, device, damper.values, damper.scales, collapse, kept)
     structure = replace(structure, frame=frame)

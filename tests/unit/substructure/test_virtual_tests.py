@@ -360,7 +360,7 @@ tests: [{name: quake, kind: rts}]
     path.write_text(text, encoding="utf-8")
     damper = VirtualLaboratory(load_rts_file(path)).damper
     assert damper.scales == pytest.approx((3.0, 0.5), rel=1e-15)
-    assert damper.specimen == Specimen("twin", 4, 0.0207, 0.012)  # a campaign has its channels at the prototype's size
+    assert damper.prototype == Specimen("twin", 4, 0.0207, 0.012)  # a campaign has its channels at the prototype's size
     (tmp_path / "project.yaml").write_text(project.replace(PROTOTYPE, "property_factor: 2"), encoding="utf-8")
     with pytest.raises(FileProblems, match="prototype"):  # the device itself could not be of the size it has
         VirtualLaboratory(load_rts_file(path))
