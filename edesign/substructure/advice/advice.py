@@ -112,7 +112,10 @@ def advise(laboratory: VirtualLaboratory) -> Advice:
     file = laboratory.file
     needs = needs_of(laboratory, [(test.name, drive, direct) for test, drive, direct in prepared])
     looped = [test.name for test in found if test.modes]
-    choice = _choice(file, found, needs)
+    steps = [one for test in laboratory.tests for one in laboratory.step_warnings(test)]
+    sensors = laboratory.laboratory.sensors
+    lost = [one for need in needs for one in lost_in_noise(need.test, sensors, need.deformation, need.force)]
+    choice = _choice(file, found, needs) if not lost else Recommendation("", f"Nothing to choose by: {lost[0]}.", False)
     return Advice(
         tests=found,
         force_delay=force_delay(laboratory),
@@ -121,7 +124,7 @@ def advise(laboratory: VirtualLaboratory) -> Advice:
         recommendation=choice,
         delay_margin=file.criteria.delay_margin,
         response_error=file.criteria.response_error,
-        warnings=(*_warnings(found), *_sampling(laboratory, needs), *laboratory.laboratory.warnings),
+        warnings=(*_warnings(found), *steps, *lost, *laboratory.laboratory.warnings),
     )
 
 
@@ -196,14 +199,6 @@ def _warnings(tests: tuple[TestAdvice, ...]) -> Iterator[str]:
                 f"test {test.name}: small motions grow with {names}: the law is stiffer there than at the amplitude of "
                 "the test. The loop ends in a limit cycle, and the expected errors need not hold"
             )
-
-
-def _sampling(laboratory: VirtualLaboratory, needs: tuple[Need, ...]) -> Iterator[str]:
-    """Steps that are too long, and readings that are too noisy."""
-    for test in laboratory.tests:
-        yield from laboratory.step_warnings(test)
-    for need in needs:
-        yield from lost_in_noise(need.test, laboratory.laboratory.sensors, need.deformation, need.force)
 
 
 def _candidate(name: str, kind: str, tests: tuple[TestAdvice, ...]) -> Candidate:

@@ -50,6 +50,7 @@ class JudgedResponse:
             with a root.
         critical_delay: at which the loop would have become unstable, s; inf: at none.
         margin: of it over the measured delay and that of the force; inf: neither is late; NaN: the delay is not told.
+        covered: largest direct deformation while the record lasts, over the largest of all.
         time: (n,) s at main steps; target, measured, force, direct_deformation, by_force, law_force: (n,) SI.
     """
 
@@ -63,6 +64,7 @@ class JudgedResponse:
     force_nrms_root: float
     critical_delay: float
     margin: float
+    covered: float
     time: np.ndarray
     target: np.ndarray
     measured: np.ndarray
@@ -227,6 +229,7 @@ def _response(record: MeasuredRecord, file: RtsFile, test: RtsTest, followed: Tr
         force_nrms_root=nrms_root(force, law),
         critical_delay=critical,
         margin=math.inf if late <= 0.0 or math.isinf(critical) else critical / late,
+        covered=float(np.max(np.abs(direct)) / np.max(np.abs(whole.deformation))),
         time=time,
         target=target,
         measured=measured,
@@ -310,6 +313,7 @@ def _criteria(file: RtsFile, response: JudgedResponse) -> tuple[Criterion, ...]:
         Criterion("target under the measured force", response.reproduced, REPRODUCED),
         Criterion("error of the response", response.response_error, file.criteria.response_error),
         Criterion("margin of the delay", response.margin, file.criteria.delay_margin, at_least=True),
+        Criterion("largest deformation that the record lasts for, over that of the test", response.covered, 1.0, True),
     )
 
 

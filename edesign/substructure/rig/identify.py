@@ -31,6 +31,8 @@ PARTS = 6
 """Of a record, whose delays show a drift."""
 COLOURED = 0.5
 """Share of independent samples below which what is left is not white noise."""
+UNIT_SLIP = 2.54**0.5
+"""Halfway, as a factor, from a gain of 1 to the least mistake of units: an inch for a centimetre."""
 _AT_BOUND = 0.99
 """Of the highest frequency: from here on it is not told."""
 
@@ -84,6 +86,7 @@ def identify(path: Path | str, order: int | None = None) -> IdentifiedRig:
     tried = tuple(fit_rig(record, one, late) for one in asked)
     criteria = _criteria(tried, u.size)
     chosen = next(fit for fit, value in zip(tried, criteria, strict=True) if value <= CLEARLY)
+    _refuse_other_units(record, chosen.parameters["gain"].value)
     _refuse_drift(record, chosen)
     a0, a1, a2 = chosen.transfer.inverse_series(2)
     return IdentifiedRig(
@@ -125,6 +128,15 @@ def _delay_at_first(record: MeasuredRecord) -> float:
         raise InputError(_two_clocks(path, 1e3 * parts[0], 1e3 * parts[-1]))
     words = untold.replace("target", "command").replace("measured channel", "displacement")
     raise InputError(f"{path}: {words}; is this the displacement of that command?")
+
+
+def _refuse_other_units(record: MeasuredRecord, gain: float) -> None:
+    """Refuse a gain that is nearer to the least mistake of units than to 1."""
+    if not 1.0 / UNIT_SLIP <= gain <= UNIT_SLIP:
+        raise InputError(
+            f"{record.path}: the displacement is {gain:.4g} times the command: are both columns in the units of their "
+            "headers?"
+        )
 
 
 def _refuse_no_delay(record: MeasuredRecord, late: float) -> None:

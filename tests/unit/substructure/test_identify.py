@@ -61,6 +61,14 @@ def test_the_response_to_a_sine_is_that_of_the_transfer_function() -> None:
     np.testing.assert_allclose(found[500:], exact[500:], atol=1e-4)
 
 
+@pytest.mark.parametrize("factor", [1.0 / 25.4, 2.54, 1000.0])
+def test_a_gain_of_two_units_is_refused(tmp_path: Path, factor: float) -> None:
+    """A header in inches above millimetres, an inch for a centimetre, metres for millimetres."""
+    time, u = command(15.0, 3)
+    with pytest.raises(InputError, match="times the command: are both columns in the units of their headers"):
+        identify(write(tmp_path / "open_loop.csv", time, u, factor * rig_response(THESIS, u, STEP)))
+
+
 @pytest.mark.parametrize(
     ("transfer", "order"), [(rigs.pure_delay(0.0102), 0), (rigs.first_order(0.004, 0.006), 1), (THESIS, 2)]
 )

@@ -26,6 +26,7 @@ from edesign.substructure.stability.specimens import linear_specimen
 from edesign.substructure.virtual_tests import TestResults as Results
 from edesign.substructure.virtual_tests import VirtualLaboratory
 
+PROJECTS = Path(__file__).parents[3] / "projects"
 FACTOR = 1.5
 """Between predicted and found response errors (substructure_tests.md 6.9)."""
 ONE_STOREY = "{masses: [143.26 t], stiffnesses: [22.6e6 N/m], damping: {kind: modal, ratio: 2 %}}"
@@ -124,6 +125,16 @@ def test_three_storeys_as_they_run(three_storeys: tuple[Advice, VirtualLaborator
 def test_the_other_loops_of_the_thesis(structure: str, scale: float, unseen: int, force: str) -> None:
     advice, laboratory = advice_of(thesis_file(structure, scale, unseen, force))
     compare(advice, only_results(laboratory))
+
+
+def test_nothing_is_recommended_where_the_motion_is_lost_in_noise() -> None:
+    """Of 10 mm beside a motion of 5.95 mm."""
+    text = (PROJECTS / "thesis_substructure" / "three_storey.yaml").read_text(encoding="utf-8")
+    for noise, chosen in (("1 um", True), ("10 mm", False)):
+        file = parse_rts_file(
+            text.replace("encoder_noise: 1 um", f"encoder_noise: {noise}"), PROJECTS / "thesis_substructure" / "x.yaml"
+        )
+        assert bool(advise(VirtualLaboratory(file)).recommended) == chosen
 
 
 def test_critical_delays_of_the_thesis(
