@@ -155,7 +155,8 @@ def test_softening_and_heat_have_finer_forms_and_of_the_faults_of_instruments_th
     names = {part[0].name for _, _, part in FINER}
     assert {"payne", "mullins", "self_heating", "degradation", "ageing", "temperature_law"} <= names
     assert not names & {"gain", "hum", "offset", "drift", "inertia", "friction"}
-    assert {(coarse.form, part[0].form) for coarse, _, part in FINER if coarse.name == "lag"} == {("delay", "actuator")}
+    lags = {(coarse.form, part[0].form) for coarse, _, part in FINER if coarse.name == "lag"}
+    assert lags == {("delay", "actuator"), ("second_order", "actuator")}
 
 
 @pytest.mark.parametrize("form", FORMS, ids=lambda form: f"{form.name}.{form.form}")

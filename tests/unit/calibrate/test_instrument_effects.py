@@ -132,7 +132,7 @@ def test_a_stiff_actuator_is_a_plain_delay() -> None:
 def test_an_actuator_is_asked_for_where_a_delay_was_found() -> None:
     """No candidate of a search by itself; as simple as a delay where it is stiff."""
     assert lag.Actuator not in lag.FORMS
-    for found in (lag.Delay(), lag.Growing(), lag.SecondOrder()):  # which take an actuator for their own
+    for found in (lag.Delay(), lag.SecondOrder()):  # which take an actuator for their own
         assert [type(form) for form in found.finer()] == [lag.Actuator]
     unknowns = lag.Actuator().unknowns(_sizes())
     for start in lag.Actuator().starts(_sizes()):

@@ -117,10 +117,6 @@ class Growing(_Lag):
         """A lag that stays."""
         return ((Delay(), p),)
 
-    def finer(self) -> tuple[Form, ...]:
-        """An actuator: fast motions are late by another time than slow ones, and tests have the ones or the others."""
-        return (Actuator(),)
-
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
         return _later(motion, p["lag"] + p["grown"] * trial.order / p["N"], p["skew"], trial.start is None)
 
@@ -195,7 +191,7 @@ class Actuator(_Lag):
 
     P(s) = e^(-tau s) / (1 + 2 zeta s/w + s^2/w^2), w = 2 pi f; slow motions are late by lag = tau + 2 zeta/w. No
     candidate of a search: beside other effects it would take for its own what dashpots and masses do. It is asked
-    where a delay, plain or growing, or a filter of second order was found and more than noise is left.
+    where a plain delay or a filter of second order was found and more than noise is left.
     """
 
     refined: int = 4
