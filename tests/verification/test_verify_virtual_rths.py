@@ -39,6 +39,7 @@ from edesign.substructure.stability.loop import Loop, Transfer, ideal
 from edesign.substructure.stability.margins import critical_delays, loop_stability
 from edesign.substructure.stability.specimens import linear_specimen
 from edesign.substructure.stability.whole import WholeStructure
+from edesign.substructure.structure.linear_building import building_of_floors
 from edesign.substructure.structure.numerical import LinearPart, modal_damping_matrix, natural_modes
 from edesign.substructure.structure.recursion import recursion
 from edesign.substructure.virtual_tests import VirtualLaboratory
@@ -338,7 +339,8 @@ def test_uncompensated_tests_are_ended(case: int) -> None:
         dashpot=DAMPING_E, numerator=plant().numerator[0], denominator=[float(one) for one in plant().denominator]
     )
     tests = VirtualLaboratory(parse_rts_file(text))
-    there = Structure(numerical_part(case, mass_tested=False), np.eye(3), ())
+    part = numerical_part(case, mass_tested=False)
+    there = Structure(part, building_of_floors(3, 1.0 / float(part.frequencies()[0])), ())
     tests.laboratory = replace(tests.laboratory, structure=there)
     results = list(tests.run())
     assert [one.name for one in results] == ["el_centro", "kobe", "northridge"]
