@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.core.damper import CoreDamper
 from edesign.errors import EdesignError
 from edesign.report.captions import file_name, plain
 from edesign.report.figures import MEAN, legend_label, new_figure, styled
 from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_below, window, within
 from edesign.report.substructure.results import Series, SubstructureResults, times
+from edesign.substructure.sized_damper import SizedDamper
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -79,14 +79,11 @@ def _wanted(results: SubstructureResults, test: str) -> tuple[Loop | None, str]:
         return None, ""
     every = -(-target.size // MOST_STEPS)
     time, target = shown[-1].time[::every], target[::every]
-    damper = lab.damper
-    force, deformation = damper.scales
     try:
-        core = CoreDamper(damper.values.law, damper.values.values, amendments=damper.values.amendments)
-        found = core.force(time, deformation * target, deformation * np.gradient(target, time))
+        found = SizedDamper(lab.damper.values, lab.damper.scales).force(time, target, np.gradient(target, time))
     except (EdesignError, ValueError):
         return None, ""
-    return Loop(time, target, force * found), "the law under the target"
+    return Loop(time, target, found), "the law under the target"
 
 
 def in_window(loop: Loop) -> tuple[float, float] | None:

@@ -10,7 +10,6 @@ from pathlib import Path
 import numpy as np
 
 from edesign.calibrate.noise import smooth
-from edesign.core.damper import CoreDamper
 from edesign.core.errors import CoreError
 from edesign.errors import InputError
 from edesign.project.problems import unknown_name
@@ -24,6 +23,7 @@ from edesign.substructure.indicators.response_error import peak_error, response_
 from edesign.substructure.indicators.tracking_error import nrms_root
 from edesign.substructure.judgement.measured import MeasuredRecord, clipped, read_measured
 from edesign.substructure.laboratory import TestedDamper
+from edesign.substructure.sized_damper import SizedDamper
 from edesign.substructure.stability.margins import critical_delays
 from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
 
@@ -302,10 +302,8 @@ def _longest_shift(target: np.ndarray, step: float) -> float:
 
 def _law_force(damper: TestedDamper, time: np.ndarray, displacement: np.ndarray) -> np.ndarray:
     """Force (n,) N of the law with its effects under the measured displacement, freed from noise that it would feel."""
-    force, deformation = damper.scales
-    core = CoreDamper(damper.values.law, damper.values.values, amendments=damper.values.amendments)
-    u, v, _, _ = smooth(time, deformation * displacement)
-    return np.asarray(force * core.force(time, u, v))
+    u, v, _, _ = smooth(time, displacement)
+    return SizedDamper(damper.values, damper.scales).force(time, u, v)
 
 
 def _criteria(file: RtsFile, response: JudgedResponse) -> tuple[Criterion, ...]:
