@@ -23,9 +23,20 @@ CORE = Path("core_c")
 HEADER = CORE / "include" / "edcore.h"
 # What the core may call in Python.
 CALLBACKS = 'extern "Python" int edesign_stop_asked(void *);\n'
-# No contraction: results must not depend on whether a machine has fused multiply-add. Hidden symbols: calls inside the
-# library may be inlined. gnu11 for M_PI and clock_gettime. No -march=native: a built package moves between machines.
-FLAGS = ["-std=gnu11", "-O3", "-ffp-contract=off", "-fno-math-errno", "-fvisibility=hidden", "-Wall", "-Wextra"]
+# No contraction: results must not depend on whether a machine has fused multiply-add. No wrapping of integers, which
+# Python's own flags ask for: with it gcc cannot count the turns of a loop whose bound is a sum, and makes no vectors of it.
+# Hidden symbols: calls inside the library may be inlined. gnu11 for M_PI and clock_gettime. No -march=native: a built
+# package moves between machines.
+FLAGS = [
+    "-std=gnu11",
+    "-O3",
+    "-ffp-contract=off",
+    "-fno-math-errno",
+    "-fno-wrapv",
+    "-fvisibility=hidden",
+    "-Wall",
+    "-Wextra",
+]
 
 
 def compiler() -> list[str]:
@@ -85,7 +96,10 @@ def ffibuilder() -> cffi.FFI:
         "edesign.core._edcore",
         '#include "edcore.h"\n',
         sources=sources,
-        depends=sorted(path.as_posix() for path in [*CORE.glob("include/*.h"), *CORE.glob("src/**/*.h")]),
+        depends=sorted(
+            path.as_posix()
+            for path in [*CORE.glob("include/*.h"), *CORE.glob("src/**/*.h"), Path("edesign/core/build.py")]
+        ),
         include_dirs=[(CORE / "include").as_posix(), (CORE / "src").as_posix()],
         extra_compile_args=[
             *FLAGS,
