@@ -128,7 +128,7 @@ static void begin(ed_substructure *t, unsigned long long seed)
   t->command_line.last = t->force_line.last = 0;
   ed_damper_start(t->specimen, t->law);
   ed_compensator_start(&t->compensator, &t->compensating);
-  memset(&t->moving, 0, sizeof t->moving);
+  ed_rig_start(&t->rig, &t->moving, t->h);
   t->tangent = t->largest = 0.0;
   t->displacement_sensor = (ed_sensor){.noise = s->displacement_noise, .quantum = s->displacement_quantum, .range = s->displacement_range,
                                        .state = 2 * seed};

@@ -62,14 +62,22 @@ static void move_servo(const ed_rig_model *m, ed_rig_state *s, double h, double 
 {
   const double q_0 = s->flow, e_0 = s->command - s->piston, e_1 = w - (s->piston + h * q_0);
   double q_1 = m->gain * e_1;
-  if (m->valve_lag > 0.0) { /* exact for an error that is linear over the sub-step */
-    const double n = h / m->valve_lag, left = exp(-n), mean = (1.0 - left) / n;
-    q_1 = left * q_0 + m->gain * ((mean - left) * e_0 + (1.0 - mean) * e_1);
-  }
+  if (m->valve_lag > 0.0) /* exact for an error that is linear over the sub-step */
+    q_1 = s->left * q_0 + m->gain * ((s->mean - s->left) * e_0 + (1.0 - s->mean) * e_1);
   q_1 = held_flow(m, q_1, force, saturated);
   *v_start = q_0;
   s->x += 0.5 * h * (q_0 + q_1);
   s->v = s->flow = q_1;
+}
+
+void ed_rig_start(const ed_rig_model *m, ed_rig_state *s, double h)
+{
+  memset(s, 0, sizeof *s);
+  if (m->kind == ED_RIG_SERVO_HYDRAULIC && m->valve_lag > 0.0) {
+    const double n = h / m->valve_lag;
+    s->left = exp(-n);
+    s->mean = (1.0 - s->left) / n;
+  }
 }
 
 void ed_rig_move(const ed_rig_model *m, ed_rig_state *s, double h, double w, double force, double *v_start, int *saturated)

@@ -21,11 +21,14 @@ enum { ED_SATURATED_STROKE = 1, ED_SATURATED_VELOCITY = 2, ED_SATURATED_FORCE = 
 typedef struct {
   double r[ED_RIG_STATES]; /* LINEAR */
   double flow;             /* SERVO_HYDRAULIC: q */
+  double left, mean;       /* SERVO_HYDRAULIC: exp(-t/valve_lag) at the end of a sub-step, and its mean over one */
   double command;          /* w at the end of the last sub-step */
   double x, v;             /* of what drives the specimen: the piston, or the piston without the give of its oil */
   double piston;           /* displacement of the piston */
 } ed_rig_state;
 
+/* At rest, for sub-steps of h. */
+void ed_rig_start(const ed_rig_model *model, ed_rig_state *state, double h);
 /* Moves the drive over a sub-step of h towards the command w. force: of the specimen at its start. v_start: velocity of the drive at the
  * start, from which its path goes. *saturated gains the limits that were met. */
 void ed_rig_move(const ed_rig_model *model, ed_rig_state *state, double h, double w, double force, double *v_start, int *saturated);
