@@ -24,7 +24,7 @@ HEADER = CORE / "include" / "edcore.h"
 # What the core may call in Python.
 CALLBACKS = 'extern "Python" int edesign_stop_asked(void *);\n'
 # No contraction: results must not depend on whether a machine has fused multiply-add. No wrapping of integers, which
-# Python's own flags ask for: with it gcc cannot count the turns of a loop whose bound is a sum, and makes no vectors of it.
+# Python's own flags ask for: with it gcc cannot count the turns of a loop whose bound is a sum, and leaves it scalar.
 # Hidden symbols: calls inside the library may be inlined. gnu11 for M_PI and clock_gettime. No -march=native: a built
 # package moves between machines.
 FLAGS = [

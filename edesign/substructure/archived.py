@@ -15,7 +15,8 @@ from edesign.substructure.indicators import definitions
 from edesign.substructure.indicators.interface_energy import work_along
 from edesign.substructure.methods import PseudoDynamicRecord
 from edesign.substructure.methods.method_tests import MethodResults
-from edesign.substructure.virtual_tests import TestResults, VirtualTest
+from edesign.substructure.virtual_test import VirtualTest
+from edesign.substructure.virtual_tests import TestResults
 
 PLACE = "tests"
 INDICATORS = "indicators"

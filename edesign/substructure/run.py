@@ -22,7 +22,8 @@ from edesign.substructure.advice.unstable_runs import with_unstable_loops
 from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators, method_group
 from edesign.substructure.judgement.measured import APPLIED_FORCE, HEADERS
 from edesign.substructure.methods.method_tests import MethodResults
-from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory, VirtualTest
+from edesign.substructure.virtual_test import VirtualTest
+from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory
 
 
 def run_tests(

@@ -26,8 +26,11 @@ from edesign.substructure.advice.expectation import (
 from edesign.substructure.advice.needs import AbortLevel, Need, abort_level, needs_of
 from edesign.substructure.advice.recommendation import Candidate, Recommendation, recommended
 from edesign.substructure.advice.small_motions import cycle_rms, grows_below, smaller_benches
+from edesign.substructure.computed_structure import Direct
+from edesign.substructure.drive import Drive
 from edesign.substructure.stability.expected import DirectResponse
-from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory, lost_in_noise
+from edesign.substructure.virtual_test import lost_in_noise
+from edesign.substructure.virtual_tests import VirtualLaboratory
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,7 @@ from edesign.substructure.advice.transfers import (
     of_live_delay,
     rig_response,
 )
+from edesign.substructure.drive import Drive
 from edesign.substructure.indicators.frequency_index import equivalent_frequency
 from edesign.substructure.indicators.response_error import peak_error, response_error
 from edesign.substructure.laboratory import TestedDamper
@@ -36,7 +37,7 @@ from edesign.substructure.stability.specimens import linearised_law, tabulated_s
 from edesign.substructure.stability.whole import ComplexStiffness, WholeStructure
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.recursion import OVER_THE_STEP
-from edesign.substructure.virtual_tests import Drive, VirtualLaboratory
+from edesign.substructure.virtual_tests import VirtualLaboratory
 
 EFFECTIVE_AMPLITUDE = 0.65
 """Of the largest deformation, at which a law stands for its motion under an earthquake.

@@ -10,8 +10,10 @@ import numpy as np
 
 from edesign.core.substructure import RigLimits
 from edesign.project.substructure.rig import ServoHydraulicRig
+from edesign.substructure.computed_structure import Direct
+from edesign.substructure.drive import Drive
 from edesign.substructure.sized_damper import SizedDamper
-from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
+from edesign.substructure.virtual_tests import VirtualLaboratory
 
 SMALLEST_ABORT = 1e-6
 """m; no rig moves so little, and a level below it would say nothing."""

@@ -14,7 +14,8 @@ from edesign.errors import InputError
 from edesign.substructure.advice.expectation import Bench, ExpectedTest
 from edesign.substructure.advice.recommendation import ADAPTIVE
 from edesign.substructure.met_limits import in_words
-from edesign.substructure.virtual_tests import DIVERGED, TestResults, VirtualLaboratory, VirtualTest, without_result
+from edesign.substructure.virtual_test import DIVERGED, VirtualTest, without_result
+from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory
 
 AGREES = 1.5
 """Errors of runs over those expected of linear dampers, at most: tests/unit/substructure/test_advice_partitions.py."""

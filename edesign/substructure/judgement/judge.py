@@ -17,6 +17,8 @@ from edesign.project.substructure.programme import CommandTest, RtsTest
 from edesign.project.substructure.quantities import MOST_DELAY
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.advice.expectation import Bench, force_delay
+from edesign.substructure.computed_structure import Direct
+from edesign.substructure.drive import Drive
 from edesign.substructure.indicators import Tracking, Untold, tracking
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.response_error import peak_error, response_error
@@ -25,7 +27,7 @@ from edesign.substructure.judgement.measured import MeasuredRecord, clipped, rea
 from edesign.substructure.laboratory import TestedDamper
 from edesign.substructure.sized_damper import SizedDamper
 from edesign.substructure.stability.margins import critical_delays
-from edesign.substructure.virtual_tests import Direct, Drive, VirtualLaboratory
+from edesign.substructure.virtual_tests import VirtualLaboratory
 
 REPRODUCED = 0.05
 """Root of squared error over squared target, by which the numerical part under the measured force may miss the recorded
@@ -264,7 +266,7 @@ def _by_force(
     record: MeasuredRecord, laboratory: VirtualLaboratory, force: np.ndarray, ground: np.ndarray
 ) -> np.ndarray:
     try:
-        return laboratory.by_force(force, ground)
+        return laboratory.computed.by_force(force, ground)
     except CoreError as error:
         raise InputError(
             f"{record.path}: the numerical part cannot take the measured force: {error}; unit, sign or channel of the "

@@ -12,7 +12,8 @@ import scipy
 from edesign.project.substructure import parse_rts_file
 from edesign.substructure.advice.advice import advise
 from edesign.substructure.advice.expectation import ExpectedTest
-from edesign.substructure.virtual_tests import VirtualLaboratory, VirtualTest
+from edesign.substructure.virtual_test import VirtualTest
+from edesign.substructure.virtual_tests import VirtualLaboratory
 
 PARTITIONS = 100
 LEAST_RIGHT = 98

@@ -27,7 +27,8 @@ from edesign.substructure.rig.rigs import ideal
 from edesign.substructure.run import HEADERS, write_run
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.recursion import recursion
-from edesign.substructure.virtual_tests import VirtualLaboratory, VirtualTest
+from edesign.substructure.virtual_test import VirtualTest
+from edesign.substructure.virtual_tests import VirtualLaboratory
 
 RTS = Path(__file__).parents[3] / "projects" / "thesis_substructure" / "one_storey.yaml"
 

@@ -23,8 +23,9 @@ from edesign.project.substructure import load_rts_file
 from edesign.project.substructure.checks_compensators import TAKEN
 from edesign.stopping import Stopped
 from edesign.substructure.archived import groups
+from edesign.substructure.drive import Drive
 from edesign.substructure.methods import PseudoDynamicRecord, ShakingTableRecord
-from edesign.substructure.virtual_tests import Drive, TestResults, VirtualLaboratory
+from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory
 
 PROJECTS = Path(__file__).parents[3] / "projects"
 EL_CENTRO = """\
