@@ -56,7 +56,7 @@ def laboratory(**options: Any) -> Iterator[Laboratory]:
     def run() -> None:
         with stoppable(lab.stop.is_set):
             try:
-                lab.outcome = serve(prototype_damper().core, (1.0, 1.0), 0, on_event=say, **options)
+                lab.outcome = serve(prototype_damper().core, 0, on_event=say, **options)
             except EdesignError as error:
                 lab.outcome = error
 

@@ -17,9 +17,12 @@ class SizedDamper(CoreDamper):
 
     Raises:
         CoreError: a parameter is not allowed.
+        ValueError: a scale is not finite, or 0.
     """
 
     def __init__(self, law: LawValues, scales: tuple[float, float]) -> None:
+        if not (np.all(np.isfinite(scales)) and np.all(scales)):
+            raise ValueError(f"scales {scales} of force and deformation: finite and not 0")
         super().__init__(law.law, law.values, amendments=law.amendments)
         self.scales = scales
 

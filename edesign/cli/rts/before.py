@@ -77,17 +77,15 @@ def serve(
     record: Annotated[Path | None, typer.Option("--record", help="Write the committed steps to a CSV file.")] = None,
 ) -> None:
     """Be the laboratory of OpenSees' genericClient: the virtual specimen of the file behind a TCP port."""
-    from edesign.core.damper import CoreDamper
     from edesign.substructure.laboratory import laboratory
     from edesign.substructure.server.serve import serve as wait
+    from edesign.substructure.sized_damper import SizedDamper
 
     damper = laboratory(load_tests(file)).damper
     if damper is None:
         raise InputError(f"{file}: specimen: a laboratory needs a law; give `law` or `law_file`")
-    values = damper.values
     found = wait(
-        CoreDamper(values.law, values.values, amendments=values.amendments),
-        damper.scales,
+        SizedDamper(damper.values, damper.scales),
         port,
         host,
         interface=(-1.0, 1.0) if between else (1.0,),

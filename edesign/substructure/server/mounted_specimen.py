@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from edesign.core.damper import CoreDamper
 from edesign.errors import AnalysisError
 from edesign.substructure.server.protocol import Measured, Motion
@@ -30,16 +28,15 @@ class MountedSpecimen:
     A trial always starts at the end of the last committed step, so that asking twice does not move it twice.
 
     Args:
-        law: the damper.
-        scales: F = scales[0] law(scales[1] u), both finite and not 0.
+        damper: law of the specimen, at the size of the device.
         allow_iterations: whether a step may have trials with different displacements. A real damper cannot go back.
     """
 
-    def __init__(self, law: CoreDamper, scales: tuple[float, float], allow_iterations: bool = False) -> None:
-        self._law, self._scales, self._allow = law, scales, allow_iterations
-        self._state = self._trial_state = law.start()
-        rest = law.step(self._state, STEP_AT_REST, (0.0, 0.0), (0.0, 0.0))
-        self.committed = self.trial = Measured(0.0, 0.0, 0.0, 0.0, scales[0] * scales[1] * rest[2][0])
+    def __init__(self, damper: CoreDamper, allow_iterations: bool = False) -> None:
+        self._damper, self._allow = damper, allow_iterations
+        self._state = self._trial_state = damper.start()
+        _, _, (stiffness, _) = damper.step(self._state, STEP_AT_REST, (0.0, 0.0), (0.0, 0.0))
+        self.committed = self.trial = Measured(0.0, 0.0, 0.0, 0.0, stiffness)
         self.steps = 0
         self.trials = 0
 
@@ -67,16 +64,15 @@ class MountedSpecimen:
         u0, v0, u1, v1 = before.displacement, before.velocity, motion.displacement, motion.velocity
         if v1 is None:
             v0 = v1 = (u1 - u0) / duration
-        s_F, s_u = self._scales
         try:
-            state, force, slope = self._law.step(self._state, duration, (s_u * u0, s_u * v0), (s_u * u1, s_u * v1))
+            state, force, (stiffness, _) = self._damper.step(self._state, duration, (u0, v0), (u1, v1))
         except AnalysisError as error:
             what = f"from {1e3 * u0:.6g} mm to {1e3 * u1:.6g} mm in {duration:.6g} s"
             raise RefusedMotion(
                 f"the specimen's law has no force at t = {motion.time:.9g} s, {what}: {error}"
             ) from error
         self._trial_state = state
-        self.trial = Measured(motion.time, u1, v1, s_F * force, s_F * s_u * slope[0])
+        self.trial = Measured(motion.time, u1, v1, force, stiffness)
 
     def commit(self) -> bool:
         """Keep the last trial; return whether it was a step: whether time went on."""
@@ -112,13 +108,3 @@ class MountedSpecimen:
             f"{1e3 * self.trial.displacement:.6g} mm. A damper cannot take a trial back: use an integrator without "
             f"iterations ({EXPLICIT}), or allow iterations, which only a virtual specimen can follow"
         )
-
-
-def check_scales(scales: tuple[float, float]) -> None:
-    """Check the scales of force and displacement.
-
-    Raises:
-        ValueError: one is not finite, or 0.
-    """
-    if not (np.all(np.isfinite(scales)) and np.all(scales)):
-        raise ValueError(f"scales {scales} of force and displacement: finite and not 0")

@@ -23,7 +23,7 @@ from edesign.stopping import Stopped, Wish, stoppable, wished
 from edesign.study.interrupt import stop_on_signals
 from edesign.substructure.server import protocol
 from edesign.substructure.server.connection import Connection, address, listen, wait_for_client
-from edesign.substructure.server.mounted_specimen import MountedSpecimen, RefusedMotion, check_scales
+from edesign.substructure.server.mounted_specimen import MountedSpecimen, RefusedMotion
 from edesign.substructure.server.protocol import Code, Greeting, Measured, Messages, NotTheProtocol, RefusedClient
 
 LOCAL = "127.0.0.1"
@@ -145,7 +145,6 @@ class _Gone(Exception):
 
 def serve(
     specimen: CoreDamper,
-    scales: tuple[float, float],
     port: int,
     host: str = LOCAL,
     *,
@@ -162,8 +161,7 @@ def serve(
     NaN until it goes: OpenSeesPy 3.7.1 waits for ever for an answer of a laboratory that has gone.
 
     Args:
-        specimen: the damper law; it starts at rest, undeformed, at time 0.
-        scales: F = scales[0] law(scales[1] u), u in m, F in N.
+        specimen: the damper law, in m and N at the size of the device; it starts at rest, undeformed, at time 0.
         port: of TCP; 0: a free one, which the first line of `on_event` names.
         host: address of this machine; 0.0.0.0 lets everybody in who reaches it.
         interface: (n,) of the client's n degrees of freedom: the specimen's deformation is interface . x, its force on
@@ -182,15 +180,14 @@ def serve(
         ArchiveError: the record cannot be written.
         SessionError: a client that the specimen cannot serve: other sizes, more trials in a step, time that runs
             backwards, numbers that are not finite, unknown codes; or one that went in the middle of a step.
-        ValueError: a scale, or all of the interface, is 0 or not finite.
+        ValueError: all of the interface is 0, or some of it not finite.
     """
-    check_scales(scales)
     if not (all(map(math.isfinite, interface)) and any(interface)):
         raise ValueError(f"interface {tuple(interface)}: finite and not all 0")
     if record is not None:
         check_csv_name(record)
         check_file(record)
-    mounted, course = MountedSpecimen(specimen, scales, allow_iterations), _Course(record is not None)
+    mounted, course = MountedSpecimen(specimen, allow_iterations), _Course(record is not None)
     fault = None
     with suppress(KeyboardInterrupt), stop_on_signals() as stop:
         with stoppable(stop.is_set):

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from edesign.core.damper import CoreDamper
+from edesign.core.damper import CoreDamper, LawValues
 from edesign.damper.read_test import read_test
 from edesign.damper.thesis_tables import prototype_damper
 from edesign.errors import ArchiveError, EdesignError, InputError
@@ -29,6 +29,7 @@ from edesign.substructure.server.connection import Connection, listen
 from edesign.substructure.server.mounted_specimen import MountedSpecimen
 from edesign.substructure.server.protocol import NotTheProtocol, check_first_size, parse_greeting
 from edesign.substructure.server.serve import SessionError, SessionSummary, serve
+from edesign.substructure.sized_damper import SizedDamper
 
 K, C = 2e6, 3e4  # N/m, N s/m
 GREETING = (1, 1, 1, 0, 1, 0, 0, 0, 1, 0, 256)  # as genericClient sends it for one degree of freedom
@@ -89,7 +90,7 @@ class Laboratory:
     def _run(self, specimen: CoreDamper, options: dict[str, Any]) -> None:
         with stoppable(self.stop.is_set):
             try:
-                self.outcome = serve(specimen, port=0, on_event=self._hear, **{"scales": (1.0, 1.0)} | options)
+                self.outcome = serve(specimen, port=0, on_event=self._hear, **options)
             except (EdesignError, ArithmeticError) as error:
                 self.outcome = error
             self._first.put(None)
@@ -156,7 +157,7 @@ def test_spring_and_dashpot(tmp_path: Path) -> None:
 
 def test_scales() -> None:
     """F = 3 law(2 u)."""
-    with laboratory(scales=(3.0, 2.0)) as lab:
+    with laboratory(SizedDamper(LawValues("kelvin_voigt", (K, C)), (3.0, 2.0))) as lab:
         client = Client(lab.port)
         assert client.force(0.01, 1e-3, 0.2) == pytest.approx(3.0 * (K * 2e-3 + C * 0.4), rel=1e-9)
         assert client.ask(TANGENT)[0] == pytest.approx(6.0 * K, rel=1e-9)
@@ -426,7 +427,7 @@ def test_signals(number: int, tmp_path: Path) -> None:
         "import sys; from pathlib import Path; from edesign.core.damper import CoreDamper\n"
         "from edesign.substructure.server.serve import serve\n"
         "say = lambda line: print(line, flush=True)\n"
-        "serve(CoreDamper('kelvin_voigt', (1.0, 0.0)), (1.0, 1.0), 0, record=Path(sys.argv[1]), on_event=say)\n"
+        "serve(CoreDamper('kelvin_voigt', (1.0, 0.0)), 0, record=Path(sys.argv[1]), on_event=say)\n"
     )
     environment = os.environ | {"PYTHONPATH": str(Path(__file__).parents[3])}
     record = tmp_path / "session.csv"
@@ -476,7 +477,7 @@ def test_an_error_of_the_server_lets_the_client_end(monkeypatch: pytest.MonkeyPa
 
 def test_port_in_use() -> None:
     with laboratory() as lab, pytest.raises(InputError, match=rf"port {lab.port} of 127.0.0.1 is in use"):
-        serve(spring(), (1.0, 1.0), lab.port)
+        serve(spring(), lab.port)
 
 
 @pytest.mark.parametrize(
@@ -489,17 +490,17 @@ def test_port_in_use() -> None:
 )
 def test_wrong_address(host: str, port: int, words: str) -> None:
     with pytest.raises(InputError, match=words):
-        serve(spring(), (1.0, 1.0), port, host)
+        serve(spring(), port, host)
 
 
 def test_wrong_arguments(tmp_path: Path) -> None:
     for scales in ((0.0, 1.0), (1.0, math.nan)):
         with pytest.raises(ValueError, match="scales"):
-            serve(spring(), scales, 0)
+            SizedDamper(LawValues("kelvin_voigt", (K, C)), scales)
     with pytest.raises(ValueError, match="interface"):
-        serve(spring(), (1.0, 1.0), 0, interface=(0.0,))
+        serve(spring(), 0, interface=(0.0,))
     with pytest.raises(InputError, match=r"\.csv"):
-        serve(spring(), (1.0, 1.0), 0, record=tmp_path / "session.h5")
+        serve(spring(), 0, record=tmp_path / "session.h5")
     (tmp_path / "file").touch()
     with pytest.raises(ArchiveError):
-        serve(spring(), (1.0, 1.0), 0, record=tmp_path / "file" / "session.csv")
+        serve(spring(), 0, record=tmp_path / "file" / "session.csv")
