@@ -25,8 +25,6 @@ class ExpectedErrors:
     """Linearised substructure test against the structure itself, during the record.
 
     Attributes:
-        tracking_nrms_root: rms of measured less target over rms of the target (Eq. 6.28 with the root).
-        tracking_peak: largest |measured - target| over the largest |target|.
         response_rms: rms error of the interface's deformation over the rms of the direct one; inf: it grows.
         response_peak: peak over the direct peak, less 1.
         time: (m,), s.
@@ -34,8 +32,6 @@ class ExpectedErrors:
         target, measured: in the loop, (m,), m; nan: it grows.
     """
 
-    tracking_nrms_root: float
-    tracking_peak: float
     response_rms: float
     response_peak: float
     time: np.ndarray
@@ -104,7 +100,7 @@ class DirectResponse:
 
 
 def expected_errors(loop: Loop, stability: LoopStability, response: DirectResponse) -> ExpectedErrors:
-    """Error of tracking and of response to be expected under a ground motion.
+    """Error of the response to be expected under a ground motion.
 
     Args:
         loop: with rig and compensator.
@@ -118,13 +114,11 @@ def expected_errors(loop: Loop, stability: LoopStability, response: DirectRespon
     own, time = np.fft.irfft(direct, padded)[: response.size], np.arange(response.size) * response.step
     if not steady:
         nothing = np.full(time.size, np.nan)
-        return ExpectedErrors(math.nan, math.nan, math.inf, math.inf, time, own, nothing, nothing)
+        return ExpectedErrors(math.inf, math.inf, time, own, nothing, nothing)
     actuation = loop.actuation(s)
     looped = direct / (1.0 + (actuation - 1.0) * share)
     target, measured = (np.fft.irfft(one, padded)[: time.size] for one in (looped, looped * actuation))
     return ExpectedErrors(
-        _rms(measured - target) / _rms(target),
-        float(np.max(np.abs(measured - target)) / np.max(np.abs(target))),
         _rms(target - own) / _rms(own),
         float(np.max(np.abs(target)) / np.max(np.abs(own)) - 1.0),
         time,
