@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from edesign.substructure.indicators.assessment import Tracking, definitions, tracking
-from edesign.substructure.indicators.benchmark import BenchmarkCriteria, benchmark_criteria
 from edesign.substructure.indicators.untold import Untold
 
-__all__ = ["BenchmarkCriteria", "Tracking", "Untold", "benchmark_criteria", "definitions", "tracking"]
+__all__ = ["Tracking", "Untold", "definitions", "tracking"]

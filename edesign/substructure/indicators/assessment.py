@@ -11,7 +11,6 @@ from typing import Any, TypeVar
 from numpy.typing import ArrayLike
 
 from edesign.errors import InputError
-from edesign.substructure.indicators.benchmark import BenchmarkCriteria, benchmark_criteria
 from edesign.substructure.indicators.channels import channel, time_step
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.crossing_delay import crossing_delay
@@ -36,7 +35,6 @@ class Tracking:
     `definitions` tells meaning, unit and source of each indicator. One that cannot be told is NaN.
 
     Attributes:
-        benchmark: criteria J1 to J9; None if the displacements of the floors were not given.
         untold: why an indicator is NaN, by its name.
     """
 
@@ -73,7 +71,6 @@ class Tracking:
         "J",
     )
     energy_share: float = _indicator("energy error over the largest work done on the specimen", "1")
-    benchmark: BenchmarkCriteria | None = None
     untold: dict[str, str] = field(default_factory=dict)
 
 
@@ -94,8 +91,6 @@ def tracking(
     *,
     applied: ArrayLike | None = None,
     threshold: float | None = None,
-    floors: ArrayLike | None = None,
-    reference: ArrayLike | None = None,
 ) -> Tracking:
     """All tracking indicators of a test.
 
@@ -107,10 +102,9 @@ def tracking(
         applied: (n,) force on the structure, which a compensator may correct, N; None: that of the specimen.
         threshold: of displacement, m: half-cycles within it have no crossings and no peaks; None: `QUIET` of the
             largest target.
-        floors, reference: as `benchmark_criteria`, (n, 3) m; both or none.
 
     Raises:
-        InputError: lengths that differ, NaN or infinity, a step or threshold out of range, one of floors and reference.
+        InputError: lengths that differ, NaN or infinity, a step or threshold out of range.
     """
     x_t = channel("target", target)
     x_m = channel("measured", measured, x_t.size)
@@ -150,7 +144,6 @@ def tracking(
         tracking_indicator=float(tracking_indicator(x_t, x_m)[-1]),
         energy_error=_number(lambda: float(energy_error(_given(f), x_t, x_m, applied)[-1]), why, "energy_error"),
         energy_share=_number(lambda: energy_share(_given(f), x_t, x_m, applied), why, "energy_share"),
-        benchmark=_criteria(x_m, floors, reference, step),
         untold=why,
     )
 
@@ -179,13 +172,3 @@ def _given(force: ArrayLike | None) -> ArrayLike:
 def _check_threshold(threshold: float | None) -> None:
     if threshold is not None and not (math.isfinite(threshold) and threshold > 0.0):
         raise InputError(f"threshold = {threshold:g} m is out of range: a displacement above 0 is needed")
-
-
-def _criteria(
-    measured: ArrayLike, floors: ArrayLike | None, reference: ArrayLike | None, step: float
-) -> BenchmarkCriteria | None:
-    if (floors is None) != (reference is None):
-        raise InputError("the criteria of the benchmark need both floors and reference; only one of them was given")
-    if floors is None or reference is None:
-        return None
-    return benchmark_criteria(measured, floors, reference, step)

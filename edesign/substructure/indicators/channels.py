@@ -39,15 +39,6 @@ def channel(name: str, values: ArrayLike, samples: int | None = None) -> np.ndar
     return _usable(name, array)
 
 
-def table(name: str, values: ArrayLike, columns: int, samples: int) -> np.ndarray:
-    """Several channels side by side, (n, columns); raises as `channel`."""
-    array = _numbers(name, values)
-    if array.ndim != 2 or array.shape[1] != columns:
-        raise InputError(f"{name}: {columns} columns are needed, (n, {columns}); its shape is {array.shape}")
-    _length(name, array.shape[0], samples)
-    return _usable(name, array)
-
-
 def time_step(step: float) -> float:
     """The time step, s.
 
@@ -75,7 +66,7 @@ def _length(name: str, found: int, samples: int | None) -> None:
 
 def _usable(name: str, array: np.ndarray) -> np.ndarray:
     """The array, zero where it is too small to square; InputError: NaN, infinity or too large to square."""
-    bad = np.flatnonzero(~np.isfinite(array.reshape(len(array), -1)).all(axis=1))
+    bad = np.flatnonzero(~np.isfinite(array))
     if bad.size:
         raise InputError(
             f"{name}: {bad.size} of {len(array)} samples are NaN or infinity, the first is number {bad[0]}"

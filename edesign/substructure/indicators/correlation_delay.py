@@ -53,7 +53,7 @@ def correlation_delay(target: ArrayLike, measured: ArrayLike, step: float) -> Co
     return CorrelationDelay(step * (lag + _fraction(x_t, x_m, lag, best)), best)
 
 
-def correlation(target: np.ndarray, measured: np.ndarray, lag: int) -> float:
+def _correlation(target: np.ndarray, measured: np.ndarray, lag: int) -> float:
     """Correlation coefficient of measured(k + lag) with target(k) over the samples that both have; 0 if one rests."""
     count = target.size - abs(lag)
     a, b = target[max(-lag, 0) :][:count], measured[max(lag, 0) :][:count]
@@ -82,10 +82,10 @@ def _coarse_lag(target: np.ndarray, measured: np.ndarray) -> int:
 def _climb(target: np.ndarray, measured: np.ndarray, lag: int) -> tuple[int, float]:
     """Nearest largest correlation coefficient from a lag on, and the coefficient."""
     half = target.size // 2
-    best = correlation(target, measured, lag)
+    best = _correlation(target, measured, lag)
     for direction in (1, -1):
         while abs(lag + direction) <= half:
-            there = correlation(target, measured, lag + direction)
+            there = _correlation(target, measured, lag + direction)
             if there <= best:
                 break
             lag, best = lag + direction, there
@@ -96,6 +96,6 @@ def _fraction(target: np.ndarray, measured: np.ndarray, lag: int, best: float) -
     """From the best lag to the top of the parabola through it and its neighbours, samples."""
     if abs(lag) + 1 > target.size - 2:
         return 0.0
-    before, after = correlation(target, measured, lag - 1), correlation(target, measured, lag + 1)
+    before, after = _correlation(target, measured, lag - 1), _correlation(target, measured, lag + 1)
     curvature = before - 2.0 * best + after
     return 0.5 * (before - after) / curvature if curvature < 0.0 else 0.0

@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from edesign.errors import InputError
-from edesign.substructure.indicators import Tracking, Untold, benchmark_criteria, definitions, tracking
+from edesign.substructure.indicators import Tracking, Untold, definitions, tracking
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.crossing_delay import crossing_delay
 from edesign.substructure.indicators.frequency_index import equivalent_frequency, frequency_index
@@ -249,42 +249,6 @@ def test_a_force_of_wrong_sign_has_no_share_of_energy() -> None:
     assert math.isnan(found.energy_share) and "wrong sign" in found.untold["energy_share"]
 
 
-def test_criteria_of_the_benchmark_by_hand() -> None:
-    """Small numbers: standard deviations without the means, peaks with them."""
-    floor = np.array([0.0, 1.0, 0.0, -1.0, 0.0, 1.0, 0.0, -1.0])  # deviation sqrt(1/2)
-    floors = np.column_stack((floor, 2.0 * floor, 4.0 * floor))
-    reference = np.column_stack((2.0 * floor, 2.5 * floor, 4.0 * floor + 1.0))
-    found = benchmark_criteria(1.5 * floor, floors, reference, 0.01, largest_lag=3)
-    assert (found.j1, found.j2, found.j3) == pytest.approx((0.0, 50.0, 50.0))
-    assert (found.j4, found.j5) == pytest.approx((25.0, 25.0))
-    assert (found.j6, found.j8) == pytest.approx((20.0, 20.0))
-    assert (found.j7, found.j9) == pytest.approx((0.0, 100.0 / 5.0))  # an offset of 1 is in the peak alone
-    assert found.untold == {}
-
-
-@pytest.mark.parametrize(("samples", "printed"), [(0, 0.0), (1, 0.244), (19, 4.64)])
-def test_delay_of_the_benchmark_comes_in_its_samples(samples: int, printed: float) -> None:
-    """4096 Hz; 4.64 ms and 0.244 ms are figures of the findings, section 5.4."""
-    step = 1.0 / 4096.0
-    t = np.arange(8192) * step
-    x = band_noise(7)
-    floors = np.repeat(x(t)[:, None], 3, axis=1)
-    found = benchmark_criteria(x(t - samples * step), floors, floors, step)
-    assert found.j1 == pytest.approx(printed, abs=0.002)
-    assert (found.j6, found.j7, found.j8, found.j9) == (0.0, 0.0, 0.0, 0.0)
-
-
-def test_a_delay_beyond_the_lags_of_the_benchmark_is_not_told() -> None:
-    step = 1.0 / 4096.0
-    t = np.arange(8192) * step
-    x = band_noise(7)
-    floors = np.repeat(x(t)[:, None], 3, axis=1)
-    found = tracking(x(t), x(t - 25.1e-3), step, floors=floors, reference=floors)
-    assert found.benchmark is not None and math.isnan(found.benchmark.j1)
-    assert "largest lag of 49 samples" in found.benchmark.untold["j1"]
-    assert found.correlation_delay == pytest.approx(25.1e-3, abs=1e-5)
-
-
 def numbers(found: Tracking) -> dict[str, float]:
     return {name: value for name, value in asdict(found).items() if name in definitions()}
 
@@ -377,7 +341,7 @@ def test_any_numbers_give_numbers_or_reasons(rows: list[tuple[float, float, floa
 
 def test_definitions_name_each_number() -> None:
     entries = definitions()
-    assert set(entries) == set(asdict(tracking([0.0, 1.0, 0.0], [0.0, 1.0, 0.0], STEP))) - {"benchmark", "untold"}
+    assert set(entries) == set(asdict(tracking([0.0, 1.0, 0.0], [0.0, 1.0, 0.0], STEP))) - {"untold"}
     assert entries["tracking_indicator"][1] == "m2" and "6.28" in entries["nrms"][0]
 
 
@@ -397,9 +361,6 @@ def test_definitions_name_each_number() -> None:
         ({"step": 0.0}, "step = 0 s is out of range"),
         ({"step": math.nan}, "step = nan s is out of range"),
         ({"threshold": -1e-4}, "threshold = -0.0001 m is out of range"),
-        ({"floors": np.zeros((4, 3))}, "need both floors and reference"),
-        ({"floors": np.zeros((4, 2)), "reference": np.zeros((4, 3))}, "floors: 3 columns are needed"),
-        ({"floors": np.zeros((4, 3)), "reference": np.zeros((4, 3))}, "largest_lag = 49 samples is out of range"),
     ],
 )
 def test_bad_channels_are_named(arguments: dict[str, object], message: str) -> None:
