@@ -28,7 +28,7 @@ typedef struct {
   /* SERVO_HYDRAULIC: valve_lag q' + q = gain (w - x), q: velocity of the piston without load, |q| <= velocity sqrt(1 -+ F / force);
    * x = integral of q less F / oil. */
   double gain, valve_lag, oil;
-  double flexibility;    /* stiffness between actuator and specimen, N/m; 0: rigid */
+  double stiffness;      /* of what stands between actuator and specimen, N/m; 0: rigid */
   int corrected;         /* the difference of both displacements is added to the command */
   double stroke, velocity, force; /* limits, infinite: none; a motion beyond the first two is held there */
 } ed_rig_model;

@@ -241,7 +241,7 @@ static void test_servo_hydraulic(void)
   rig.gain = 140.0;
   rig.valve_lag = 2.6e-3;
   rig.oil = 5e7;
-  rig.flexibility = 1e8;
+  rig.stiffness = 1e8;
   const ed_substructure_input input = input_of(&c, &rig, specimen);
   memset(target, 0, sizeof target);
   for (int k = 1; k <= STEPS; k++)
@@ -278,7 +278,7 @@ static void test_stroke_of_the_piston(void)
   const ed_substructure_input input = input_of(&c, &rig, specimen);
   const double *last = record + STEPS * ED_RTS_CHANNELS;
   for (int soft = 0; soft <= 1; soft++) {
-    rig.flexibility = soft ? 4e6 : 0.0;
+    rig.stiffness = soft ? 4e6 : 0.0;
     memset(target, 0, sizeof target);
     for (int k = 1; k <= STEPS; k++) /* there and back: 0.7 mm of piston need 0.98 mm of oil and piston together */
       target[3 * k] = k < STEPS / 2 ? -2e-3 : 0.7e-3;

@@ -195,7 +195,7 @@ class SubstructureLoop:
         scales: of its force and its deformation, F = scales[0] law(scales[1] u).
         numerical: the structure, linear or a frame that may yield; None: targets are given.
         limits: of the rig.
-        flexibility: stiffness between actuator and specimen, N/m; 0: rigid.
+        rig_stiffness: between actuator and specimen, N/m; 0: rigid.
         corrected: whether the difference of actuator and specimen is added to the command.
         unseen_delay: main steps between the target and the compensator.
         abort: displacement of target or specimen that ends a run, m.
@@ -214,7 +214,7 @@ class SubstructureLoop:
         sensors: Sensors | None = None,
         numerical: Recursion | FrameNumericalPart | None = None,
         limits: RigLimits | None = None,
-        flexibility: float = 0.0,
+        rig_stiffness: float = 0.0,
         corrected: bool = False,
         unseen_delay: int = 0,
         abort: float = inf,
@@ -226,7 +226,7 @@ class SubstructureLoop:
         rig.fill(model)
         limits = limits or RigLimits()
         model.stroke, model.velocity, model.force = limits.stroke, limits.velocity, limits.force
-        model.flexibility, model.corrected = flexibility, int(corrected)
+        model.stiffness, model.corrected = rig_stiffness, int(corrected)
         for name, value in vars(sensors or Sensors()).items():
             setattr(read, name, value)
         parameters = compensator_parameters(compensator, step)

@@ -94,7 +94,7 @@ class Laboratory:
     Attributes:
         structure: None: there are only given targets.
         damper: in the rig; None: the rig moves alone.
-        rig, limits, flexibility, corrected: of the rig, as of `SubstructureLoop`.
+        rig, limits, rig_stiffness, corrected: of the rig, as of `SubstructureLoop`.
         transfer: of the rig, with the specimen as a spring for a servo-hydraulic one.
         sensors: of displacement and force.
     """
@@ -104,7 +104,7 @@ class Laboratory:
     rig: LinearRig | ServoHydraulicRig
     transfer: RigTransfer
     limits: RigLimits
-    flexibility: float
+    rig_stiffness: float
     corrected: bool
     sensors: Sensors
 
@@ -134,7 +134,7 @@ def laboratory(file: RtsFile) -> Laboratory:
         rig=_rig(plant, transfer, file.sub_step),
         transfer=transfer,
         limits=RigLimits(limits.stroke or inf, limits.velocity or inf, limits.force or inf),
-        flexibility=plant.flexibility.stiffness if plant.flexibility is not None else 0.0,
+        rig_stiffness=plant.flexibility.stiffness if plant.flexibility is not None else 0.0,
         corrected=plant.flexibility.corrected if plant.flexibility is not None else False,
         sensors=_sensors(file),
     )

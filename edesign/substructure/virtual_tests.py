@@ -131,7 +131,7 @@ class VirtualLaboratory:
             sensors=lab.sensors,
             numerical=self.computed.in_loop() if closed else None,
             limits=lab.limits,
-            flexibility=lab.flexibility,
+            rig_stiffness=lab.rig_stiffness,
             corrected=lab.corrected,
             unseen_delay=0 if none else loop.unseen_delay,
             abort=abort if abort > 0.0 else np.inf,

@@ -7,7 +7,7 @@
 /* Of what gives way between piston and specimen, m/N. */
 static inline double ed_rig_give(const ed_rig_model *model)
 {
-  return model->flexibility > 0.0 ? 1.0 / model->flexibility : 0.0;
+  return model->stiffness > 0.0 ? 1.0 / model->stiffness : 0.0;
 }
 
 /* Of oil and rig, which stand in series with the specimen, m/N. */

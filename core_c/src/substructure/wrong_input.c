@@ -70,8 +70,8 @@ static const char *wrong_rig(const ed_rig_model *r, double h)
 {
   if (!at_least_0(r->delay) || !(r->delay / h < MOST_SAMPLES))
     return "the delay of the rig must be finite and at least 0";
-  if (!at_least_0(r->flexibility) || !(r->stroke > 0.0) || !(r->velocity > 0.0) || !(r->force > 0.0))
-    return "limits of the rig must be above 0, its flexibility at least 0";
+  if (!at_least_0(r->stiffness) || !(r->stroke > 0.0) || !(r->velocity > 0.0) || !(r->force > 0.0))
+    return "limits of the rig must be above 0, its stiffness at least 0";
   if (r->kind == ED_RIG_SERVO_HYDRAULIC)
     return r->gain > 0.0 && isfinite(r->gain) && at_least_0(r->valve_lag) && r->oil > 0.0 && isfinite(r->oil)
                ? NULL : "a servo-hydraulic rig needs a gain and an oil stiffness above 0 and a lag of its valve of at least 0";
@@ -120,6 +120,6 @@ const char *ed_wrong_substructure(const ed_substructure_input *in)
   if (!(in->force_scale > 0.0) || !isfinite(in->force_scale) || !(in->deformation_scale > 0.0) || !isfinite(in->deformation_scale))
     return "the scales of the specimen must be above 0";
   if (in->specimen->brace > 0.0)
-    return "the specimen has a brace; what gives way in the rig is its flexibility";
+    return "the specimen has a brace; what gives way in the rig is its own stiffness";
   return NULL;
 }

@@ -68,7 +68,7 @@ class _SubSteps:
         self.spring, self.dashpot = stiffness.real, stiffness.imag / highest
         rig = laboratory.rig
         self.rig = laboratory.transfer.discrete(h) if isinstance(rig, LinearRig) else rig
-        self.in_series = 1.0 / laboratory.flexibility if laboratory.flexibility else 0.0
+        self.in_series = 1.0 / laboratory.rig_stiffness if laboratory.rig_stiffness else 0.0
         if isinstance(self.rig, ServoHydraulicRig):
             self.in_series += 1.0 / self.rig.oil
         elif len(self.rig.A):

@@ -97,10 +97,10 @@ def test_servo_hydraulic_rig_with_a_spring(frequency: float) -> None:
 def test_flexible_rig_and_its_correction() -> None:
     """x = u / (1 + k/k_rig) without, and u with the correction, but for the main step that it comes late."""
     rig = rigs.ideal().discrete(STEP / 5)
-    bare = steady(rig, 1.0, flexibility=2e7)
+    bare = steady(rig, 1.0, rig_stiffness=2e7)
     assert transfer(bare, 1.0) == pytest.approx(1.0 / 1.1, rel=1e-3)
     assert bare.actuator == pytest.approx(bare.command, abs=1e-6)
-    corrected = steady(rig, 1.0, flexibility=2e7, corrected=True)
+    corrected = steady(rig, 1.0, rig_stiffness=2e7, corrected=True)
     assert abs(transfer(corrected, 1.0)) == pytest.approx(1.0, rel=1e-3)
     assert bare.true_force == pytest.approx(STIFFNESS * bare.deformation, abs=1e-6 * STIFFNESS * 5e-3)
 
@@ -153,6 +153,6 @@ def test_improper_and_too_large_rigs_are_refused() -> None:
 def test_specimen_at_another_size_behind_a_flexible_rig() -> None:
     """Three springs side by side, sheared half as much: 1.5 k, in series with the rig."""
     rig = rigs.ideal().discrete(STEP / 5)
-    found = steady(rig, 1.0, flexibility=2e7, scales=(3.0, 0.5))
+    found = steady(rig, 1.0, rig_stiffness=2e7, scales=(3.0, 0.5))
     assert found.true_force == pytest.approx(1.5 * STIFFNESS * found.deformation, abs=1e-6 * STIFFNESS * 5e-3)
     assert transfer(found, 1.0) == pytest.approx(1.0 / 1.15, rel=1e-3)

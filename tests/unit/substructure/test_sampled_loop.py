@@ -117,7 +117,7 @@ def growth_of_a_run(one: VirtualLaboratory, seconds: float) -> float:
         one.damper.values,
         sensors=lab.sensors,
         numerical=one.in_loop(),
-        flexibility=lab.flexibility,
+        rig_stiffness=lab.rig_stiffness,
         corrected=lab.corrected,
         unseen_delay=0 if one.file.compensators["one"].kind == "none" else loop.unseen_delay,
     )
