@@ -18,15 +18,35 @@ from edesign.substructure.rig.rig_response import rig_response
 from edesign.substructure.rig.rigs import RigTransfer
 
 ORDERS = (0, 1, 2)
-_SHARES, _DAMPINGS = (0.3, 0.8), (0.4, 0.9)
-"""From the best of which searches go: share of the whole delay that is not pure, damping of second order."""
-_SLOWEST, _LIGHTEST, _HEAVIEST = 0.05, 0.02, 10.0
-"""Lowest own frequency, Hz, and range of damping of second order."""
-_SETTLED, _LONGEST = 0.1, 40
-"""Of squared error in units of noise: a step of a search that gains less is its last one; and the most steps.
-"""
 STIFFEST = 0.45
 """Highest own frequency over the sampling rate: just below half of it."""
+
+
+@dataclass(frozen=True)
+class Search:
+    """Where the search for a rig begins, how far it goes, and when it ends.
+
+    Attributes:
+        shares: of the whole delay that are not pure. One from each half, as the search goes from the better one.
+        dampings: of second order, likewise: 0.4 overshoots by a quarter, 0.9 not at all.
+        slowest: own frequency, Hz: with 20 s a period no rig follows an earthquake.
+        lightest: damping: 0.02 of a bare steel frame; a controlled actuator has more.
+        heaviest: damping: its two poles are 400 times apart, so that it is one of first order.
+        settled: a step that lowers the sum of squares by less, in units of the noise, is the last one. A standard error
+            of a parameter is worth 1, so that no parameter would move by more than a third of its own.
+        longest: steps; a bound for searches along a valley, which other searches never come near.
+    """
+
+    shares: tuple[float, float] = (0.3, 0.8)
+    dampings: tuple[float, float] = (0.4, 0.9)
+    slowest: float = 0.05
+    lightest: float = 0.02
+    heaviest: float = 10.0
+    settled: float = 0.1
+    longest: int = 40
+
+
+SEARCH = Search()
 
 
 @dataclass(frozen=True)
@@ -93,14 +113,14 @@ def _shape(order: int, late: float, step: float) -> _Shape:
     if order == 0:
         return _Shape(("delay",), ("s",), ((1.0,),), (0.0,), (most,), lambda v: rigs.pure_delay(v[0]))
     if order == 1:
-        begun = tuple((1.0 - share, math.log(share * late)) for share in _SHARES)
+        begun = tuple((1.0 - share, math.log(share * late)) for share in SEARCH.shares)
         names, bounds = ("delay", "time_constant"), (math.log(1e-2 * step), math.log(MOST_DELAY))
         return _Shape(
             names, ("s", "s"), begun, (0.0, bounds[0]), (most, bounds[1]), lambda v: rigs.first_order(v[1], v[0])
         )
     highest = math.log(STIFFEST / step)
     # share of the delay is zeta / (pi f)
-    rows = [(share, zeta) for share in _SHARES for zeta in _DAMPINGS]
+    rows = [(share, zeta) for share in SEARCH.shares for zeta in SEARCH.dampings]
     starts: tuple[tuple[float, ...], ...] = tuple(
         (1.0 - share, min(math.log(zeta / (math.pi * share * late)), highest - 0.1), math.log(zeta))
         for share, zeta in rows
@@ -109,8 +129,8 @@ def _shape(order: int, late: float, step: float) -> _Shape:
         ("delay", "frequency", "damping"),
         ("s", "Hz", ""),
         starts,
-        (0.0, math.log(_SLOWEST), math.log(_LIGHTEST)),
-        (most, highest, math.log(_HEAVIEST)),
+        (0.0, math.log(SEARCH.slowest), math.log(SEARCH.lightest)),
+        (most, highest, math.log(SEARCH.heaviest)),
         lambda v: rigs.second_order(v[1], v[2], v[0]),
     )
 
@@ -141,7 +161,7 @@ def fit_rig(record: MeasuredRecord, order: int, correlated: float) -> RigFit:
     begin = min(starts, key=lambda start: float(np.sum(left(start) ** 2)))
     with one_thread():  # several get into each other's way with so small matrices
         best = scipy.optimize.least_squares(
-            left, begin, bounds=bounds, x_scale="jac", ftol=_SETTLED / x.size, max_nfev=_LONGEST
+            left, begin, bounds=bounds, x_scale="jac", ftol=SEARCH.settled / x.size, max_nfev=SEARCH.longest
         )
     values = shape.values(best.x, late)
     made = response(values)

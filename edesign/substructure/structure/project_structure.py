@@ -24,7 +24,8 @@ LINEAR_LAWS = {"kelvin_voigt": 2, "viscous": 1}
 """Laws that the matrices can hold, with the number of their parameters: (k, c) and (c)."""
 
 MOST_IN_SERIES = 0.01
-"""Share of the flexibility at the specimen that may belong to degrees without mass; it is left out."""
+"""Share of the flexibility at the specimen that may belong to degrees without mass. It is left out, and with it that
+share of the deformation: a fifth of the error of the response that criteria accept by default."""
 
 WORTH_TELLING = 1e-4
 """Such a share that is told: a force is not measured better."""
