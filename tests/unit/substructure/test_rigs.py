@@ -84,11 +84,16 @@ def test_series_of_the_inverse_rig() -> None:
 
 @pytest.mark.parametrize("frequency", [1.0, 3.0, 8.0])
 def test_servo_hydraulic_rig_with_a_spring(frequency: float) -> None:
-    """The linear transfer function with k/k_oil; the rule over a sub-step is of second order: 0.2 and 0.1 ms."""
+    """K e^(-s d) / ((1 + k/k_oil) s (tau s + 1) + K): x = integral of q less k x / k_oil, tau q' + q = K (w - x).
+
+    The rule over a sub-step is of second order: 0.2 and 0.1 ms.
+    """
     rig = ServoHydraulicRig(gain=1.0 / 6.9e-3, oil=5e7, valve_lag=2.6e-3, delay=0.8e-3)
-    exact = rigs.servo_hydraulic(rig.gain, rig.valve_lag, rig.delay, STIFFNESS / rig.oil)(
-        np.array([2j * pi * frequency])
-    )[0]
+    s = 2j * pi * frequency
+    exact = rig.gain * np.exp(-s * rig.delay) / ((1.0 + STIFFNESS / rig.oil) * s * (rig.valve_lag * s + 1.0) + rig.gain)
+    assert rigs.servo_hydraulic(rig.gain, rig.valve_lag, rig.delay, STIFFNESS / rig.oil)(np.array([s]))[0] == (
+        pytest.approx(exact, rel=1e-12)
+    )
     errors = [abs(transfer(steady(rig, frequency, n), frequency) - exact) for n in (5, 10, 40)]
     assert errors[0] < 3e-3
     assert errors[2] < 1.2e-3  # what ramps leave of a sine, as above
