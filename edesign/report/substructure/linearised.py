@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.errors import EdesignError
 from edesign.report.substructure.file import ArchivedTests
-from edesign.substructure.advice.expectation import Bench, Linearisation
+from edesign.substructure.advice.expectation import Linearisation, LinearModel
 from edesign.substructure.stability.loop import Transfer, phase_delay
 
 
@@ -17,24 +17,24 @@ class LinearisedTests:
     """The tests as `edesign rts check` takes them.
 
     Attributes:
-        bench: rig, linearised damper and structure.
+        model: rig, linearised damper and structure.
         motion: (n,) deformation of the specimen that they are linearised for, m, at main steps.
         frequencies: of the structure with the specimen, Hz, from the lowest.
     """
 
-    bench: Bench
+    model: LinearModel
     motion: np.ndarray
     frequencies: tuple[float, ...]
 
     @property
     def specimen(self) -> Linearisation:
         """At the effective amplitude."""
-        return self.bench.linearisation
+        return self.model.linearisation
 
     @property
     def rig(self) -> Transfer:
         """Displacement of the specimen over command, the specimen loading the rig."""
-        return self.bench.rig
+        return self.model.rig
 
     @property
     def rig_delay(self) -> float:
@@ -53,9 +53,9 @@ def linearised(described: ArchivedTests, motion: np.ndarray) -> LinearisedTests 
     if tests is None or tests.laboratory.structure is None or tests.laboratory.damper is None:
         return None
     try:
-        bench = Bench.of(tests, motion, tests.laboratory.structure.part)
-        modes = bench.whole.modes
+        model = LinearModel.of(tests, motion, tests.laboratory.structure.part)
+        modes = model.whole.modes
     except EdesignError:
         return None
     found = tuple(float(mode.omega) / (2.0 * np.pi) for mode in modes if mode.omega > 0.0)
-    return LinearisedTests(bench, motion, found) if found else None
+    return LinearisedTests(model, motion, found) if found else None

@@ -113,7 +113,7 @@ def _behind(
         return name, actuation(found, loaded, None)
     if linear is None:
         return "it corrects the force, and no specimen is known"
-    return f"{name}{FORCE}", actuation(found, loaded, linear.bench.specimen)
+    return f"{name}{FORCE}", actuation(found, loaded, linear.model.specimen)
 
 
 def _frequencies(results: SubstructureResults) -> list[float]:

@@ -17,15 +17,15 @@ from edesign.project.substructure.programme import CommandTest, RtsTest
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.advice.expectation import (
     UNSTABLE_RIG,
-    Bench,
     ExpectedTest,
     Linearisation,
+    LinearModel,
     ModeAdvice,
     force_delay,
 )
 from edesign.substructure.advice.needs import AbortLevel, Need, abort_level, needs_of
 from edesign.substructure.advice.recommendation import Candidate, Recommendation, recommended
-from edesign.substructure.advice.small_motions import cycle_rms, grows_below, smaller_benches
+from edesign.substructure.advice.small_motions import cycle_rms, grows_below, smaller_models
 from edesign.substructure.computed_structure import Direct
 from edesign.substructure.drive import Drive
 from edesign.substructure.stability.expected import DirectResponse
@@ -153,21 +153,21 @@ def _test(
     motion = direct.deformation if direct is not None else drive.target[:, 0]  # type: ignore[index]
     structure = laboratory.laboratory.structure
     part = structure.part if structure is not None and direct is not None else None
-    bench = Bench.of(laboratory, motion, part)
-    modes = bench.modes()
-    smaller = smaller_benches(bench) if not bench.rig_swings else ()
-    response = bench.under(drive)
-    expected = tuple(_expected(bench, smaller, name, response, motion) for name in laboratory.file.compensators)
+    model = LinearModel.of(laboratory, motion, part)
+    modes = model.modes()
+    smaller = smaller_models(model) if not model.rig_swings else ()
+    response = model.under(drive)
+    expected = tuple(_expected(model, smaller, name, response, motion) for name in laboratory.file.compensators)
     least = min(modes, key=lambda mode: mode.critical_delay, default=None)
     first = least.number if least is not None and math.isfinite(least.critical_delay) else 0
-    return TestAdvice(test.name, test.kind, drive.source, bench.linearisation, modes, first, expected, bench.rig_swings)
+    return TestAdvice(test.name, test.kind, drive.source, model.linearisation, modes, first, expected, model.rig_swings)
 
 
 def _expected(
-    bench: Bench, smaller: tuple[Bench, ...], name: str, response: DirectResponse | None, motion: np.ndarray
+    model: LinearModel, smaller: tuple[LinearModel, ...], name: str, response: DirectResponse | None, motion: np.ndarray
 ) -> ExpectedTest:
-    compensator = bench.compensator(name, motion)
-    found = bench.expected(name, response, motion, compensator)
+    compensator = model.compensator(name, motion)
+    found = model.expected(name, response, motion, compensator)
     if not found.stable:
         return found
     amplitude = grows_below(smaller, name, compensator, motion)

@@ -151,7 +151,7 @@ def force_delay(laboratory: VirtualLaboratory) -> float:
 
 
 @dataclass(frozen=True)
-class Bench:
+class LinearModel:
     """Rig, linearised damper and structure of a test.
 
     Attributes:
@@ -171,8 +171,8 @@ class Bench:
     band: np.ndarray
 
     @classmethod
-    def of(cls, laboratory: VirtualLaboratory, motion: np.ndarray, part: LinearPart | None) -> Bench:
-        """Return the bench for a test.
+    def of(cls, laboratory: VirtualLaboratory, motion: np.ndarray, part: LinearPart | None) -> LinearModel:
+        """Return the model for a test.
 
         Args:
             laboratory: of the file.

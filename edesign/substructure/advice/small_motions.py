@@ -13,7 +13,7 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.project.substructure.rig import ServoHydraulicRig
-from edesign.substructure.advice.expectation import Bench, law_at
+from edesign.substructure.advice.expectation import LinearModel, law_at
 from edesign.substructure.advice.loaded_rig import loaded_poles, swings
 from edesign.substructure.advice.recommendation import ADAPTIVE
 from edesign.substructure.advice.transfers import CompensatorTransfer, rig_response
@@ -28,48 +28,48 @@ LINEAR = 1e-3
 """Relative change of the stiffness below which a law counts as linear."""
 
 
-def smaller_benches(bench: Bench) -> tuple[Bench, ...]:
-    """Return a bench at smaller amplitudes, the largest first, down to what its encoder resolves; none: none grow.
+def smaller_models(model: LinearModel) -> tuple[LinearModel, ...]:
+    """Return a model at smaller amplitudes, the largest first, down to what its encoder resolves; none: none grow.
 
     A law that is linear is the same there. A given target grows nowhere but in a rig that its specimen loads.
 
     Args:
-        bench: at the amplitude of the test.
+        model: at the amplitude of the test.
     """
-    sensors, at = bench.laboratory.laboratory.sensors, bench.linearisation
+    sensors, at = model.laboratory.laboratory.sensors, model.linearisation
     least = max(SMALLEST * at.largest, sensors.displacement_noise, sensors.displacement_quantum)
-    loads = isinstance(bench.laboratory.file.plant, ServoHydraulicRig)
-    if least >= at.amplitude or not (bench.part is not None or loads):
+    loads = isinstance(model.laboratory.file.plant, ServoHydraulicRig)
+    if least >= at.amplitude or not (model.part is not None or loads):
         return ()
-    smallest = _at(bench, least)
-    omega = 2.0 * np.pi * bench.band + 0j
-    own, other = bench.specimen(omega), smallest.specimen(omega)
+    smallest = _at(model, least)
+    omega = 2.0 * np.pi * model.band + 0j
+    own, other = model.specimen(omega), smallest.specimen(omega)
     if np.all(np.abs(other - own) <= LINEAR * np.abs(own)):
         return ()
     count = max(round(A_DECADE * np.log10(at.amplitude / least)), 1)
     between = np.geomspace(at.amplitude, least, count + 1)[1:-1]
-    return (*(_at(bench, float(one)) for one in between), smallest)
+    return (*(_at(model, float(one)) for one in between), smallest)
 
 
-def _at(bench: Bench, amplitude: float) -> Bench:
-    file = bench.laboratory.file
-    specimen = law_at(bench.laboratory.damper, amplitude, bench.band)
-    transfer = bench.laboratory.laboratory.transfer
+def _at(model: LinearModel, amplitude: float) -> LinearModel:
+    file = model.laboratory.file
+    specimen = law_at(model.laboratory.damper, amplitude, model.band)
+    transfer = model.laboratory.laboratory.transfer
     rig = rig_response(file.plant, transfer, specimen, file.loop.main_step)
-    at = replace(bench.linearisation, amplitude=amplitude)
-    return replace(bench, specimen=specimen, rig=rig, linearisation=at)
+    at = replace(model.linearisation, amplitude=amplitude)
+    return replace(model, specimen=specimen, rig=rig, linearisation=at)
 
 
-def grows_below(benches: Sequence[Bench], name: str, learned: CompensatorTransfer, motion: np.ndarray) -> float:
+def grows_below(models: Sequence[LinearModel], name: str, learned: CompensatorTransfer, motion: np.ndarray) -> float:
     """Return the largest amplitude at which motions grow with a compensator, m; 0: at none.
 
     Args:
-        benches: of `smaller_benches`.
+        models: of `smaller_models`.
         name: of the compensator.
         learned: it, at the amplitude of the test.
-        motion: (n,) as of `Bench.of`, m.
+        motion: (n,) as of `LinearModel.of`, m.
     """
-    return next((one.linearisation.amplitude for one in benches if _grows(one, name, learned, motion)), 0.0)
+    return next((one.linearisation.amplitude for one in models if _grows(one, name, learned, motion)), 0.0)
 
 
 def cycle_rms(growing: float, motion: np.ndarray) -> float:
@@ -85,16 +85,16 @@ def cycle_rms(growing: float, motion: np.ndarray) -> float:
     return 10.0 ** (1.0 / A_DECADE) * growing / np.sqrt(2.0) / size if growing > 0.0 else 0.0
 
 
-def _grows(bench: Bench, name: str, learned: CompensatorTransfer, motion: np.ndarray) -> bool:
-    file = bench.laboratory.file
-    if swings(loaded_poles(file.plant, bench.specimen)):
+def _grows(model: LinearModel, name: str, learned: CompensatorTransfer, motion: np.ndarray) -> bool:
+    file = model.laboratory.file
+    if swings(loaded_poles(file.plant, model.specimen)):
         return True
-    if bench.part is None:
+    if model.part is None:
         return False
     adaptive = file.compensators[name].kind in ADAPTIVE
-    compensator = learned if adaptive else bench.compensator(name, motion)
+    compensator = learned if adaptive else model.compensator(name, motion)
     try:
-        found = sweep(Loop(bench.whole, bench.seen(compensator)), 0.5 / file.loop.main_step)
+        found = sweep(Loop(model.whole, model.seen(compensator)), 0.5 / file.loop.main_step)
     except InputError:  # the structure itself does not come to rest there: nothing can be said of the loop
         return False
     return not found.bounded or found.unstable_roots > 0

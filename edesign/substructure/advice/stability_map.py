@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.core.compensator import DifferenceEquation
 from edesign.errors import InputError
-from edesign.substructure.advice.expectation import Bench
+from edesign.substructure.advice.expectation import LinearModel
 from edesign.substructure.advice.transfers import CompensatorTransfer
 from edesign.substructure.stability.loop import Loop, RigDelayLoop, Transfer, nothing
 from edesign.substructure.stability.stable_delays import stable_delays
@@ -92,27 +92,27 @@ def governing_map(laboratory: VirtualLaboratory, motions: Mapping[str, np.ndarra
     structure = laboratory.laboratory.structure
     if structure is None or not motions:
         return None
-    benches = {name: Bench.of(laboratory, motion, structure.part) for name, motion in motions.items()}
-    name = min(benches, key=lambda one: min(mode.critical_delay for mode in benches[one].modes()))
-    found = stability_map(benches[name], motions[name])
+    models = {name: LinearModel.of(laboratory, motion, structure.part) for name, motion in motions.items()}
+    name = min(models, key=lambda one: min(mode.critical_delay for mode in models[one].modes()))
+    found = stability_map(models[name], motions[name])
     return (name, found) if found is not None else None
 
 
-def stability_map(bench: Bench, motion: np.ndarray) -> StabilityMap | None:
+def stability_map(model: LinearModel, motion: np.ndarray) -> StabilityMap | None:
     """Return where a test is stable; None: the rig itself is not, or neither it nor a critical delay says how far.
 
     Args:
-        bench: of the test, with a structure.
+        model: of the test, with a structure.
         motion: (n,) deformation of the damper at main steps, m; from which adaptive compensators learn.
 
     Raises:
         InputError: the structure is undamped or unstable.
     """
-    if bench.rig_swings or bench.part is None:
+    if model.rig_swings or model.part is None:
         return None
-    modes = bench.modes()
+    modes = model.modes()
     first = min(modes, key=lambda mode: mode.critical_delay)
-    transfer = bench.laboratory.laboratory.transfer
+    transfer = model.laboratory.laboratory.transfer
     present = transfer.low_frequency_delay
     least = present - transfer.delay
     critical = first.critical_delay if math.isfinite(first.critical_delay) else 0.0
@@ -121,16 +121,16 @@ def stability_map(bench: Bench, motion: np.ndarray) -> StabilityMap | None:
         return None
     height = largest - least
     reach = (least - height - present, largest + height - present)
-    columns = [_Column.of(bench, ratio, first.number) for ratio in np.geomspace(1.0 / RANGE, RANGE, COLUMNS)]
+    columns = [_Column.of(model, ratio, first.number) for ratio in np.geomspace(1.0 / RANGE, RANGE, COLUMNS)]
     regions, left_out = [], []
-    for name in bench.laboratory.file.compensators:
-        compensator = bench.compensator(name, motion)
+    for name in model.laboratory.file.compensators:
+        compensator = model.compensator(name, motion)
         if not compensator.settles:
             left_out.append((name, "unstable with the rig alone"))
             continue
         try:
             delays = tuple(_moved(_stable(column, name, compensator, *reach), present) for column in columns)
-            sampled = bench.sampled(name, compensator)
+            sampled = model.sampled(name, compensator)
         except InputError as error:
             left_out.append((name, str(error)))
             continue
@@ -138,7 +138,7 @@ def stability_map(bench: Bench, motion: np.ndarray) -> StabilityMap | None:
         regions.append(StableRegion(name, compensator.as_what, delays, stable))
     return StabilityMap(
         first.number,
-        bench.linearisation.amplitude,
+        model.linearisation.amplitude,
         np.array([column.frequency for column in columns]),
         least,
         largest,
@@ -154,18 +154,18 @@ class _Column:
     """The structure at another frequency.
 
     Attributes:
-        bench: with it.
+        model: with it.
         frequency: of the mode that the map is over, Hz.
     """
 
-    bench: Bench
+    model: LinearModel
     frequency: float
 
     @classmethod
-    def of(cls, bench: Bench, ratio: float, mode: int) -> _Column:
-        part = bench.part
+    def of(cls, model: LinearModel, ratio: float, mode: int) -> _Column:
+        part = model.part
         assert part is not None
-        scaled = replace(bench, part=replace(part, mass=part.mass / ratio**2, damping=part.damping / ratio))
+        scaled = replace(model, part=replace(part, mass=part.mass / ratio**2, damping=part.damping / ratio))
         return cls(scaled, scaled.whole.modes[mode - 1].omega / (2.0 * math.pi))
 
 
@@ -173,28 +173,28 @@ def _stable(
     column: _Column, name: str, compensator: CompensatorTransfer, least: float, largest: float
 ) -> tuple[tuple[float, float], ...]:
     """Further delays of the rig, s, at which the test is stable."""
-    bench = column.bench
-    loop = rig_delay_loop(bench, name, compensator)
-    return stable_delays(loop, least, largest, 0.5 / bench.laboratory.file.loop.main_step)
+    model = column.model
+    loop = rig_delay_loop(model, name, compensator)
+    return stable_delays(loop, least, largest, 0.5 / model.laboratory.file.loop.main_step)
 
 
-def rig_delay_loop(bench: Bench, name: str, compensator: CompensatorTransfer) -> Loop:
+def rig_delay_loop(model: LinearModel, name: str, compensator: CompensatorTransfer) -> Loop:
     """Return the loop of a test opened at its rig, the compensator being left as it is.
 
     Args:
-        bench: with a structure.
+        model: with a structure.
         name: of the compensator.
-        compensator: of `Bench.compensator`.
+        compensator: of `LinearModel.compensator`.
     """
-    loop = Loop(bench.whole, bench.seen(compensator))
-    equation = bench.laboratory.compensators[name]
+    loop = Loop(model.whole, model.seen(compensator))
+    equation = model.laboratory.compensators[name]
     feeds_back = isinstance(equation, DifferenceEquation) and any(term.of == "measured" for term in equation.terms)
     if not feeds_back and compensator.force is None:
         return loop
-    standing = replace(bench, rig=nothing)
+    standing = replace(model, rig=nothing)
     opened = standing.compensator(name, np.zeros(0)) if feeds_back else compensator
     return RigDelayLoop(
-        bench.whole,
+        model.whole,
         loop.rig,
         still=_quiet(standing.seen(opened)),
         opened=_quiet(lambda s: np.asarray(opened.command(s) / compensator.command(s))),

@@ -11,7 +11,7 @@ import math
 from dataclasses import replace
 
 from edesign.errors import InputError
-from edesign.substructure.advice.expectation import Bench, ExpectedTest
+from edesign.substructure.advice.expectation import ExpectedTest, LinearModel
 from edesign.substructure.advice.recommendation import ADAPTIVE
 from edesign.substructure.met_limits import in_words
 from edesign.substructure.virtual_test import DIVERGED, VirtualTest, without_result
@@ -39,17 +39,17 @@ def with_unstable_loops(laboratory: VirtualLaboratory, results: TestResults) -> 
     part = structure.part if structure is not None and direct is not None else None
     motion = results.drive.wanted if direct is None else direct.deformation
     try:
-        bench = Bench.of(laboratory, motion, part)
-        response = bench.under(results.drive)
+        model = LinearModel.of(laboratory, motion, part)
+        response = model.under(results.drive)
         found = {
-            run.compensator: bench.expected(
-                run.compensator, response, motion, bench.compensator(run.compensator, motion)
+            run.compensator: model.expected(
+                run.compensator, response, motion, model.compensator(run.compensator, motion)
             )
             for run in asked
         }
     except InputError:  # structure without damping, specimen at rest, a part that is not finite: nothing can be said
         return results
-    amplitude = bench.linearisation.amplitude
+    amplitude = model.linearisation.amplitude
     kinds = {name: one.kind for name, one in laboratory.file.compensators.items()}
     runs = []
     for run in results.runs:

@@ -16,7 +16,7 @@ from edesign.project.problems import unknown_name
 from edesign.project.substructure.programme import CommandTest, RtsTest
 from edesign.project.substructure.quantities import MOST_DELAY
 from edesign.project.substructure.rts_file import RtsFile
-from edesign.substructure.advice.expectation import Bench, force_delay
+from edesign.substructure.advice.expectation import LinearModel, force_delay
 from edesign.substructure.computed_structure import Direct
 from edesign.substructure.drive import Drive
 from edesign.substructure.indicators import Tracking, Untold, tracking
@@ -217,7 +217,7 @@ def _response(record: MeasuredRecord, file: RtsFile, test: RtsTest, followed: Tr
     direct = whole.deformation[: time.size]
     law = _law_force(laboratory.damper, time, measured)
     part = structure.part
-    crossings = critical_delays(Bench.of(laboratory, whole.deformation, part).whole, 0.5 / file.loop.main_step)
+    crossings = critical_delays(LinearModel.of(laboratory, whole.deformation, part).whole, 0.5 / file.loop.main_step)
     critical = min((one.delay for one in crossings if one.delay > 0.0), default=math.inf)
     late = followed.correlation_delay + force_delay(laboratory)
     return JudgedResponse(

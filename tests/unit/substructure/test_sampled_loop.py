@@ -11,7 +11,7 @@ import pytest
 from edesign.cli.main import main
 from edesign.core.substructure import SubstructureLoop
 from edesign.project.substructure import parse_rts_file
-from edesign.substructure.advice.expectation import Bench, ExpectedTest
+from edesign.substructure.advice.expectation import ExpectedTest, LinearModel
 from edesign.substructure.advice.sampled_rig import sampled_rig
 from edesign.substructure.advice.stability_map import governing_map
 from edesign.substructure.compensation.compensators import none
@@ -96,8 +96,8 @@ def laboratory(
 def expected(one: VirtualLaboratory) -> ExpectedTest:
     drive = one.drives["pulse"]
     motion = one.direct(drive).deformation
-    bench = Bench.of(one, motion, one.laboratory.structure.part)  # type: ignore[union-attr]
-    return bench.expected("one", bench.under(drive), motion, bench.compensator("one", motion))
+    model = LinearModel.of(one, motion, one.laboratory.structure.part)  # type: ignore[union-attr]
+    return model.expected("one", model.under(drive), motion, model.compensator("one", motion))
 
 
 def sampled(one: VirtualLaboratory) -> SampledStability:

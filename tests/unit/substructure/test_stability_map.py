@@ -11,7 +11,7 @@ import pytest
 
 from edesign.cli.main import main
 from edesign.project.substructure import parse_rts_file
-from edesign.substructure.advice.expectation import Bench
+from edesign.substructure.advice.expectation import LinearModel
 from edesign.substructure.advice.stability_map import RANGE, StabilityMap, governing_map, rig_delay_loop
 from edesign.substructure.stability.loop import Loop, pure_delay
 from edesign.substructure.stability.oscillator import critical_delay
@@ -152,13 +152,13 @@ def test_a_delay_in_the_rig_is_what_moves_the_roots(tmp_path: Path, rig: str) ->
     one = laboratory(tmp_path, rig, 0.006)
     motion = motion_of(one)
     part = one.laboratory.structure.part  # type: ignore[union-attr]
-    bench = Bench.of(one, motion, part)
+    model = LinearModel.of(one, motion, part)
     seen = 0
     for name, described in one.file.compensators.items():
-        compensator = bench.compensator(name, motion)
-        stable = stable_delays(rig_delay_loop(bench, name, compensator), -0.006, 0.15, 1000.0)
+        compensator = model.compensator(name, motion)
+        stable = stable_delays(rig_delay_loop(model, name, compensator), -0.006, 0.15, 1000.0)
         for further in (-0.004, 0.012, 0.028, 0.047, 0.09):
-            other = Bench.of(laboratory(tmp_path, rig, 0.006 + further), motion, part)
+            other = LinearModel.of(laboratory(tmp_path, rig, 0.006 + further), motion, part)
             same = compensator if described.kind == "modified_ats" else other.compensator(name, motion)
             inside = any(begin < further < end for begin, end in stable)
             if same.settles:
@@ -198,8 +198,8 @@ def test_runs_on_both_sides_of_a_line_of_the_map(
     line = next(line for line in COMPENSATORS.splitlines() if line.strip().startswith(f"{name}:"))
     if name == "modified_ats":
         motion = motion_of(one)
-        bench = Bench.of(one, motion, one.laboratory.structure.part)  # type: ignore[union-attr]
-        a0, a1, a2 = bench.compensator(name, motion).alpha.tolist()  # type: ignore[union-attr]
+        model = LinearModel.of(one, motion, one.laboratory.structure.part)  # type: ignore[union-attr]
+        a0, a1, a2 = model.compensator(name, motion).alpha.tolist()  # type: ignore[union-attr]
         line = f"  frozen: {{kind: fixed_alpha, alpha: [{a0!r}, {a1!r} s, {a2!r} s^2]}}"
     (end,) = (end for begin, end in regions(found)[name][column] if begin <= found.least <= end)
     assert found.least < end < 1.5 * found.largest
