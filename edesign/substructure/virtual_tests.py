@@ -14,9 +14,10 @@ from edesign.errors import AnalysisError
 from edesign.project.substructure.programme import CommandTest, RecordTest, RtsTest
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.stopping import Wish, stoppable
+from edesign.substructure.compensation.described import compensator_of
 from edesign.substructure.computed_structure import ComputedStructure, Direct
 from edesign.substructure.drive import Drive, drive_of
-from edesign.substructure.laboratory import Laboratory, TestedDamper, compensator_of, laboratory
+from edesign.substructure.laboratory import Laboratory, TestedDamper, laboratory
 from edesign.substructure.methods.method_tests import MethodResults, run_method
 from edesign.substructure.virtual_test import DIVERGED, VirtualTest, failed, judged
 

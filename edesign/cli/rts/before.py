@@ -50,8 +50,9 @@ def export(
 ) -> None:
     """Write a compensator as C99 for a signal processor, with a self test, a timing program, and matrices."""
     from edesign.project.problems import unknown_name
+    from edesign.substructure.compensation.described import compensator_of
     from edesign.substructure.compensation.export import export as write
-    from edesign.substructure.laboratory import compensator_of, laboratory
+    from edesign.substructure.laboratory import laboratory
 
     tests = load_tests(file)
     if compensator not in tests.compensators:

@@ -13,7 +13,7 @@ from edesign.project.substructure import compensators as kinds
 from edesign.project.substructure import rig as rig_kinds
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.compensation.compensator_matrices import state_space
-from edesign.substructure.laboratory import compensator_of
+from edesign.substructure.compensation.described import compensator_of
 from edesign.substructure.rig.rigs import RigTransfer
 from edesign.substructure.stability.loop import Transfer
 from edesign.substructure.stability.whole import ComplexStiffness

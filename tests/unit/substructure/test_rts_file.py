@@ -23,7 +23,7 @@ from edesign.project.substructure.rig import IdealRig, SecondOrderRig
 from edesign.project.substructure.structure import ShearBuilding
 from edesign.project.substructure.summary import summary
 from edesign.project.yaml_file import file_kind
-from edesign.substructure.laboratory import compensator_of
+from edesign.substructure.compensation.described import compensator_of
 from edesign.substructure.rig.rigs import ideal
 
 PAGE = Path(__file__).parents[3] / "docs" / "rts_file.md"
