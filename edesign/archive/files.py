@@ -13,11 +13,11 @@ from pathlib import Path
 
 from edesign._version import __version__
 from edesign.errors import ArchiveError, InputError
+from edesign.file_kinds import HDF5
 from edesign.input_files import note_output, spare_inputs
 
 _WRITTEN = re.compile(r"# Written by edesign \S+ from (\".*\")")  # how YAML files of results begin
 
-_HDF5 = b"\x89HDF\r\n\x1a\n"  # how a file of HDF5 begins
 _REASONS = {
     errno.ENOSPC: "the disk is full",
     errno.EDQUOT: "the disk quota is used up",
@@ -213,6 +213,6 @@ def is_hdf5(path: Path) -> bool:
     """Whether a file begins as one of HDF5."""
     try:
         with path.open("rb") as file:
-            return file.read(len(_HDF5)) == _HDF5
+            return file.read(len(HDF5)) == HDF5
     except (OSError, ValueError):  # what writing will say
         return False

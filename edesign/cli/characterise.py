@@ -112,6 +112,7 @@ def _campaign(
     from edesign.damper.campaign import Campaign, load_campaign, short_names
     from edesign.damper.read_test import read_test
     from edesign.damper.specimen import Specimen
+    from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
     from edesign.project.temperature import parse_temperature
     from edesign.project.units import AREA, LENGTH
 
@@ -123,6 +124,8 @@ def _campaign(
             if value is not None:
                 raise InputError(f"{option}: the campaign says this; leave the option out")
         return load_campaign(inputs[0])
+    for path in inputs:
+        refuse_kind(path, kind_of(path), "test file or campaign file", ARCHIVE, *YAML_KINDS)
     for option, value in options.items():
         if value is None:
             raise InputError(f"{option}: test files do not say this; give it, or a campaign file")

@@ -17,25 +17,25 @@ def check(
     from edesign.building.building_file import load_building
     from edesign.building.building_sections import BuildingSections
     from edesign.building.project_file import load_project, load_study
+    from edesign.file_kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS, kind_of
     from edesign.project.substructure import load_rts_file
     from edesign.project.substructure.summary import summary
-    from edesign.project.yaml_file import file_kind
     from edesign.report.visible import visible_line
     from edesign.space.check import check_building
     from edesign.study.check import check_project, check_study
     from edesign.substructure.virtual_tests import VirtualLaboratory
 
-    kind = file_kind(project)
-    if kind == "substructure test":
+    kind = kind_of(project)
+    if kind == SUBSTRUCTURE_TESTS:
         tests = load_rts_file(project, BuildingSections())
         laboratory = VirtualLaboratory(tests)
         _ = laboratory.drives  # records and commands are read
         warned = "\n".join(laboratory.laboratory.warnings)
         found = summary(tests) | ({"warnings": warned} if warned else {})
-    elif kind == "building":
+    elif kind == BUILDING:
         found = check_building(load_building(project))
     else:
-        found = check_study(load_study(project)) if kind == "study" else check_project(load_project(project))
+        found = check_study(load_study(project)) if kind == STUDY else check_project(load_project(project))
     for label, text in found.items():
         for i, line in enumerate(text.split("\n")):
             print(visible_line(f"{label + ':' if i == 0 else '':<11} {line}"))

@@ -38,6 +38,7 @@ def compare(
     from edesign.report.comparison_variants import variant_tables
     from edesign.report.text import print_tables
 
+    _check_kinds(archive, reference)
     if csv is not None:
         check_csv_name(csv)
     loaded = load_reference(reference)
@@ -62,3 +63,19 @@ def compare(
         outside, barred = len(comparison.outside), sum(cell.within is not None for cell in comparison.cells)
         which = "value is not within its bar" if barred == 1 else "values are not within their bars"
         raise AnalysisError(f"{outside} of {barred} {which}")
+
+
+def _check_kinds(archive: Path, reference: Path) -> None:
+    """Tell what the command needs of who names two archives, or both files in the other order."""
+    from edesign.errors import InputError
+    from edesign.file_kinds import ARCHIVE, REFERENCE, TABLE, YAML_KINDS, kind_of, refuse_kind
+
+    first, second = kind_of(archive), kind_of(reference)
+    if second == ARCHIVE and first == REFERENCE:
+        raise InputError(f"{archive}: the archive comes first: `edesign compare {reference} {archive}`")
+    refuse_kind(archive, first, "archive", TABLE, *YAML_KINDS)
+    if second == ARCHIVE:
+        raise InputError(
+            f"{reference}: this is {ARCHIVE.described}, and two archives are not compared; the second file is a "
+            "reference file of printed values, which begins with `edesign_reference: 1` (docs/reference_files.md)"
+        )

@@ -42,17 +42,19 @@ def run(
 
     A run that was interrupted goes on where it stopped when it is called again.
     """
-    from edesign.project.yaml_file import file_kind
+    from edesign.file_kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS, kind_of, other_kind
 
-    kind = file_kind(project)
-    if kind == "substructure test":
-        raise InputError(f"{project}: this is a {kind} file; `edesign rts run {project}` runs it")
-    if kind == "building":
+    kind = kind_of(project)
+    if kind == SUBSTRUCTURE_TESTS:
+        raise InputError(other_kind(project, kind, "project, study or building file"))
+    if kind == BUILDING:
         if only or folder or scheduler:
             raise InputError("--only, --folder and --scheduler are for projects and studies, not for a building")
         _run_building(project, archive, overwrite, check, quiet)
     else:
-        _run_analyses(project, kind, archive, only, folder, fresh, overwrite, workers, backend, scheduler, quiet)
+        _run_analyses(
+            project, kind == STUDY, archive, only, folder, fresh, overwrite, workers, backend, scheduler, quiet
+        )
 
 
 def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool, quiet: bool) -> None:
@@ -79,7 +81,7 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool
 
 def _run_analyses(
     project: Path,
-    kind: str,
+    is_study: bool,
     archive: Path | None,
     only: list[str] | None,
     folder: list[Path] | None,
@@ -100,7 +102,7 @@ def _run_analyses(
     backend = "dask" if scheduler is not None else backend
     with listener(quiet) as listen:
         how = (archive, listen, workers, only or (), fresh, backend, scheduler, overwrite)
-        if kind == "study":
+        if is_study:
             study = load_study(project)
             summary = run_study(study.of(with_folders(study.base, folder)) if folder else study, *how)
         else:

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Protocol
 
 from edesign.errors import InputError
+from edesign.file_kinds import ARCHIVE, HEAD, YAML_KINDS, FileKind, kind_of_content, refuse_kind
 from edesign.input_files import note_input
 from edesign.project.limits import TABLE_ADVICE, TABLE_BYTES, megabytes
 
@@ -21,7 +22,13 @@ class Readable(Protocol):
 _CHUNK = 1 << 20  # bytes
 
 
-def read_file(path: Path, what: str, most: int = TABLE_BYTES, advice: str = TABLE_ADVICE) -> bytes:
+def read_file(
+    path: Path,
+    what: str,
+    most: int = TABLE_BYTES,
+    advice: str = TABLE_ADVICE,
+    refused: tuple[FileKind, ...] = (ARCHIVE, *YAML_KINDS),
+) -> bytes:
     """Read a file.
 
     Args:
@@ -29,14 +36,15 @@ def read_file(path: Path, what: str, most: int = TABLE_BYTES, advice: str = TABL
         what: it is, for messages: "project file".
         most: bytes that are read; a file of more is refused before it is read.
         advice: what to do about a larger one.
+        refused: kinds of files that it cannot be.
 
     Raises:
-        InputError: missing, a folder, unreadable, or too large.
+        InputError: missing, a folder, unreadable, of a kind that is refused, or too large.
     """
     try:
         with path.open("rb") as file:
             size = os.fstat(file.fileno()).st_size
-            data = read_up_to(file, most) if size <= most else b""
+            data = read_up_to(file, most) if size <= most else file.read(HEAD)
     except FileNotFoundError:
         raise InputError(f"{path}: there is no such {what}") from None
     except IsADirectoryError:
@@ -45,6 +53,7 @@ def read_file(path: Path, what: str, most: int = TABLE_BYTES, advice: str = TABL
         raise InputError(f"{path}: the {what} cannot be read: {error.strerror}") from None
     except ValueError as error:  # Python's for a null byte in a name
         raise InputError(f"{path}: the {what} cannot be read: {error}") from None
+    refuse_kind(path, kind_of_content(data[:HEAD]), what, *refused)
     if size > most or len(data) > most:
         raise too_large(path, what, max(size, len(data)), most, advice)
     note_input(path)

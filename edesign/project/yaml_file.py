@@ -8,23 +8,14 @@ from typing import TypeVar
 from pydantic import BaseModel, ValidationError
 
 from edesign.errors import InputError
+from edesign.file_kinds import ARCHIVE, TABLE, kind_of_keys
 from edesign.project.explain import explain
 from edesign.project.file_bytes import read_file
 from edesign.project.limits import YAML_ADVICE, YAML_BYTES
 from edesign.project.problems import Problem, Problems
-from edesign.project.yaml_nodes import Mark, parse, top_level_keys
+from edesign.project.yaml_nodes import Mark, parse
 
 M = TypeVar("M", bound=BaseModel)
-
-KINDS = {
-    "edesign": "project",
-    "edesign_study": "study",
-    "edesign_building": "building",
-    "edesign_rts": "substructure test",
-    "edesign_suite": "suite",
-    "edesign_reference": "reference",
-}
-"""What a file is by its first key."""
 
 
 def read_yaml_text(path: Path, what: str) -> str:
@@ -40,23 +31,9 @@ def read_yaml_text(path: Path, what: str) -> str:
     return yaml_text(read_yaml_file(path, what), path)
 
 
-def file_kind(path: Path | str, what: str = "project or study file") -> str:
-    """Return what a file is, by the first of its keys that tells: "project", "study", "building", ...; "" if none does.
-
-    Args:
-        path: of the file.
-        what: is expected, for messages.
-
-    Raises:
-        InputError: it cannot be read.
-    """
-    text = read_yaml_text(Path(path), what)
-    return next((KINDS[key] for key in top_level_keys(text) if key in KINDS), "")
-
-
 def read_yaml_file(path: Path, what: str) -> bytes:
     """Read the content of a YAML file; arguments and errors as `read_yaml_text`."""
-    return read_file(path, what, YAML_BYTES, YAML_ADVICE)
+    return read_file(path, what, YAML_BYTES, YAML_ADVICE, refused=(ARCHIVE, TABLE))
 
 
 def yaml_text(data: bytes, path: Path) -> str:
@@ -106,13 +83,15 @@ def check_model(text: str, model: type[M], what: str, begins: str, hint: str = "
 
 def _tell_other_kind(problems: Problems, what: str, begins: str) -> None:
     """Of a whole file of another kind only that is worth telling."""
-    if problems.root.child(begins.partition(":")[0]) is not None:
+    entries = problems.root.entries or {}
+    kind = kind_of_keys(entries)
+    if kind is None or kind.name == what or what in kind.name.split(" or "):
         return
-    for key, kind in KINDS.items():
-        if problems.root.child(key) is not None and what != f"{kind} file":
-            problems.found = []
-            problems.at_key((key,), f"this is a {kind} file; a {what} begins with `{begins}`")
-            return
+    if what.removesuffix(" file") in kind.name:  # a campaign or programme
+        return
+    problems.found = []
+    key = next(key for key in entries if key in kind.keys)
+    problems.at_key((key,), f"this is a {kind.name}; a {what} begins with `{begins}`; {kind.use}")
 
 
 def _without_echoes(found: list[Problem], faulty: set[Mark]) -> list[Problem]:

@@ -96,27 +96,6 @@ def parse(text: str) -> tuple[Node, list[Fault]]:
         return Node(Mark(1, 1), entries={}), [Fault(place, (), f"this is not valid YAML: {error.reason}")]
 
 
-def top_level_keys(text: str) -> Iterator[str]:
-    """Yield the keys of the outermost mapping as far as they are asked for; of wrong YAML those before the fault."""
-    if _too_large(text):
-        return
-    depth, is_key = 0, False
-    try:
-        for event in yaml.parse(text, Loader=yaml.SafeLoader):
-            if depth == 1:  # keys and values in turn
-                is_key = not is_key
-                if is_key and isinstance(event, yaml.ScalarEvent):
-                    yield event.value
-            if isinstance(event, yaml.CollectionStartEvent):
-                if depth == 0 and isinstance(event, yaml.SequenceStartEvent):
-                    return
-                depth += 1
-            elif isinstance(event, yaml.CollectionEndEvent):
-                depth -= 1
-    except yaml.YAMLError:
-        return
-
-
 def find(root: Node, keys: Sequence[str | int]) -> Node:
     """The node at a key path, or the deepest one on the way to it."""
     node = root

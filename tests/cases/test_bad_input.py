@@ -197,7 +197,7 @@ def test_what_is_no_project_is_refused(tmp_path: Path, capsys: Capture) -> None:
         path = tmp_path / "x.yaml"
         path.write_bytes(content)
         assert said in refused(capsys, "run", path)
-    assert "there is no such project or study file" in refused(capsys, "run", tmp_path / "y.yaml")
+    assert "there is no such project file" in refused(capsys, "run", tmp_path / "y.yaml")
 
 
 def test_a_file_of_another_kind_is_not_replaced_by_an_archive(tmp_path: Path, capsys: Capture) -> None:

@@ -5,13 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from edesign.errors import InputError
-
 if TYPE_CHECKING:
     from edesign.project.substructure.rts_file import RtsFile
-
-RUN_BY = {"project": "edesign run", "study": "edesign run", "building": "edesign run"}
-"""The command that runs a file of another kind."""
 
 
 def load_tests(path: Path) -> RtsFile:
@@ -22,9 +17,5 @@ def load_tests(path: Path) -> RtsFile:
     """
     from edesign.building.building_sections import BuildingSections
     from edesign.project.substructure import load_rts_file
-    from edesign.project.yaml_file import file_kind
 
-    kind = file_kind(path, "substructure test file")
-    if kind in RUN_BY:
-        raise InputError(f"{path}: this is a {kind} file; `{RUN_BY[kind]} {path}` runs it")
     return load_rts_file(path, BuildingSections())

@@ -20,7 +20,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.cli import progress
 from edesign.cli.main import main
-from edesign.project import loader, yaml_file
+from edesign.project import loader
 from edesign.study import analyses, run
 
 
@@ -31,7 +31,6 @@ def core(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Core:
     monkeypatch.setattr(analyses, "run_analysis", stand_in)
     monkeypatch.setattr(run, "check_inputs", lambda *_: {})  # the small project has no frame
     monkeypatch.setattr(run, "project_warnings", lambda *_: [])
-    monkeypatch.setattr(yaml_file, "file_kind", lambda path: "project")
     monkeypatch.setattr(loader, "load_project", lambda path, *_, **__: project(tmp_path, "ab"))
     return stand_in
 
@@ -196,7 +195,6 @@ def test_an_unexpected_error_is_short_and_debug_shows_all(
     def broken(*_: object, **__: object) -> None:
         raise KeyError("hidden")
 
-    monkeypatch.setattr(yaml_file, "file_kind", lambda path: "project")
     monkeypatch.setattr(loader, "load_project", broken)
     assert main(["run", "x.yaml"]) == 1
     errors = capsys.readouterr().err

@@ -15,7 +15,7 @@ from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.errors import ArchiveError, InputError
-from edesign.project import loader, yaml_file
+from edesign.project import loader
 from edesign.project.file_bytes import read_file
 from edesign.study import analyses, run
 
@@ -45,7 +45,6 @@ def test_a_run_refuses_a_long_name_before_it_computes(
     monkeypatch.setattr(analyses, "run_analysis", core)
     monkeypatch.setattr(run, "check_inputs", lambda *_: {})  # the small project has no frame
     monkeypatch.setattr(run, "project_warnings", lambda *_: [])
-    monkeypatch.setattr(yaml_file, "file_kind", lambda path: "project")
     monkeypatch.setattr(loader, "load_project", lambda path, *_, **__: project(tmp_path, "ab"))
     assert main(["run", "project.yaml", "--archive", str(tmp_path / f"{name}.h5")]) == 4
     assert "cannot write the archive: the name is too long" in said(capsys) and core.ran == []

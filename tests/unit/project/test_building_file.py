@@ -16,10 +16,10 @@ from edesign.building.building_file import load_building
 from edesign.building.building_sections import BuildingSections
 from edesign.building.project_file import load_project
 from edesign.errors import InputError
+from edesign.file_kinds import BUILDING, kind_of
 from edesign.project.building import Building, parse_building
 from edesign.project.building.names import ColumnLine
 from edesign.project.building.places import parse_column_lines, parse_frames
-from edesign.project.yaml_file import file_kind
 from edesign.space.check import check_building
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_building"
@@ -49,7 +49,7 @@ def test_a_building_with_setbacks() -> None:
 @pytest.mark.parametrize("name", ["building.yaml", "table_5_2.yaml"])
 def test_the_thesis_building(name: str) -> None:
     thesis = load_building(THESIS / name)
-    assert file_kind(THESIS / name) == "building"
+    assert kind_of(THESIS / name) == BUILDING
     assert len(thesis.layout.column_at) == 200 and len(thesis.layout.brace_at) == 60
     assert thesis.design is not None and thesis.design.drift.limit == "none" and thesis.design.systems.x.q == 6.5
     check_building(thesis)
@@ -115,7 +115,9 @@ def test_files_of_other_kinds(tmp_path: Path) -> None:
     path.write_text(SMALL, encoding="utf-8")
     with pytest.raises(InputError) as caught:
         load_project(path)
-    expected = f"{path}:1:1: edesign_building: this is a building file; a project file begins with `edesign: 1`"
+    expected = f"{path}:1:1: edesign_building: this is a building file; a project file begins with `edesign: 1`; " + (
+        "`edesign run` runs it"
+    )
     assert str(caught.value) == expected
     project = tmp_path / "project.yaml"
     project.write_text("edesign: 1\n", encoding="utf-8")

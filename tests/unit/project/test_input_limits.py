@@ -25,8 +25,7 @@ from edesign.ground_motion.suite import load_suite
 from edesign.project import limits, load_project
 from edesign.project.reference_loader import load_reference
 from edesign.project.study_loader import load_study
-from edesign.project.yaml_file import file_kind
-from edesign.project.yaml_nodes import parse, top_level_keys
+from edesign.project.yaml_nodes import parse
 
 REFUSAL = 2.0
 """s, for a refusal. It reads the size of a file, or counts signs in 4 MB, which takes some milliseconds. To parse
@@ -66,15 +65,6 @@ def test_yaml_files(read: Callable[[Path], object], tmp_path: Path) -> None:
     path.write_text("edesign: 1\ntitle:\n" + "- a\n" * 600_000)
     with refused_at_once("about 600003 values; at most 200000 are read: name members by ranges"):
         read(path)
-
-
-def test_a_file_is_a_study_only_if_it_can_be_read(tmp_path: Path) -> None:
-    path = tmp_path / "large.yaml"
-    path.write_text("edesign_study: 1\ntitle:\n" + "- a\n" * 600_000)
-    assert file_kind(path) != "study"  # so it is read as a project, which is refused
-    assert list(top_level_keys("a: {edesign_study: 1}\nb: [c: d]\ne: 1\n")) == ["a", "b", "e"]
-    assert list(top_level_keys("- a: 1\n")) == list(top_level_keys("text")) == []
-    assert list(top_level_keys("a: 1\nb: ]\n")) == ["a", "b"]
 
 
 @pytest.mark.parametrize(

@@ -16,11 +16,11 @@ from spoiled_files import spoiled
 from edesign.building.project_file import load_project, load_study
 from edesign.cli.main import main
 from edesign.errors import InputError
+from edesign.file_kinds import PROJECT, STUDY, kind_of
 from edesign.ground_motion import project_records
 from edesign.ground_motion.suite import load_suite
 from edesign.project.study import Study
 from edesign.project.study_loader import StudyError, parse_study
-from edesign.project.yaml_file import file_kind
 from edesign.study.check import check_study, check_study_inputs
 from edesign.study.study_plan import make_study_plan
 
@@ -46,7 +46,7 @@ def faults(path: Path) -> list[tuple[str, str]]:
 def test_a_study_that_is_right(tmp_path: Path) -> None:
     path = write(tmp_path)
     study = load_study(path)
-    assert file_kind(path) == "study" and file_kind(tmp_path / "project.yaml") == "project"
+    assert kind_of(path) == STUDY and kind_of(tmp_path / "project.yaml") == PROJECT
     assert len(make_study_plan(study)) == PLANNED
     assert study.archive_path == tmp_path / "out.h5" and study.folder == tmp_path
     assert study.variants["warm"].temperature == 35.0 and study.histories[0].free_vibration == 1.0
@@ -242,11 +242,13 @@ def test_project_and_study_are_not_taken_for_each_other(tmp_path: Path, capsys: 
     with pytest.raises(InputError) as caught:
         load_study(project)
     assert str(caught.value) == f"{project}:1:1: edesign: this is a project file; a study file begins with " + (
-        "`edesign_study: 1`"
+        "`edesign_study: 1`; `edesign run` runs it"
     )
     with pytest.raises(InputError) as caught:
         load_project(path)
-    expected = f"{path}:1:1: edesign_study: this is a study file; a project file begins with `edesign: 1`"
+    expected = f"{path}:1:1: edesign_study: this is a study file; a project file begins with `edesign: 1`; " + (
+        "`edesign run` runs it"
+    )
     assert str(caught.value) == expected
     itself = write(tmp_path, ("project: project.yaml", "project: study.yaml"))
     assert main(["run", str(itself)]) == 2

@@ -35,13 +35,17 @@ def test_a_file_of_another_command_names_that_command(
 ) -> None:
     path = tmp_path / "x.yaml"
     path.write_text({"project": "edesign: 1\n"}.get(kind, f"edesign_{kind}: 1\n"), encoding="utf-8")
-    assert f"this is a {kind} file; `edesign run {path}` runs it" in said(capsys, "rts", command, path)
+    error = said(capsys, "rts", command, path)
+    assert f"this is a {kind} file; a substructure test file begins with `edesign_rts: 1`" in error
+    assert "`edesign run` runs it" in error
 
 
 def test_run_names_the_command_of_substructure_tests(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path = tmp_path / "rts.yaml"
     path.write_text(MOVED, encoding="utf-8")
-    assert f"this is a substructure test file; `edesign rts run {path}` runs it" in said(capsys, "run", path)
+    error = said(capsys, "run", path)
+    assert "this is a substructure test file (YAML), and a project, study or building file is needed" in error
+    assert "`edesign rts run` runs it" in error
 
 
 def test_a_missing_file_is_called_what_it_would_be(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

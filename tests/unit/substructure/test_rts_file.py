@@ -13,6 +13,7 @@ from rts_examples import FULL, INLINE, MINIMAL, ONE_STOREY, OTHER_METHODS, rts
 from edesign.cli.main import main
 from edesign.core.compensator import run_compensator
 from edesign.errors import InputError
+from edesign.file_kinds import SUBSTRUCTURE_TESTS, kind_of
 from edesign.ground_motion.project_records import find_recordings
 from edesign.project.problems import ProjectError
 from edesign.project.substructure import RtsFileError, load_rts_file, parse_rts_file, read_rig_file
@@ -22,7 +23,6 @@ from edesign.project.substructure.programme import CommandTest, PseudoDynamicTes
 from edesign.project.substructure.rig import IdealRig, SecondOrderRig
 from edesign.project.substructure.structure import ShearBuilding
 from edesign.project.substructure.summary import summary
-from edesign.project.yaml_file import file_kind
 from edesign.substructure.compensation.described import compensator_of
 from edesign.substructure.rig.rigs import ideal
 
@@ -173,7 +173,7 @@ def test_other_values() -> None:
 def test_file_kind_and_summary(tmp_path: Path) -> None:
     path = tmp_path / "rts.yaml"
     path.write_text(FULL, encoding="utf-8")
-    assert file_kind(path) == "substructure test"
+    assert kind_of(path) == SUBSTRUCTURE_TESTS
     lines = summary(load_rts_file(path))
     assert lines["runs"] == "8 tests x 13 compensators" and "21.4 Hz" in lines["rig"]
     assert "tested: mgmm at 20 degC" in lines["specimen"] and "el_centro x 0.18" in lines["tests"]

@@ -1,0 +1,115 @@
+"""A file of another kind than a command needs is called what it is, whatever its name, and what to do with it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from edesign.archive.dataset import Group
+from edesign.archive.writer import ArchiveWriter
+from edesign.cli.main import main
+from edesign.file_kinds import kind_of
+
+TEXTS = {
+    "project": "# a project\nedesign: 1\ntitle: x\n",
+    "study": "edesign_study: 1\n",
+    "building": "{edesign_building: 1}\n",
+    "tests": "edesign_rts: 1\nrig: {kind: ideal}\n",
+    "suite": "title: last is well\nedesign_suite: 1\n",
+    "reference": "edesign_reference: 1\n",
+    "rig": "rig: {kind: ideal}\nsource: mine\n",
+    "law": "type: mgmm\nparameters: {}\n",
+    "campaign": "specimen: {}\ntests:\n  - {file: a.csv}\n",
+    "structure": "structure: {}\nchannels: {}\ntests: []\n",
+    "properties": "specimen: {}\nproperties: a.csv\n",
+    "table": "Lab: 7\ntime_s;command_mm\n# one\n0,0;0,1\n0,1;0,2\n",
+}
+NAMES = {
+    "archive": "an archive of results (HDF5)",
+    "table": "a table of numbers (CSV)",
+    "tests": "a substructure test file",
+    "campaign": "a campaign or programme file",
+    "structure": "a campaign file",
+    "properties": "a campaign file",
+}
+"""In messages; otherwise `a NAME file`."""
+CAMPAIGNS = ("campaign", "structure", "properties")
+ACTION = ("--ground", "B", "--a-gr", "0.2 g")
+COMMANDS: dict[str, tuple[list[str], tuple[str, ...]]] = {
+    "show": (["show", "FILE"], ("archive",)),
+    "report": (["report", "FILE"], ("archive",)),
+    "compare": (["compare", "FILE", "reference"], ("archive",)),
+    "compare with": (["compare", "archive", "FILE"], ("reference",)),
+    "check": (["check", "FILE"], ("project", "study", "building", "tests")),
+    "run": (["run", "FILE"], ("project", "study", "building")),
+    "design": (["design", "FILE"], ("building",)),
+    "extract": (["extract", "FILE", "--frame", "A", "-o", "made.yaml"], ("building",)),
+    "test": (["test", "FILE"], ("campaign",)),
+    "calibrate": (["calibrate", "FILE"], CAMPAIGNS),
+    "fit": (["fit", "FILE"], CAMPAIGNS),
+    "characterise": (["characterise", "FILE"], (*CAMPAIGNS, "table")),
+    "spectrum": (["spectrum", "FILE", *ACTION], ("suite", "table")),
+    "match": (["match", "FILE", *ACTION], ("suite", "table")),
+    "rts check": (["rts", "check", "FILE"], ("tests",)),
+    "rts run": (["rts", "run", "FILE"], ("tests",)),
+    "rts export": (["rts", "export", "FILE", "none", "-o", "made"], ("tests",)),
+    "rts serve": (["rts", "serve", "FILE"], ("tests",)),
+    "rts identify": (["rts", "identify", "FILE"], ("table",)),
+    "rts judge": (["rts", "judge", "FILE"], ("table",)),
+    "rts judge by": (["rts", "judge", "table", "--rts", "FILE"], ("tests",)),
+}
+"""Words of each command, and the kinds that it takes."""
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder with a file of each kind, under names that say nothing."""
+    folder = tmp_path_factory.mktemp("kinds")
+    for kind, text in TEXTS.items():
+        (folder / kind).write_text(text, encoding="utf-8")
+    with ArchiveWriter(folder / "archive.h5", Group(attributes={"title": "x", "planned": []})) as writer:
+        writer.finish({"status": "completed"})
+    (folder / "archive.h5").rename(folder / "archive")
+    return folder
+
+
+@pytest.fixture
+def files(made: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """The same, as the folder of the process."""
+    monkeypatch.chdir(made)
+    return made
+
+
+@pytest.mark.parametrize("kind", [*TEXTS, "archive"])
+def test_a_kind_is_told_by_content(files: Path, kind: str) -> None:
+    found = kind_of(files / kind)
+    assert found is not None and found.described.startswith(NAMES.get(kind, f"a {kind} file"))
+
+
+@pytest.mark.parametrize("text", ["", "- 1\n- 2\n", "title: x\n", "DIN 4150\n", "a: [1,\n 2, 3,\n 4]\n", "\0"])
+def test_nothing_is_said_of_other_files(tmp_path: Path, text: str) -> None:
+    (tmp_path / "x").write_text(text, encoding="utf-8")
+    assert kind_of(tmp_path / "x") is None and kind_of(tmp_path) is None and kind_of(tmp_path / "y") is None
+
+
+@pytest.mark.parametrize("kind", [*TEXTS, "archive"])
+@pytest.mark.parametrize("command", COMMANDS)
+def test_a_command_says_what_a_file_of_another_kind_is(
+    files: Path, capsys: pytest.CaptureFixture[str], command: str, kind: str
+) -> None:
+    words, taken = COMMANDS[command]
+    if kind in taken:
+        return
+    before = sorted(files.iterdir())
+    assert main([kind if word == "FILE" else word for word in words]) in (2, 4)
+    error = capsys.readouterr().err
+    assert f"{kind}:" in error and f"this is {NAMES.get(kind, f'a {kind} file')}" in error and "Traceback" not in error
+    assert sorted(files.iterdir()) == before
+
+
+def test_compare_says_which_file_comes_first(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["compare", "reference", "archive"]) == 2
+    assert "the archive comes first: `edesign compare archive reference`" in capsys.readouterr().err
+    assert main(["compare", "archive", "archive"]) == 2
+    assert "two archives are not compared; the second file is a reference file" in capsys.readouterr().err
