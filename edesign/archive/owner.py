@@ -16,10 +16,11 @@ from edesign.input_files import spare_inputs
 _NAMES = ("project_file", "study_file", "title")  # by which archives without `source_file` are known
 
 
-def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
+def check_owner(path: Path, root: Group, overwrite: bool = False) -> list[str]:
     """Refuse to replace the archive of something else, finished or interrupted, or an input of the command.
 
-    An archive of the same file with analyses that the run leaves out (`--only`) is not replaced either.
+    An archive of the same state of a project with analyses that the run leaves out (`--only`) is not replaced either.
+    One of an earlier state of the file is: what the file no longer asks for goes.
 
     Args:
         path: where an archive is to be written.
@@ -27,12 +28,16 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
             version, the names and the title in it do.
         overwrite: whether the archive of something else may be replaced.
 
+    Returns:
+        The analyses of the archive that is replaced which the new one no longer has.
+
     Raises:
         ArchiveError: an archive stands there that is of something else, that has more, or that cannot be read.
         InputError: an input of the command stands there, or the name is not one of an archive.
     """
     spare_inputs(path, partial_path(path))
     check_archive_name(path)
+    gone: list[str] = []
     for place in (path, partial_path(path)):
         if overwrite or not os.path.isfile(place) or not is_hdf5(place):
             continue  # what is no archive is spared by the writer
@@ -44,7 +49,8 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
                 continue  # what an interrupted run left
             raise ArchiveError(f"{error}; it is left as it is: choose another name, or --overwrite") from error
         lost = [str(name) for name in _names(old) if name not in _names(root.attributes)]
-        if lost and old.get("project_checksum") == root.attributes.get("project_checksum"):
+        same = old.get("project_checksum")
+        if lost and same is not None and same == root.attributes.get("project_checksum"):
             raise ArchiveError(
                 f"{place}: this archive has {len(lost)} analyses that this run leaves out ({', '.join(lost[:3])}"
                 f"{' ...' if len(lost) > 3 else ''}), and it is left as it is; choose another name (--archive), or "
@@ -55,6 +61,8 @@ def check_owner(path: Path, root: Group, overwrite: bool = False) -> None:
                 f"{place}: this is the archive of another {_described(old)}, and it is left as it is; choose another "
                 "name or folder (`outputs: archive`, --archive, --output), or --overwrite"
             )
+        gone = gone or lost
+    return gone
 
 
 def _differs(old: Mapping[str, object], new: Mapping[str, object]) -> bool:

@@ -21,11 +21,10 @@ from edesign.errors import InputError
 from edesign.project.dampers import LawDescription
 from edesign.project.explain import explain
 from edesign.project.problems import Keys, Problems, ProjectError, keys_text
-from edesign.project.project import Project
 from edesign.project.yaml_file import check_model, read_yaml_file, yaml_text
 from edesign.project.yaml_nodes import Node, find
 
-_WHAT = "law file"
+WHAT = "law file"
 _RANGE_PERCENT = re.compile(r"\s*([0-9.]+)(?:\s*to\s*([0-9.]+))?\s*%\s*")
 _RANGE_C = re.compile(r"\s*(-?[0-9.]+)(?:\s*to\s*(-?[0-9.]+))?\s*degC\s*")
 
@@ -76,11 +75,6 @@ class Source:
         return InputError(f"{self.path}:{mark.line}:{mark.column}: {keys_text(whole)}: {message}")
 
 
-def law_file_content(project: Project, file: str) -> bytes:
-    """Return the content of a law file of a project, as a run sees it; errors as `read_law_file`."""
-    return project.content(project.folder / file, lambda path: read_yaml_file(path, _WHAT))
-
-
 def read_law_file(path: Path, content: bytes | None = None) -> tuple[LawDescription, Source]:
     """Read a law file.
 
@@ -91,8 +85,8 @@ def read_law_file(path: Path, content: bytes | None = None) -> tuple[LawDescript
     Raises:
         InputError: it cannot be read, or is wrong; the message has file, line, column and key.
     """
-    text = yaml_text(read_yaml_file(path, _WHAT) if content is None else content, path)
-    description, problems = check_model(text, LawDescription, _WHAT, "type: mgmm")
+    text = yaml_text(read_yaml_file(path, WHAT) if content is None else content, path)
+    description, problems = check_model(text, LawDescription, WHAT, "type: mgmm")
     if description is not None:
         for key in ("type", "parameters"):
             if getattr(description, key) is None:

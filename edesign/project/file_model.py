@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, Self
 
@@ -12,6 +12,7 @@ from edesign.errors import InputError
 from edesign.project.base import Model
 from edesign.project.problems import FileProblems, Problems, keys_text
 from edesign.project.values import KeyPath, changed_text, first_difference, shown
+from edesign.project.yaml_file import read_yaml_file
 from edesign.project.yaml_nodes import Node, find, parse
 
 
@@ -41,6 +42,7 @@ class FileModel(Model):
     _text: str = PrivateAttr(default="")
     _root: Node | None = PrivateAttr(default=None)
     _read: Reader | None = PrivateAttr(default=None)
+    _contents: dict[Path, bytes] = PrivateAttr(default_factory=dict)
 
     def read_from(self, path: Path, text: str, root: Node, read: Reader | None = None) -> Self:
         """Tell the model, once, where it comes from.
@@ -100,6 +102,31 @@ class FileModel(Model):
                 f"{shown(said)}; change values by {self.kind}.with_values({place!r}, ...), which keeps text, checksum "
                 "and values together"
             )
+
+    def content(self, path: Path, read: Callable[[Path], bytes]) -> bytes:
+        """Return the content of a file that this one names, as it was when first asked for.
+
+        So checksum, archive and all analyses of a run are of one state of the file, on whatever machine they run.
+
+        Args:
+            path: the file.
+            read: reads it.
+        """
+        if path not in self._contents:
+            self._contents[path] = read(path)
+        return self._contents[path]
+
+    def yaml_content(self, file: str, what: str) -> bytes:
+        """Return the content of a YAML file that this one names, as `content`.
+
+        Args:
+            file: its path from the folder of this file.
+            what: it is, for messages: "law file".
+
+        Raises:
+            InputError: it cannot be read.
+        """
+        return self.content(self.folder / file, lambda path: read_yaml_file(path, what))
 
     @property
     def path(self) -> Path:

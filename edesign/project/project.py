@@ -55,7 +55,6 @@ class Project(RecordFiles, FileModel):
     outputs: Outputs = Outputs()
 
     _path: Path = PrivateAttr(default=Path("project.yaml"))
-    _contents: dict[Path, bytes] = PrivateAttr(default_factory=dict)
     _more_folders: tuple[Path, ...] = PrivateAttr(default=())
 
     def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
@@ -67,19 +66,6 @@ class Project(RecordFiles, FileModel):
         found = self.model_copy()
         found._more_folders = (*self._more_folders, *folders)
         return found
-
-    def content(self, path: Path, read: Callable[[Path], bytes]) -> bytes:
-        """Return the content of a file that the project or a study of it names, as it was when first asked for.
-
-        So checksum, archive and all analyses of a run are of one state of the file, on whatever machine they run.
-
-        Args:
-            path: the file.
-            read: reads it.
-        """
-        if path not in self._contents:
-            self._contents[path] = read(path)
-        return self._contents[path]
 
     def afresh(self) -> Self:
         """Return the project without the contents of files that were read so far."""

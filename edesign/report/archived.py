@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from pathlib import Path
 
 from edesign.archive.reader import Archive
 from edesign.building.building_sections import BuildingSections
 from edesign.errors import ArchiveError
 from edesign.project.building import Building, parse_building
+from edesign.project.file_model import FileModel
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.study import Study
@@ -36,11 +38,40 @@ def archived_project(archive: Archive) -> Project | None:
     Raises:
         InputError: the text is not that of a project of this version.
     """
-    text = archive.group().variables.get("project_text")
-    if text is None:
+    texts = archived_texts(archive)
+    if "project_text" not in texts:
         return None
     path = Path(str(archive.attributes.get("project_file") or "project.yaml"))
-    return parse_project(str(text.values), path, BuildingSections(), files=False)
+    return project_of_texts(texts, path)
+
+
+def archived_texts(archive: Archive) -> dict[str, str]:
+    """Return the texts of the root of an archive by their names; errors as those of `Archive.group`."""
+    return {name: str(one.values) for name, one in archive.group().variables.items() if one.values.ndim == 0}
+
+
+def project_of_texts(texts: Mapping[str, str], path: Path) -> Project:
+    """Return a project by its archived text, which takes its law files from the archive as well.
+
+    Args:
+        texts: of the archive.
+        path: of the project, for messages.
+
+    Raises:
+        InputError: the text is not that of a project of this version.
+    """
+    project = parse_project(texts.get("project_text", ""), path, BuildingSections(), files=False)
+    laws = project.dampers.laws if project.dampers is not None else {}
+    for name, law in laws.items():
+        if law.file is not None:
+            take_text(project, law.file, texts.get(f"law_text_{name}"))
+    return project
+
+
+def take_text(holder: FileModel, file: str, text: str | None) -> None:
+    """Let a file have the archived text of a file that it names, whatever stands on the disk today; None: none."""
+    if text is not None:
+        holder.content(holder.folder / file, lambda _: text.encode())
 
 
 def archived_building(archive: Archive) -> Building | None:

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from edesign.building.devices import Attached, Device, DeviceLaw
-from edesign.damper.law_file import Source, law_file_content, read_law_file, resolve, strain_of_tests
+from edesign.damper.law_file import WHAT, Source, read_law_file, resolve, strain_of_tests
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
 from edesign.project.dampers import LawDescription, TunedMass
@@ -46,7 +46,7 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     source = asked = Source(project.path, project.root, ("dampers", "laws", name))
     if spec.file is not None:
         try:
-            described, source = read_law_file(project.folder / spec.file, law_file_content(project, spec.file))
+            described, source = read_law_file(project.folder / spec.file, project.yaml_content(spec.file, WHAT))
         except InputError as error:
             if is_file(project.folder / spec.file):
                 raise

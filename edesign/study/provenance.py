@@ -17,7 +17,7 @@ from edesign import core
 from edesign._version import __version__
 from edesign.archive.dataset import Group
 from edesign.archive.hdf5 import library_versions
-from edesign.damper.law_file import law_file_content
+from edesign.damper.law_file import WHAT
 from edesign.damper.property_table import property_table_content
 from edesign.project.designs import FileProperties
 from edesign.project.project import Project
@@ -79,7 +79,7 @@ def study_root_group(study: Study, planned: list[str], records: Mapping[str, str
 def _law_files(project: Project) -> dict[str, tuple[str, bytes]]:
     """Name and content of the files of laws, by law."""
     laws = project.dampers.laws if project.dampers is not None else {}
-    return {name: (law.file, law_file_content(project, law.file)) for name, law in laws.items() if law.file is not None}
+    return {name: (law.file, project.yaml_content(law.file, WHAT)) for name, law in laws.items() if law.file is not None}
 
 
 def _checksum(file: str, content: bytes) -> str:

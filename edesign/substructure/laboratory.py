@@ -194,7 +194,7 @@ def _damper(file: RtsFile, device: Device | None) -> TestedDamper | None:
     described: LawDescription = placed.law
     source = asked = Source(placed.path, placed.root, placed.keys)
     if placed.law.file is not None:
-        described, source = read_law_file(placed.path.parent / placed.law.file)
+        described, source = read_law_file(placed.path.parent / placed.law.file, file.law_file_content(placed))
     bare = resolve(described, source, placed.law.temperature, asked)
     found = bare
     if said.effects:

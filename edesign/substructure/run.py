@@ -12,6 +12,7 @@ from edesign.archive.files import make_folder, source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
 from edesign.errors import InputError
+from edesign.project.problems import listed
 from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.stopping import Stopped
@@ -53,7 +54,9 @@ def run_tests(
     file.check_unchanged()
     path = Path(archive_path) if archive_path is not None else file.archive_path
     root = _root(file, path)
-    check_owner(path, root, overwrite)
+    gone = check_owner(path, root, overwrite)
+    if gone:
+        tell(f"replacing {path}, of which {listed(gone, 5)} stand no longer in {file.path.name}")
     laboratory = VirtualLaboratory(file)
     names = _csv_names(laboratory) if csv_folder is not None else {}
     _ = laboratory.drives  # what is wrong with records and commands is told before anything is written

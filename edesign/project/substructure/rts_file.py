@@ -24,7 +24,7 @@ from edesign.project.substructure.rig import AnyRig, RigFile, RigInFile, RigMode
 from edesign.project.substructure.specimen import PlacedLaw, Specimen
 from edesign.project.substructure.structure import ProjectStructure, Structure
 from edesign.project.units import PositiveFactor, PositiveRatio
-from edesign.project.yaml_file import read_yaml_text
+from edesign.project.yaml_file import read_yaml_text, yaml_text
 
 Channel = Literal["target", "measured", "command", "force", "alpha", "energy", "building"]
 CHANNELS: tuple[Channel, ...] = ("target", "measured", "command", "force", "alpha", "energy", "building")
@@ -173,6 +173,19 @@ class RtsFile(RecordFiles, FileModel):
             return law
         return law.model_copy(update={"temperature": self.specimen.temperature})
 
+    def law_file_content(self, placed: PlacedLaw) -> bytes:
+        """Return the content of the law file that the law of the specimen names, as it was when first asked for.
+
+        Raises:
+            InputError: it cannot be read.
+        """
+        assert placed.law.file is not None
+        holder: FileModel = self
+        if placed.path != self.path:
+            assert self._project is not None
+            holder = self._project
+        return holder.yaml_content(placed.law.file, "law file")
+
     @property
     def analysis(self) -> HistoryAnalysis | None:
         """The history of the project that tests take their record from; None: none is named."""
@@ -212,12 +225,11 @@ class RtsFile(RecordFiles, FileModel):
             laws = self._project.dampers.laws if self._project.dampers is not None else {}
             for name, law in laws.items():
                 if law.file is not None:
-                    text = read_yaml_text(self._project.folder / law.file, "law file")
+                    text = _law_text(self._project, law.file)
                     found[f"law_text_{name}"] = text, f"law file {law.file}"
         placed = self.law
         if placed is not None and placed.path == self.path and placed.law.file is not None:
-            text = read_yaml_text(self.folder / placed.law.file, "law file")
-            found["law_text"] = text, f"law file {placed.law.file}"
+            found["law_text"] = _law_text(self, placed.law.file), f"law file {placed.law.file}"
         return found
 
     @property
@@ -230,3 +242,7 @@ class RtsFile(RecordFiles, FileModel):
     def archive_path(self) -> Path:
         """Where the archive goes unless the command line says otherwise."""
         return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")
+
+
+def _law_text(holder: FileModel, file: str) -> str:
+    return yaml_text(holder.yaml_content(file, "law file"), holder.folder / file)

@@ -6,9 +6,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from edesign.archive.reader import Archive
-from edesign.building.building_sections import BuildingSections
 from edesign.errors import EdesignError
-from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.substructure.loader import read_rig_file
 from edesign.project.substructure.rig import IdealRig, RigFile, RigInFile, RigModel
@@ -16,6 +14,7 @@ from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure
 from edesign.project.substructure.summary import summary
 from edesign.project.yaml_file import check_model
+from edesign.report.archived import archived_texts, project_of_texts, take_text
 from edesign.substructure.laboratory import Laboratory, rig_transfer
 from edesign.substructure.rig.rigs import RigTransfer
 from edesign.substructure.virtual_tests import VirtualLaboratory
@@ -71,8 +70,7 @@ class ArchivedTests:
 
 def archived_tests(archive: Archive) -> ArchivedTests:
     """Return what an archive of substructure tests says of them; never raises for a text of another version."""
-    root = archive.group()
-    texts = {name: str(one.values) for name, one in root.variables.items() if one.values.ndim == 0}
+    texts = archived_texts(archive)
     if "rts_text" not in texts:
         return ArchivedTests(None, ["The archive does not hold the text of the file of tests."])
     path = Path(str(archive.attributes.get("rts_file") or "rts.yaml"))
@@ -82,18 +80,21 @@ def archived_tests(archive: Archive) -> ArchivedTests:
             return ArchivedTests(None, [f"This version cannot read the text of {path.name}."])
         found.read_from(path, texts["rts_text"], problems.root)
         tests = ArchivedTests(found)
-        found.set_named(_project(found, texts, tests.told), _rig(found, texts, archive, tests.told))
+        found.set_named(_project(found, texts), _rig(found, texts, archive, tests.told))
+        placed = found.law
+        if placed is not None and placed.path == found.path and placed.law.file is not None:
+            take_text(found, placed.law.file, texts.get("law_text"))
     except EdesignError as error:
         return ArchivedTests(None, [f"The file of tests cannot be read: {error}."])
     _make_laboratory(tests)
     return tests
 
 
-def _project(file: RtsFile, texts: dict[str, str], told: list[str]) -> Project | None:
+def _project(file: RtsFile, texts: dict[str, str]) -> Project | None:
     """The project; a file that needs one and has none cannot be used."""
     if not isinstance(file.structure, ProjectStructure):
         return None
-    return parse_project(texts.get("project_text", ""), Path(file.structure.project), BuildingSections(), files=False)
+    return project_of_texts(texts, Path(file.structure.project))
 
 
 def _rig(file: RtsFile, texts: dict[str, str], archive: Archive, told: list[str]) -> RigFile | None:

@@ -82,4 +82,4 @@ def _description(file: RtsFile, damper: TestedDamper) -> LawDescription:
     placed = file.law
     if damper.declared.file is None or placed is None:
         return damper.declared
-    return read_law_file(placed.path.parent / damper.declared.file)[0]
+    return read_law_file(placed.path.parent / damper.declared.file, file.law_file_content(placed))[0]
