@@ -16,7 +16,7 @@ from edesign.report.archived import archived_project
 from edesign.report.measure_tables import record_measures_table, statistics_tables
 from edesign.report.summary import all_results
 from edesign.report.table import Table
-from edesign.report.verdict_tables import objectives_table, performance_table, verdicts_table
+from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_table
 
 
 def assessment_tables(
@@ -62,7 +62,7 @@ def tables_of_histories(
     verdicts = judge(criteria, (), histories, project)
     if verdicts:
         tables.append(verdicts_table(verdicts))
-    tables.append(performance_table(sets, members))
+    tables += performance_tables(sets, members)
     if objectives:
         tables.append(objectives_table(judge((), objectives, histories, project), objectives, project))
     return tables

@@ -126,7 +126,7 @@ def statistic_note(cell: ComparedCell, usual: str) -> str:
 def _bar(cell: ComparedCell) -> list[str]:
     if cell.within is None:
         return ["-"]
-    return [f"{100.0 * cell.within:g} {'in' if cell.inside else 'out'}"]
+    return [f"{100.0 * cell.within:g} {'met' if cell.inside else 'NOT met'}"]
 
 
 def missing_notes(cells: Iterable[ComparedCell], comparison: Comparison) -> list[str]:

@@ -17,7 +17,7 @@ from edesign.report.incremental_tables import incremental_tables
 from edesign.report.measure_tables import statistics_tables
 from edesign.report.summary import all_results, entry
 from edesign.report.table import Table, number, seconds, whole
-from edesign.report.verdict_tables import objectives_table, performance_table, verdicts_table
+from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_table
 from edesign.study.outcome import COLLAPSED, COMPLETED, SKIPPED
 from edesign.study.plan import DESIGNS, INCREMENTAL
 from edesign.study.warnings import warning_lines
@@ -42,7 +42,7 @@ def study_tables(archive: Archive) -> list[Table]:
     if study.criteria:
         tables.append(verdicts_table(judge(study.criteria, (), histories, study.base)))
     if sets:
-        tables.append(performance_table(sets, frame_members(study.base)))
+        tables += performance_tables(sets, frame_members(study.base))
     if study.objectives:
         verdicts = judge((), study.objectives, histories, study.base)
         tables.append(objectives_table(verdicts, study.objectives, study.base))

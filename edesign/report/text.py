@@ -12,7 +12,7 @@ from edesign.report.table import Table
 from edesign.report.visible import visible, visible_line
 
 PAPER = 80  # characters of a line in files and pipes
-_GAP = 3  # between columns on a terminal
+_GAP = 2  # between columns
 _LEAST = 16  # characters of a line inside a cell
 _COLOURS = {"completed": "green", "failed": "red", "not run": "yellow"}  # of cells, on a terminal
 
@@ -24,7 +24,12 @@ def print_tables(tables: Iterable[Table], stream: TextIO | None = None) -> None:
     if stream.isatty():
         _print_rich(shown, stream)
     else:
-        stream.write("\n\n".join(plain(broken(table, PAPER, gap=2)) for table in shown) + "\n")
+        stream.write("\n\n".join(plain(broken(table, PAPER, _GAP)) for table in shown) + "\n")
+
+
+def wrapped(text: str) -> list[str]:
+    """Return a text as lines of a page."""
+    return textwrap.wrap(text, PAPER)
 
 
 def _visible(table: Table) -> Table:
@@ -111,7 +116,7 @@ def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
         if table.title:
             console.print(Text(table.title, style="bold"))
         if table.rows:
-            shown = RichTable(box=SIMPLE_HEAD, show_header=bool(table.columns), pad_edge=False)
+            shown = RichTable(box=SIMPLE_HEAD, show_header=bool(table.columns), padding=(0, 1, 0, 0))
             for i in range(len(table.rows[0])):
                 header = Text(table.columns[i]) if table.columns else ""
                 text = i < table.left or i == table.sentences

@@ -16,6 +16,7 @@ from edesign.project.criteria import Objectives
 from edesign.project.project import Project
 from edesign.report.measure_tables import missing_notes
 from edesign.report.table import Table
+from edesign.report.text import wrapped
 
 ENOUGH_FOR_MEANS = 7
 """Histories from which on codes let the mean response count: EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4."""
@@ -51,31 +52,37 @@ def verdicts_table(verdicts: Sequence[Verdict], title: str = "Criteria") -> Tabl
     return table
 
 
-def performance_table(sets: Sequence[HistorySet], members: Mapping[str, FrameMember], statistic: str = "mean") -> Table:
-    """Return the performance level of each variant at each hazard level, by drift and by plastic rotations."""
-    counts = ["IO", "LS", "CP", "beyond"]
-    columns = ["variant", "level", "by drift", *counts, "governs", "by members", *counts, "governs", "histories"]
-    table = Table(f"FEMA 356 performance levels ({statistic}, and number of histories at each)", columns, left=2)
+def performance_tables(
+    sets: Sequence[HistorySet], members: Mapping[str, FrameMember], statistic: str = "mean"
+) -> list[Table]:
+    """Return the performance level of each variant at each hazard level: by drift, and by plastic rotations."""
+    title, under = "FEMA 356 performance levels", f"({statistic}, and number of histories at each)"
+    columns = ("variant", "level", "reached", "IO", "LS", "CP", "beyond", "of", "governs")
+    by_drift = Table(f"{title} by drift {under}", columns, left=2, sentences=8)
+    by_members = Table(f"{title} by plastic rotations {under}", columns, left=2, sentences=8)
     for found in sets:
         p = set_performance(found, members, statistic)
-        row = [p.variant or "-", p.level or "-"]
-        for level, number, worst in (
-            (p.by_drift, p.drift_counts, p.worst_drift),
-            (p.by_members, p.member_counts, p.worst_members),
+        for table, level, number, worst in (
+            (by_drift, p.by_drift, p.drift_counts, p.worst_drift),
+            (by_members, p.by_members, p.member_counts, p.worst_members),
         ):
-            row += [level or "-", *(str(count) for count in number.values()), _usage(worst)]
-        table.rows.append([*row, f"{p.count} of {p.count + len(p.missing)}"])
+            counts = [*(str(count) for count in number.values()), f"{p.count}/{p.count + len(p.missing)}"]
+            table.rows.append([p.variant or "-", p.level or "-", level or "-", *counts, _usage(worst)])
+    governs = "Governs: the history with the largest usage of Collapse Prevention; it is met up to 100 %."
     transient = "Drift: Table C1-3, transient 0.7, 2.5, 5 %, permanent"
-    table.notes.append(f"{transient} {100 * NEGLIGIBLE:g} (taken for `negligible`), 1, 5 %. Members: Table 5-6.")
-    table.notes.append(
-        f"A column with P/P_CL > 0.5 is force-controlled: up to {ELASTIC_ROTATION:g} rad count as elastic. P is its "
-        "largest compression in the history, with what dampers add; P_CL its buckling strength over the storey (K = 1)."
+    by_drift.notes = [
+        *wrapped(f"{transient} {100 * NEGLIGIBLE:g} (assumed for `negligible`), 1, 5 %. of: histories that count."),
+        *wrapped(governs),
+        *missing_notes(sets),
+    ]
+    by_members.notes = wrapped(
+        f"Members: Table 5-6. A column with P/P_CL > 0.5 is force-controlled: up to {ELASTIC_ROTATION:g} rad count as "
+        "elastic. P is its largest compression in the history, with what dampers add; P_CL its buckling strength over "
+        f"the storey (K = 1). {governs}"
     )
-    table.notes.append("Governs: the history with the largest usage of Collapse Prevention; it is met up to 100 %.")
     if not members:
-        table.notes.append("No member has a section and a material that Table 5-6 knows.")
-    table.notes += missing_notes(sets)
-    return table
+        by_members.notes.append("No member has a section and a material that Table 5-6 knows.")
+    return [by_drift, by_members]
 
 
 def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, project: Project) -> Table:

@@ -79,7 +79,9 @@ def study_root_group(study: Study, planned: list[str], records: Mapping[str, str
 def _law_files(project: Project) -> dict[str, tuple[str, bytes]]:
     """Name and content of the files of laws, by law."""
     laws = project.dampers.laws if project.dampers is not None else {}
-    return {name: (law.file, project.yaml_content(law.file, WHAT)) for name, law in laws.items() if law.file is not None}
+    return {
+        name: (law.file, project.yaml_content(law.file, WHAT)) for name, law in laws.items() if law.file is not None
+    }
 
 
 def _checksum(file: str, content: bytes) -> str:

@@ -98,6 +98,8 @@ def indicators(runs: Sequence[VirtualTest]) -> Group:
     for i, unit in enumerate(("1", "s", "s^2")):
         text = f"mean of alpha_{i} while the specimen moves"
         group.add(f"mean_alpha_{i}", ("run",), [run.alpha[i] for run in runs], unit, text)
+    text = "mean of the delay that an adaptive compensator estimates while the specimen moves"
+    group.add("estimated_delay", ("run",), [run.estimated_delay for run in runs], "s", text)
     for name, (text, unit) in definitions().items():
         values = [getattr(run.tracking, name, np.nan) for run in runs]
         if all(isinstance(value, (int, float)) for value in values):

@@ -38,6 +38,8 @@ class VirtualTest:
         building_error: as `response_error`, of the drift of the storey where it is largest.
         alpha: (3,) means of the adaptive coefficients between the first and the last motion above the threshold; NaN of
             other compensators.
+        estimated_delay: mean over the same time of the delay that an adaptive compensator estimates, s: alpha_1 over
+            alpha_0 (thesis Eq. 6.15), or that of a live delay; NaN of other compensators.
         outcome: `done`, `unstable`, `saturated` or `failed`.
         reason: why, if it is not done.
         saturated: limits of rig and sensors that it met.
@@ -55,6 +57,7 @@ class VirtualTest:
     peak_error: float
     building_error: float
     alpha: np.ndarray
+    estimated_delay: float
     outcome: str
     reason: str
     saturated: tuple[MetLimit, ...]
@@ -106,6 +109,7 @@ def judged(
         peak_error=peak,
         building_error=of_building,
         alpha=_mean_alpha(record, named[1]),
+        estimated_delay=_estimated_delay(record, named[1]),
         outcome=outcome,
         reason=reason,
         saturated=met_limits(record, drive.time),
@@ -127,6 +131,7 @@ def failed(test: CommandTest | RtsTest, compensator: str, reason: str) -> Virtua
         peak_error=np.nan,
         building_error=np.nan,
         alpha=np.full(3, np.nan),
+        estimated_delay=np.nan,
         outcome="failed",
         reason=reason,
         saturated=(),
@@ -214,9 +219,22 @@ def _largest(values: np.ndarray) -> float:
     return float(np.max(np.abs(values)))
 
 
-def _mean_alpha(record: LoopRecord, compensator: Compensator) -> np.ndarray:
-    """From the first to the last displacement above the threshold: before and after, rest and noise would count."""
+def _adapting(record: LoopRecord, compensator: Compensator) -> np.ndarray:
+    """Coefficients (n, 3) from the first to the last displacement above the threshold, not at rest."""
     moving = np.flatnonzero(np.abs(record.measured) > getattr(compensator, "threshold", np.inf))
-    if not isinstance(compensator, AdaptiveTimeSeries) or not moving.size:
+    return record.alpha[moving[0] : moving[-1] + 1] if moving.size else record.alpha[:0]
+
+
+def _mean_alpha(record: LoopRecord, compensator: Compensator) -> np.ndarray:
+    found = _adapting(record, compensator)
+    if not isinstance(compensator, AdaptiveTimeSeries) or not len(found):
         return np.full(3, np.nan)
-    return np.asarray(np.mean(record.alpha[moving[0] : moving[-1] + 1], axis=0))
+    return np.asarray(np.mean(found, axis=0))
+
+
+def _estimated_delay(record: LoopRecord, compensator: Compensator) -> float:
+    found = _adapting(record, compensator)
+    if not isinstance(compensator, (AdaptiveTimeSeries, LiveDelay)) or not len(found):
+        return np.nan
+    delay = found[:, 0] if isinstance(compensator, LiveDelay) else found[:, 1] / found[:, 0]
+    return float(np.mean(delay))

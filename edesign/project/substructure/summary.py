@@ -91,8 +91,16 @@ def _test(rts: RtsFile, i: int) -> str:
 
 
 def _runs(rts: RtsFile) -> str:
-    tests, compensators = len(rts.tests), len(rts.compensators)
-    return f"{tests} test{'s' * (tests != 1)} x {compensators} compensator{'s' * (compensators != 1)}" if tests else ""
+    """Tests by other methods have no compensator."""
+    looped = sum(test.kind in ("command", "rts") for test in rts.tests)
+    others = len(rts.tests) - looped
+    found = [f"{_count(looped, 'test')} x {_count(len(rts.compensators), 'compensator')}"] if looped else []
+    found += [f"{_count(others, 'test')} by other methods"] if others else []
+    return ", ".join(found)
+
+
+def _count(number: int, what: str) -> str:
+    return f"{number} {what}{'s' * (number != 1)}"
 
 
 def _called(name: str, kind: str) -> str:

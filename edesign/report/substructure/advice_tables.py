@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-import textwrap
 
 from edesign.report.table import Table, number
-from edesign.report.text import PAPER
+from edesign.report.text import wrapped
 from edesign.substructure.advice.advice import Advice, TestAdvice
 from edesign.substructure.advice.expectation import EFFECTIVE_AMPLITUDE, MOVES_SPECIMEN, ExpectedTest, Linearisation
+from edesign.substructure.advice.transfers import EXACTLY
 from edesign.substructure.advice.unstable_runs import growth_in_words
 
 MODES_SHOWN = 6
+CYCLE, DISCRETE = "LIMIT CYCLE", "DISCRETE ONLY"
+"""Verdicts between stable and unstable."""
 ALMOST_NONE = 5e-6
 """Ratio that two digits of a percent do not show."""
 MOST_LOSS = 10.0
@@ -38,7 +40,7 @@ def modes_table(advice: Advice, test: TestAdvice) -> Table:
     """Return natural modes, the specimen's share of them, and what the rig does at their frequencies."""
     table = Table(
         f"Modes of the structure, test {test.name}",
-        ("mode", "bare [Hz]", "f [Hz]", "damping", "k_E/k", "rig [ms]", "|rig|", "limit [ms]", "factor"),
+        ("mode", "bare [Hz]", "f [Hz]", "damping", "k_E/k", "rig [ms]", "|rig|", "critical [ms]", "factor"),
     )
     for mode in test.modes[:MODES_SHOWN]:
         table.rows.append(
@@ -55,27 +57,23 @@ def modes_table(advice: Advice, test: TestAdvice) -> Table:
             ]
         )
     if len(test.modes) > MODES_SHOWN:
-        table.notes += lines(f"the first {MODES_SHOWN} of {len(test.modes)} modes")
-    table.notes += lines(
+        table.notes += wrapped(f"the first {MODES_SHOWN} of {len(test.modes)} modes")
+    table.notes += wrapped(
         "bare: without the specimen; k_E/k: share of a mode's stiffness that is the specimen's; rig, |rig|: its delay "
-        "and amplitude at f; limit: delay of the force at which the mode grows; factor: over the delay of the rig"
+        "and amplitude at f; critical: delay of the force at which the mode becomes unstable; factor: that over the "
+        "delay of the rig"
     )
-    table.notes += [*lines(_first(test)), *lines(_linearised(test))]
+    table.notes += [*wrapped(_first(test)), *wrapped(_linearised(test))]
     if advice.force_delay > 0.0:
         late = number(advice.force_delay, 3, 1e-3)
-        table.notes += lines(f"the force is late by {late} ms more: its sensor, and half a step if it is held over it")
+        table.notes += wrapped(f"the force is {late} ms later still: its sensor, and half a step if it is held over it")
     return table
-
-
-def lines(text: str) -> list[str]:
-    """Return a text as lines of a page."""
-    return textwrap.wrap(text, PAPER)
 
 
 def _first(test: TestAdvice) -> str:
     if test.first == 0:
-        return "no delay of the force makes a mode grow"
-    return f"*: mode {test.first} goes first, at {number(test.critical_delay, 4, 1e-3)} ms"
+        return "no delay of the force makes a mode unstable"
+    return f"*: mode {test.first} becomes unstable first, at {number(test.critical_delay, 4, 1e-3)} ms"
 
 
 def _linearised(test: TestAdvice) -> str:
@@ -102,28 +100,33 @@ def stability_table(advice: Advice, test: TestAdvice) -> Table:
     """Return verdict and margins of each compensator."""
     table = Table(
         f"Stability with rig and compensator, test {test.name}",
-        ("compensator", "verdict", "gain", "left [ms]", "margin [ms]", "factor", "taken"),
+        ("compensator", "verdict", "gain", "residual [ms]", "margin [ms]", "factor", "modelled as"),
         left=2,
         sentences=6,
     )
     for one in test.expected:
-        table.rows.append([one.compensator, _verdict(one), *_margins(one), _taken(one)])
-    table.notes += lines(
-        "gain: factor on the force that makes it grow; left: delay at the mode that goes first; margin: further delay "
-        "until it goes; factor: (left + margin) / left, left being a main step at least; asked for: "
-        + number(advice.delay_margin, 3)
+        table.rows.append([one.compensator, _verdict(one), *_margins(one), _modelled_as(one)])
+    table.notes += wrapped(
+        "gain: gain margin, the factor on the force that makes the loop unstable; residual: delay that the compensator "
+        "leaves, at the mode that becomes unstable first; margin: further delay until it does; factor: (residual + "
+        "margin) / residual, of which the residual is a main step at least; required: "
+        + f"{number(advice.delay_margin, 3)}; modelled as: the compensator in the linear loop, {EXACTLY} or, if it "
+        "adapts, with the coefficients alpha_0, alpha_1, alpha_2 or the delay to which it converges"
     )
     for one in test.expected:
         if one.stability is not None and not one.stable:
             at = test.linearisation.amplitude
-            table.notes += lines(f'UNSTABLE with "{one.compensator}": {growth_in_words(at, one)}')
+            table.notes += wrapped(f'UNSTABLE with "{one.compensator}": {growth_in_words(at, one)}')
         elif one.stability is not None and not one.stability.stable:
-            table.notes += lines(
-                f'NO MARGIN with "{one.compensator}": stable in main steps, but the continuous loop grows, of which '
-                "margins and errors are told"
+            table.notes += wrapped(
+                f'{DISCRETE} with "{one.compensator}": the loop sampled at main steps is stable, as it is run, but its '
+                "continuous-time model is not, and margins and errors are those of that model"
             )
     if any(one.grows_below > 0.0 for one in test.expected):
-        table.notes += lines("SMALL GROW: stable at the amplitude of the test, but not near rest; see the advice")
+        table.notes += wrapped(
+            f"{CYCLE}: stable at the amplitude of the test, unstable at small amplitude: the specimen keeps vibrating "
+            "at an amplitude in between; see the advice"
+        )
     return table
 
 
@@ -131,8 +134,8 @@ def _verdict(one: ExpectedTest) -> str:
     if not one.stable:
         return "UNSTABLE"
     if one.stability is not None and not one.stability.stable:
-        return "NO MARGIN"
-    return "SMALL GROW" if one.grows_below > 0.0 else "stable"
+        return DISCRETE
+    return CYCLE if one.grows_below > 0.0 else "stable"
 
 
 def _margins(one: ExpectedTest) -> list[str]:
@@ -146,22 +149,25 @@ def _margins(one: ExpectedTest) -> list[str]:
     ]
 
 
-def _taken(one: ExpectedTest) -> str:
-    return f"{one.as_what}; held by its limits" if one.limited else one.as_what
+def _modelled_as(one: ExpectedTest) -> str:
+    return f"{one.modelled_as}; held by its limits" if one.limited else one.modelled_as
 
 
 def damping_table(test: TestAdvice) -> Table:
     """Return the damping that the loop leaves each mode that moves the specimen, beside the simple formula."""
     table = Table(
         f"Damping of the modes in the loop, test {test.name}",
-        ("compensator", "mode", "itself [%]", "in the loop [%]", "error [%]", "-p omega tau/2 [%]"),
+        ("compensator", "mode", "structure [%]", "in the loop [%]", "error [%]", "-p omega tau/2 [%]"),
     )
     for one in test.expected:
         modes = one.stability.modes if one.stability is not None else ()
         for mode in [mode for mode in modes if mode.share >= MOVES_SPECIMEN][:MODES_SHOWN]:
             values = (mode.damping, mode.loop_damping, mode.damping_error, mode.simple_damping_error)
             table.rows.append([one.compensator, str(mode.number), *(_percent(value) for value in values)])
-    table.notes += lines("p: k_E/k; tau: delay of rig, compensator and force at the mode (thesis Eq. 6.6)")
+    table.notes += wrapped(
+        "structure: damping ratio without the delays of the loop; p: k_E/k; tau: delay of rig, compensator and force "
+        "at the mode (thesis Eq. 6.6)"
+    )
     return table
 
 
@@ -178,12 +184,12 @@ def expected_table(advice: Advice) -> Table:
             response = [_percent(one.response_rms), _percent(one.response_peak)]
             name = f"{one.compensator}*" if one.grows_below > 0.0 else one.compensator
             table.rows.append([test.name, name, *tracking, *(response if one.stable else ["grows", "-"])])
-    table.notes += lines(
+    table.notes += wrapped(
         "tracking: measured less target; response: deformation of the damper against the direct analysis; accepted: "
         f"{_percent(advice.response_error)} %; without noise, and as if the rig had no limits"
     )
     if any(one.grows_below > 0.0 for test in advice.tests for one in test.expected):
-        table.notes += lines("*: need not hold, as small motions grow")
+        table.notes += wrapped("*: need not hold, as small motions are unstable")
     return table
 
 
@@ -200,9 +206,9 @@ def needs_table(advice: Advice) -> Table:
                 number(need.force, 4, 1e3) + _used(need.force_use),
             ]
         )
-    table.notes += lines("of the direct analysis or the given target; in brackets: share of the limit of the rig")
+    table.notes += wrapped("of the direct analysis or the given target; in brackets: share of the limit of the rig")
     if too_much := [need.test for need in advice.needs if not need.possible]:
-        table.notes += lines(f"TOO MUCH for the rig: {', '.join(too_much)}")
+        table.notes += wrapped(f"TOO MUCH for the rig: {', '.join(too_much)}")
     return table
 
 
@@ -212,7 +218,7 @@ def conclusion(advice: Advice) -> Table:
     said = [choice, advice.recommendation.reason]
     if advice.abort is not None:
         said.append(f"abort at {number(advice.abort.displacement, 3, 1e-3)} mm: {advice.abort.reason}")
-    return Table("Advice", notes=[line for text in (*said, *advice.warnings) for line in lines(text)])
+    return Table("Advice", notes=[line for text in (*said, *advice.warnings) for line in wrapped(text)])
 
 
 def _used(share: float) -> str:

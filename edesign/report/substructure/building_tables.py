@@ -16,7 +16,7 @@ from edesign.assess.sets import HistorySet
 from edesign.errors import EdesignError
 from edesign.report.archived import archived_project
 from edesign.report.table import Table, number
-from edesign.report.verdict_tables import performance_table
+from edesign.report.verdict_tables import performance_tables
 from edesign.study.kinds import DIRECT
 from edesign.study.plan import ANALYSES
 from edesign.study.warnings import warning_lines
@@ -160,5 +160,5 @@ def _levels(archive: Archive, found: dict[str, list[tuple[str, Group]]]) -> list
         return []
     if project is None:
         return []
-    sets = [HistorySet(f"{test}, {name}", "", {test: group}) for test, name, group in yielding]
-    return [performance_table(sets, frame_members(project))]
+    sets = [HistorySet(name, test, {test: group}) for test, name, group in yielding]
+    return performance_tables(sets, frame_members(project))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from edesign.report.table import Table, number
+from edesign.report.text import wrapped
 from edesign.substructure.compensation.alpha_fit import CUTOFF, filtered
 from edesign.substructure.rig.identify import IdentifiedRig
 from edesign.substructure.rig.rig_fit import RigFit, RigParameter
@@ -22,7 +23,7 @@ def _parameters(found: IdentifiedRig) -> Table:
         table.rows.append(_row(name.replace("_", " "), one))
     table.rows.append(_row("delay of slow motions", fit.low_frequency_delay))
     table.rows.append(["noise of the encoder", number(fit.noise, 3, 1e-6), "-", "um"])
-    table.notes += [found.why, *found.notes]
+    table.notes += [line for text in (found.why, *found.notes) for line in wrapped(text)]
     return table
 
 
@@ -32,14 +33,14 @@ def _row(name: str, one: RigParameter) -> list[str]:
 
 
 def _orders(found: IdentifiedRig) -> Table:
-    columns = ("order", "delay of slow motions [ms]", "left [%]", "independent [%]", "criterion")
+    columns = ("order", "delay of slow motions [ms]", "error [%]", "independent [%]", "criterion")
     table = Table("Orders that were tried", columns)
     for fit, value in zip(found.tried, found.criteria, strict=True):
         table.rows.append(_order_row(fit, value))
-    table.notes.append(
-        "left: root of squared error over squared displacement; independent: share of white noise in it;"
+    table.notes += wrapped(
+        "error: root of squared error over squared displacement; independent: share of white noise in it; criterion: "
+        "Bayesian information criterion (BIC) less that of the best order"
     )
-    table.notes.append("criterion: BIC less that of the best order")
     return table
 
 
@@ -58,5 +59,8 @@ def _alphas(found: IdentifiedRig) -> Table:
     how = (
         f"filtered at {CUTOFF:g} Hz" if filtered(found.step) else f"not filtered, sampled at {1.0 / found.step:.3g} Hz"
     )
-    table.notes.append(f"least squares: {how}, backward differences, as thesis 6.2.3")
+    table.notes += wrapped(
+        f"least squares: {how}, backward differences, as thesis 6.2.3, which make alpha_2 larger by half a sample "
+        "times alpha_1; the terms that a series of three leaves out make alpha_1 smaller for fast motions"
+    )
     return table

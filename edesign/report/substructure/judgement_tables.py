@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 
 from edesign.report.table import Table, number
+from edesign.report.text import wrapped
 from edesign.substructure.indicators import Tracking, definitions
 from edesign.substructure.judgement.judge import Criterion, JudgedResponse, Judgement
 
 _SCALES = {"s": ("ms", 1e-3), "m": ("mm", 1e-3), "m2": ("mm2", 1e-6), "Hz": ("Hz", 1.0), "J": ("J", 1.0)}
-_SHARES = ("nrms", "nrms_root", "maximum_error", "peak_error_mean", "peak_error_largest", "energy_share")
+_SHARES = ("nrms", "nrms_root", "maximum_error", "peak_error_mean", "peak_error_largest", "relative_energy_error")
 _UNTOLD = "not told"
 
 
@@ -22,7 +23,7 @@ def judgement_tables(found: Judgement) -> list[Table]:
     tables = [_tracking(found)]
     if found.response is not None:
         tables += [_response(found.response), _criteria(found)]
-    tables[-1].notes += [found.verdict, *found.notes]
+    tables[-1].notes += [line for text in (found.verdict, *found.notes) for line in wrapped(text)]
     return tables
 
 
@@ -59,7 +60,12 @@ def _tracking(found: Judgement) -> Table:
     table = Table(f"How the specimen followed in {found.source.name}", ("indicator", "value", "unit"))
     for name, (_, unit) in definitions().items():
         table.rows.append([name.replace("_", " "), *_shown(found.tracking, name, unit)])
-    table.notes.append("NRMS: squared errors over squared targets, without a root as thesis Eq. 6.28, and with it")
+    table.notes += wrapped(
+        "nrms: squared errors over squared targets, without a root as thesis Eq. 6.28 prints it, and with it; "
+        "frequency index: frequency evaluation index (Guo et al. 2014); tracking indicator: area enclosed in the "
+        "synchronisation plot, above zero if late (Mercan & Ricles 2007); energy error: work on the specimen less that "
+        "of the structure (Mosqueda et al. 2007), relative to the largest work on the specimen"
+    )
     return table
 
 
@@ -74,7 +80,7 @@ def _shown(found: Tracking, name: str, unit: str) -> tuple[str, str]:
 
 
 def _response(found: JudgedResponse) -> Table:
-    table = Table(f"Response of the structure in {found.test}, {found.driven_by}", ("quantity", "value", "unit"))
+    table = Table(f"Response of the structure in {found.test}", ("quantity", "value", "unit"))
     shares = (
         ("measured displacement against the direct analysis, rms", found.response_error),
         ("its peak", found.peak_error),
@@ -86,7 +92,9 @@ def _response(found: JudgedResponse) -> Table:
     table.rows += [[text, number(100.0 * value, 3), "%"] for text, value in shares]
     critical = "none" if math.isinf(found.critical_delay) else number(found.critical_delay, 4, 1e-3)
     table.rows.append(["critical delay of the loop", critical, "ms"])
-    table.notes.append("law and measured force: both under the measured displacement")
+    table.notes += wrapped(
+        f"ground motion: {found.driven_by}; law and measured force: both under the measured displacement"
+    )
     return table
 
 

@@ -13,6 +13,7 @@ from edesign.report.figures import MEAN, logarithmic, new_figure, save, styled
 from edesign.report.substructure.curves import legend_below
 from edesign.report.substructure.results import BEST, FIRST, NONE, WITHOUT, SubstructureResults, looks
 from edesign.substructure.advice.stability_map import StabilityMap, governing_map
+from edesign.substructure.advice.transfers import EXACTLY
 from edesign.substructure.virtual_tests import VirtualLaboratory
 
 if TYPE_CHECKING:
@@ -72,7 +73,7 @@ def _kinds(laboratory: VirtualLaboratory) -> dict[str, str]:
 
 
 def _caption(test: str, of: StabilityMap) -> str:
-    adaptive = [f"{one.compensator} {one.as_what}" for one in of.regions if one.as_what != "as it is"]
+    adaptive = [f"{one.compensator} {one.modelled_as}" for one in of.regions if one.modelled_as != EXACTLY]
     unstable = [one.compensator for one in of.regions if not of.is_stable(one.compensator)]
     here = f" There it is unstable with {', '.join(unstable)}." if unstable else ""
     frozen = f" Adaptive ones keep what they find in this test ({'; '.join(adaptive)})." if adaptive else ""

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-import textwrap
 from dataclasses import dataclass
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.table import Table, number
-from edesign.report.text import PAPER
+from edesign.report.text import wrapped
 from edesign.substructure.archived import INDICATORS, PLACE
 from edesign.substructure.met_limits import MetLimit, in_words
 
@@ -18,6 +17,17 @@ METHODS = {
     "effective_force": "effective force",
     "shaking_table": "shaking table",
 }
+QUANTITIES = {
+    "response_error": ("response error, rms [%]", 0.01),
+    "amplification": ("largest growth in a step", 1.0),
+    "least_damping": ("least damping ratio [%]", 0.01),
+    "force_ratio": ("force/command, mode 1", 1.0),
+    "added_damping": ("damping added, mode 1 [%]", 0.01),
+    "force_error": ("force error, rms [%]", 0.01),
+    "table_error": ("table error, rms [%]", 0.01),
+    "table_delay": ("delay of the table [ms]", 1e-3),
+}
+"""What tests by other methods show: name with the unit shown, and that unit in SI."""
 ROUNDING = 1e-12
 """Ratios, s and J below it are rounding of a perfect rig."""
 HELD_THERE = "Of the rig: its motion, or the reading of the sensor, was held there; a force was not."
@@ -79,7 +89,7 @@ def substructure_tables(archive: Archive) -> list[Table]:
     notes = [str(line) for line in warned] if isinstance(warned, list) else []
     tables = [_tracking(found), _response(archive, found), _alphas(found), other_methods(archive), rig_limits(found)]
     last = tables[1] if tables[1].rows else tables[0]  # given targets alone have no response
-    last.notes += [line for note in notes for line in textwrap.wrap(note, PAPER)]
+    last.notes += [line for note in notes for line in wrapped(note)]
     return tables
 
 
@@ -89,37 +99,45 @@ def other_methods(archive: Archive) -> Table:
     Raises:
         ArchiveError: a group is damaged.
     """
-    table = Table("Tests by other methods", ("test", "method", "what it shows", "value"), left=3)
+    most = response_error_limit(archive)
+    table = Table("Tests by other methods", ("test", "method", "quantity", "value", "verdict"), left=3, sentences=4)
+    told: list[str] = []
     for test in archive.names(PLACE):
         group = archive.group(f"{PLACE}/{test}").without("time")
         kind = str(group.attributes.get("kind"))
         if kind not in METHODS:
             continue
         cells = [test, METHODS[kind]]
-        for variable in group.variables.values():
-            unit = "" if variable.unit == "1" else f" {variable.unit}"
-            table.rows.append([*cells, variable.long_name, f"{_shown(float(variable.values), 1.0)}{unit}"])
-            cells = ["", ""]
-        told = group.attributes.get("told")
-        words = [str(line) for line in told] if isinstance(told, list) else []
-        if group.attributes["outcome"] != "done":
-            words.insert(0, str(group.attributes["outcome"]))
-        if words:
-            table.notes += textwrap.wrap(f"{test}: {'. '.join(word.rstrip('.') for word in words)}.", PAPER)
+        found = group.variables
+        outcome = str(group.attributes["outcome"])
+        error = float(found["response_error"].values) if "response_error" in found else _NAN
+        verdict = outcome if outcome != "done" else _in_short(error, most)
+        for name in sorted(found, key=lambda name: name != "response_error"):
+            quantity, scale = QUANTITIES.get(name, (found[name].long_name, 1.0))
+            table.rows.append([*cells, quantity, _shown(float(found[name].values), scale), verdict])
+            cells, verdict = ["", ""], ""
+        if not found:
+            table.rows.append([*cells, "-", "-", verdict])
+        lines = group.attributes.get("told")
+        words = [str(line).rstrip(".") for line in lines] if isinstance(lines, list) else []
+        told += wrapped(f"{test}: {'. '.join(words)}.") if words else []
+    if table.rows:
+        table.notes = wrapped(f"rms: root mean square error over that of the direct analysis; {_accepted(most)}")
+    table.notes += told
     return table
 
 
 def _tracking(found: list[Run]) -> Table:
     table = Table(
         "How the specimen followed its target",
-        ("test", "compensator", "NRMS [%]", "root [%]", "late [ms]", "A-1 [%]", "peak [%]", "work [J]"),
+        ("test", "compensator", "NRMS %", "root %", "delay ms", "A-1 %", "peak %", "work J"),
         left=2,
-        notes=[
-            "NRMS: squared errors over squared targets, without a root as Eq. 6.28 of the thesis",
-            "prints it; `root`: with it, as its tables hold. `late`: mean delay of zero crossings.",
-            "A: amplitude by the frequency evaluation index. `peak`: largest error over largest",
-            "target. `work`: what the error feeds into the structure.",
-        ],
+        notes=wrapped(
+            "NRMS: squared errors over squared targets, without a root as thesis Eq. 6.28 prints it; root: with it, as "
+            "the tables of the thesis hold; delay: mean of zero crossings; A: amplitude ratio by the frequency "
+            "evaluation index (Guo et al. 2014); peak: largest error over largest target; work: interface energy "
+            "error, which the tracking error feeds into the structure (Mosqueda et al. 2007)"
+        ),
     )
     for run in found:
         if run.text("outcome") == "done":
@@ -141,18 +159,17 @@ def _tracking(found: list[Run]) -> Table:
 
 
 def _response(archive: Archive, found: list[Run]) -> Table:
-    limit = archive.attributes.get("response_error_limit")
-    most = float(limit) if isinstance(limit, (int, float)) else math.inf
+    most = response_error_limit(archive)
     table = Table(
         "What the test did to the response of the structure",
-        ("test", "compensator", "error rms [%]", "of peak [%]", "storeys [%]", "verdict"),
+        ("test", "compensator", "rms [%]", "peak [%]", "storeys [%]", "verdict"),
         left=2,
         sentences=5,
-        notes=[
-            f"Against the direct analysis of the same structure; at most {100.0 * most:.3g} % are allowed.",
-            "`error rms` and `of peak`: of the damper's deformation. `storeys`: as `error rms`, of the",
-            "drift of the storey where it is largest.",
-        ],
+        notes=wrapped(
+            "rms, peak: errors of the damper's deformation, root mean square and of its largest value, against the "
+            "direct analysis of the same structure; storeys: rms of the drift of the storey where it is largest; "
+            + _accepted(most)
+        ),
     )
     for run in found:
         error = run.value("response_error")
@@ -174,10 +191,24 @@ def _response(archive: Archive, found: list[Run]) -> Table:
 def _verdict(run: Run, error: float, most: float) -> str:
     if run.text("outcome") != "done":
         return f"{run.text('outcome')}: {run.text('reason')}"
-    words = "good" if error <= most else "too wrong"
+    words = _in_short(error, most)
     if limits := run.limits():
         words += f"; it met {in_words([MetLimit(*one) for one in limits])}"
     return words
+
+
+def _in_short(error: float, most: float) -> str:
+    return "good" if error <= most else "too wrong"
+
+
+def response_error_limit(archive: Archive) -> float:
+    """Return the largest error of the response that the file accepts (ratio); infinity: it is not known."""
+    limit = archive.attributes.get("response_error_limit")
+    return float(limit) if isinstance(limit, (int, float)) else math.inf
+
+
+def _accepted(most: float) -> str:
+    return f"accepted: rms up to {100.0 * most:.3g} % (`criteria: response_error`)"
 
 
 def rig_limits(found: list[Run]) -> Table:
@@ -200,15 +231,21 @@ def limit_cells(run: Run) -> list[list[str]]:
 
 def _alphas(found: list[Run]) -> Table:
     table = Table(
-        "Means of the adaptive coefficients while the specimen moves",
-        ("test", "compensator", "alpha_0", "alpha_1 [ms]", "alpha_2 [1e-6 s2]"),
+        "Means of what adaptive compensators find while the specimen moves",
+        ("test", "compensator", "alpha_0", "alpha_1 [ms]", "alpha_2 [1e-6 s2]", "delay [ms]"),
         left=2,
     )
     for run in found:
         values = [run.value(f"mean_alpha_{i}") for i in range(3)]
-        if not any(map(math.isnan, values)):
+        delay = run.value("estimated_delay")
+        if not all(map(math.isnan, (*values, delay))):
             shown = (_shown(value, scale, 5) for value, scale in zip(values, (1.0, 1e-3, 1e-6), strict=True))
-            table.rows.append([run.test, run.compensator, *shown])
+            table.rows.append([run.test, run.compensator, *shown, _shown(delay, 1e-3, 4)])
+    if table.rows:
+        table.notes = wrapped(
+            "command = alpha_0 x + alpha_1 x' + alpha_2 x'' of the target x; delay: estimated delay of the rig, "
+            "alpha_1 / alpha_0 (thesis Eq. 6.15), or that of a live delay"
+        )
     return table
 
 

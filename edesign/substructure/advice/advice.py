@@ -217,5 +217,5 @@ def _candidate(name: str, kind: str, tests: tuple[TestAdvice, ...]) -> Candidate
         error=max(errors, default=math.nan),
         of_response=any(one.stability is not None for one in found),
         cycle_error=max((one.cycle_rms for one in found), default=0.0),
-        reason=next((one.as_what for one in found if not one.stable and one.stability is None), ""),
+        reason=next((one.modelled_as for one in found if not one.stable and one.stability is None), ""),
     )

@@ -113,7 +113,7 @@ class ExpectedTest:
 
     Attributes:
         compensator: its name.
-        as_what: how it was taken, in words.
+        modelled_as: how the linear loop models it, in words.
         stability: verdict and margins; None: the test has no loop, or the compensator is unstable with the rig alone.
         stable: the verdict.
         delay_left: of rig, compensator and force at the mode that goes first, s; NaN: none goes.
@@ -128,7 +128,7 @@ class ExpectedTest:
     """
 
     compensator: str
-    as_what: str
+    modelled_as: str
     stability: LoopStability | None
     stable: bool
     delay_left: float
@@ -330,7 +330,7 @@ class LinearModel:
         if response is not None:
             return self._in_loop(name, compensator, response)
         tracking = _tracking(motion, self._measured(compensator, motion, self.laboratory.file.loop.main_step))
-        said, held = compensator.as_what, compensator.limited
+        said, held = compensator.modelled_as, compensator.limited
         return ExpectedTest(name, said, None, True, nan, math.inf, held, *tracking, nan, nan)
 
     def _in_loop(self, name: str, compensator: CompensatorTransfer, response: DirectResponse) -> ExpectedTest:
@@ -344,7 +344,7 @@ class LinearModel:
             measured = self._measured(compensator, found.target, response.step)
             tracking = _tracking(found.target, measured)
             wrong = response_error(measured, found.direct), peak_error(measured, found.direct)
-        said, held, margin = compensator.as_what, compensator.limited, _margin(verdict, step)
+        said, held, margin = compensator.modelled_as, compensator.limited, _margin(verdict, step)
         if not stable:
             margin = margin[0], 0.0
         return ExpectedTest(name, said, verdict, stable, *margin, held, *tracking, *wrong, sampled=sampled)

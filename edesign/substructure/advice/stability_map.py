@@ -30,14 +30,14 @@ class StableRegion:
 
     Attributes:
         compensator: its name.
-        as_what: how it was taken, in words.
+        modelled_as: how the linear loop models it, in words.
         delays: of the rig, s; intervals (from, to) for each frequency of the map. They reach beyond the map by its
             height, so that lines can be drawn to its edges.
         stable: whether the test as it is does not grow in main steps; None: it has no recursion.
     """
 
     compensator: str
-    as_what: str
+    modelled_as: str
     delays: tuple[tuple[tuple[float, float], ...], ...]
     stable: bool | None = None
 
@@ -135,7 +135,7 @@ def stability_map(model: LinearModel, motion: np.ndarray) -> StabilityMap | None
             left_out.append((name, str(error)))
             continue
         stable = None if sampled is None else sampled.stable
-        regions.append(StableRegion(name, compensator.as_what, delays, stable))
+        regions.append(StableRegion(name, compensator.modelled_as, delays, stable))
     return StabilityMap(
         first.number,
         model.linearisation.amplitude,

@@ -21,6 +21,8 @@ from edesign.substructure.stability.whole import ComplexStiffness
 REST = 1.0
 """s after the end of a history in which it is brought to rest; some hundred times the delay of a rig."""
 _ORDER = {"target": 0, "velocity": 1, "acceleration": 2}
+EXACTLY = "exactly"
+"""How the linear loop models a compensator that is linear itself."""
 
 
 @dataclass(frozen=True)
@@ -30,7 +32,7 @@ class CompensatorTransfer:
     Attributes:
         command: command over the target that it is given.
         force: what it adds to the measured force over that target, N/m; None: nothing.
-        as_what: how it counts here, in words.
+        modelled_as: how the linear loop models it, in words.
         settles: whether it is stable by itself, with the rig where it feeds back what is measured.
         alpha: (3,) coefficients of an adaptive series, 1, s, s2; None: it has none.
         limited: whether limits of the file hold one of them.
@@ -39,7 +41,7 @@ class CompensatorTransfer:
 
     command: Transfer
     force: Transfer | None
-    as_what: str
+    modelled_as: str
     settles: bool = True
     alpha: np.ndarray | None = None
     limited: bool = False
@@ -176,7 +178,7 @@ def of_equation(equation: DifferenceEquation, rig: Transfer, plain: RigTransfer,
         return np.asarray(of_target + (of_command + of_measured) * sent)
 
     added = force if equation.force_terms else None
-    return CompensatorTransfer(command, added, "as it is", settles(equation, plain, step), equation=equation)
+    return CompensatorTransfer(command, added, EXACTLY, settles(equation, plain, step), equation=equation)
 
 
 def _sum(terms: Iterable[Term], signals: Iterable[str], s: np.ndarray, step: float) -> np.ndarray:
@@ -238,7 +240,7 @@ def of_live_delay(
     adapts = peak > described.threshold
     delay = min(max(rig_delay, least), largest) if adapts else described.delay
     command = live_delay_command(described.order, delay)
-    how = "with a found delay of" if adapts else "never adapts, below its threshold: a delay of"
+    how = "converged: a delay of" if adapts else "never adapts, below its threshold: a delay of"
     said, limited = f"{how} {1e3 * delay:.4g} ms", adapts and delay != rig_delay
     equation = DifferenceEquation(tuple(_between_steps(described.order, delay / step)))
     return CompensatorTransfer(command, None, said, limited=limited, equation=equation)

@@ -104,7 +104,7 @@ def growth_in_words(amplitude: float, found: ExpectedTest) -> str:
         at = f" at {sampled.frequency:.4g} Hz" if growth <= 0.0 else ""
         growth = sampled.growth
     if growth <= 0.0:
-        return "motions grow in main steps" if sampled is not None and not sampled.stable else found.as_what
+        return "motions grow in main steps" if sampled is not None and not sampled.stable else found.modelled_as
     said = (
         f"motions of {1e3 * amplitude:.3g} mm grow by {growth:.3g} per second{at}, {DIVERGED:g} times in "
         f"{math.log(DIVERGED) / growth:.3g} s"

@@ -20,6 +20,10 @@ def fitted_alpha(command: np.ndarray, displacement: np.ndarray, step: float) -> 
     Both channels go through the same filter; derivatives are backward differences (Eq. 6.17), and all samples count
     alike (Eq. 6.13). A record sampled too slowly for the filter goes without it.
 
+    With a step T and a_j of the series of the inverse rig, alpha_1 = a_1 - (a_3 + T alpha_2) m_4/m_2 and alpha_2 = a_2
+    + alpha_1 T/2. The moments m_j are the integrals of omega^j S(omega) of the displacement. So differences make
+    alpha_2 larger by half a step times alpha_1. Of alpha_1 more is lost to the terms that the series leaves out.
+
     Args:
         command: (n,) m.
         displacement: (n,) m.

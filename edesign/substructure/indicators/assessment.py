@@ -1,4 +1,4 @@
-"""All tracking indicators of a test in one object."""
+"""All indicators of tracking of a test in one object."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from edesign.substructure.indicators.channels import channel, time_step
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.crossing_delay import crossing_delay
 from edesign.substructure.indicators.frequency_index import equivalent_frequency, frequency_index
-from edesign.substructure.indicators.interface_energy import energy_error, energy_share
+from edesign.substructure.indicators.interface_energy import energy_error, relative_energy_error
 from edesign.substructure.indicators.peaks import peak_errors
 from edesign.substructure.indicators.synchronisation import tracking_indicator
 from edesign.substructure.indicators.tracking_error import maximum_error, nrms, nrms_root
@@ -70,7 +70,7 @@ class Tracking:
         "work on the specimen less that of the structure, above zero if the rig feeds it (Mosqueda et al. 2007)",
         "J",
     )
-    energy_share: float = _indicator("energy error over the largest work done on the specimen", "1")
+    relative_energy_error: float = _indicator("energy error over the largest work done on the specimen", "1")
     untold: dict[str, str] = field(default_factory=dict)
 
 
@@ -92,7 +92,7 @@ def tracking(
     applied: ArrayLike | None = None,
     threshold: float | None = None,
 ) -> Tracking:
-    """All tracking indicators of a test.
+    """All indicators of tracking of a test.
 
     Args:
         target: x_t (n,), m.
@@ -143,7 +143,9 @@ def tracking(
         peaks=errors.errors.size if errors else 0,
         tracking_indicator=float(tracking_indicator(x_t, x_m)[-1]),
         energy_error=_number(lambda: float(energy_error(_given(f), x_t, x_m, applied)[-1]), why, "energy_error"),
-        energy_share=_number(lambda: energy_share(_given(f), x_t, x_m, applied), why, "energy_share"),
+        relative_energy_error=_number(
+            lambda: relative_energy_error(_given(f), x_t, x_m, applied), why, "relative_energy_error"
+        ),
         untold=why,
     )
 

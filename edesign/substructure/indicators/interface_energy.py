@@ -63,15 +63,17 @@ def energy_error(
     return work_along(f, x_m) - work_along(given, x_t)
 
 
-def energy_share(force: ArrayLike, target: ArrayLike, measured: ArrayLike, applied: ArrayLike | None = None) -> float:
+def relative_energy_error(
+    force: ArrayLike, target: ArrayLike, measured: ArrayLike, applied: ArrayLike | None = None
+) -> float:
     """Energy error at the end over the largest work done on the specimen; arguments and InputError: as `energy_error`.
 
     Raises:
         Untold: no work is done on the specimen, or it gives out more than it took, as with a force of wrong sign.
     """
     error = float(energy_error(force, target, measured, applied)[-1])
-    taken = work(force, measured)
-    most, least = float(np.max(taken)), float(np.min(taken))
+    done = work(force, measured)
+    most, least = float(np.max(done)), float(np.min(done))
     if -least > most:
         raise Untold("the specimen gives out more energy than it took: the force may have the wrong sign")
     if most == 0.0:

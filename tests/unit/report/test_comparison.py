@@ -209,7 +209,7 @@ def test_blocks_fit_a_terminal_and_bars_are_told(tmp_path: Path) -> None:
     tables = block_tables(comparison, bars=True)
     text = "\n".join(plain(table) for table in tables)
     assert max(len(line) for table in tables for line in plain(table).splitlines()[1:] if table.columns) <= 80
-    assert "5 out" in text and "10 in" in text and "misprint" in text
+    assert "5 NOT met" in text and "10 met" in text and "misprint" in text
     assert "15 reference values, 11 of them found" in text and "9 of them have a bar, 3 are" in text
 
 

@@ -104,17 +104,27 @@ def test_an_order_may_be_asked_for(tmp_path: Path) -> None:
         identify(tmp_path / "open_loop.csv", 3)
 
 
-def test_alpha_of_a_record_is_that_of_the_inverse_rig() -> None:
-    """Without noise: backward differences of 2 ms are late by 1 and 2 ms, which the alphas of x', x'' make good.
+@pytest.mark.parametrize("rig", [THESIS, rigs.pure_delay(0.01)], ids=["second order", "delay"])
+@pytest.mark.parametrize("step", [0.5e-3, 1e-3, 2e-3])
+def test_alpha_of_a_record_is_that_of_the_inverse_rig(rig: RigTransfer, step: float) -> None:
+    """Closed form of the least squares: the inverse rig over i omega against alpha_0 + alpha_1 D + alpha_2 D^2, with
+    D = (1 - exp(-i omega T))/T = i omega + omega^2 T/2 - ..., by real and imaginary parts.
 
-    a2 is short by a1 times half a step, and differs by what the series leaves out at 5 Hz.
+    The imaginary part gives alpha_1 = a_1 - (a_3 + T alpha_2) m_4/m_2, the real one alpha_2 = a_2 + alpha_1 T/2. A
+    command that is linear between samples has 1 - (omega T)^2/12 of its amplitude, which is T^2/12 of alpha_2. Higher
+    terms are left out: of alpha_1 the part (omega a_1)^2 of its loss, 10 % at 5 Hz; of alpha_2 up to a_4 omega^2.
     """
-    _, u = command()
-    a0, a1, a2 = fitted_alpha(u, rig_response(THESIS, u, STEP), STEP)
-    exact = THESIS.inverse_series(2)
+    t, u = command(step=step)
+    x = rig_response(rig, u, step)
+    a0, a1, a2 = fitted_alpha(u, x, step)
+    exact = rig.inverse_series(4)
+    omega, density = 2.0 * np.pi * np.fft.rfftfreq(t.size, step), np.abs(np.fft.rfft(x)) ** 2
+    moments = float(np.sum(omega**4 * density) / np.sum(omega**2 * density))
+    loss = (exact[3] + step * a2) * moments
     assert a0 == pytest.approx(exact[0], abs=1e-3)
-    assert a1 == pytest.approx(exact[1], abs=0.5e-3)
-    assert a2 == pytest.approx(exact[2] + 0.5 * STEP * exact[1], rel=0.2)
+    assert a1 == pytest.approx(exact[1] - loss, abs=0.1 * loss)
+    expected = exact[2] + 0.5 * step * a1 - step**2 / 12.0
+    assert a2 == pytest.approx(expected, abs=abs(exact[4]) * (2.0 * np.pi * 5.0) ** 2)
 
 
 def test_the_rig_file_is_read_as_the_same_rig(tmp_path: Path) -> None:

@@ -19,7 +19,7 @@ from edesign.substructure.indicators import Tracking, Untold, definitions, track
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.crossing_delay import crossing_delay
 from edesign.substructure.indicators.frequency_index import equivalent_frequency, frequency_index
-from edesign.substructure.indicators.interface_energy import energy_error, energy_share
+from edesign.substructure.indicators.interface_energy import energy_error, relative_energy_error
 from edesign.substructure.indicators.peaks import peak_errors
 from edesign.substructure.indicators.synchronisation import tracking_indicator
 from edesign.substructure.indicators.tracking_error import nrms, nrms_root
@@ -237,7 +237,7 @@ def test_energy_of_a_spring_and_of_a_dashpot() -> None:
     assert energy_error(viscous, x_t, x_m)[-1] == pytest.approx(taken * (1.0 - math.cos(omega * delay)), rel=1e-8)
     # the force that a perfect prediction gives the structure is that of its target: nothing is fed after whole cycles
     assert energy_error(k * x_m, x_t, x_m, k * x_t)[-1] == pytest.approx(0.0, abs=1e-9 * fed)
-    assert energy_share(viscous, x_t, x_m) == pytest.approx(1.0 - math.cos(omega * delay), rel=1e-8)
+    assert relative_energy_error(viscous, x_t, x_m) == pytest.approx(1.0 - math.cos(omega * delay), rel=1e-8)
     both = tracking(x_t, x_m, STEP, k * x_m + viscous)
     assert both.energy_error == pytest.approx(fed + taken * (1.0 - math.cos(omega * delay)), rel=1e-8)
 
@@ -246,7 +246,7 @@ def test_a_force_of_wrong_sign_has_no_share_of_energy() -> None:
     t = whole_cycles(2.0, 4)
     x = sine(t, 2.0)
     found = tracking(x, sine(t, 2.0, 0.01), STEP, -1e5 * np.gradient(x, STEP))
-    assert math.isnan(found.energy_share) and "wrong sign" in found.untold["energy_share"]
+    assert math.isnan(found.relative_energy_error) and "wrong sign" in found.untold["relative_energy_error"]
 
 
 def numbers(found: Tracking) -> dict[str, float]:
@@ -270,7 +270,7 @@ DELAYS = {
     "peak_error_mean",
     "peak_error_largest",
 }
-ENERGIES = {"energy_error", "energy_share"}
+ENERGIES = {"energy_error", "relative_energy_error"}
 SIZES = {"nrms", "nrms_root", "maximum_error"}
 
 
@@ -285,9 +285,9 @@ def test_a_channel_of_zeros_or_of_one_value() -> None:
     x, zero = sine(t, 2.0), np.zeros(t.size)
     assert untold(tracking(zero, zero, STEP)) == DELAYS | ENERGIES | SIZES | {"equivalent_frequency"}
     stuck = tracking(x, np.full(t.size, 0.3e-3), STEP, x)
-    assert untold(stuck) == DELAYS | {"energy_share"}
+    assert untold(stuck) == DELAYS | {"relative_energy_error"}
     assert stuck.untold["correlation_delay"] == "the measured channel is constant"
-    assert stuck.untold["energy_share"] == "no work is done on the specimen"
+    assert stuck.untold["relative_energy_error"] == "no work is done on the specimen"
     dead = tracking(x, zero, STEP, zero)
     assert dead.nrms_root == 1.0 and dead.maximum_error == 1.0 and dead.energy_error == 0.0
 

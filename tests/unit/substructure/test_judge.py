@@ -193,7 +193,7 @@ def test_a_perfect_smith_prediction_is_a_good_test(tmp_path: Path) -> None:
     found = judge(tmp_path / "ground_smith.csv", chosen)
     assert found.response is not None and results.direct is not None and predicted.record is not None
     assert found.response.reproduced < 1e-6 and found.response.target_error < 0.02
-    assert found.tracking.energy_share == pytest.approx(0.0, abs=0.02)
+    assert found.tracking.relative_energy_error == pytest.approx(0.0, abs=0.02)
     law = 6e6 * predicted.record.target + 1e5 * predicted.record.target_velocity
     assert np.max(np.abs(predicted.record.applied_force - law)) < 0.02 * np.max(np.abs(law))
     lines = [line.rsplit(",", 1)[0] for line in (tmp_path / "ground_smith.csv").read_text().splitlines()]

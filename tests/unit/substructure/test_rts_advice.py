@@ -224,7 +224,7 @@ def test_a_controller_that_is_unstable_with_the_rig_alone() -> None:
     wild = "wild: {kind: pi_phase_lead, proportional: 4, integral: 90 /s, lead: 9 ms, lag: 0.5 ms}\nnone: {kind: none}"
     advice, laboratory = advice_of(command_file("{kind: delay, delay: 12 ms}", wild))
     expected = advice.tests[0].expected[0]
-    assert not expected.stable and expected.as_what == "unstable with the rig alone"
+    assert not expected.stable and expected.modelled_as == "unstable with the rig alone"
     assert advice.recommended == "none"
     run = only_results(laboratory).runs[0]
     assert run.outcome != "done" or (run.record is not None and np.max(np.abs(run.record.measured)) > 1.0)
@@ -358,8 +358,8 @@ def test_a_limit_cycle_counts_as_an_error() -> None:
 def test_an_adaptive_compensator_stays_as_it_begins_below_its_threshold() -> None:
     two = "live: {kind: live_delay, delay: 5 ms, threshold: 6 mm}\nats: {kind: ats, threshold: 6 mm}"
     live, series = advice_of(command_file("{kind: delay, delay: 12 ms}", two))[0].tests[0].expected
-    assert live.as_what == "never adapts, below its threshold: a delay of 5 ms"
-    assert series.as_what == "never adapts, below its threshold: 1, 10 ms, 60e-6 s2"
+    assert live.modelled_as == "never adapts, below its threshold: a delay of 5 ms"
+    assert series.modelled_as == "never adapts, below its threshold: 1, 10 ms, 60e-6 s2"
 
 
 def test_without_structure_the_best_tracking_is_taken() -> None:
@@ -381,7 +381,7 @@ def test_a_live_delay_counts_as_its_polynomial() -> None:
     two = "live: {kind: live_delay, delay: 5 ms}\ncubic: {kind: polynomial, delay: 12 ms}"
     live, cubic = advice_of(command_file("{kind: delay, delay: 12 ms}", two))[0].tests[0].expected
     assert live.tracking_rms == pytest.approx(cubic.tracking_rms, rel=1e-6)
-    assert live.as_what == "with a found delay of 12 ms"
+    assert live.modelled_as == "with a found delay of 12 ms"
 
 
 def test_without_a_test_nothing_is_recommended() -> None:

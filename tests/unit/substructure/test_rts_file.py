@@ -175,7 +175,7 @@ def test_file_kind_and_summary(tmp_path: Path) -> None:
     path.write_text(FULL, encoding="utf-8")
     assert kind_of(path) == SUBSTRUCTURE_TESTS
     lines = summary(load_rts_file(path))
-    assert lines["runs"] == "8 tests x 13 compensators" and "21.4 Hz" in lines["rig"]
+    assert lines["runs"] == "5 tests x 13 compensators, 3 tests by other methods" and "21.4 Hz" in lines["rig"]
     assert "tested: mgmm at 20 degC" in lines["specimen"] and "el_centro x 0.18" in lines["tests"]
     assert "1 unseen" in lines["loop"] and "`S_1_1`" in lines["structure"]
     inline = summary(rts(INLINE))

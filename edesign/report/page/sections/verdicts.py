@@ -7,7 +7,7 @@ from edesign.assess.members import frame_members
 from edesign.report.page.section import Headline, Section
 from edesign.report.page.source import Source
 from edesign.report.table import Table
-from edesign.report.verdict_tables import objectives_table, performance_table, verdicts_table
+from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_table
 
 
 def judged(source: Source) -> tuple[tuple[Verdict, ...], list[Table]]:
@@ -45,5 +45,5 @@ def performance(source: Source) -> Section:
     title = "Performance levels"
     if source.project is None or not any(found.completed for found in source.sets):
         return Section("performance", title)
-    table = performance_table(source.sets, frame_members(source.project))
-    return Section("performance", title, (), (table,))
+    tables = performance_tables(source.sets, frame_members(source.project))
+    return Section("performance", title, (), tuple(tables))
