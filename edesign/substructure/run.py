@@ -6,6 +6,8 @@ import os
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
+
 from edesign.archive.csv_files import write_csv_file
 from edesign.archive.dataset import Group
 from edesign.archive.files import make_folder, source_file
@@ -22,6 +24,7 @@ from edesign.study.provenance import circumstances, versions
 from edesign.substructure.advice.unstable_runs import with_unstable_loops
 from edesign.substructure.archived import INDICATORS, PLACE, building_name, groups, indicators, method_group
 from edesign.substructure.judgement.measured import APPLIED_FORCE, HEADERS
+from edesign.substructure.methods import MethodRecord, PseudoDynamicRecord
 from edesign.substructure.methods.method_tests import MethodResults
 from edesign.substructure.virtual_test import VirtualTest
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory
@@ -56,7 +59,7 @@ def run_tests(
     root = _root(file, path)
     gone = check_owner(path, root, overwrite)
     if gone:
-        tell(f"replacing {path}, of which {listed(gone, 5)} stand no longer in {file.path.name}")
+        tell(f"replacing {path}, which has {listed(gone, 5)} that {file.path.name} no longer asks for")
     laboratory = VirtualLaboratory(file)
     names = _csv_names(laboratory) if csv_folder is not None else {}
     _ = laboratory.drives  # what is wrong with records and commands is told before anything is written
@@ -82,7 +85,10 @@ def run_tests(
                         write_run(run, csv_folder / names[run.test, run.compensator])
                 found.append(results)
             for other in laboratory.run_others(begin, stop.is_set):
-                writer.write(f"{PLACE}/{other.name}", method_group(other, laboratory.drives[other.name].time))
+                time = laboratory.drives[other.name].time
+                writer.write(f"{PLACE}/{other.name}", method_group(other, time))
+                if csv_folder is not None and other.record is not None:
+                    write_method(other.record, time, csv_folder / names[other.name, ""])
                 others.append(other)
             writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
             warnings += dict.fromkeys(text for results in found for run in results.runs for text in run.warnings)
@@ -113,24 +119,48 @@ def write_run(run: VirtualTest, path: Path) -> None:
     write_csv_file(headers, zip(*(column.tolist() for column in columns), strict=True), path, digits=9)
 
 
+def write_method(record: MethodRecord, time: np.ndarray, path: Path) -> None:
+    """Write a test by another method as CSV: time of the earthquake, target if it has one, displacement, force.
+
+    Args:
+        record: of the test.
+        time: (n,) s, of the earthquake.
+        path: of the CSV file.
+
+    Raises:
+        ArchiveError: it cannot be written.
+    """
+    channels = {"time_s": time[: record.deformation.size]}
+    if isinstance(record, PseudoDynamicRecord):
+        channels["target_mm"] = 1e3 * record.target
+    channels |= {"displacement_mm": 1e3 * record.deformation, "force_kN": 1e-3 * record.damper_force}
+    columns = [one.tolist() for one in channels.values()]
+    write_csv_file(list(channels), zip(*columns, strict=True), path, digits=9)
+
+
 def _csv_names(laboratory: VirtualLaboratory) -> dict[tuple[str, str], str]:
-    """Name of the CSV file of each run, by test and compensator; `judge` finds the test by it.
+    """Name of the CSV file of each run, by test and compensator ("" of other methods); `judge` finds the test by it.
 
     Raises:
         InputError: two runs have one.
     """
     names: dict[tuple[str, str], str] = {}
     runs: dict[str, tuple[str, str]] = {}
-    for run in ((test.name, compensator) for test in laboratory.tests for compensator in laboratory.compensators):
-        names[run] = name = "{}_{}.csv".format(*run)
+    all_runs = [(test.name, compensator) for test in laboratory.tests for compensator in laboratory.compensators]
+    for run in (*all_runs, *((test.name, "") for test in laboratory.others)):
+        names[run] = name = f"{'_'.join(part for part in run if part)}.csv"
         if name in runs:
-            (test, compensator), other = run, runs[name]
             raise InputError(
-                f"{laboratory.file.path}: {name} would be both test {other[0]} with {other[1]} and test {test} with "
-                f"{compensator}; rename one of the tests or compensators, or run without CSV files"
+                f"{laboratory.file.path}: {name} would be both {_called(runs[name])} and {_called(run)}; rename one of "
+                "the tests or compensators, or run without CSV files"
             )
         runs[name] = run
     return names
+
+
+def _called(run: tuple[str, str]) -> str:
+    test, compensator = run
+    return f"test {test} with {compensator}" if compensator else f"test {test}"
 
 
 def _planned(file: RtsFile) -> list[str]:
