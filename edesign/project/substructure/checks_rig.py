@@ -7,9 +7,11 @@ import math
 import numpy as np
 
 from edesign.project.problems import Keys, Problems
-from edesign.project.substructure.rig import RigInFile, RigModel, ServoHydraulicRig, TransferFunctionRig
+from edesign.project.substructure.rig import RigFile, RigInFile, RigModel, ServoHydraulicRig, TransferFunctionRig
 from edesign.project.substructure.rts_file import RtsFile
 
+COVARIANCE_ROUNDING = 1e-6
+"""Of correlations that are written with ten digits, and of their sums, with a margin for files written by hand."""
 LONGEST_STEP = 0.1
 """Of the loop, s."""
 
@@ -28,6 +30,30 @@ def check_plant(rig: RigModel, keys: Keys, problems: Problems) -> None:
         missing = "velocity" if rig.limits.velocity is None else "force"
         message = "this key is missing; the flow through a valve falls with the force, so both limits belong together"
         problems.under((*keys, "limits"), missing, message)
+
+
+def check_covariance(file: RigFile, problems: Problems) -> None:
+    """Check that the covariance of a rig file is one, of numbers of its rig."""
+    if file.covariance is None:
+        return
+    names, rows, keys = list(file.standard_errors), file.covariance, ("covariance",)
+    strangers = [name for name in names if not isinstance(getattr(file.rig, name, None), float)]
+    if strangers:
+        problems.at_key(("standard_errors", strangers[0]), f"a {file.rig.kind} rig has no such number")
+        return
+    if len(rows) != len(names) or any(len(row) != len(names) for row in rows):
+        widths = ", ".join(str(len(row)) for row in rows) or "no"
+        problems.at_value(
+            keys, f"{len(rows)} rows of {widths} numbers; of {len(names)} standard errors {len(names)} x {len(names)}"
+        )
+        return
+    matrix = np.array(rows)
+    size = np.sqrt(np.abs(np.diag(matrix)))
+    scaled = matrix / np.outer(np.where(size > 0.0, size, 1.0), np.where(size > 0.0, size, 1.0))
+    if not np.allclose(scaled, scaled.T, rtol=0.0, atol=COVARIANCE_ROUNDING):
+        problems.at_value(keys, "a covariance is symmetric")
+    elif np.any(np.diag(matrix) < 0.0) or float(np.linalg.eigvalsh(scaled)[0]) < -COVARIANCE_ROUNDING:
+        problems.at_value(keys, "this is no covariance: it gives a combination of the values a variance below zero")
 
 
 def _transfer_function(rig: TransferFunctionRig, keys: Keys, problems: Problems) -> None:

@@ -12,7 +12,14 @@ from edesign.project.problems import FileProblems, Problems
 from edesign.project.project import Project
 from edesign.project.sections import Catalogue
 from edesign.project.substructure.checks_compensators import check_compensators
-from edesign.project.substructure.checks_rig import check_loop, check_noise, check_plant, check_sensors, check_sub_steps
+from edesign.project.substructure.checks_rig import (
+    check_covariance,
+    check_loop,
+    check_noise,
+    check_plant,
+    check_sensors,
+    check_sub_steps,
+)
 from edesign.project.substructure.checks_specimen import check_specimen
 from edesign.project.substructure.checks_structure import check_structure
 from edesign.project.substructure.checks_tests import check_tests
@@ -74,6 +81,7 @@ def read_rig_file(path: Path | str) -> RigFile:
     )
     if found is not None:
         check_plant(found.rig, ("rig",), problems)
+        check_covariance(found, problems)
     if found is None or problems.found:
         raise RtsFileError(path, problems.found)
     return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Discriminator, Field, FiniteFloat, Tag
 
 from edesign.project.base import Model, by_key
 from edesign.project.substructure.quantities import (
@@ -145,11 +145,13 @@ class RigFile(Model):
     """A rig file, as `edesign rts identify` writes it.
 
     `alpha` are the coefficients a0 (-), a1 (s), a2 (s2) that turn its displacement into its command; `encoder_noise` is
-    in m. `standard_errors` say how sure the values are, `source` what they come from.
+    in m. `standard_errors` say how sure the values are, and `covariance` how their errors go together: in SI, rows and
+    columns in the order of `standard_errors`. `source` says what they come from.
     """
 
     rig: RigModel
     alpha: Alpha | None = None
     encoder_noise: NoNegativeLength | None = None
     standard_errors: dict[str, Any] = {}
+    covariance: tuple[tuple[FiniteFloat, ...], ...] | None = None
     source: str = ""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -17,17 +17,25 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 POINTS = 400
+SIGMAS = 2.0
+"""Standard deviations to either side in a band: 95 % of normal errors lie in it."""
 QUARTERS = 45.0  # degrees from one tick to the next
+
+Deviations = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
 @dataclass(frozen=True)
 class Path:
-    """A line: its label, the transfer function over s, a colour, and the style."""
+    """A line: its label, the transfer function over s, a colour, the style, and how sure it is.
+
+    `deviations` gives the standard deviations of amplitude (ratio of it) and phase (rad) at omega; None: not known.
+    """
 
     label: str
     transfer: Transfer
     color: str
     style: str = "-"
+    deviations: Deviations | None = None
 
 
 @styled
@@ -62,6 +70,16 @@ def bode_figure(
         phase = np.unwrap(np.angle(found))
         for (axis,), values in zip(axes, (np.abs(found), np.degrees(phase), -1e3 * phase / omega), strict=False):
             axis.plot(frequency, values, color=path.color, lw=width, ls=path.style, zorder=3.2 - 0.2 * width)
+        if path.deviations is not None:
+            of_amplitude, of_phase = (SIGMAS * one for one in path.deviations(omega))
+            factor, degrees, late = np.exp(of_amplitude), np.degrees(of_phase), 1e3 * of_phase / omega
+            bands = (
+                (np.abs(found) / factor, np.abs(found) * factor),
+                (np.degrees(phase) - degrees, np.degrees(phase) + degrees),
+                (-1e3 * phase / omega - late, -1e3 * phase / omega + late),
+            )
+            for (axis,), edges in zip(axes, bands, strict=False):
+                axis.fill_between(frequency, *edges, color=path.color, alpha=0.25, lw=0.0, zorder=1.5)
     for (axis,), level, label in zip(axes, (1.0, 0.0, 0.0), labels, strict=False):
         axis.axhline(level, color=MEAN, lw=0.5, ls="--")
         for line in lines:

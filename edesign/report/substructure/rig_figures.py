@@ -9,8 +9,9 @@ import numpy as np
 
 from edesign.errors import EdesignError
 from edesign.project.substructure.compensators import AtsCompensator, LiveDelayCompensator, ModifiedAtsCompensator
+from edesign.project.substructure.rig import RigFile
 from edesign.report.captions import plain
-from edesign.report.substructure.bode import Path, bode_figure
+from edesign.report.substructure.bode import SIGMAS, Deviations, Path, bode_figure
 from edesign.report.substructure.results import FIRST, NONE, WITHOUT, SubstructureResults, looks
 from edesign.substructure.advice.transfers import (
     CompensatorTransfer,
@@ -20,6 +21,7 @@ from edesign.substructure.advice.transfers import (
     series_command,
 )
 from edesign.substructure.rig.rigs import RigTransfer
+from edesign.substructure.rig.uncertainty import transfer_deviations
 from edesign.substructure.stability.loop import Transfer, phase_delay
 
 if TYPE_CHECKING:
@@ -45,10 +47,29 @@ def rig_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure
     caption = (
         "Displacement over target. Above the amplitude, in the middle the phase, below what a sine comes late by."
         f"{marked} At {plain(at)} Hz late: {'; '.join(times)}. Adaptive compensators stand with the means of their "
-        f"coefficients, a live delay with what it had found at the end.{left}"
+        f"coefficients, a live delay with what it had found at the end.{left}{_band(paths[0], at)}"
     )
     highest = min(TO, 0.5 / described.file.loop.main_step)
     yield "rig", caption, bode_figure(paths, lines, (FROM, highest), ("amplitude (–)", "phase (degrees)", "delay (ms)"))
+
+
+def _deviations(file: RigFile | None) -> Deviations | None:
+    """How sure an identified rig is; None: it was not identified, or its file does not say."""
+    if file is None or file.covariance is None:
+        return None
+    return lambda omega: transfer_deviations(file, omega)
+
+
+def _band(rig: Path, at: float) -> str:
+    """What the band of the rig is, in words."""
+    if rig.deviations is None:
+        return ""
+    omega = 2.0 * np.pi * at
+    amplitude, phase = (SIGMAS * float(one[0]) for one in rig.deviations(np.array([omega])))
+    return (
+        f" The band of the rig is {plain(SIGMAS)} standard deviations of its identification to either side: at "
+        f"{plain(at)} Hz {plain(100.0 * amplitude)} % of the amplitude and {plain(1e3 * phase / omega)} ms."
+    )
 
 
 def _paths(results: SubstructureResults, rig: RigTransfer) -> tuple[list[Path], list[tuple[str, str]]]:
@@ -58,7 +79,7 @@ def _paths(results: SubstructureResults, rig: RigTransfer) -> tuple[list[Path], 
     loaded = results.linearised.rig if results.linearised is not None else rig
     best = next((results.best(test) for test in sorted(results.tests, key=results.is_closed, reverse=True)), None)
     chosen = looks({name: one.kind for name, one in file.compensators.items()}, best)
-    paths, without = [Path(WITHOUT, loaded, FIRST)], []
+    paths, without = [Path(WITHOUT, loaded, FIRST, deviations=_deviations(file.rig_file))], []
     for name, described in file.compensators.items():
         if described.kind == NONE:
             continue

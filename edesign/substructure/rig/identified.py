@@ -24,6 +24,7 @@ def rig_file_text(found: IdentifiedRig) -> str:
         "alpha": [_rounded(a0), f"{_rounded(1e3 * a1)} ms", f"{_rounded(a2)} s^2"],
         "encoder_noise": f"{_rounded(1e6 * chosen.noise)} um",
         "standard_errors": {name: _text(_error(one)) for name, one in chosen.parameters.items()},
+        "covariance": [[float(f"{value:.10g}") for value in row] for row in chosen.covariance],
         "source": f"{found.source.name}: {found.samples} samples in {found.step * found.samples:.4g} s; {found.why}",
     }
     return yaml.safe_dump(data, sort_keys=False, default_flow_style=None, width=1000, allow_unicode=True)
@@ -54,6 +55,7 @@ def _fit_data(fit: RigFit) -> dict[str, Any]:
             name: {"value": one.value, "standard_error": one.standard_error, "unit": one.unit}
             for name, one in numbers.items()
         },
+        "covariance": fit.covariance.tolist(),
         "offset": fit.offset,
         "encoder_noise": fit.noise,
         "left": fit.left,

@@ -66,6 +66,7 @@ class RigFit:
         order: of the denominator.
         transfer: displacement over command.
         parameters: `delay`, `gain`, and `time_constant`, or `frequency` and `damping`.
+        covariance: of the parameters (p, p), in their order, SI.
         low_frequency_delay: of slow motions, s.
         offset: of the displacement channel, m.
         noise: standard deviation of what is left, m.
@@ -76,6 +77,7 @@ class RigFit:
     order: int
     transfer: RigTransfer
     parameters: dict[str, RigParameter]
+    covariance: np.ndarray
     low_frequency_delay: RigParameter
     offset: float
     noise: float
@@ -168,13 +170,14 @@ def fit_rig(record: MeasuredRecord, order: int, correlated: float) -> RigFit:
     gain, offset = _gain_and_offset(made, x)
     residual = x - gain * made - offset
     independent = effective_samples(residual) / x.size
-    errors = _errors(response, values, made, gain, residual, independent)
+    errors, covariance = _errors(response, values, made, gain, residual, independent)
     known = [*zip(shape.names, values, errors, shape.units, strict=False), ("gain", gain, errors[-2], "")]
     unscaled = shape.transfer(values)
     return RigFit(
         order=order,
         transfer=RigTransfer((gain * unscaled.numerator[0],), unscaled.denominator, unscaled.delay),
         parameters={name: RigParameter(float(value), float(error), unit) for name, value, error, unit in known},
+        covariance=covariance,
         low_frequency_delay=RigParameter(unscaled.low_frequency_delay, float(errors[-1]), "s"),
         offset=float(offset),
         noise=float(np.std(residual)),
@@ -198,8 +201,10 @@ def _errors(
     gain: float,
     residual: np.ndarray,
     independent: float,
-) -> list[float]:
-    """Standard errors of the values, of the gain, and of the low-frequency delay; noise counts by independent samples.
+) -> tuple[list[float], np.ndarray]:
+    """Standard errors of values, gain and low-frequency delay, and the covariance of values and gain.
+
+    Noise counts by independent samples.
 
     The low-frequency delay is that of the values: delay + time constant, or delay + damping / (pi frequency).
     """
@@ -222,4 +227,5 @@ def _errors(
     elif len(values) == 3:
         slow[1], slow[2] = -values[2] / (math.pi * values[1] ** 2), 1.0 / (math.pi * values[1])
     own = [math.sqrt(max(float(covariance[i, i]), 0.0)) for i in range(len(values) + 1)]
-    return [*own, math.sqrt(max(float(slow @ covariance @ slow), 0.0))]
+    count = len(values) + 1  # without the offset
+    return [*own, math.sqrt(max(float(slow @ covariance @ slow), 0.0))], covariance[:count, :count]

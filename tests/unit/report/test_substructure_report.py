@@ -153,7 +153,7 @@ def test_captions_have_the_numbers_of_the_archive(archive: Archive) -> None:
     assert 8e-3 < found < 12e-3
     late = float(re.search(r"live ([0-9.-]+) ms", captions["rig"]).group(1))  # type: ignore[union-attr]
     assert late == pytest.approx(2.0, abs=0.3) and "Not shown" not in captions["rig"]  # the step that is not seen
-    assert "live with a found delay of" in captions["stability_map"] and "Not shown" not in captions["stability_map"]
+    assert "live converged: a delay of" in captions["stability_map"] and "Not shown" not in captions["stability_map"]
     assert "The dashed line is the law under the target" in captions["specimen_cycles"]
     assert "The dashed line is the direct analysis" in captions["specimen_shaken"]
 

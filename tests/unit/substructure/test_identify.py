@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -20,6 +21,7 @@ from edesign.substructure.rig.identified import rig_data, rig_file_text
 from edesign.substructure.rig.identify import ACCURACY, identify
 from edesign.substructure.rig.rig_response import rig_response
 from edesign.substructure.rig.rigs import RigTransfer
+from edesign.substructure.rig.uncertainty import transfer_deviations
 
 STEP = 2e-3
 THESIS = rigs.second_order(21.4, 0.4, 4.25e-3, 0.99488)
@@ -246,3 +248,54 @@ def test_the_filter_of_the_alphas_is_told_as_it_was(tmp_path: Path, step: float,
     found = identify(write(tmp_path / "slow.csv", t, u, x))
     (note,) = identified_rig_tables(found)[-1].notes
     assert note.startswith(f"least squares: {says},")
+
+
+def test_the_band_of_a_slow_motion_is_that_of_gain_and_delay(tmp_path: Path) -> None:
+    """At rest a rig is its gain and the delay of slow motions, whose errors the fit has from their own formulas.
+
+    The next terms are (omega / own)^2 = 2e-7 at 0.01 Hz, and slopes over one standard error of the frequency, 2 %, are
+    curved by its square.
+    """
+    path = tmp_path / "rig.yaml"
+    source = record(tmp_path / "open_loop.csv", THESIS)
+    assert main(["rts", "identify", str(source), "--output", str(path)]) == 0
+    fit, file = identify(source).chosen, read_rig_file(path)
+    omega = np.array([2.0 * np.pi * 0.01])
+    amplitude, phase = transfer_deviations(file, omega)
+    gain = fit.parameters["gain"]
+    assert amplitude[0] == pytest.approx(gain.standard_error / gain.value, rel=1e-3)
+    assert phase[0] / omega[0] == pytest.approx(fit.low_frequency_delay.standard_error, rel=0.02)
+
+
+def test_the_band_covers_other_records(tmp_path: Path) -> None:
+    """Amplitude and phase at 3 Hz of eight records: a deviation within a factor of two with 98 % (chi-square of 7)."""
+    s, found, told = np.array([6.0j * np.pi]), [], []
+    path = tmp_path / "rig.yaml"
+    for seed in range(8):
+        fitted = identify(record(tmp_path / "one.csv", THESIS, seed=seed), 2)
+        path.write_text(rig_file_text(fitted), encoding="utf-8")
+        found.append(np.log(fitted.chosen.transfer(s)[0]))
+        told.append(np.ravel(transfer_deviations(read_rig_file(path), s.imag)))
+    scatter = np.std(np.real(found), ddof=1), np.std(np.imag(found), ddof=1)
+    ratios = np.array(scatter) / np.mean(told, axis=0)
+    assert np.all((ratios > 0.5) & (ratios < 2.0)), ratios
+
+
+@pytest.mark.parametrize(
+    ("covariance", "message"),
+    [
+        ("[[1.0]]", "1 rows of 1 numbers; of 2 standard errors 2 x 2"),
+        ("[[1.0, 0.5], [0.2, 1.0]]", "a covariance is symmetric"),
+        ("[[1.0, 2.0], [2.0, 1.0]]", "a variance below zero"),
+        ("[[1.0, .inf], [0.0, 1.0]]", "covariance"),
+    ],
+)
+def test_what_is_no_covariance_is_refused(tmp_path: Path, covariance: str, message: str) -> None:
+    path = tmp_path / "rig.yaml"
+    text = "rig: {kind: delay, delay: 10 ms}\nstandard_errors: {delay: 0.01 ms, gain: 0.001}\n"
+    path.write_text(f"{text}covariance: {covariance}\n", encoding="utf-8")
+    with pytest.raises(InputError, match=re.escape(message)):
+        read_rig_file(path)
+    path.write_text(f"{text.replace('gain', 'mass')}covariance: [[1.0, 0.0], [0.0, 1.0]]\n", encoding="utf-8")
+    with pytest.raises(InputError, match="a delay rig has no such number"):
+        read_rig_file(path)

@@ -381,7 +381,7 @@ def test_a_live_delay_counts_as_its_polynomial() -> None:
     two = "live: {kind: live_delay, delay: 5 ms}\ncubic: {kind: polynomial, delay: 12 ms}"
     live, cubic = advice_of(command_file("{kind: delay, delay: 12 ms}", two))[0].tests[0].expected
     assert live.tracking_rms == pytest.approx(cubic.tracking_rms, rel=1e-6)
-    assert live.modelled_as == "with a found delay of 12 ms"
+    assert live.modelled_as == "converged: a delay of 12 ms"
 
 
 def test_without_a_test_nothing_is_recommended() -> None:
@@ -511,6 +511,6 @@ def test_tables_fit_a_page(
     for advice, _ in (one_storey, three_storeys):
         text = shown(advice)
         assert max(map(len, text.splitlines())) <= 80
-        for said in ("Schnabel", "recommended: ", "abort at ", "-p omega tau/2", "goes first"):
+        for said in ("Schnabel", "recommended: ", "abort at ", "-p omega tau/2", "becomes unstable first"):
             assert said in text
     assert "2*" in shown(three_storeys[0])
