@@ -24,7 +24,8 @@ from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.curves import TOLERANCE, _fewer, window
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
 from edesign.report.substructure.results import SubstructureResults
-from edesign.report.table import Table
+from edesign.report.substructure.tables import other_methods
+from edesign.report.table import number
 from edesign.report.tables import overview
 from edesign.report.text import print_tables
 from edesign.substructure.rig.rigs import second_order
@@ -187,7 +188,7 @@ def test_tables_fit_on_80_columns(archive: Archive) -> None:
     results = SubstructureResults(archive)
     tables = [*overview(archive), limits_table(results), untold_table(results)]
     stream = io.StringIO()
-    print_tables([Table(of.title, of.columns, of.rows, [], of.left, of.sentences) for of in tables], stream)
+    print_tables(tables, stream)
     assert max(map(len, stream.getvalue().splitlines())) <= 80
 
 
@@ -221,11 +222,18 @@ def test_other_methods_have_a_section_and_a_rig_without_specimen_no_loops(tmp_pa
     for name in (*drawn, "interface_energy_slow", "force_pushed", "table_table"):
         assert f'id="figure-{name}"' in page, name
     with open_archive(path) as archive:
+        methods = other_methods(archive)
         captions = {name: caption for name, caption, _ in all_figures(archive)}
         pushed, slow = archive.group("tests/pushed"), archive.group("tests/slow")
     share = 100.0 * float(pushed.variables["force_ratio"].values)
     assert f"natural frequency, arrive {plain(share)} %" in captions["force_pushed"]
     assert ", 100 % of the force" in captions["force_pushed"]
+    error = 100.0 * float(slow.variables["response_error"].values)
+    (row,) = (row for row in methods.rows if row[0] == "slow")
+    assert row[2:] == ["response error, rms [%]", number(error, 3), "good" if error <= 5.0 else "too wrong"]
+    stream = io.StringIO()
+    print_tables([methods], stream)
+    assert max(map(len, stream.getvalue().splitlines())) <= 80
     _check_energy(slow)
     left = ("structure", "specimen", "  cubic", "  live", "  - {name: shaken")
     lines = [line for line in TESTS.replace("RIG", RIG).splitlines(keepends=True) if not line.startswith(left)]

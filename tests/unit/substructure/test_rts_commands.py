@@ -6,10 +6,12 @@ import hashlib
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from edesign.archive.reader import open_archive
 from edesign.cli.main import main
+from edesign.report.substructure.file import archived_tests
 from edesign.report.substructure.tables import runs
 
 MOVED = """\
@@ -148,3 +150,67 @@ def test_rig_and_law_in_files_are_archived_and_count(tmp_path: Path) -> None:
             assert str(held["rig_text"].values) == rig and str(held["law_text"].values) == law
             expected = hashlib.sha256("\n".join((text, rig, law)).encode()).hexdigest()
             assert archive.attributes["rts_checksum"] == expected
+
+
+SHAKEN = """\
+edesign_rts: 1
+structure: {masses: [100 t], stiffnesses: [20 kN/mm], damping: {kind: modal, ratio: 2 %}}
+specimen: {law_file: law.yaml}
+rig: {kind: delay, delay: 4 ms}
+loop: {main_step: 4 ms}
+compensators: {none: {kind: none}, live: {kind: live_delay, delay: 2 ms}}
+records: {shake: {file: shake.csv, acceleration_unit: m/s^2, columns: {time: 1, acceleration: 2}}}
+tests:
+  - {name: quake, kind: rts, record: shake}
+  - {name: slow, kind: pseudo_dynamic, record: shake}
+"""
+LAW = "type: kelvin_voigt\nparameters: {k: 4 kN/mm, c: 100 kN*s/m}\n"
+
+
+def shaken(folder: Path) -> Path:
+    """A file of tests with a law file, under three seconds of a sine."""
+    rows = "".join(f"{0.02 * i:.2f},{np.sin(2.0 * np.pi * 2.0 * 0.02 * i):.6f}\n" for i in range(151))
+    (folder / "shake.csv").write_text(f"t,a\n{rows}", encoding="utf-8")
+    (folder / "law.yaml").write_text(LAW, encoding="utf-8")
+    (folder / "rts.yaml").write_text(SHAKEN, encoding="utf-8")
+    return folder / "rts.yaml"
+
+
+def test_an_edited_file_replaces_its_archive_and_says_what_goes(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = shaken(tmp_path)
+    assert main(["rts", "run", str(path), "--quiet"]) == 0
+    path.write_text(SHAKEN.replace(", live: {kind: live_delay, delay: 2 ms}", ""), encoding="utf-8")
+    assert main(["rts", "run", str(path)]) == 0
+    assert "rts.h5, which has `quake:live` that rts.yaml no longer asks for" in capsys.readouterr().err
+    with open_archive(tmp_path / "rts.h5") as archive:
+        assert {run.compensator for run in runs(archive)} == {"none"}
+
+
+def test_tests_by_other_methods_are_written_as_csv(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = shaken(tmp_path)
+    assert main(["rts", "run", str(path), "--quiet", "--csv", str(tmp_path / "csv")]) == 0
+    assert {one.name for one in (tmp_path / "csv").iterdir()} == {"quake_none.csv", "quake_live.csv", "slow.csv"}
+    with open_archive(tmp_path / "rts.h5") as archive:
+        kept = archive.group("tests/slow").variables
+        (live,) = (run for run in runs(archive) if run.compensator == "live")
+    table = np.loadtxt(tmp_path / "csv" / "slow.csv", delimiter=",", skiprows=1)
+    for column, name, unit in ((1, "target", 1e-3), (2, "deformation", 1e-3), (3, "force", 1e3)):
+        np.testing.assert_allclose(unit * table[:, column], kept[name].values, rtol=1e-8, atol=1e-15)
+    # the rig is late by 4 ms alone; zero crossings between samples of 4 ms are those of straight lines
+    assert live.value("estimated_delay") == pytest.approx(4e-3, rel=0.2)
+    path.write_text(SHAKEN.replace("name: slow", "name: quake_none"), encoding="utf-8")
+    error = said(capsys, "rts", "run", path, "--quiet", "--csv", tmp_path / "csv")
+    assert "quake_none.csv would be both test quake with none and test quake_none" in error
+
+
+def test_a_report_takes_the_law_from_the_archive(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    path = shaken(tmp_path)
+    assert main(["rts", "run", str(path), "--quiet"]) == 0
+    (tmp_path / "law.yaml").write_text("type: none of these\n", encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    with open_archive(tmp_path / "rts.h5") as archive:
+        found = archived_tests(archive)
+    assert found.told == [] and found.laboratory is not None and found.laboratory.damper is not None
+    assert found.laboratory.damper.values.values == (4e6, 1e5)
