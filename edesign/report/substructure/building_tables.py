@@ -16,6 +16,7 @@ from edesign.assess.sets import HistorySet
 from edesign.errors import EdesignError
 from edesign.report.archived import archived_project
 from edesign.report.table import Table, number
+from edesign.report.text import wrapped
 from edesign.report.verdict_tables import performance_tables
 from edesign.study.kinds import DIRECT
 from edesign.study.plan import ANALYSES
@@ -99,7 +100,8 @@ def building_tables(archive: Archive) -> list[Table]:
             found[run.test] = [(DIRECT, direct)] if direct is not None else []
         found[run.test].append((run.compensator, group))
     peaks = _beside("What the building did: largest values, and how far off the test is", found, PEAKS)
-    peaks.notes += warning_lines({f"{test}, {name}": group for test, name, group in _each(found)})
+    warned = warning_lines({f"{test}, {name}": group for test, name, group in _each(found)})
+    peaks.notes += [line for warning in warned for line in wrapped(warning)]
     energies = _beside("Energies of the building at the end [kJ], and how far off the test is", found, ENERGIES)
     if energies.rows:
         energies.notes.append("`dampers` has the work on the specimen, as the numerical part did it.")

@@ -8,6 +8,7 @@ from edesign.report.captions import plain
 from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.tables import HELD_THERE, limit_cells
 from edesign.report.table import Table
+from edesign.report.text import wrapped
 from edesign.substructure.advice.recommendation import ADAPTIVE
 
 NONE_MET = "No limit of the rig or of coefficients was met, as far as that was kept."
@@ -27,11 +28,11 @@ def limits_table(results: SubstructureResults) -> Table:
             table.rows += [[test, name, *cells] for cells in _rig(results, test, name) + _series(results, test, name)]
     if table.rows:
         table.notes.append("Of coefficients: least or largest value, or largest rate.")
-        table.notes.append(HELD_THERE)
+        table.notes += wrapped(HELD_THERE)
     else:
         table.notes.append(NONE_MET)
     if unknown := sorted({name for test in results.tests for name in _unknown(results, test)}):
-        table.notes.append(f"Not known of {', '.join(unknown)}: coefficients were not kept over time.")
+        table.notes += wrapped(f"Not known of {', '.join(unknown)}: coefficients were not kept over time.")
     return table
 
 

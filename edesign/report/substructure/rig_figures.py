@@ -67,7 +67,7 @@ def _band(rig: Path, at: float) -> str:
     omega = 2.0 * np.pi * at
     amplitude, phase = (SIGMAS * float(one[0]) for one in rig.deviations(np.array([omega])))
     return (
-        f" The band of the rig is {plain(SIGMAS)} standard deviations of its identification to either side: at "
+        f" The band of the rig is {SIGMAS:g} standard deviations of its identification to either side: at "
         f"{plain(at)} Hz {plain(100.0 * amplitude)} % of the amplitude and {plain(1e3 * phase / omega)} ms."
     )
 

@@ -217,7 +217,7 @@ def rig_limits(found: list[Run]) -> Table:
         "Limits of the rig that were met",
         ("test", "compensator", "limit", "first [s]", "last [s]", "in all [s]"),
         left=3,
-        notes=["`in all`: main steps in which it was met.", HELD_THERE],
+        notes=wrapped(f"in all: main steps in which it was met. {HELD_THERE}"),
     )
     for run in found:
         table.rows += [[run.test, run.compensator, *cells] for cells in limit_cells(run)]
