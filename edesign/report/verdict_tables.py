@@ -56,10 +56,10 @@ def performance_tables(
     sets: Sequence[HistorySet], members: Mapping[str, FrameMember], statistic: str = "mean"
 ) -> list[Table]:
     """Return the performance level of each variant at each hazard level: by drift, and by plastic rotations."""
-    title, under = "FEMA 356 performance levels", f"({statistic}, and number of histories at each)"
+    title, under = "FEMA 356 performance levels", f"({statistic}, and histories at each)"
     columns = ("variant", "level", "reached", "IO", "LS", "CP", "beyond", "of", "governs")
     by_drift = Table(f"{title} by drift {under}", columns, left=2, sentences=8)
-    by_members = Table(f"{title} by plastic rotations {under}", columns, left=2, sentences=8)
+    by_members = Table(f"{title} by plastic rotation {under}", columns, left=2, sentences=8)
     for found in sets:
         p = set_performance(found, members, statistic)
         for table, level, number, worst in (

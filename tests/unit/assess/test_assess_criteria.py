@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import io
+
 import pytest
 from unit.assess.assessed import frame, history, part
 
@@ -11,6 +13,8 @@ from edesign.assess.judgement import within
 from edesign.assess.members import frame_members
 from edesign.assess.performance import BEYOND, drift_performance, member_performance, set_performance
 from edesign.assess.sets import HistorySet, history_sets
+from edesign.report.text import print_tables
+from edesign.report.verdict_tables import performance_tables
 
 DRIFT = "criteria: [{name: drift, measure: interstorey_drift, variants: damped, levels: DBE, %s}]"
 
@@ -182,3 +186,15 @@ def test_a_limit_from_below_fails_with_failed_histories() -> None:
     assert within("median", values, (), None, 2.0) is True  # of minus infinity, 3 and 4
     assert within("median", values, (), None, 3.5) is False
     assert within("maximum", values, (), None, 3.5) is True
+
+
+def test_tables_of_performance_fit_a_page() -> None:
+    """By drift and by members apart, each with its own usage, on 80 columns."""
+    one = history("modified", "el_centro", 0.03)
+    tables = performance_tables([HistorySet("modified", "el_centro", {"one": one})], frame_members(frame()))
+    stream = io.StringIO()
+    print_tables(tables, stream)
+    assert max(map(len, stream.getvalue().splitlines())) <= 80
+    drift, members = (table.rows[0] for table in tables)
+    assert drift[:8] == ["modified", "el_centro", "CP", "0", "0", "1", "0", "1/1"] and "transient drift" in drift[8]
+    assert members[:8] == ["modified", "el_centro", "LS", "0", "1", "0", "0", "1/1"] and "B_1_1" in members[8]
