@@ -162,7 +162,7 @@ RECORDS = {
     "no samples": (RECORD.replace("NPTS=  8", "NPTS=  0"), ":4:", "NPTS = 0; a whole number of at least 2"),
     "step of zero": (RECORD.replace(".0200", ".0000"), ":4:", "the time step must be greater than zero"),
     "binary": ("\0\1\2", "", "not a text file"),
-    "another file": ("edesign: 1\n", ":1:", "header of an AT2"),
+    "another file": ("edesign: 1\n", "", "this is a project file (YAML), and a record file is needed"),
     "nothing to scale": (
         RECORD.replace("0.10", "0.00").replace("0.20", "0.00"),
         "",
