@@ -31,14 +31,10 @@ def judge(truth: Mapping[str, Any], result: Mapping[str, Any] | None, outcome: M
         outcome: of the run (seconds, failure).
     """
     about = {
-        "number": truth["number"],
-        "kind": truth["kind"],
-        "effects": [[e["name"], e["form"]] for e in truth["effects"]],
+        **about_of(truth, outcome),
         "nrms": truth["nrms_of_effects"],
         "visible": visible(truth),
         "noise_floor": floor(truth),
-        "seconds": outcome["seconds"],
-        "failure": outcome["failure"],
     }
     if result is None:
         return about
@@ -47,8 +43,7 @@ def judge(truth: Mapping[str, Any], result: Mapping[str, Any] | None, outcome: M
     own = result.get("noise_floor")
     return {
         **about,
-        "found": [[e.get("name"), e.get("form")] for e in found],
-        "verdict": result.get("verdict"),
+        **found_in(result),
         "error": last,
         "own_floor": own,
         "at_own_floor": last is not None and own is not None and last <= FLOORS * own,
@@ -65,6 +60,23 @@ def judge(truth: Mapping[str, Any], result: Mapping[str, Any] | None, outcome: M
             for p in compared(e, f)
         ],
     }
+
+
+def about_of(truth: Mapping[str, Any], outcome: Mapping[str, Any]) -> dict[str, Any]:
+    """What a score says whatever was found."""
+    return {
+        "number": truth["number"],
+        "kind": truth["kind"],
+        "effects": [[e["name"], e["form"]] for e in truth["effects"]],
+        "seconds": outcome["seconds"],
+        "failure": outcome["failure"],
+    }
+
+
+def found_in(result: Mapping[str, Any]) -> dict[str, Any]:
+    """What a score says of a result, whatever is judged."""
+    effects = result.get("effects") or []
+    return {"found": [[e.get("name"), e.get("form")] for e in effects], "verdict": result.get("verdict")}
 
 
 def floor(truth: Mapping[str, Any]) -> float:

@@ -10,9 +10,6 @@ from blind.substructure.campaign import write_new
 from blind.substructure.judge import judge, line, summary
 from blind.substructure.plan import plan
 
-SECONDS = 20
-"""Processor time of a search, of the 54 that a user has: what takes longer is sought beside a lag that was found."""
-
 
 def main(arguments: list[str] | None = None) -> None:
     """The command line."""
@@ -33,7 +30,7 @@ def main(arguments: list[str] | None = None) -> None:
         lambda judged: print(line(judged), flush=True),
         write_new=write_new,
         judge=judge,
-        options=("--no-page", "--workers", "1", "--seconds", str(SECONDS)),
+        options=("--no-page", "--workers", "1"),  # and the time that a user has
     )
     print(f"\n{summary(scores)}")
 

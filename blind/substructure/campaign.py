@@ -10,18 +10,18 @@ from typing import Any
 import numpy as np
 from numpy.random import Generator
 
-from blind.campaign import DRAWS, SMALLEST_OF_TWO, Campaign, Hidden, draw_law, sized
+from blind.campaign import DRAWS, SMALLEST, SMALLEST_OF_TWO, Campaign, Hidden, draw_law, sized
 from blind.effects import EFFECTS
-from blind.effects.base import Histories
+from blind.effects.base import Effect, Histories
 from blind.laboratory import observe
 from blind.law import THICKNESS_MM, Parameters
 from blind.noise import draw_noise, noisy_force
 from blind.plan import Planned
 from blind.programme import Trial
 from blind.signals import SIGNALS, slow_enough
-from blind.size import Unreachable, nrms
+from blind.size import Unreachable, nrms, share
 from blind.substructure.loop import RanAway, draw_storey, ground_motion, run
-from blind.substructure.rig import Follower, Rig, draw_rig
+from blind.substructure.rig import Follower, Rig, draw_rig, envelope
 from blind.write import truth, truth_path, write
 
 STEP, EVERY = 0.0005, 2  # s of the loop; each second sample is recorded
@@ -29,6 +29,11 @@ TEMPERATURE = 20.0
 SHORTEST, LONGEST = 5.0, 9.0  # s
 STRAINS = (0.15, 0.5)
 COMMANDS = ("sine_at_once", "random", "chirp", "staircase")
+USES = ("fit", "validate")
+FEWEST = 3
+"""Tests to fit to of an effect that acts between tests: docs/calibration.md asks for so many."""
+MEMORIES = tuple(float(memory) for memory in np.geomspace(0.05, 50.0, 13))
+"""s: for which amplitudes are remembered."""
 
 
 @dataclass(frozen=True)
@@ -41,6 +46,7 @@ class Tested:
         lag: the constant delay, s, whose errors of the force are least in the tests to fit to: the mean of the delay,
             weighted with the square of the force's rate.
         weights, times: of each test: that weight, 0 of tests to validate, and the mean time it has, s.
+        amplitudes: (MEMORIES,) of each test: mean amplitude with that weight, m, of fading memories.
     """
 
     campaign: Campaign
@@ -48,6 +54,7 @@ class Tested:
     lag: float
     weights: tuple[float, ...]
     times: tuple[float, ...]
+    amplitudes: tuple[tuple[float, ...], ...]
 
 
 def make(planned: Planned, seed: int) -> Tested:
@@ -71,8 +78,8 @@ def write_new(planned: Planned, seed: int, folder: Path) -> None:
 
 def told(made: Tested) -> dict[str, Any]:
     """What the judge knows."""
-    behind = {"rig": vars(made.rig), "lag": made.lag, "weights": made.weights, "times": made.times}
-    return {**truth(made.campaign), **behind}
+    weighted = {"weights": made.weights, "times": made.times, "memories": MEMORIES, "amplitudes": made.amplitudes}
+    return {**truth(made.campaign), "rig": vars(made.rig), "lag": made.lag, **weighted}
 
 
 def _drawn(rng: Generator, planned: Planned, seed: int) -> Tested:
@@ -97,9 +104,10 @@ def _drawn(rng: Generator, planned: Planned, seed: int) -> Tested:
         targets.append(target)
         lates.append(follower.late)
         tests.append(Trial(i, len(uses), use, title, x, STEP, EVERY, TEMPERATURE, 600.0))
-    effects = [
-        sized(rng, true, tests, EFFECTS[name][i % len(EFFECTS[name])], SMALLEST_OF_TWO) for name, i in planned.effects
-    ]
+    forms = [EFFECTS[name][i % len(EFFECTS[name])] for name, i in planned.effects]
+    if any(form.memory for form in forms) and uses.count("fit") < FEWEST:
+        raise Unreachable(f"an effect between tests in {uses.count('fit')} tests to fit to")
+    effects = [_shown(rng, true, tests, form) for form in forms]
     force = observe(true, tests, [effect for effect, _ in effects])[1]
     force = [np.interp(test.t - rig.force_delay, test.t, f) for test, f in zip(tests, force, strict=True)]
     noise = replace(draw_noise(rng), displacement=0.0)  # a target has none
@@ -129,13 +137,29 @@ def _drawn(rng: Generator, planned: Planned, seed: int) -> Tested:
         np.gradient(f, STEP) ** 2 if test.use == "fit" else np.zeros(test.n)
         for f, test in zip(force, tests, strict=True)
     ]
-    weights = [float(power.sum()) for power in powers]
-    lag = sum(float(power @ late) for power, late in zip(powers, lates, strict=True)) / sum(weights)
-    times = [
-        float(power @ test.t) / weight if weight else 0.0
-        for power, test, weight in zip(powers, tests, weights, strict=True)
-    ]
-    return Tested(campaign, rig, lag, tuple(weights), tuple(times))
+    weights = tuple(float(power.sum()) for power in powers)
+
+    def means(each: Histories) -> tuple[float, ...]:
+        return tuple(float(p @ values) / max(w, 1e-300) for p, values, w in zip(powers, each, weights, strict=True))
+
+    lag = float(np.dot(weights, means(lates))) / sum(weights)
+    by_memory = [means([1e-3 * envelope(target, STEP, memory) for target in targets]) for memory in MEMORIES]
+    return Tested(campaign, rig, lag, weights, means([test.t for test in tests]), tuple(zip(*by_memory, strict=True)))
+
+
+def _shown(rng: Generator, true: Parameters, tests: list[Trial], form: type[Effect]) -> tuple[Effect, float]:
+    """An effect sized by its share of the force in all tests, and that share: tests to fit to may be far larger than
+    those to validate, or far smaller.
+
+    Raises:
+        Unreachable: those to fit to, or those to validate, do not show it.
+    """
+    counted = {use: [replace(test, use="validate" if test.use == use else "fit") for test in tests] for use in USES}
+    effect, alone = sized(rng, true, [replace(test, use="validate") for test in tests], form, SMALLEST_OF_TWO)
+    for use in USES:
+        if (part := share(true, counted[use], [effect])) < SMALLEST:
+            raise Unreachable(f"{form.name} {form.form} has {part:.2g} of the force in tests to {use}")
+    return effect, alone
 
 
 def _shaken(

@@ -6,6 +6,9 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+import numpy as np
+
+from blind.judge import about_of, found_in
 from blind.quantities import SI
 from blind.substructure.plan import RIGS
 
@@ -21,14 +24,7 @@ def judge(truth: Mapping[str, Any], result: Mapping[str, Any] | None, outcome: M
         result: calibration.json; None: there is none.
         outcome: of the run (seconds, failure).
     """
-    about = {
-        "number": truth["number"],
-        "rig": truth["kind"],
-        "effects": [[e["name"], e["form"]] for e in truth["effects"]],
-        "lag": truth["lag"],
-        "seconds": outcome["seconds"],
-        "failure": outcome["failure"],
-    }
+    about = {**about_of(truth, outcome), "lag": truth["lag"]}
     if result is None:
         return about
     found = list(result.get("effects") or [])
@@ -36,8 +32,7 @@ def judge(truth: Mapping[str, Any], result: Mapping[str, Any] | None, outcome: M
     lag = sum(lag_of(effect, truth) for effect in lags)
     return {
         **about,
-        "found": [[e.get("name"), e.get("form")] for e in found],
-        "verdict": result.get("verdict"),
+        **found_in(result),
         "named": bool(lags),
         "found_lag": lag,
         "close": abs(lag - truth["lag"]) <= CLOSE,
@@ -68,20 +63,22 @@ def _of_form(form: str, prefix: str, given: Mapping[str, Any], truth: Mapping[st
         return -value("time_constant")
     if form == "second_order":
         return value("zeta") / (math.pi * value("f"))
+    weights = truth["weights"]
+    if form == "with_amplitude":
+        memories = np.log(truth["memories"])
+        grown = [float(np.interp(math.log(value("memory")), memories, each)) for each in truth["amplitudes"]]
+        return value("lag") + value("per_amplitude") * float(np.dot(weights, grown)) / sum(weights)
     if form != "growing":
         return value("lag")
-    last, whole = max(len(truth["weights"]) - 1, 1), sum(truth["weights"])
-    grown = [
-        weight * (value("grown") * order / last + value("skew") * time)
-        for order, (weight, time) in enumerate(zip(truth["weights"], truth["times"], strict=True))
-    ]
-    return value("lag") + sum(grown) / whole
+    last = max(len(weights) - 1, 1)
+    grown = [value("grown") * order / last + value("skew") * time for order, time in enumerate(truth["times"])]
+    return value("lag") + float(np.dot(weights, grown)) / sum(weights)
 
 
 def summary(scores: Sequence[Mapping[str, Any]]) -> str:
     """Scores as text: by rig, and what was missed."""
     done = [s for s in scores if not s["failure"]]
-    late, prompt = [s for s in done if s["rig"] != "none"], [s for s in done if s["rig"] == "none"]
+    late, prompt = [s for s in done if s["kind"] != "none"], [s for s in done if s["kind"] == "none"]
     rows = [
         ("campaigns, failures of the program", f"{len(scores)}, {len(scores) - len(done)}"),
         ("late: lag named", _part(late, "named")),
@@ -95,7 +92,7 @@ def summary(scores: Sequence[Mapping[str, Any]]) -> str:
     lines = [f"{name:40s}{value}" for name, value in rows]
     lines += ["", f"{'':20s}{'n':>4s}{'named':>7s}{'close':>7s}{'rms of the error, ms':>22s}"]
     for rig in RIGS:
-        group = [s for s in done if s["rig"] == rig]
+        group = [s for s in done if s["kind"] == rig]
         named = [s for s in group if s["named"]]
         squares = [(1e3 * (s["found_lag"] - s["lag"])) ** 2 for s in named]
         error = f"{math.sqrt(sum(squares) / len(squares)):.3f}" if squares else "-"
@@ -110,7 +107,7 @@ def summary(scores: Sequence[Mapping[str, Any]]) -> str:
 def line(score: Mapping[str, Any]) -> str:
     """A score in a line."""
     hidden = "".join(f" + {' '.join(effect)}" for effect in score["effects"])
-    told = f"c{score['number']:03d} {score['seconds']:5.0f} s  {score['rig']}{hidden}, {1e3 * score['lag']:.2f} ms: "
+    told = f"c{score['number']:03d} {score['seconds']:5.0f} s  {score['kind']}{hidden}, {1e3 * score['lag']:.2f} ms: "
     if score["failure"]:
         return told + score["failure"]
     found = ", ".join(" ".join(str(word) for word in effect) for effect in score["found"]) or "nothing"

@@ -66,6 +66,14 @@ def draw_rig(rng: Generator, kind: str, seconds: float) -> Rig:
     return Rig(delay=delay)
 
 
+def envelope(target: np.ndarray, h: float, fades: float) -> np.ndarray:
+    """Amplitude (n,) of a target (n,): the largest size before, fading with a time, s, or that now if it is larger."""
+    kept, amplitude = math.exp(-h / fades), [abs(float(target[0]))]
+    for u in np.abs(target[1:]).tolist():
+        amplitude.append(max(u, amplitude[-1] * kept))
+    return np.array(amplitude)
+
+
 class Follower:
     """A specimen behind its target, step by step, from rest.
 

@@ -11,12 +11,15 @@ import pytest
 import yaml
 
 from blind import law
+from blind.campaign import LARGEST, SMALLEST, SMALLEST_OF_TWO
+from blind.laboratory import observe, predicted
 from blind.plan import Planned
-from blind.substructure.campaign import STEP, make, write_new
+from blind.size import nrms
+from blind.substructure.campaign import EVERY, FEWEST, STEP, make, told, write_new
 from blind.substructure.judge import judge, lag_of, summary
 from blind.substructure.loop import Damper, RanAway, Storey, run
 from blind.substructure.plan import RIGS, plan
-from blind.substructure.rig import LONGEST, Follower, Rig, draw_rig
+from blind.substructure.rig import FADES, LONGEST, REACH, Follower, Rig, draw_rig
 from blind.write import truth_path
 from edesign.damper.campaign import load_campaign
 
@@ -104,6 +107,31 @@ def test_a_campaign_is_that_of_its_seed_and_is_read(tmp_path: Path) -> None:
     assert told["rig"]["frequency"] == one.rig.frequency and told["lag"] == one.lag
 
 
+def test_a_delay_that_grows_with_the_amplitude_is_judged_by_its_mean() -> None:
+    """A result that is the truth has the truth's lag, whatever it is called; memories of the grid are interpolated."""
+    made = make(Planned(3, "with_amplitude"), 1)
+    per_amplitude = made.rig.delay * made.rig.growth / (1e-3 * REACH)
+    exact = found(
+        "with_amplitude", lag=(made.rig.delay, "s"), per_amplitude=(per_amplitude, "s/m"), memory=(FADES, "s")
+    )
+    # a straight line between memories that differ by 10^(1/4)
+    assert lag_of(exact, json.loads(json.dumps(told(made)))) == pytest.approx(made.lag, abs=2e-5)
+
+
+@pytest.mark.parametrize(("name", "form"), [("hardening", 0), ("mullins", 1)])
+def test_a_hidden_effect_shows_in_tests_to_fit_and_to_validate(name: str, form: int) -> None:
+    """0.3 to 10 % of the force in all tests, 0.1 % in each kind; one that acts between tests has three to fit to."""
+    made = make(Planned(53, "constant", ((name, form),)), 1)
+    tests, effects = made.campaign.tests, [hidden.effect for hidden in made.campaign.hidden]
+    with_it, alone = observe(made.campaign.true, tests, effects)[1], predicted(made.campaign.true, tests)
+    for use in ("fit", "validate", ""):
+        at = [i for i, test in enumerate(tests) if use in (test.use, "")]
+        shown = nrms([(with_it[i] - alone[i])[::EVERY] for i in at], [with_it[i][::EVERY] for i in at])
+        assert shown > SMALLEST and (use or shown == pytest.approx(made.campaign.joint))
+    assert SMALLEST_OF_TWO * 0.9 < made.campaign.joint < LARGEST * 1.1
+    assert not effects[0].memory or sum(test.use == "fit" for test in tests) >= FEWEST
+
+
 def test_the_plan_is_the_same_however_long() -> None:
     assert plan(40, 1)[:20] == plan(20, 1) and plan(20, 2) != plan(20, 1)
     assert {each.kind for each in plan(20, 1)} == set(RIGS)
@@ -118,6 +146,8 @@ TRUTH = {
     "lag": 0.01,
     "weights": [1.0, 0.0, 3.0],
     "times": [2.0, 0, 4.0],
+    "memories": [0.1, 10.0],
+    "amplitudes": [[0.002, 0.004], [0.0, 0.0], [0.003, 0.005]],
 }
 
 
@@ -136,6 +166,8 @@ def test_delays_of_slow_motions_are_compared() -> None:
     assert lag_of(both, TRUTH) == pytest.approx(0.002)
     growing = found("growing", lag=(0.008, "s"), grown=(0.002, "s"), skew=(1e-4, ""))
     assert lag_of(growing, TRUTH) == pytest.approx(0.008 + (0.0 + 2e-4 + 3.0 * (0.002 + 4e-4)) / 4.0)
+    larger = found("with_amplitude", lag=(0.008, "s"), per_amplitude=(0.5, "s/m"), memory=(1.0, "s"))
+    assert lag_of(larger, TRUTH) == pytest.approx(0.008 + 0.5 * (0.003 + 3.0 * 0.004) / 4.0)
 
 
 def test_what_is_missed_is_told() -> None:
