@@ -6,6 +6,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from edesign.calibrate.dampers.drivers import envelope
 from edesign.calibrate.dampers.effect import Form
 from edesign.calibrate.dampers.inside import relaxed_force, swung_force
 from edesign.calibrate.dampers.trial import REFINED, Motion, Sizes, Trial, Values
@@ -23,25 +24,30 @@ _SWINGS, _DAMPED, _STIFF = 20.0, 0.5, 200.0
 """Frequency (Hz) and damping from which that of an actuator is sought, as servo-hydraulic ones have 10 to 40 Hz; and
 the highest one: at a twentieth of it the motion is 0.25 % larger than behind a plain delay.
 """
+_REMEMBERED = (0.05, 50.0)
+"""s: for which an amplitude acts: from a part of a fast swing to more than a test."""
+_ROUNDED = 1e-9  # relative: an envelope is an exponential of sums
 
 
-def _later(motion: Motion, lag: float, skew: float = 0.0, from_rest: bool = False) -> Motion:
-    """A motion late by a time, s, and a share of the time since its beginning: what it makes of force is as late.
+def _later(motion: Motion, lag: float | np.ndarray, rate: float | np.ndarray = 0.0, from_rest: bool = False) -> Motion:
+    """A motion late by a time, s, so that its force is as late; (n,) times of each sample grow at a rate, s/s.
 
     Before the record it went on as it begins, or was at rest where it begins; after it goes on as it ends.
     The force itself has cusps at reversals, that no interpolation between its samples follows.
     """
     time = motion.time
-    then = time - lag - skew * (time - time[0])
+    then = time - lag
     known = np.clip(then, time[0], time[-1])
     u, v, a = (motion.spline.at(one, known) for one in (motion.displacement, motion.velocity, motion.acceleration))
     onset = None
     if from_rest:
         v = np.where(then < time[0], 0.0, v)
-        begins = time[0] + lag / (1.0 - skew)
+        begins = float(np.interp(time[0], then, time))
         if time[0] < begins < time[-1] and motion.velocity[0]:
-            onset = (float(begins), float(motion.velocity[0]))
-    return Motion(time, u + v * (then - known), v, np.where(then == known, a, 0.0), onset=onset)
+            onset = (begins, float(motion.velocity[0]))
+    passing = 1.0 - rate  # of the time of what is late
+    a = np.where(then == known, a * passing**2, 0.0)
+    return Motion(time, u + v * (then - known), v * passing, a, onset=onset)
 
 
 def _period(sizes: Sizes) -> float:
@@ -81,8 +87,8 @@ class Delay(_Lag):
         return _later(motion, p["lag"], from_rest=trial.start is None)
 
     def finer(self) -> tuple[Form, ...]:
-        """An actuator that swings behind what was recorded."""
-        return (Actuator(),)
+        """An actuator that swings behind what was recorded, or is later in larger motions."""
+        return Actuator(), WithAmplitude()
 
 
 class Growing(_Lag):
@@ -118,7 +124,8 @@ class Growing(_Lag):
         return ((Delay(), p),)
 
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
-        return _later(motion, p["lag"] + p["grown"] * trial.order / p["N"], p["skew"], trial.start is None)
+        late = p["lag"] + p["grown"] * trial.order / p["N"] + p["skew"] * (motion.time - motion.time[0])
+        return _later(motion, late, p["skew"], trial.start is None)
 
 
 class Filter(_Lag):
@@ -223,6 +230,47 @@ class Actuator(_Lag):
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
         from_rest, swings = trial.start is None, p["zeta"] / (np.pi * p["f"])
         return _later(_swung(motion, p["f"], p["zeta"], from_rest), p["lag"] - swings, from_rest=from_rest)
+
+
+class WithAmplitude(_Lag):
+    """A lag that grows with the amplitude, as that of an actuator does whose valve or pump comes to its limits.
+
+    F(t) = F_true(t - lag - per_amplitude a(t)), a = max(|u|, a before * exp(-h / memory)). No candidate of a search:
+    beside other effects it would take for its own what dashpots that soften do. It is asked where a delay was found and
+    more than noise is left.
+    """
+
+    refined: int = 4
+    form: ClassVar[str] = "with_amplitude"
+    title: ClassVar[str] = "lag that grows with the amplitude of the motion"
+    signature: ClassVar[str] = "proportional to the rate of the force, more so in large motions than in small ones"
+    source: ClassVar[str] = (
+        "delays that change in a test: Darby, Williams & Blakeborough (2002), J. Eng. Mech. 128, 1276"
+    )
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        longest = _longest(sizes)
+        most = longest / sizes.displacement
+        return (
+            Unknown("lag", "s", -longest, longest, 0.1 * longest),
+            Unknown("per_amplitude", "s/m", -most, most, 0.1 * most),
+            Unknown("memory", "s", *_REMEMBERED, 1.0, logarithmic=True),
+        )
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((share * _period(sizes), 0.0, 1.0) for share in _STARTS)
+
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """A plain delay, of motions whose amplitude changes nothing."""
+        return ((Delay(), p),)
+
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        size, memory = np.abs(motion.displacement), p["memory"]
+        amplitude = envelope(motion, memory)
+        rises = (size >= (1.0 - _ROUNDED) * amplitude) & (motion.displacement * motion.velocity > 0.0)
+        rate = np.where(rises, np.abs(motion.velocity), -amplitude / memory)
+        late = p["lag"] + p["per_amplitude"] * amplitude
+        return _later(motion, late, p["per_amplitude"] * rate, trial.start is None)
 
 
 def _swung(motion: Motion, frequency: float, damping: float, from_rest: bool) -> Motion:
