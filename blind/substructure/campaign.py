@@ -31,7 +31,7 @@ STRAINS = (0.15, 0.5)
 COMMANDS = ("sine_at_once", "random", "chirp", "staircase")
 USES = ("fit", "validate")
 FEWEST = 3
-"""Tests to fit to of an effect that acts between tests: docs/calibration.md asks for so many."""
+"""Tests to fit to of an effect or a rig that changes between tests: docs/calibration.md asks for so many."""
 MEMORIES = tuple(float(memory) for memory in np.geomspace(0.05, 50.0, 13))
 """s: for which amplitudes are remembered."""
 
@@ -105,8 +105,8 @@ def _drawn(rng: Generator, planned: Planned, seed: int) -> Tested:
         lates.append(follower.late)
         tests.append(Trial(i, len(uses), use, title, x, STEP, EVERY, TEMPERATURE, 600.0))
     forms = [EFFECTS[name][i % len(EFFECTS[name])] for name, i in planned.effects]
-    if any(form.memory for form in forms) and uses.count("fit") < FEWEST:
-        raise Unreachable(f"an effect between tests in {uses.count('fit')} tests to fit to")
+    if (rig.drift or any(form.memory for form in forms)) and uses.count("fit") < FEWEST:
+        raise Unreachable(f"a change between tests in {uses.count('fit')} tests to fit to")
     effects = [_shown(rng, true, tests, form) for form in forms]
     force = observe(true, tests, [effect for effect, _ in effects])[1]
     force = [np.interp(test.t - rig.force_delay, test.t, f) for test, f in zip(tests, force, strict=True)]
