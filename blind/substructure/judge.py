@@ -63,16 +63,16 @@ def _of_form(form: str, prefix: str, given: Mapping[str, Any], truth: Mapping[st
         return -value("time_constant")
     if form == "second_order":
         return value("zeta") / (math.pi * value("f"))
-    weights = truth["weights"]
-    if form == "with_amplitude":
-        memories = np.log(truth["memories"])
-        grown = [float(np.interp(math.log(value("memory")), memories, each)) for each in truth["amplitudes"]]
-        return value("lag") + value("per_amplitude") * float(np.dot(weights, grown)) / sum(weights)
-    if form != "growing":
-        return value("lag")
-    last = max(len(weights) - 1, 1)
-    grown = [value("grown") * order / last + value("skew") * time for order, time in enumerate(truth["times"])]
-    return value("lag") + float(np.dot(weights, grown)) / sum(weights)
+    late, weights = value("lag"), truth["weights"]
+    if form.startswith("growing"):
+        last = max(len(weights) - 1, 1)
+        grown = [value("grown") * order / last + value("skew") * time for order, time in enumerate(truth["times"])]
+        late += float(np.dot(weights, grown)) / sum(weights)
+    if form.endswith("with_amplitude"):
+        memory, memories = math.log(value("memory")), np.log(truth["memories"])
+        amplitudes = [float(np.interp(memory, memories, each)) for each in truth["amplitudes"]]
+        late += value("per_amplitude") * float(np.dot(weights, amplitudes)) / sum(weights)
+    return late
 
 
 def summary(scores: Sequence[Mapping[str, Any]]) -> str:

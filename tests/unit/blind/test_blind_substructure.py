@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -183,7 +184,7 @@ TRUTH = {
 }
 
 
-def found(form: str, **values: tuple[float, str]) -> dict[str, object]:
+def found(form: str, **values: tuple[float, str]) -> dict[str, Any]:
     parameters = {name.replace("__", "."): {"value": value, "unit": unit} for name, (value, unit) in values.items()}
     return {"name": "lag", "kind": "instrument", "form": form, "parameters": parameters}
 
@@ -200,6 +201,9 @@ def test_delays_of_slow_motions_are_compared() -> None:
     assert lag_of(growing, TRUTH) == pytest.approx(0.008 + (0.0 + 2e-4 + 3.0 * (0.002 + 4e-4)) / 4.0)
     larger = found("with_amplitude", lag=(0.008, "s"), per_amplitude=(0.5, "s/m"), memory=(1.0, "s"))
     assert lag_of(larger, TRUTH) == pytest.approx(0.008 + 0.5 * (0.003 + 3.0 * 0.004) / 4.0)
+    both = {**found("growing_with_amplitude"), "parameters": {**larger["parameters"], **growing["parameters"]}}
+    parts = 0.0 + 2e-4 + 3.0 * (0.002 + 4e-4) + 0.5 * (0.003 + 3.0 * 0.004)
+    assert lag_of(both, TRUTH) == pytest.approx(0.008 + parts / 4.0)
 
 
 def test_what_is_missed_is_told() -> None:

@@ -156,7 +156,12 @@ def test_softening_and_heat_have_finer_forms_and_of_the_faults_of_instruments_th
     assert {"payne", "mullins", "self_heating", "degradation", "ageing", "temperature_law"} <= names
     assert not names & {"gain", "hum", "offset", "drift", "inertia", "friction"}
     lags = {(coarse.form, part[0].form) for coarse, _, part in FINER if coarse.name == "lag"}
-    assert lags == {("delay", "actuator"), ("delay", "with_amplitude"), ("second_order", "actuator")}
+    assert lags == {
+        ("delay", "actuator"),
+        ("delay", "with_amplitude"),
+        ("growing", "growing_with_amplitude"),
+        ("second_order", "actuator"),
+    }
 
 
 @pytest.mark.parametrize("form", FORMS, ids=lambda form: f"{form.name}.{form.form}")

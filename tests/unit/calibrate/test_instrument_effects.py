@@ -231,6 +231,12 @@ def test_a_delay_that_does_not_grow_with_the_amplitude_is_plain() -> None:
     plain = lag.Delay().actuator({"lag": 0.0123}, trial, trial.motion)
     np.testing.assert_array_equal(same.displacement, plain.displacement)
     np.testing.assert_array_equal(same.velocity, plain.velocity)
+    grown = {"lag": 0.0123, "grown": 0.004, "skew": 1e-4, "N": 9.0, "per_amplitude": 0.0, "memory": 1.0}
+    both = lag.GrowingWithAmplitude().actuator(grown, trial, trial.motion)
+    np.testing.assert_array_equal(both.velocity, lag.Growing().actuator(grown, trial, trial.motion).velocity)
+    larger = {**grown, "grown": 0.0, "skew": 0.0, "per_amplitude": 0.5}
+    both = lag.GrowingWithAmplitude().actuator(larger, trial, trial.motion)
+    np.testing.assert_array_equal(both.velocity, lag.WithAmplitude().actuator(larger, trial, trial.motion).velocity)
     ((simpler, values),) = lag.WithAmplitude().simpler({"lag": 0.01, "per_amplitude": 0.0, "memory": 1.0})
     assert isinstance(simpler, lag.Delay) and values["lag"] == 0.01
 

@@ -26,6 +26,7 @@ the highest one: at a twentieth of it the motion is 0.25 % larger than behind a 
 """
 _REMEMBERED = (0.05, 50.0)
 """s: for which an amplitude acts: from a part of a fast swing to more than a test."""
+_UNCHANGED = (0.0, 1.0)  # per amplitude, s/m, and memory, s, from which they are sought
 _ROUNDED = 1e-9  # relative: an envelope is an exponential of sums
 
 
@@ -123,9 +124,16 @@ class Growing(_Lag):
         """A lag that stays."""
         return ((Delay(), p),)
 
+    def finer(self) -> tuple[Form, ...]:
+        """One that is later in larger motions too: those of some tests may be larger than those of others."""
+        return (GrowingWithAmplitude(),)
+
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
-        late = p["lag"] + p["grown"] * trial.order / p["N"] + p["skew"] * (motion.time - motion.time[0])
-        return _later(motion, late, p["skew"], trial.start is None)
+        return _later(motion, self._late(p, trial, motion), p["skew"], trial.start is None)
+
+    @staticmethod
+    def _late(p: Values, trial: Trial, motion: Motion) -> np.ndarray:
+        return p["lag"] + p["grown"] * trial.order / p["N"] + p["skew"] * (motion.time - motion.time[0])
 
 
 class Filter(_Lag):
@@ -249,28 +257,68 @@ class WithAmplitude(_Lag):
     )
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
-        longest = _longest(sizes)
-        most = longest / sizes.displacement
-        return (
-            Unknown("lag", "s", -longest, longest, 0.1 * longest),
-            Unknown("per_amplitude", "s/m", -most, most, 0.1 * most),
-            Unknown("memory", "s", *_REMEMBERED, 1.0, logarithmic=True),
-        )
+        return (*Delay().unknowns(sizes), *_of_amplitude(sizes))
 
     def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
-        return tuple((share * _period(sizes), 0.0, 1.0) for share in _STARTS)
+        return tuple((*row, *_UNCHANGED) for row in Delay().starts(sizes))
 
     def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
         """A plain delay, of motions whose amplitude changes nothing."""
         return ((Delay(), p),)
 
     def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
-        size, memory = np.abs(motion.displacement), p["memory"]
-        amplitude = envelope(motion, memory)
-        rises = (size >= (1.0 - _ROUNDED) * amplitude) & (motion.displacement * motion.velocity > 0.0)
-        rate = np.where(rises, np.abs(motion.velocity), -amplitude / memory)
+        amplitude, rate = _amplitude(motion, p["memory"])
         late = p["lag"] + p["per_amplitude"] * amplitude
         return _later(motion, late, p["per_amplitude"] * rate, trial.start is None)
+
+
+class GrowingWithAmplitude(Growing):
+    """A lag that changes from test to test and in a test, and grows with the amplitude.
+
+    F(t) = F_true(t - lag - grown n/N - skew t - per_amplitude a(t)). Asked where a growing one was found, as `growing`
+    takes for its own that some tests are larger than others.
+    """
+
+    refined: int = WithAmplitude.refined
+    form: ClassVar[str] = "growing_with_amplitude"
+    title: ClassVar[str] = "lag that changes within tests and over the campaign, and grows with the amplitude"
+    signature: ClassVar[str] = "proportional to the rate of the force, more so as time goes on and in large motions"
+    source: ClassVar[str] = "as `growing` and `with_amplitude`"
+
+    def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
+        return (*super().unknowns(sizes), *_of_amplitude(sizes))
+
+    def starts(self, sizes: Sizes) -> tuple[tuple[float, ...], ...]:
+        return tuple((*row, *_UNCHANGED) for row in super().starts(sizes))
+
+    def finer(self) -> tuple[Form, ...]:
+        return ()
+
+    def simpler(self, p: Values) -> tuple[tuple[Form, Values], ...]:
+        """What grows in one way alone."""
+        return (WithAmplitude(), p), (Growing(), p)
+
+    def actuator(self, p: Values, trial: Trial, motion: Motion) -> Motion:
+        amplitude, rate = _amplitude(motion, p["memory"])
+        late = self._late(p, trial, motion) + p["per_amplitude"] * amplitude
+        return _later(motion, late, p["skew"] + p["per_amplitude"] * rate, trial.start is None)
+
+
+def _of_amplitude(sizes: Sizes) -> tuple[Unknown, Unknown]:
+    """What a lag grows by with the amplitude, and the memory of that."""
+    most = _longest(sizes) / sizes.displacement
+    return (
+        Unknown("per_amplitude", "s/m", -most, most, 0.1 * most),
+        Unknown("memory", "s", *_REMEMBERED, _UNCHANGED[1], logarithmic=True),
+    )
+
+
+def _amplitude(motion: Motion, memory: float) -> tuple[np.ndarray, np.ndarray]:
+    """Amplitude (n,) m of a motion with a memory, s, and its rate (n,) m/s."""
+    amplitude = envelope(motion, memory)
+    rises = np.abs(motion.displacement) >= (1.0 - _ROUNDED) * amplitude
+    rises &= motion.displacement * motion.velocity > 0.0
+    return amplitude, np.where(rises, np.abs(motion.velocity), -amplitude / memory)
 
 
 def _swung(motion: Motion, frequency: float, damping: float, from_rest: bool) -> Motion:
