@@ -17,16 +17,16 @@ import statistics
 import subprocess
 import sys
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np  # noqa: E402
 
 from benchmarks.peers import edesign_frame  # noqa: E402
-from benchmarks.peers.frame_data import PeerFrame, tall_frame, thesis_frame  # noqa: E402
+from benchmarks.peers.frame_data import MENEGOTTO_PINTO, PeerFrame, tall_frame, thesis_frame  # noqa: E402
 from benchmarks.records import el_centro  # noqa: E402
-from edesign.core import Response  # noqa: E402
+from edesign.core import MenegottoPinto, Response, Steel  # noqa: E402
 
 SOLVERS = ("BandGeneral", "SparseSYM", "UmfPack")
 TESTS = (("NormDispIncr", 1e-6), ("EnergyIncr", 1e-8))
@@ -49,11 +49,17 @@ def timed(run: Callable[[], float], repeats: int) -> Timing:
     return Timing(1e3 * middle, (max(values) - min(values)) / middle, repeats)
 
 
-def core_run(frame: PeerFrame, seconds: float | None, keep: list[Response] | None = None, pga: float = PGA) -> float:
-    """CPU seconds a step of edesign."""
+def core_run(
+    frame: PeerFrame,
+    seconds: float | None,
+    keep: list[Response] | None = None,
+    pga: float = PGA,
+    law: Steel | None = None,
+) -> float:
+    """CPU seconds a step of edesign; `law` of the fibres, None for the frame's bilinear one."""
     acceleration, dt = el_centro(pga)
     count = acceleration.size if seconds is None else round(seconds / dt) + 1
-    response, _ = edesign_frame.history(frame, acceleration[:count], dt, sampled=False)
+    response, _ = edesign_frame.history(frame, acceleration[:count], dt, sampled=False, law=law)
     if response.status != "completed":
         raise SystemExit(f"{frame.title}: edesign: {response.reason}")
     if keep is not None:
@@ -73,12 +79,14 @@ def describe(response: Response) -> str:
     )
 
 
-def side_by_side(frame: PeerFrame, seconds: float | None, repeats: int, quick: bool) -> None:
-    """Print both times and their ratio."""
+def side_by_side(frame: PeerFrame, seconds: float | None, repeats: int, quick: bool, curved: bool = False) -> None:
+    """Print both times and their ratio; `curved`: with the law of Menegotto & Pinto, in OpenSees Steel02."""
     kept: list[Response] = []
-    core_run(frame, seconds)  # warms caches
-    ours = timed(lambda: core_run(frame, seconds, kept), max(5, repeats))
-    print(f"\n{frame.title}, El Centro at {PGA} g, {seconds or 'all'} s, dt 0.01 s")
+    law = MenegottoPinto(frame.E, frame.fy, frame.hardening, *MENEGOTTO_PINTO) if curved else None
+    core_run(frame, seconds, law=law)  # warms caches
+    ours = timed(lambda: core_run(frame, seconds, kept, law=law), max(5, repeats))
+    name = f"{frame.title}, Menegotto-Pinto" if curved else frame.title
+    print(f"\n{name}, El Centro at {PGA} g, {seconds or 'all'} s, dt 0.01 s")
     spread = f"(median of {ours.repeats}, spread {100 * ours.spread:.0f} %)"
     print(f"  edesign      {ours.milliseconds:8.4f} ms a step {spread}")
     print(f"               {describe(kept[-1])}")
@@ -94,7 +102,8 @@ def side_by_side(frame: PeerFrame, seconds: float | None, repeats: int, quick: b
         result = opensees_frame.benchmark_history(frame, acceleration, dt, steel, solver, steps=count)
         return result.cpu_s / result.steps
 
-    steel = opensees_frame.ModelOptions(steel="ElasticPP")  # the quicker of its two laws; same answers
+    # without hardening ElasticPP is the quicker of its two laws, with the same answers
+    steel = opensees_frame.ModelOptions(steel="Steel02" if curved else "Steel01" if frame.hardening else "ElasticPP")
     options = [opensees_frame.SolverOptions(system=s, test=t, tolerance=tol) for s in SOLVERS for t, tol in TESTS]
     if quick:
         best = options[0]
@@ -143,6 +152,9 @@ def main() -> None:
     repeats = 1 if arguments.quick else arguments.repeats
     memory()
     side_by_side(thesis_frame(4), None if not arguments.quick else 15.0, repeats, arguments.quick)
+    hardening = replace(thesis_frame(4), hardening=0.01)
+    for curved in (False, True):
+        side_by_side(hardening, None if not arguments.quick else 15.0, repeats, arguments.quick, curved)
     side_by_side(thesis_frame(3), None if not arguments.quick else 15.0, repeats, arguments.quick)
     side_by_side(tall_frame(40, 8), 15.0 if not arguments.quick else 3.0, repeats, arguments.quick)
     growth(repeats, 15.0, PGA)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.peers.frame_data import PeerFrame
-from edesign.core import Analysis, Bilinear, Channel, Model, Modes, Response
+from edesign.core import Analysis, Bilinear, Channel, Model, Modes, Response, Steel
 
 Array = NDArray[np.float64]
 
@@ -25,10 +25,16 @@ class CoreFrame:
     beam: dict[tuple[int, int], int] = field(default_factory=dict)
 
 
-def build(frame: PeerFrame, push_loads: Array | None = None) -> CoreFrame:
-    """The frame with P-Delta columns and linear beams; push_loads: (n_storeys, n_lines) N, horizontal."""
+def build(frame: PeerFrame, push_loads: Array | None = None, law: Steel | None = None) -> CoreFrame:
+    """The frame with P-Delta columns and linear beams.
+
+    Args:
+        frame: in numbers.
+        push_loads: horizontal, shape (n_storeys, n_lines), N.
+        law: of all fibres; None for the frame's bilinear one.
+    """
     model = Model()
-    steel = model.material(Bilinear(frame.E, frame.fy, frame.hardening))
+    steel = model.material(law or Bilinear(frame.E, frame.fy, frame.hardening))
     sections = {}
     for section in dict.fromkeys((*frame.columns, *frame.beams)):
         y, area = section.layers(frame.flange_fibres[1], frame.web_fibres[1])
@@ -105,13 +111,15 @@ def history(
     dt: float,
     damping: float = 0.02,
     sampled: bool = True,
+    law: Steel | None = None,
     **settings: float,
 ) -> tuple[Response, Modes]:
     """Time history as in the peers: gravity first, current-stiffness Rayleigh damping, average acceleration.
 
     Channels if sampled: roof, drift_1.., base_shear, roof_acceleration; otherwise nothing is recorded in the loop.
+    `law` is that of all fibres, None for the frame's bilinear one.
     """
-    core = build(frame)
+    core = build(frame, law=law)
     analysis = Analysis(core.model, **settings)
     response = analysis.static(core.gravity, 1.0, 10)
     if response.status != "completed":

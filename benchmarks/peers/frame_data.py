@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 FIBRES_FLANGE_THICKNESS = 4
+MENEGOTTO_PINTO = (20.0, 0.925, 0.15)  # R0, cR1, cR2
 FIBRES_WEB_HEIGHT = 16
 
 

@@ -50,7 +50,7 @@ import numpy as np
 import openseespy.opensees as ops
 from numpy.typing import NDArray
 
-from benchmarks.peers.frame_data import ISection, PeerFrame
+from benchmarks.peers.frame_data import MENEGOTTO_PINTO, ISection, PeerFrame
 
 Array = NDArray[np.float64]
 
@@ -65,9 +65,9 @@ STEEL = 1
 class ModelOptions:
     """What the text of a frame leaves open; the defaults are the ones of the known values.
 
-    steel: "Steel01" or "ElasticPP"; vertical_mass: the mass acts vertically too; diaphragm: nodes of a floor share
-    ux; column_geometry, beam_geometry: "Linear", "PDelta" or "Corotational"; element_iterations, element_tolerance:
-    internal iteration of the force-based element.
+    steel: "Steel01", "Steel02" or "ElasticPP"; vertical_mass: the mass acts vertically too; diaphragm: nodes of a
+    floor share ux; column_geometry, beam_geometry: "Linear", "PDelta" or "Corotational"; element_iterations,
+    element_tolerance: internal iteration of the force-based element.
     """
 
     steel: str = "Steel01"
@@ -180,7 +180,8 @@ def _steel(frame: PeerFrame, kind: str) -> None:
             raise ValueError("ElasticPP has no hardening")
         ops.uniaxialMaterial("ElasticPP", STEEL, frame.E, frame.fy / frame.E)
     else:
-        ops.uniaxialMaterial(kind, STEEL, frame.fy, frame.E, frame.hardening)
+        curve = MENEGOTTO_PINTO if kind == "Steel02" else ()
+        ops.uniaxialMaterial(kind, STEEL, frame.fy, frame.E, frame.hardening, *curve)
 
 
 def _fibre_section(frame: PeerFrame, section: ISection, tag: int) -> None:

@@ -4,7 +4,7 @@
 
 #include "section/section.h"
 
-enum { MOST_FIBRES = 64, MOST_SECTION_STATE = MOST_FIBRES * ED_MENEGOTTO_PINTO_STATE };
+enum { MOST_FIBRES = 64, MOST_SECTION_STATE = MOST_FIBRES * (1 + ED_MENEGOTTO_PINTO_STATE) };
 
 /* Layers of an I section of three plates (m): n in a flange, n in the web, each of n_across equal fibres; the
  * materials of flanges and web. Returns the number of fibres; arrays for MOST_FIBRES. */

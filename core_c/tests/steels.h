@@ -2,9 +2,10 @@
 #ifndef STEELS_H
 #define STEELS_H
 
+#include "base/lanes.h"
 #include "material/steel.h"
 
-enum { LARGEST_STEEL_STATE = ED_MENEGOTTO_PINTO_STATE };
+enum { LARGEST_STEEL_STATE = ED_LANE_WIDTH * ED_MENEGOTTO_PINTO_STATE };
 
 ed_steel elastic_steel(double E);
 ed_steel bilinear_steel(double E, double fy, double b);

@@ -18,7 +18,8 @@ static double curve(double x, double R) /* normalised */
 
 static void check_first_loading(const ed_steel *steel)
 {
-  double state[LARGEST_STEEL_STATE] = {0};
+  double state[LARGEST_STEEL_STATE];
+  ed_steel_initialise(steel, state);
   for (int i = -200; i <= 200; i++) {
     const double x = 0.05 * i;
     CHECK_NEAR(steel_stress(steel, state, x * YIELD), FY * curve(x, steel->R0), ROUNDING * FY);
@@ -28,7 +29,8 @@ static void check_first_loading(const ed_steel *steel)
 
 static void check_first_reversal(const ed_steel *steel, double top)
 {
-  double state[LARGEST_STEEL_STATE] = {0};
+  double state[LARGEST_STEEL_STATE];
+  ed_steel_initialise(steel, state);
   ed_steel_commit(steel, state, top * YIELD);
   const double stress_r = FY * curve(top, steel->R0);
   /* where the elastic line through the reversal meets the lower asymptote, in units of the yield point */
@@ -46,7 +48,9 @@ static void check_first_reversal(const ed_steel *steel, double top)
 static void check_mirror(const ed_steel *steel)
 {
   numbers source = {3};
-  double up[LARGEST_STEEL_STATE] = {0}, down[LARGEST_STEEL_STATE] = {0};
+  double up[LARGEST_STEEL_STATE], down[LARGEST_STEEL_STATE];
+  ed_steel_initialise(steel, up);
+  ed_steel_initialise(steel, down);
   for (int i = 0; i < 300; i++) {
     const double strain = next_number(&source, -8.0, 8.0) * YIELD;
     CHECK(steel_stress(steel, up, strain) == -steel_stress(steel, down, -strain));
@@ -58,7 +62,8 @@ static void check_mirror(const ed_steel *steel)
 static void check_random_paths(const ed_steel *steel)
 {
   numbers source = {11};
-  double state[LARGEST_STEEL_STATE] = {0}, strain = 0.0;
+  double state[LARGEST_STEEL_STATE], strain = 0.0;
+  ed_steel_initialise(steel, state);
   for (int i = 0; i < 1500; i++) {
     const double size = i % 4 == 0 ? 8.0 : 0.5;
     const double h = 1e-6 * YIELD;
@@ -100,7 +105,8 @@ static double difference(const ed_steel *steel, const double *state, const doubl
 /* Small unloadings from a branch: the response is never beyond what the uninterrupted branch would have given. */
 static void check_no_overshoot(const ed_steel *steel, double direction, double start)
 {
-  double plain[LARGEST_STEEL_STATE] = {0}, disturbed[LARGEST_STEEL_STATE];
+  double plain[LARGEST_STEEL_STATE], disturbed[LARGEST_STEEL_STATE];
+  ed_steel_initialise(steel, plain);
   ed_steel_commit(steel, plain, start * YIELD);
   ed_steel_commit(steel, plain, (start + 0.5 * direction) * YIELD);
   memcpy(disturbed, plain, sizeof plain);
@@ -133,7 +139,8 @@ static void check_energy(const ed_steel *steel)
   static const double turns[] = {0.0, 6.0, -3.0, 2.0, 1.5, 2.5, -8.0, 0.0};
   double total[2];
   for (int fine = 0; fine < 2; fine++) {
-    double state[LARGEST_STEEL_STATE] = {0}, work = 0.0, dissipated = 0.0;
+    double state[LARGEST_STEEL_STATE], work = 0.0, dissipated = 0.0;
+    ed_steel_initialise(steel, state);
     for (size_t i = 1; i < sizeof turns / sizeof *turns; i++)
       walk(steel, state, turns[i - 1] * YIELD, turns[i] * YIELD, fine ? 4000 : 1000, &work, &dissipated);
     const double stored = ed_steel_stored(steel, steel_stress(steel, state, 0.0));
@@ -147,7 +154,9 @@ static void check_energy(const ed_steel *steel)
 static void check_steps_do_not_matter(const ed_steel *steel)
 {
   static const double turns[] = {0.0, 4.0, -2.0, 3.0, 2.7, 5.0, 1.0, 1.2, -6.0, -5.0, -7.0, 0.0};
-  double coarse[LARGEST_STEEL_STATE] = {0}, fine[LARGEST_STEEL_STATE] = {0}, work = 0.0, dissipated = 0.0;
+  double coarse[LARGEST_STEEL_STATE], fine[LARGEST_STEEL_STATE], work = 0.0, dissipated = 0.0;
+  ed_steel_initialise(steel, coarse);
+  ed_steel_initialise(steel, fine);
   for (size_t i = 1; i < sizeof turns / sizeof *turns; i++) {
     ed_steel_commit(steel, coarse, turns[i] * YIELD);
     walk(steel, fine, turns[i - 1] * YIELD, turns[i] * YIELD, 50, &work, &dissipated);

@@ -73,7 +73,8 @@ static void check_order(const ed_steel *steels)
     area[i] *= next_number(&source, 0.5, 1.5); /* sums of these depend on their order */
   ed_section first;
   CHECK_INT(ed_section_from_fibres(&first, n, y, area, material, steels), 1);
-  double state[MOST_SECTION_STATE] = {0};
+  double state[MOST_SECTION_STATE];
+  ed_section_initialise(&first, state);
   ed_section_commit(&first, state, 1e-3, 0.02);
   for (int trial = 0; trial < 20; trial++) {
     shuffle(n, y, area, material, &source);

@@ -40,7 +40,7 @@ static void check_kernel(const ed_steel *steels)
       plastic[i] *= trial % 3 == 0 || steels[material[i]].law == ED_ELASTIC ? 0.0 : 1.0;
     ed_section section;
     CHECK_INT(ed_section_from_fibres(&section, n, y, area, material, steels), 1);
-    CHECK_INT(section.vector, 1);
+    CHECK(section.straight && !section.curved);
     CHECK_INT(section.n, n);
     double state[MOST_SECTION_STATE] = {0};
     memcpy(state, plastic, (size_t)n * sizeof *state);
@@ -79,7 +79,8 @@ static void check_tangent(const ed_steel *steels, int flange, int web)
 {
   numbers source = {23};
   ed_section section = i_section(steels, flange, web);
-  double state[MOST_SECTION_STATE] = {0};
+  double state[MOST_SECTION_STATE];
+  ed_section_initialise(&section, state);
   int smooth = 0, tried = 0;
   for (int trial = 0; trial < 200; trial++) {
     const double e0 = next_number(&source, -3.0, 3.0) * YIELD, kappa = next_number(&source, -4.0, 4.0) * YIELD / DEPTH;
@@ -140,7 +141,8 @@ static void check_energy(const ed_steel *steels, int flange, int web)
   static const double turns[][2] = {{0, 0}, {0.5, 4.0}, {-0.5, -3.0}, {1.0, 2.0}, {0.9, 1.5}, {0.0, -5.0}, {0.2, 0.1}};
   enum { N = 2000 };
   ed_section section = i_section(steels, flange, web);
-  double state[MOST_SECTION_STATE] = {0}, work = 0.0, dissipated = 0.0, e0 = 0.0, kappa = 0.0;
+  double state[MOST_SECTION_STATE], work = 0.0, dissipated = 0.0, e0 = 0.0, kappa = 0.0;
+  ed_section_initialise(&section, state);
   ed_section_response last = {0};
   for (size_t t = 1; t < sizeof turns / sizeof *turns; t++)
     for (int i = 1; i <= N; i++) {

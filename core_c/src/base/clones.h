@@ -1,6 +1,5 @@
-/* Hot kernels are compiled for several instruction sets and the loader picks one. Results of bilinear and elastic layers are
- * the same bit for bit: sums run over eight fixed lanes and contraction to fused multiply-add is off (-ffp-contract=off).
- * The Menegotto-Pinto law takes its exponentials from the C library, whose last bit may differ between processors. */
+/* Hot kernels are compiled for several instruction sets and the loader picks one. Results are the same bit for bit: sums run over
+ * fixed lanes, exponentials and logarithms are our own, and contraction to fused multiply-add is off (-ffp-contract=off). */
 #ifndef ED_CLONES_H
 #define ED_CLONES_H
 

@@ -122,7 +122,10 @@ int ed_element_layer_size(const ed_element *e)
 void ed_element_initialise(const ed_element *e, double *block, double *layers)
 {
   memset(block, 0, (size_t)ed_element_block_size(e) * sizeof *block);
-  memset(layers, 0, (size_t)ed_element_layer_size(e) * sizeof *layers);
+  if (e->kind == ED_TRUSS)
+    ed_steel_initialise(e->steel, layers);
+  for (int p = 0; p < e->points; p++)
+    ed_section_initialise(e->section[p], layers + e->layer_offset[p]);
   memcpy(block + ED_BLOCK_K, e->stiffness, sizeof e->stiffness);
   for (int p = 0; p < e->points; p++) {
     double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
@@ -239,9 +242,8 @@ int ed_element_layers_valid(const ed_element *e, const double *layers)
   if (e->kind == ED_TRUSS)
     return ed_steel_state_valid(e->steel, layers);
   for (int p = 0; p < e->points; p++)
-    for (int i = 0; i < e->section[p]->n && !e->section[p]->vector; i++)
-      if (!ed_steel_state_valid(e->section[p]->steel[i], layers + e->layer_offset[p] + e->section[p]->state_offset[i]))
-        return 0;
+    if (!ed_section_state_valid(e->section[p], layers + e->layer_offset[p]))
+      return 0;
   return 1;
 }
 
@@ -252,7 +254,7 @@ double ed_element_commit(const ed_element *e, double *block, double *layers)
   double dissipated = 0.0;
   for (int p = 0; p < e->points; p++) {
     double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
-    if (point[ED_POINT_ELASTIC] != 0.0 && (e->section[p]->vector || e->section[p]->elastic))
+    if (point[ED_POINT_ELASTIC] != 0.0 && !e->section[p]->curved)
       continue; /* no layer yields: nothing to remember */
     block[ED_BLOCK_INELASTIC] = point[ED_POINT_INELASTIC] = 1.0;
     dissipated += e->weight[p] * ed_section_commit(e->section[p], layers + e->layer_offset[p], point[0], point[1]);

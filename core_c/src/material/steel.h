@@ -14,11 +14,13 @@ typedef struct {
 
 enum {
   ED_BILINEAR_STATE = 1,        /* plastic strain */
-  ED_MENEGOTTO_PINTO_STATE = 52
+  ED_MENEGOTTO_PINTO_STATE = 43
 };
 
-/* Doubles of state that the law keeps a fibre. */
+/* Doubles of state that a fibre of its own keeps. */
 int ed_steel_state_size(const ed_steel *steel);
+/* The state before any strain. */
+void ed_steel_initialise(const ed_steel *steel, double *state);
 /* Whether a fibre may be in this state of finite numbers. */
 int ed_steel_state_valid(const ed_steel *steel, const double *state);
 /* Stress and tangent at the trial strain; the return is 1 when the answer is elastic. */

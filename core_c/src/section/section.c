@@ -1,6 +1,7 @@
 #include "section/section.h"
 
 #include "base/clones.h"
+#include "base/lanes.h"
 #include "edcore.h"
 
 #include <math.h>
@@ -35,7 +36,6 @@ void ed_section_free(ed_section *section)
 {
   free(section->block);
   free(section->steel);
-  free(section->state_offset);
 }
 
 int ed_section_from_fibres(ed_section *section, int n, const double *y, const double *area, const int *material,
@@ -56,194 +56,258 @@ int ed_section_from_fibres(ed_section *section, int n, const double *y, const do
       fibres[layers++] = fibres[i];
   }
   const int padded = (layers + ED_LANES - 1) / ED_LANES * ED_LANES;
-  enum { ARRAYS = 11 };
-  section->block = aligned_alloc(64, (size_t)ARRAYS * (size_t)padded * sizeof(double));
+  enum { ARRAYS = 13 };
+  section->block = aligned_alloc(64, (size_t)(ARRAYS + ED_MENEGOTTO_PINTO_ARRAYS) * (size_t)padded * sizeof(double));
   section->steel = malloc((size_t)layers * sizeof *section->steel);
-  section->state_offset = malloc((size_t)layers * sizeof *section->state_offset);
-  if (!section->block || !section->steel || !section->state_offset) {
+  if (!section->block || !section->steel) {
     ed_section_free(section);
     free(fibres);
     return 0;
   }
-  double **arrays[ARRAYS] = {&section->y,  &section->area,      &section->E,    &section->EH,
-                             &section->fy, &section->hardening, &section->flow, &section->Ay,
-                             &section->EA, &section->EAy,       &section->EAyy};
+  double **arrays[ARRAYS] = {&section->y,    &section->area, &section->E,  &section->EH,  &section->fy,   &section->hardening,
+                             &section->flow, &section->A,    &section->Ay, &section->EA,  &section->EAy,  &section->EAyy,
+                             &section->curved_area};
   for (int k = 0; k < ARRAYS; k++)
     *arrays[k] = (double *)section->block + (size_t)k * (size_t)padded;
+  ed_menegotto_pinto_place(&section->menegotto_pinto, padded, (double *)section->block + (size_t)ARRAYS * (size_t)padded);
   section->n = layers;
   section->n_padded = padded;
-  section->vector = 1;
   section->yield_strain = HUGE_VAL;
-  for (int i = 0; i < layers; i++)
-    section->vector = section->vector && steels[fibres[i].material].law != ED_MENEGOTTO_PINTO;
-  int offset = 0;
+  const ed_steel *some_curved = NULL;
+  for (int i = 0; i < layers; i++) {
+    const ed_steel *steel = &steels[fibres[i].material];
+    if (steel->law == ED_MENEGOTTO_PINTO)
+      some_curved = steel;
+    else
+      section->straight = 1;
+  }
+  section->curved = some_curved != NULL;
   for (int i = 0; i < padded; i++) {
     const ed_steel *steel = i < layers ? &steels[fibres[i].material] : &steels[fibres[0].material];
+    const int curved = steel->law == ED_MENEGOTTO_PINTO;
     const double depth = i < layers ? fibres[i].y : 0.0, a = i < layers ? fibres[i].area : 0.0;
+    const double straight_area = curved ? 0.0 : a;
     section->y[i] = depth;
     section->area[i] = a;
     section->E[i] = steel->E;
     section->EH[i] = steel->E + steel->H;
-    section->fy[i] = i < layers ? steel->fy : HUGE_VAL;
+    section->fy[i] = i < layers && !curved ? steel->fy : HUGE_VAL;
     section->hardening[i] = steel->hardening;
     section->flow[i] = steel->E / (steel->E + steel->H);
-    section->Ay[i] = a * depth;
-    section->EA[i] = steel->E * a;
-    section->EAy[i] = steel->E * a * depth;
-    section->EAyy[i] = steel->E * a * depth * depth;
+    section->A[i] = straight_area;
+    section->Ay[i] = straight_area * depth;
+    section->EA[i] = steel->E * straight_area;
+    section->EAy[i] = steel->E * straight_area * depth;
+    section->EAyy[i] = steel->E * straight_area * depth * depth;
+    section->curved_area[i] = curved ? a : 0.0;
+    if (some_curved)
+      ed_menegotto_pinto_set(&section->menegotto_pinto, i, curved ? steel : some_curved);
     if (i >= layers)
       continue;
     section->steel[i] = steel;
-    section->state_offset[i] = offset;
-    offset += ed_steel_state_size(steel);
     section->depth = fmax(section->depth, fabs(depth));
     section->yield_strain = fmin(section->yield_strain, steel->law == ED_ELASTIC ? HUGE_VAL : steel->fy / steel->E);
-    if (steel->law == ED_MENEGOTTO_PINTO)
+    if (curved)
       section->yield_strain = 0.0; /* its curve is never straight */
   }
-  section->state_size = section->vector ? padded : offset;
-  /* the same sums as the kernel's, so that an elastic answer equals the initial stiffness bit for bit */
-  double *zero = calloc((size_t)section->state_size, sizeof *zero);
   free(fibres);
-  if (!zero) {
+  section->state_size = (section->straight ? padded : 0) + (section->curved ? padded * ED_MENEGOTTO_PINTO_STATE : 0);
+  /* the same sums as the kernels', so that an elastic answer equals the initial stiffness bit for bit */
+  double *state = malloc((size_t)section->state_size * sizeof *state);
+  if (!state) {
     ed_section_free(section);
     return 0;
   }
+  ed_section_initialise(section, state);
   ed_section_response response;
-  ed_section_trial(section, zero, 0.0, 0.0, &response);
-  free(zero);
+  ed_section_trial(section, state, 0.0, 0.0, &response);
+  free(state);
   section->k11 = response.k11;
   section->k12 = response.k12;
   section->k22 = response.k22;
   return 1;
 }
 
-/* Half a group of lanes: the widest vector whose comparisons every instruction set with doubles has. */
-enum { HALF = ED_LANES / 2 };
-typedef double lanes __attribute__((vector_size(HALF * sizeof(double))));
-typedef long long mask __attribute__((vector_size(HALF * sizeof(long long))));
+/* The part of a state that curved layers keep. */
+static double *curved_state(const ed_section *section, const double *state)
+{
+  return (double *)state + (section->straight ? section->n_padded : 0);
+}
 
-#define SELECT(condition, yes, no) ((lanes)(((condition) & (mask)(yes)) | (~(condition) & (mask)(no))))
+void ed_section_initialise(const ed_section *section, double *state)
+{
+  memset(state, 0, (size_t)section->state_size * sizeof *state);
+  if (section->curved)
+    ed_menegotto_pinto_initialise(&section->menegotto_pinto, curved_state(section, state));
+}
+
+int ed_section_state_valid(const ed_section *section, const double *state)
+{
+  return !section->curved || ed_menegotto_pinto_valid(section->n_padded, curved_state(section, state));
+}
+
+typedef ed_lanes lanes;
+typedef ed_mask mask;
+
+enum { HALF = ED_LANE_WIDTH };
+_Static_assert(ED_LANES == 2 * HALF, "two vectors a group");
 
 typedef struct {
   lanes N, M, k11, k12, k22;
   mask yielded;
 } half_sum;
 
-/* HALF doubles from anywhere. */
-typedef double loose __attribute__((vector_size(HALF * sizeof(double)), aligned(sizeof(double)), may_alias));
-#define LOAD(from) (*(const loose *)(const void *)(from))
-
 /* Adds HALF bilinear or elastic layers from index i on. */
-static inline __attribute__((always_inline)) void add_layers(const ed_section *section, const double *plastic, double e0,
+ED_INLINE void add_layers(const ed_section *section, const double *plastic, double e0,
                                                              double kappa, int i, half_sum *add)
 {
   const lanes zero = {0};
-  const lanes strain = e0 - kappa * LOAD(section->y + i);
-  const lanes plastic_strain = LOAD(plastic + i), fy = LOAD(section->fy + i), E = LOAD(section->E + i);
-  const lanes relative = E * strain - LOAD(section->EH + i) * plastic_strain;
+  const lanes strain = e0 - kappa * ED_LOAD(section->y + i);
+  const lanes plastic_strain = ED_LOAD(plastic + i), fy = ED_LOAD(section->fy + i), E = ED_LOAD(section->E + i);
+  const lanes relative = E * strain - ED_LOAD(section->EH + i) * plastic_strain;
   const mask above = relative > fy, beyond = above | (relative < -fy);
-  const lanes excess = SELECT(beyond, relative - SELECT(above, fy, -fy), zero);
-  const lanes stress = E * (strain - plastic_strain) - LOAD(section->flow + i) * excess;
-  const lanes factor = SELECT(beyond, LOAD(section->hardening + i), zero + 1.0);
-  add->N += LOAD(section->area + i) * stress;
-  add->M -= LOAD(section->Ay + i) * stress;
-  add->k11 += factor * LOAD(section->EA + i);
-  add->k12 -= factor * LOAD(section->EAy + i);
-  add->k22 += factor * LOAD(section->EAyy + i);
+  const lanes excess = ED_SELECT(beyond, relative - ED_SELECT(above, fy, -fy), zero);
+  const lanes stress = E * (strain - plastic_strain) - ED_LOAD(section->flow + i) * excess;
+  const lanes factor = ED_SELECT(beyond, ED_LOAD(section->hardening + i), zero + 1.0);
+  add->N += ED_LOAD(section->A + i) * stress;
+  add->M -= ED_LOAD(section->Ay + i) * stress;
+  add->k11 += factor * ED_LOAD(section->EA + i);
+  add->k12 -= factor * ED_LOAD(section->EAy + i);
+  add->k22 += factor * ED_LOAD(section->EAyy + i);
   add->yielded |= beyond;
 }
 
-static inline __attribute__((always_inline)) double total(const lanes *low, const lanes *high)
+ED_INLINE double total(const lanes *low, const lanes *high)
 {
   const lanes v = *low + *high;
   return (v[0] + v[2]) + (v[1] + v[3]);
 }
 
+ED_INLINE void sum_up(const half_sum *low, const half_sum *high, ed_section_response *response)
+{
+  *response = (ed_section_response){
+      .N = total(&low->N, &high->N),
+      .M = total(&low->M, &high->M),
+      .k11 = total(&low->k11, &high->k11),
+      .k12 = total(&low->k12, &high->k12),
+      .k22 = total(&low->k22, &high->k22),
+  };
+}
+
 /* Bilinear and elastic layers; `plastic` n_padded plastic strains. */
-ED_CLONES static void trial_vector(const ed_section *section, const double *plastic, double e0, double kappa,
-                                   ed_section_response *response)
+ED_CLONES static void straight_trial(const ed_section *section, const double *plastic, double e0, double kappa,
+                                     ed_section_response *response)
 {
   half_sum low = {0}, high = {0};
   for (int i = 0; i < section->n_padded; i += ED_LANES) {
     add_layers(section, plastic, e0, kappa, i, &low);
     add_layers(section, plastic, e0, kappa, i + HALF, &high);
   }
+  sum_up(&low, &high, response);
   const mask any = low.yielded | high.yielded;
-  *response = (ed_section_response){
-      .N = total(&low.N, &high.N),
-      .M = total(&low.M, &high.M),
-      .k11 = total(&low.k11, &high.k11),
-      .k12 = total(&low.k12, &high.k12),
-      .k22 = total(&low.k22, &high.k22),
-      .elastic = (any[0] | any[1] | any[2] | any[3]) == 0,
-  };
+  response->elastic = !ED_ANY(any);
 }
 
-static void trial_scalar(const ed_section *section, const double *state, double e0, double kappa,
-                         ed_section_response *response)
+enum { CHUNK = 4 * ED_LANES }; /* layers of which strains and stresses are held at once */
+
+ED_INLINE void strains_of(const ed_section *section, int first, int count, double e0, double kappa, double *strain)
 {
-  ed_section_response r = {.elastic = 1};
-  for (int i = 0; i < section->n; i++) {
-    double stress, tangent;
-    const double y = section->y[i], area = section->area[i];
-    r.elastic &= ed_steel_trial(section->steel[i], state + section->state_offset[i], e0 - kappa * y, &stress, &tangent);
-    r.N += area * stress;
-    r.M -= area * y * stress;
-    r.k11 += tangent * area;
-    r.k12 -= tangent * area * y;
-    r.k22 += tangent * area * y * y;
+  for (int i = 0; i < count; i += HALF)
+    ED_STORE(strain + i, e0 - kappa * ED_LOAD(section->y + first + i));
+}
+
+static int chunk_at(const ed_section *section, int first)
+{
+  return section->n_padded - first < CHUNK ? section->n_padded - first : CHUNK;
+}
+
+ED_INLINE void add_curved(const ed_section *section, const double *stress, const double *tangent, int first, int i, half_sum *add)
+{
+  const lanes area = ED_LOAD(section->curved_area + first + i), y = ED_LOAD(section->y + first + i);
+  const lanes force = area * ED_LOAD(stress + i), stiffness = area * ED_LOAD(tangent + i);
+  add->N += force;
+  add->M -= force * y;
+  add->k11 += stiffness;
+  add->k12 -= stiffness * y;
+  add->k22 += stiffness * y * y;
+}
+
+/* Layers of Menegotto-Pinto's law. */
+ED_CLONES static void curved_trial(const ed_section *section, const double *state, double e0, double kappa,
+                                   ed_section_response *response)
+{
+  half_sum low = {0}, high = {0};
+  int elastic = 1;
+  for (int first = 0; first < section->n_padded; first += CHUNK) {
+    double strain[CHUNK], stress[CHUNK], tangent[CHUNK];
+    const int count = chunk_at(section, first);
+    strains_of(section, first, count, e0, kappa, strain);
+    elastic &= ed_menegotto_pinto_trial(&section->menegotto_pinto, state, first, count, strain, stress, tangent);
+    for (int i = 0; i < count; i += ED_LANES) {
+      add_curved(section, stress, tangent, first, i, &low);
+      add_curved(section, stress, tangent, first, i + HALF, &high);
+    }
   }
-  *response = r;
+  sum_up(&low, &high, response);
+  response->elastic = elastic;
 }
 
 void ed_section_trial(const ed_section *section, const double *state, double e0, double kappa,
                       ed_section_response *response)
 {
-  if (section->elastic)
+  if (section->elastic) {
     *response = (ed_section_response){section->k11 * e0, section->k22 * kappa, section->k11, 0.0, section->k22, 1};
-  else if (section->vector)
-    trial_vector(section, state, e0, kappa, response);
-  else
-    trial_scalar(section, state, e0, kappa, response);
-}
-
-static double stored_vector(const ed_section *section, const double *plastic, double e0, double kappa)
-{
-  lanes low = {0}, high = {0};
-  for (int i = 0; i < section->n_padded; i += HALF) {
-    const lanes strain = e0 - kappa * LOAD(section->y + i) - LOAD(plastic + i);
-    *(i % ED_LANES ? &high : &low) += LOAD(section->EA + i) * strain * strain;
+    return;
   }
-  return 0.5 * total(&low, &high);
-}
-
-static double *layer_state(const ed_section *section, double *state, int layer)
-{
-  return state + (section->vector ? layer : section->state_offset[layer]);
+  if (section->straight)
+    straight_trial(section, state, e0, kappa, response);
+  if (!section->curved)
+    return;
+  ed_section_response curved;
+  curved_trial(section, curved_state(section, state), e0, kappa, &curved);
+  if (!section->straight) {
+    *response = curved;
+    return;
+  }
+  response->N += curved.N;
+  response->M += curved.M;
+  response->k11 += curved.k11;
+  response->k12 += curved.k12;
+  response->k22 += curved.k22;
+  response->elastic &= curved.elastic;
 }
 
 double ed_section_commit(const ed_section *section, double *state, double e0, double kappa)
 {
-  double dissipated = 0.0;
-  for (int i = 0; i < section->n; i++)
-    dissipated += section->area[i] *
-                  ed_steel_commit(section->steel[i], layer_state(section, state, i), e0 - kappa * section->y[i]);
-  return dissipated;
+  double energy = 0.0;
+  for (int i = 0; i < section->n && section->straight; i++)
+    if (section->steel[i]->law != ED_MENEGOTTO_PINTO)
+      energy += section->area[i] * ed_steel_commit(section->steel[i], state + i, e0 - kappa * section->y[i]);
+  for (int first = 0; first < section->n_padded && section->curved; first += CHUNK) {
+    double strain[CHUNK], dissipated[CHUNK];
+    const int count = chunk_at(section, first);
+    strains_of(section, first, count, e0, kappa, strain);
+    ed_menegotto_pinto_commit(&section->menegotto_pinto, curved_state(section, state), first, count, strain, dissipated);
+    for (int i = 0; i < count; i++)
+      energy += section->curved_area[first + i] * dissipated[i];
+  }
+  return energy;
 }
 
 double ed_section_stored(const ed_section *section, const double *state, double e0, double kappa)
 {
   if (section->elastic)
     return 0.5 * (section->k11 * e0 * e0 + section->k22 * kappa * kappa);
-  if (section->vector)
-    return stored_vector(section, state, e0, kappa);
-  double energy = 0.0;
-  for (int i = 0; i < section->n; i++) {
-    double stress, strain;
-    ed_section_layer(section, state, i, e0, kappa, &stress, &strain);
-    energy += section->area[i] * ed_steel_stored(section->steel[i], stress);
+  lanes low = {0}, high = {0};
+  for (int i = 0; i < section->n_padded && section->straight; i += HALF) {
+    const lanes strain = e0 - kappa * ED_LOAD(section->y + i) - ED_LOAD(state + i);
+    *(i % ED_LANES ? &high : &low) += ED_LOAD(section->EA + i) * strain * strain;
   }
+  double energy = 0.5 * total(&low, &high);
+  for (int i = 0; i < section->n && section->curved; i++)
+    if (section->steel[i]->law == ED_MENEGOTTO_PINTO)
+      energy += section->area[i] *
+                ed_steel_stored(section->steel[i], ed_menegotto_pinto_stress(curved_state(section, state), i));
   return energy;
 }
 
@@ -252,6 +316,13 @@ void ed_section_layer(const ed_section *section, const double *state, int layer,
 {
   double tangent;
   *strain = e0 - kappa * section->y[layer];
-  ed_steel_trial(section->steel[layer], state + (section->vector ? layer : section->state_offset[layer]), *strain,
-                 stress, &tangent);
+  if (section->steel[layer]->law != ED_MENEGOTTO_PINTO) {
+    ed_steel_trial(section->steel[layer], state + layer, *strain, stress, &tangent);
+    return;
+  }
+  const int first = layer / HALF * HALF;
+  double strains[HALF], stresses[HALF], tangents[HALF];
+  strains_of(section, first, HALF, e0, kappa, strains);
+  ed_menegotto_pinto_trial(&section->menegotto_pinto, curved_state(section, state), first, HALF, strains, stresses, tangents);
+  *stress = stresses[layer - first];
 }

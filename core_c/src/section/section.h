@@ -2,6 +2,7 @@
 #ifndef ED_SECTION_H
 #define ED_SECTION_H
 
+#include "material/menegotto_pinto.h"
 #include "material/steel.h"
 
 enum { ED_LANES = 8 }; /* layer arrays are padded to a multiple of this */
@@ -13,20 +14,23 @@ typedef struct {
   int elastic;          /* no layer yields: the tangent is the initial one */
 } ed_section_response;
 
+/* Each kind of law is evaluated over all layers, where those of another law have no area. */
 typedef struct {
   int elastic;          /* 1: EA and EI only, no layers */
   int n;                /* layers */
   int n_padded;
-  int vector;           /* every law is bilinear or elastic: the vector kernel serves */
+  int straight;         /* some laws are bilinear or elastic */
+  int curved;           /* some laws are Menegotto-Pinto's */
   int state_size;       /* doubles a section of this kind keeps */
   double k11, k12, k22; /* initial stiffness */
   double depth;         /* largest |y| */
-  double yield_strain;  /* smallest of the layers */
+  double yield_strain;  /* smallest of the layers; 0 where a law is never straight */
   const ed_steel **steel; /* n */
-  int *state_offset;    /* n, into the section's state */
   double *y, *area;     /* n_padded; padding has area 0 */
-  double *E, *EH, *fy, *hardening, *flow; /* n_padded: E, E+H, fy, b, E/(E+H) */
-  double *Ay, *EA, *EAy, *EAyy;
+  double *E, *EH, *fy, *hardening, *flow; /* straight laws: E, E+H, fy, b, E/(E+H) */
+  double *A, *Ay, *EA, *EAy, *EAyy;       /* of straight layers */
+  double *curved_area;
+  ed_menegotto_pinto menegotto_pinto;
   void *block;          /* owns the arrays */
 } ed_section;
 
@@ -36,11 +40,16 @@ int ed_section_from_fibres(ed_section *section, int n, const double *y, const do
 void ed_section_elastic(ed_section *section, double EA, double EI);
 void ed_section_free(ed_section *section);
 
+/* The state before any deformation. */
+void ed_section_initialise(const ed_section *section, double *state);
+/* Whether the layers may be in this state of finite numbers. */
+int ed_section_state_valid(const ed_section *section, const double *state);
+
 void ed_section_trial(const ed_section *section, const double *state, double e0, double kappa,
                       ed_section_response *response);
 /* Moves the layers to (e0, kappa); the return is the energy a unit length dissipated. */
 double ed_section_commit(const ed_section *section, double *state, double e0, double kappa);
-/* Recoverable energy a unit length at (e0, kappa), where the state has been committed. */
+/* Recoverable energy a unit length at (e0, kappa), to which the state has been committed. */
 double ed_section_stored(const ed_section *section, const double *state, double e0, double kappa);
 void ed_section_layer(const ed_section *section, const double *state, int layer, double e0, double kappa,
                       double *stress, double *strain);
