@@ -153,6 +153,17 @@ _FACTORS: dict[str, dict[str, float]] = {
 In an acceleration g stands for gravity; everywhere else it is the gram.
 """
 
+_OF_LABORATORIES: dict[str, dict[str, float]] = {
+    "m": {"um": 1e-6},
+    "N/m": {"kN/mm": 1e6},
+    "N*s/m": {"N*s/m": 1.0, "kN*s/m": 1e3, "kN*s/mm": 1e6},
+    "1/s": {"1/s": 1.0},
+    "s^2": {"s^2": 1.0},
+}
+"""The same of what laboratories write, and of which no building is built."""
+_POWER_DASHPOT = re.compile(r"(N|kN|MN)\*\(s/(m|mm)\)\^([0-9.]+)")
+"""Of F = c v^p, whose unit has the power of its parameter."""
+
 
 def units_of(kind: Kind) -> dict[str, float]:
     """Return the units that engineers write a quantity in most, with their factors to SI."""
@@ -178,8 +189,12 @@ def _known_factor(unit: str, kind: Kind) -> float:
 
 def _factor(value: str, unit: str, kind: Kind) -> float:
     """Factor from `unit` to SI after checking that it measures `kind`."""
-    if (known := _FACTORS.get(kind.unit, {}).get(_with_powers(unit))) is not None:
-        return known
+    for factors in (_FACTORS, _OF_LABORATORIES):
+        if (known := factors.get(kind.unit, {}).get(_with_powers(unit))) is not None:
+            return known
+    written, wanted = _POWER_DASHPOT.fullmatch(unit), _POWER_DASHPOT.fullmatch(kind.unit)
+    if written and wanted and written[3] == wanted[3]:
+        return _FACTORS["N"][written[1]] * _FACTORS["m"][written[2]] ** -float(written[3])
     if unit == "%":
         raise refuse(f"`{value}` is a ratio, but {a(kind.name)} is needed, for example `{kind.example}`")
     parsed = _parse_unit(value, unit, kind)
