@@ -183,6 +183,11 @@ class LoopRecord:
         """Whether the compensator adds something to the force."""
         return not np.array_equal(self.applied_force, self.force)
 
+    @property
+    def response(self) -> np.ndarray:
+        """Deformation (n,) whose force the structure gets, m: of the specimen, or of the target if it is corrected."""
+        return self.target if self.force_is_corrected else self.deformation
+
 
 class SubstructureLoop:
     """A virtual test that can be run again and again. One thread at a time may use it.

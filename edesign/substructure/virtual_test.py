@@ -32,8 +32,8 @@ class VirtualTest:
         record: of the loop; None: the specimen's law failed.
         building: response of the numerical part as the group of a history; None: there is none.
         tracking: how well the rig followed; None for a test that did not reach its end.
-        response_error: root mean square of the error of the damper's deformation over that of the direct analysis; NaN
-            without a structure.
+        response_error: root mean square of the error of `LoopRecord.response` over the deformation of the direct
+            analysis; NaN without a structure.
         peak_error: relative error of its largest magnitude.
         building_error: as `response_error`, of the drift of the storey where it is largest.
         alpha: (3,) means of the adaptive coefficients between the first and the last motion above the threshold; NaN of
@@ -94,8 +94,8 @@ def judged(
         step, applied = computed.file.loop.main_step, record.applied_force
         tracked = tracking(record.target, record.measured, step, record.force, applied=applied)
     if outcome == "done" and direct is not None:
-        response = response_error(record.deformation, direct.deformation)
-        peak = peak_error(record.deformation, direct.deformation)
+        response = response_error(record.response, direct.deformation)
+        peak = peak_error(record.response, direct.deformation)
         of_building = _largest_error(drift, direct.drift)
     return VirtualTest(
         test=test.name,

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from edesign.core.frame_part import FrameNumericalPart
-from edesign.core.substructure import Recursion, SubstructureLoop
+from edesign.core.substructure import LoopRecord, Recursion, RigLimits, SubstructureLoop
 from edesign.errors import AnalysisError
 from edesign.project.substructure.programme import CommandTest, RecordTest, RtsTest
 from edesign.project.substructure.rts_file import RtsFile
@@ -118,25 +118,55 @@ class VirtualLaboratory:
         """Yield what is doubtful about the main steps of a test, as `ComputedStructure.step_warnings`."""
         yield from self.computed.step_warnings(test.name, self.drives[test.name])
 
-    def _run(self, test: CommandTest | RtsTest, compensator: str, drive: Drive, direct: Direct | None) -> VirtualTest:
+    def moved(self, compensator: str, target: np.ndarray) -> LoopRecord:
+        """Return what rig and specimen do under a given target, the force acting on nothing.
+
+        They have no limits here, as a limit that is met ends what a test can say.
+
+        Args:
+            compensator: its name.
+            target: (n,) m, at main steps, from rest; or (n, 3) with velocity and acceleration.
+
+        Raises:
+            AnalysisError: the law of the specimen fails.
+        """
+        step = self.file.loop.main_step
+        if target.ndim == 1:
+            velocity = np.gradient(target, step)
+            target = np.column_stack([target, velocity, np.gradient(velocity, step)])
+        return self._machine(compensator, RigLimits()).run(target, seed=self.file.loop.seed)
+
+    def _machine(
+        self,
+        compensator: str,
+        limits: RigLimits,
+        numerical: Recursion | FrameNumericalPart | None = None,
+        abort: float = np.inf,
+    ) -> SubstructureLoop:
+        """The loop of a test; without a numerical part targets are given."""
         lab, loop = self.laboratory, self.file.loop
-        closed = drive.ground is not None
-        none = self.file.compensators[compensator].kind == "none"
-        abort = DIVERGED * float(np.max(np.abs(drive.wanted if direct is None else direct.deformation)))
-        machine = SubstructureLoop(
+        return SubstructureLoop(
             loop.main_step,
             loop.sub_steps,
             self.compensators[compensator],
             lab.rig,
             self.damper.values,
             sensors=lab.sensors,
-            numerical=self.computed.in_loop() if closed else None,
-            limits=lab.limits,
+            numerical=numerical,
+            limits=limits,
             rig_stiffness=lab.rig_stiffness,
             corrected=lab.corrected,
-            unseen_delay=0 if none else loop.unseen_delay,
-            abort=abort if abort > 0.0 else np.inf,
+            unseen_delay=0 if self.file.compensators[compensator].kind == "none" else loop.unseen_delay,
+            abort=abort,
             scales=self.damper.scales,
+        )
+
+    def _run(self, test: CommandTest | RtsTest, compensator: str, drive: Drive, direct: Direct | None) -> VirtualTest:
+        lab, loop = self.laboratory, self.file.loop
+        closed = drive.ground is not None
+        abort = DIVERGED * float(np.max(np.abs(drive.wanted if direct is None else direct.deformation)))
+        machine = self._machine(
+            compensator, lab.limits, self.computed.in_loop() if closed else None, abort if abort > 0.0 else np.inf
         )
         try:
             record = machine.run(drive.ground if closed else drive.target, seed=loop.seed)  # type: ignore[arg-type]

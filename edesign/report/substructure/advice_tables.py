@@ -9,7 +9,7 @@ from edesign.report.text import wrapped
 from edesign.substructure.advice.advice import Advice, TestAdvice
 from edesign.substructure.advice.expectation import EFFECTIVE_AMPLITUDE, MOVES_SPECIMEN, ExpectedTest, Linearisation
 from edesign.substructure.advice.transfers import EXACTLY
-from edesign.substructure.advice.unstable_runs import growth_in_words
+from edesign.substructure.advice.unstable_runs import AGREES, growth_in_words
 
 MODES_SHOWN = 6
 CYCLE, DISCRETE = "LIMIT CYCLE", "DISCRETE ONLY"
@@ -53,15 +53,15 @@ def modes_table(advice: Advice, test: TestAdvice) -> Table:
                 number(mode.rig_delay, 3, 1e-3),
                 number(mode.rig_amplitude, 3),
                 _unless_infinite(mode.critical_delay, 1e-3),
-                _unless_infinite(mode.margin_factor),
+                _unless_infinite(mode.delay_factor),
             ]
         )
     if len(test.modes) > MODES_SHOWN:
         table.notes += wrapped(f"the first {MODES_SHOWN} of {len(test.modes)} modes")
     table.notes += wrapped(
         "bare: without the specimen; k_E/k: share of a mode's stiffness that is the specimen's; rig, |rig|: its delay "
-        "and amplitude at f; critical: delay of the force at which the mode becomes unstable; factor: that over the "
-        "delay of the rig"
+        "and amplitude at f; critical: delay of the force at which the mode becomes unstable; factor: delay factor, "
+        "that over the delay of rig and force"
     )
     table.notes += [*wrapped(_first(test)), *wrapped(_linearised(test))]
     if advice.force_delay > 0.0:
@@ -108,8 +108,8 @@ def stability_table(advice: Advice, test: TestAdvice) -> Table:
         table.rows.append([one.compensator, _verdict(one), *_margins(one), _modelled_as(one)])
     table.notes += wrapped(
         "gain: gain margin, the factor on the force that makes the loop unstable; residual: delay that the compensator "
-        "leaves, at the mode that becomes unstable first; margin: further delay until it does; factor: (residual + "
-        "margin) / residual, of which the residual is a main step at least; required: "
+        "leaves, at the mode that becomes unstable first; margin: further delay of the rig until it does; factor: "
+        "delay factor, (residual + margin) / residual, of which the residual is a main step at least; required: "
         + f"{number(advice.delay_margin, 3)}; modelled as: the compensator in the linear loop, {EXACTLY} or, if it "
         "adapts, with the coefficients alpha_0, alpha_1, alpha_2 or the delay to which it converges"
     )
@@ -145,7 +145,7 @@ def _margins(one: ExpectedTest) -> list[str]:
         _unless_infinite(one.stability.gain_margin) if one.stable == one.stability.stable else "-",
         "-" if math.isnan(one.delay_left) else number(one.delay_left, 3, 1e-3, negligible=ALMOST_NONE),
         _unless_infinite(one.stability.delay_margin, 1e-3) if one.stable == one.stability.stable else "-",
-        _unless_infinite(one.margin_factor) if one.stable else "-",
+        _unless_infinite(one.delay_factor) if one.stable else "-",
     ]
 
 
@@ -185,9 +185,16 @@ def expected_table(advice: Advice) -> Table:
             name = f"{one.compensator}*" if one.grows_below > 0.0 else one.compensator
             table.rows.append([test.name, name, *tracking, *(response if one.stable else ["grows", "-"])])
     table.notes += wrapped(
-        "tracking: measured less target; response: deformation of the damper against the direct analysis; accepted: "
-        f"{_percent(advice.response_error)} %; without noise, and as if the rig had no limits"
+        "tracking: measured less target; response: deformation whose force the structure gets, against the direct "
+        f"analysis; accepted: {_percent(advice.response_error)} %; as if the rig had no limits"
     )
+    shares = [f"{test.name} {_percent(test.nonlinear)} %" for test in advice.tests if not math.isnan(test.nonlinear)]
+    if shares:
+        table.notes += wrapped(
+            f"share of the specimen's force that is not linear: {', '.join(shares)}. Rig and specimen are moved as the "
+            "structure itself moves; what their force then changes is of the linearised loop, and of laws far from "
+            f"linear right within a factor of some {AGREES:g}"
+        )
     if any(one.grows_below > 0.0 for test in advice.tests for one in test.expected):
         table.notes += wrapped("*: need not hold, as small motions are unstable")
     return table

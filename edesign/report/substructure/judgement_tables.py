@@ -82,7 +82,10 @@ def _shown(found: Tracking, name: str, unit: str) -> tuple[str, str]:
 def _response(found: JudgedResponse) -> Table:
     table = Table(f"Response of the structure in {found.test}", ("quantity", "value", "unit"))
     shares = (
-        ("measured displacement against the direct analysis, rms", found.response_error),
+        (
+            f"{'target' if found.corrected else 'measured displacement'} against the direct analysis, rms",
+            found.response_error,
+        ),
         ("its peak", found.peak_error),
         ("recorded target against the direct analysis, rms", found.target_error),
         ("target by the measured force against the recorded one, rms", found.reproduced),

@@ -8,9 +8,10 @@ from functools import cached_property
 
 import numpy as np
 
+from edesign.core.compensator import DifferenceEquation
 from edesign.core.substructure import Recursion
 from edesign.damper.harmonic import complex_stiffness
-from edesign.errors import InputError
+from edesign.errors import AnalysisError, InputError
 from edesign.project.substructure import compensators as kinds
 from edesign.substructure.advice.loaded_rig import loaded_poles, swinging, swings
 from edesign.substructure.advice.sampled_rig import MOST_SUB_STEPS, REACH, sampled_rig
@@ -18,23 +19,28 @@ from edesign.substructure.advice.transfers import (
     CompensatorTransfer,
     actuation,
     behind,
-    followed,
     force_over_step,
     late,
     of_adaptive_series,
     of_live_delay,
     rig_response,
 )
+from edesign.substructure.computed_structure import Direct
 from edesign.substructure.drive import Drive
 from edesign.substructure.indicators.frequency_index import equivalent_frequency
 from edesign.substructure.indicators.response_error import peak_error, response_error
 from edesign.substructure.laboratory import TestedDamper
-from edesign.substructure.stability.expected import DirectResponse, expected_errors
-from edesign.substructure.stability.loop import Loop, Transfer, phase_delay
-from edesign.substructure.stability.margins import LoopMode, LoopStability, critical_delays, loop_stability
+from edesign.substructure.stability.expected import DisturbedLoops
+from edesign.substructure.stability.loop import Loop, RigDelayLoop, Transfer, ideal, nothing, phase_delay
+from edesign.substructure.stability.margins import (
+    LoopStability,
+    critical_delays,
+    delay_factor,
+    loop_stability,
+)
 from edesign.substructure.stability.sampled import SampledLoop, SampledPlant, SampledStability
 from edesign.substructure.stability.specimens import linearised_law, tabulated_specimen
-from edesign.substructure.stability.whole import ComplexStiffness, WholeStructure
+from edesign.substructure.stability.whole import ComplexStiffness, StructureMode, WholeStructure
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.recursion import OVER_THE_STEP
 from edesign.substructure.virtual_tests import VirtualLaboratory
@@ -51,12 +57,13 @@ FREQUENCIES = 40
 """At which the law is linearised, evenly spaced on a logarithmic scale: some ten a decade, over which it is smooth."""
 LOWEST = 0.05
 """Of the lowest frequency of the structure: below, its displacements are those at rest."""
-GROUND_STEP = 0.004
-"""s, between samples of the ground motion in expected errors; records have hardly anything above 50 Hz."""
+FADE = 0.1
+"""Of a history, at its end: some seconds, so that the fading is slow beside the motion."""
 SETTLED = 1e-6
 """Relative change of the frequency at which the law and the mode agree."""
 ROUNDS = 50
 UNSTABLE_RIG = "the rig itself is unstable with the specimen"
+FAILS = "the specimen fails under the motion of the structure itself"
 
 
 @dataclass(frozen=True)
@@ -93,7 +100,7 @@ class ModeAdvice:
         rig_delay: s, at its frequency.
         rig_amplitude: measured over command, there.
         critical_delay: of the force, at which it goes, s; inf: no delay does that.
-        margin_factor: critical delay over that of rig and force; inf: the rig is not late.
+        delay_factor: of the critical delay over that of rig and force, see `delay_factor`.
     """
 
     number: int
@@ -104,7 +111,7 @@ class ModeAdvice:
     rig_delay: float
     rig_amplitude: float
     critical_delay: float
-    margin_factor: float
+    delay_factor: float
 
 
 @dataclass(frozen=True)
@@ -117,7 +124,7 @@ class ExpectedTest:
         stability: verdict and margins; None: the test has no loop, or the compensator is unstable with the rig alone.
         stable: the verdict.
         delay_left: of rig, compensator and force at the mode that goes first, s; NaN: none goes.
-        margin_factor: (delay left + delay margin) over the delay left, which counts as a main step at least.
+        delay_factor: of the delay that is left and the margin over the former, see `delay_factor`.
         limited: whether limits of the file keep it from what it would find.
         tracking_rms, tracking_peak: of measured less target, over those of the target.
         response_rms: error of the deformation over that of the direct analysis; inf: it grows; NaN: there is no loop.
@@ -132,7 +139,7 @@ class ExpectedTest:
     stability: LoopStability | None
     stable: bool
     delay_left: float
-    margin_factor: float
+    delay_factor: float
     limited: bool
     tracking_rms: float
     tracking_peak: float
@@ -205,8 +212,9 @@ class LinearModel:
         part = self.part
         return WholeStructure(part.mass, part.damping, part.stiffness, part.interface, self.specimen)
 
+    @cached_property
     def modes(self) -> tuple[ModeAdvice, ...]:
-        """Return the modes of the structure, from the lowest; none without a structure.
+        """The modes of the structure, from the lowest; none without a structure.
 
         Raises:
             InputError: a mode has no damping.
@@ -216,19 +224,17 @@ class LinearModel:
         highest, bare = 0.5 / self.laboratory.file.loop.main_step, self.part.frequencies()
         crossings = critical_delays(self.whole, highest)
         found = []
-        for mode in loop_stability(Loop(self.whole), highest).modes:
-            critical = min((one.delay for one in crossings if one.mode == mode.number), default=math.inf)
-            found.append(self._mode(mode, float(bare[mode.number - 1]), critical))
+        for number, mode in enumerate(self.whole.modes, 1):
+            critical = min((one.delay for one in crossings if one.mode == number), default=math.inf)
+            found.append(self._mode(number, mode, float(bare[number - 1]), critical))
         return tuple(found)
 
-    def _mode(self, mode: LoopMode, bare: float, critical: float) -> ModeAdvice:
+    def _mode(self, number: int, mode: StructureMode, bare: float, critical: float) -> ModeAdvice:
         delay = phase_delay(self.rig, mode.frequency)
-        late_by = delay + force_delay(self.laboratory)
-        factor = critical / late_by if late_by > 0.0 else math.inf
-        amplitude = abs(complex(self.rig(np.array([2j * np.pi * mode.frequency]))[0]))
-        return ModeAdvice(
-            mode.number, bare, mode.frequency, mode.damping, mode.share, delay, amplitude, critical, factor
-        )
+        factor = delay_factor(critical, delay + force_delay(self.laboratory), self.laboratory.file.loop.main_step)
+        amplitude = abs(complex(self.rig(np.array([1j * mode.omega]))[0]))
+        share = self.whole.share_of(mode)
+        return ModeAdvice(number, bare, mode.frequency, mode.damping, share, delay, amplitude, critical, factor)
 
     def compensator(self, name: str, motion: np.ndarray) -> CompensatorTransfer:
         """Return a compensator of the file, with the delay that it does not see.
@@ -301,23 +307,58 @@ class LinearModel:
         poles = loaded_poles(self.laboratory.file.plant, self.specimen)
         return swinging(poles) if swings(poles) else ""
 
-    def under(self, drive: Drive) -> DirectResponse | None:
-        """Return the response of the structure itself to what drives the test; None: the target is given."""
-        if self.part is None or drive.ground is None:
-            return None
-        step = self.laboratory.file.loop.main_step
-        every = max(int(GROUND_STEP / step), 1)
-        return DirectResponse(self.whole, self.part.influence, drive.ground[::every], every * step)
-
-    def expected(
-        self, name: str, response: DirectResponse | None, motion: np.ndarray, compensator: CompensatorTransfer
-    ) -> ExpectedTest:
-        """Return what is to be expected with a compensator.
+    def rig_delay_loop(self, name: str, compensator: CompensatorTransfer) -> Loop:
+        """Return the loop of a test opened at its rig, the compensator being left as it is.
 
         Args:
             name: of the compensator.
-            response: of `under`.
-            motion: (n,) deformation of the damper, as of `of`, m.
+            compensator: of `compensator`.
+        """
+        loop = Loop(self.whole, self.seen(compensator))
+        equation = self.laboratory.compensators[name]
+        feeds_back = isinstance(equation, DifferenceEquation) and any(term.of == "measured" for term in equation.terms)
+        if not feeds_back and compensator.force is None:
+            return loop
+        standing = replace(self, rig=nothing)
+        opened = standing.compensator(name, np.zeros(0)) if feeds_back else compensator
+        return RigDelayLoop(
+            self.whole,
+            loop.rig,
+            still=_quiet(standing.seen(opened)),
+            opened=_quiet(lambda s: np.asarray(opened.command(s) / compensator.command(s))),
+        )
+
+    def nonlinear_share(self, direct: Direct) -> float:
+        """Return the share of the specimen's force in the structure itself that the linearised law does not give.
+
+        Root mean square of the remainder over that of the force. Both fade out at the end, where a dashpot would see
+        the deformation jump.
+        """
+        step, size = self.laboratory.file.loop.main_step, direct.force.size
+        fade = np.minimum((size - 1 - np.arange(size)) / max(FADE * size, 1.0), 1.0)
+        padded = int(2 ** math.ceil(math.log2(2 * size)))
+        s = 2j * np.pi * np.fft.rfftfreq(padded, step)
+        spectrum = self.specimen(-1j * s) * np.fft.rfft(fade * direct.deformation, padded)
+        linear, force = np.fft.irfft(spectrum, padded)[:size], fade * direct.force
+        return response_error(linear, force)
+
+    @cached_property
+    def _disturbed(self) -> DisturbedLoops:
+        return DisturbedLoops(self.whole, self.laboratory.file.loop.main_step)
+
+    def expected(
+        self, name: str, drive: Drive, direct: Direct | None, compensator: CompensatorTransfer
+    ) -> ExpectedTest:
+        """Return what is to be expected with a compensator.
+
+        Rig and specimen are moved once as the structure itself, or the given target, moves. So their force has all
+        that is not linear in the law, in the oil that it shortens, and in the adaptation. What that force changes in
+        the motion of the structure follows from the linearised loop.
+
+        Args:
+            name: of the compensator.
+            drive: of the test.
+            direct: analysis of the structure itself; None: the target is given.
             compensator: of `compensator`.
 
         Raises:
@@ -327,30 +368,60 @@ class LinearModel:
         if swinging_rig or not compensator.settles:
             said, grown = UNSTABLE_RIG if swinging_rig else "unstable with the rig alone", math.inf
             return ExpectedTest(name, said, None, False, nan, 0.0, False, nan, nan, grown, grown)
-        if response is not None:
-            return self._in_loop(name, compensator, response)
-        tracking = _tracking(motion, self._measured(compensator, motion, self.laboratory.file.loop.main_step))
-        said, held = compensator.modelled_as, compensator.limited
+        if direct is not None:
+            return self._in_loop(name, compensator, direct)
+        assert drive.target is not None
+        said, held, tracking = compensator.modelled_as, compensator.limited, (nan, nan)
+        try:
+            tracking = _tracking(drive.target[:, 0], self.laboratory.moved(name, drive.target).measured)
+        except AnalysisError as error:
+            said = f"{said}; {FAILS}: {error}"
         return ExpectedTest(name, said, None, True, nan, math.inf, held, *tracking, nan, nan)
 
-    def _in_loop(self, name: str, compensator: CompensatorTransfer, response: DirectResponse) -> ExpectedTest:
+    def _in_loop(self, name: str, compensator: CompensatorTransfer, direct: Direct) -> ExpectedTest:
         step, loop = self.laboratory.file.loop.main_step, Loop(self.whole, self.seen(compensator))
-        verdict, sampled = loop_stability(loop, 0.5 / step), self.sampled(name, compensator)
+        opened = self.rig_delay_loop(name, compensator)
+        verdict = loop_stability(loop, 0.5 / step, opened if isinstance(opened, RigDelayLoop) else None)
+        sampled = self.sampled(name, compensator)
         stable = verdict.stable if sampled is None else sampled.stable
-        found = expected_errors(loop, verdict, response)
         grown = math.nan if stable else math.inf
-        tracking, wrong = (math.nan, math.nan), (grown, grown)
-        if stable and math.isfinite(found.response_rms):
-            measured = self._measured(compensator, found.target, response.step)
-            tracking = _tracking(found.target, measured)
-            wrong = response_error(measured, found.direct), peak_error(measured, found.direct)
-        said, held, margin = compensator.modelled_as, compensator.limited, _margin(verdict, step)
-        if not stable:
-            margin = margin[0], 0.0
-        return ExpectedTest(name, said, verdict, stable, *margin, held, *tracking, *wrong, sampled=sampled)
+        tracking, wrong, said = (math.nan, math.nan), (grown, grown), compensator.modelled_as
+        if stable:
+            try:
+                tracking, wrong = self._errors(name, compensator, loop, verdict, direct)
+            except AnalysisError as error:
+                said = f"{said}; {FAILS}: {error}"
+        held = compensator.limited
+        left, factor = _delay_left(verdict, step)
+        return ExpectedTest(
+            name, said, verdict, stable, left, factor if stable else 0.0, held, *tracking, *wrong, sampled=sampled
+        )
 
-    def _measured(self, compensator: CompensatorTransfer, target: np.ndarray, step: float) -> np.ndarray:
-        return followed(target, step, lambda s: self.rig(s) * compensator.command(s))
+    def _errors(
+        self, name: str, compensator: CompensatorTransfer, loop: Loop, verdict: LoopStability, direct: Direct
+    ) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Of tracking and of the response, root mean square and peak; NaN: the loop hardly decays.
+
+        Raises:
+            AnalysisError: the law of the specimen fails.
+        """
+        file = self.laboratory.file
+        found = self.laboratory.moved(name, direct.deformation)
+        over_step = force_over_step(file.loop.force, file.loop.main_step)
+        change = self._disturbed.change(
+            loop,
+            verdict,
+            found.applied_force,
+            direct.force,
+            over_step if file.integration.method in OVER_THE_STEP else ideal,
+            lambda s: np.asarray(self.rig(s) * compensator.command(s)),
+        )
+        if change is None:
+            return (math.nan, math.nan), (math.nan, math.nan)
+        target, measured = direct.deformation + change.target, found.measured + change.measured
+        of_force = target if found.force_is_corrected else found.deformation + change.measured
+        wrong = response_error(of_force, direct.deformation), peak_error(of_force, direct.deformation)
+        return _tracking(target, measured), wrong
 
     def seen(self, compensator: CompensatorTransfer) -> Transfer:
         """What the numerical part gets of the force, over the force of the target."""
@@ -401,12 +472,22 @@ def first_moving(part: LinearPart, specimen: ComplexStiffness) -> float:
     return omega / (2.0 * math.pi)
 
 
-def _margin(verdict: LoopStability, step: float) -> tuple[float, float]:
-    """Delay that is left at the mode that goes first, and the factor on it (at least a step) until that goes."""
+def _delay_left(verdict: LoopStability, step: float) -> tuple[float, float]:
+    """Delay that is left at the mode that goes first, and the factor on it until that goes."""
     if verdict.first_mode == 0:
         return math.nan, math.inf if verdict.stable else 0.0
     left = verdict.modes[verdict.first_mode - 1].delay
-    return left, 1.0 + verdict.delay_margin / max(left, step) if verdict.stable else 0.0
+    return left, delay_factor(left + verdict.delay_margin, left, step) if verdict.stable else 0.0
+
+
+def _quiet(transfer: Transfer) -> Transfer:
+    """Without warnings at rest, where the integrator of a controller that is not closed is infinite."""
+
+    def value(s: np.ndarray) -> np.ndarray:
+        with np.errstate(divide="ignore", invalid="ignore"):
+            return transfer(s)
+
+    return value
 
 
 def _tracking(target: np.ndarray, measured: np.ndarray) -> tuple[float, float]:

@@ -21,7 +21,7 @@ class Candidate:
     Attributes:
         name, kind: of it.
         stable: in every test.
-        margin_factor: least factor on the delay that is left until a test is unstable.
+        delay_factor: least factor on the delay that is left until a test is unstable.
         error: largest expected error, of the response or, without a loop, of tracking.
         of_response: whether it is that of the response.
         cycle_error: largest share of the motion that a limit cycle of small motions may be; 0: no such motion grows.
@@ -31,7 +31,7 @@ class Candidate:
     name: str
     kind: str
     stable: bool
-    margin_factor: float
+    delay_factor: float
     error: float
     of_response: bool
     cycle_error: float = 0.0
@@ -80,7 +80,7 @@ def recommended(candidates: Sequence[Candidate], delay_margin: float, response_e
         return Recommendation("", "There is no test of kind command or rts to judge by.", accurate=False)
     stable = [one for one in candidates if one.stable]
     quiet = [one for one in stable if one.cycle_error <= response_error]
-    safe = [one for one in quiet if one.margin_factor >= delay_margin and math.isfinite(one.error)]
+    safe = [one for one in quiet if one.delay_factor >= delay_margin and math.isfinite(one.error)]
     if not safe:
         return Recommendation("", _why_none(candidates, delay_margin, response_error), accurate=False)
     least = min(one.whole_error for one in safe)
@@ -106,9 +106,9 @@ def _quality(best: Candidate, delay_margin: float) -> str:
     if not best.of_response:
         return f"Expected tracking error {_percent(best.whole_error)}"
     error = f"Expected response error {_percent(best.whole_error)}"
-    if math.isinf(best.margin_factor):
+    if math.isinf(best.delay_factor):
         return f"{error}, stable whatever the delay"
-    return f"{error}, stable up to {best.margin_factor:.3g} times the delay that is left (asked: {delay_margin:g})"
+    return f"{error}, stable up to {best.delay_factor:.3g} times the delay that is left (asked: {delay_margin:g})"
 
 
 def _rival(best: Candidate, least: float, safe: Sequence[Candidate]) -> list[str]:
@@ -135,7 +135,7 @@ def _why_none(candidates: Sequence[Candidate], delay_margin: float, response_err
         names = ", ".join(f'"{one.name}" (to {_percent(one.cycle_error)} of the response)' for one in growing)
         said.append(f"Small motions grow with {names}.")
     if quiet := [one for one in stable if one.cycle_error <= response_error]:
-        names = ", ".join(f'"{one.name}" ({one.margin_factor:.3g})' for one in quiet)
+        names = ", ".join(f'"{one.name}" ({one.delay_factor:.3g})' for one in quiet)
         said.append(f"None has a margin of {delay_margin:g} times the delay that is left; stable with less: {names}.")
     return " ".join(said)
 

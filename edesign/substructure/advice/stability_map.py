@@ -8,11 +8,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from edesign.core.compensator import DifferenceEquation
 from edesign.errors import InputError
 from edesign.substructure.advice.expectation import LinearModel
 from edesign.substructure.advice.transfers import CompensatorTransfer
-from edesign.substructure.stability.loop import Loop, RigDelayLoop, Transfer, nothing
 from edesign.substructure.stability.stable_delays import stable_delays
 from edesign.substructure.virtual_tests import VirtualLaboratory
 
@@ -93,7 +91,7 @@ def governing_map(laboratory: VirtualLaboratory, motions: Mapping[str, np.ndarra
     if structure is None or not motions:
         return None
     models = {name: LinearModel.of(laboratory, motion, structure.part) for name, motion in motions.items()}
-    name = min(models, key=lambda one: min(mode.critical_delay for mode in models[one].modes()))
+    name = min(models, key=lambda one: min(mode.critical_delay for mode in models[one].modes))
     found = stability_map(models[name], motions[name])
     return (name, found) if found is not None else None
 
@@ -110,7 +108,7 @@ def stability_map(model: LinearModel, motion: np.ndarray) -> StabilityMap | None
     """
     if model.rig_swings or model.part is None:
         return None
-    modes = model.modes()
+    modes = model.modes
     first = min(modes, key=lambda mode: mode.critical_delay)
     transfer = model.laboratory.laboratory.transfer
     present = transfer.low_frequency_delay
@@ -174,41 +172,8 @@ def _stable(
 ) -> tuple[tuple[float, float], ...]:
     """Further delays of the rig, s, at which the test is stable."""
     model = column.model
-    loop = rig_delay_loop(model, name, compensator)
+    loop = model.rig_delay_loop(name, compensator)
     return stable_delays(loop, least, largest, 0.5 / model.laboratory.file.loop.main_step)
-
-
-def rig_delay_loop(model: LinearModel, name: str, compensator: CompensatorTransfer) -> Loop:
-    """Return the loop of a test opened at its rig, the compensator being left as it is.
-
-    Args:
-        model: with a structure.
-        name: of the compensator.
-        compensator: of `LinearModel.compensator`.
-    """
-    loop = Loop(model.whole, model.seen(compensator))
-    equation = model.laboratory.compensators[name]
-    feeds_back = isinstance(equation, DifferenceEquation) and any(term.of == "measured" for term in equation.terms)
-    if not feeds_back and compensator.force is None:
-        return loop
-    standing = replace(model, rig=nothing)
-    opened = standing.compensator(name, np.zeros(0)) if feeds_back else compensator
-    return RigDelayLoop(
-        model.whole,
-        loop.rig,
-        still=_quiet(standing.seen(opened)),
-        opened=_quiet(lambda s: np.asarray(opened.command(s) / compensator.command(s))),
-    )
-
-
-def _quiet(transfer: Transfer) -> Transfer:
-    """Without warnings at rest, where the integrator of a controller that is not closed is infinite."""
-
-    def value(s: np.ndarray) -> np.ndarray:
-        with np.errstate(divide="ignore", invalid="ignore"):
-            return transfer(s)
-
-    return value
 
 
 def _moved(intervals: Sequence[tuple[float, float]], by: float) -> tuple[tuple[float, float], ...]:

@@ -18,8 +18,6 @@ from edesign.substructure.rig.rigs import RigTransfer
 from edesign.substructure.stability.loop import Transfer
 from edesign.substructure.stability.whole import ComplexStiffness
 
-REST = 1.0
-"""s after the end of a history in which it is brought to rest; some hundred times the delay of a rig."""
 _ORDER = {"target": 0, "velocity": 1, "acceleration": 2}
 EXACTLY = "exactly"
 """How the linear loop models a compensator that is linear itself."""
@@ -352,18 +350,3 @@ def _differences(step: float) -> Callable[[np.ndarray], tuple[np.ndarray, np.nda
         return first, first**2
 
     return derivatives
-
-
-def followed(history: np.ndarray, step: float, transfer: Transfer) -> np.ndarray:
-    """Return what a transfer function makes of a history from rest, (n,) of (n,); step in s.
-
-    It is brought to rest smoothly after its end, as what leads would otherwise see a jump.
-    """
-    rest = max(round(REST / step), 1)
-    back = min(rest, history.size - 1)
-    fade = 0.5 * (1.0 + np.cos(np.pi * np.arange(1, back + 1) / back))
-    after = (2.0 * history[-1] - history[-2 : -2 - back : -1]) * fade
-    size = int(2 ** math.ceil(math.log2(history.size + back + 2 * rest)))
-    s = 2j * np.pi * np.fft.rfftfreq(size, step)
-    spectrum = np.fft.rfft(np.concatenate((history, after)), size) * transfer(s)
-    return np.asarray(np.fft.irfft(spectrum, size)[: history.size])

@@ -17,8 +17,11 @@ from edesign.substructure.met_limits import in_words
 from edesign.substructure.virtual_test import DIVERGED, VirtualTest, without_result
 from edesign.substructure.virtual_tests import TestResults, VirtualLaboratory
 
-AGREES = 1.5
-"""Errors of runs over those expected of linear dampers, at most: tests/unit/substructure/test_advice_partitions.py."""
+AGREES = 2.0
+"""Errors of runs over those expected, at most. What is left out is that an error beside a large motion meets another
+stiffness than the motion does. Of a force |v|^alpha sign v it is (1 + alpha)/2 of the equivalent one: half of it for
+friction, so that an error at resonance is up to twice as large. Source: incremental-input describing function, Gelb &
+Vander Velde (1968), Multiple-Input Describing Functions and Nonlinear System Design, chapter 6."""
 
 
 def with_unstable_loops(laboratory: VirtualLaboratory, results: TestResults) -> TestResults:
@@ -40,10 +43,9 @@ def with_unstable_loops(laboratory: VirtualLaboratory, results: TestResults) -> 
     motion = results.drive.wanted if direct is None else direct.deformation
     try:
         model = LinearModel.of(laboratory, motion, part)
-        response = model.under(results.drive)
         found = {
             run.compensator: model.expected(
-                run.compensator, response, motion, model.compensator(run.compensator, motion)
+                run.compensator, results.drive, direct, model.compensator(run.compensator, motion)
             )
             for run in asked
         }
@@ -82,8 +84,8 @@ def _unexpected(run: VirtualTest, expected: float, why_else: str) -> VirtualTest
     met = f", {in_words(run.saturated)}" if run.saturated else ""
     return _warned(
         run,
-        f"is {100.0 * run.response_error:.3g} % wrong, and {100.0 * expected:.3g} % was expected of its linearised "
-        f"loop, which is stable. What that leaves out: how far the law is from linear{why_else}{met}",
+        f"is {100.0 * run.response_error:.3g} % wrong, and {100.0 * expected:.3g} % was expected of its loop, which "
+        f"is stable when linearised. What that leaves out: errors meet another stiffness than motions{why_else}{met}",
     )
 
 

@@ -26,7 +26,7 @@ from edesign.substructure.indicators.tracking_error import nrms_root
 from edesign.substructure.judgement.measured import MeasuredRecord, clipped, read_measured
 from edesign.substructure.laboratory import TestedDamper
 from edesign.substructure.sized_damper import SizedDamper
-from edesign.substructure.stability.margins import critical_delays
+from edesign.substructure.stability.margins import critical_delays, delay_factor
 from edesign.substructure.virtual_tests import VirtualLaboratory
 
 REPRODUCED = 0.05
@@ -45,13 +45,16 @@ class JudgedResponse:
         driven_by: the ground motion, in words.
         reproduced: root of squared error over squared target, of the numerical part under the measured force,
             or the applied one where the record has it.
-        response_error, peak_error: of the measured displacement against the direct analysis: root of squared error over
-            squares, relative error of the peak.
+        corrected: whether the force is corrected to that of the target.
+        response_error, peak_error: of the deformation whose force the structure gets against the direct analysis: that
+            which is measured, or the target if the force is corrected. Root of squared error over squares, relative
+            error of the peak.
         target_error: root of squared error over squares, of the recorded target against the direct analysis.
         force_nrms, force_nrms_root: of the law under the measured displacement against the measured force, without and
             with a root.
         critical_delay: at which the loop would have become unstable, s; inf: at none.
-        margin: of it over the measured delay and that of the force; inf: neither is late; NaN: the delay is not told.
+        delay_factor: of it over the measured delay and that of the force, or over the delay that a correction leaves in
+            the force; see `delay_factor`.
         covered: largest direct deformation while the record lasts, over the largest of all.
         time: (n,) s at main steps; target, measured, force, direct_deformation, by_force, law_force: (n,) SI.
     """
@@ -59,13 +62,14 @@ class JudgedResponse:
     test: str
     driven_by: str
     reproduced: float
+    corrected: bool
     response_error: float
     peak_error: float
     target_error: float
     force_nrms: float
     force_nrms_root: float
     critical_delay: float
-    margin: float
+    delay_factor: float
     covered: float
     time: np.ndarray
     target: np.ndarray
@@ -211,7 +215,8 @@ def _response(record: MeasuredRecord, file: RtsFile, test: RtsTest, followed: Tr
     assert structure is not None and drive.ground is not None
     time = _shared_time(record, drive)
     target, measured, force = (_at(record, one, time) for one in ("target", "displacement", "force"))
-    applied = _at(record, "applied_force", time) if "applied_force" in record.channels else force
+    corrected = "applied_force" in record.channels
+    applied, answered = (_at(record, "applied_force", time), target) if corrected else (force, measured)
     by_force = _by_force(record, laboratory, applied, drive.ground[: time.size])
     _refuse_another_test(record, target, by_force, whole, file.loop.main_step)
     direct = whole.deformation[: time.size]
@@ -220,17 +225,20 @@ def _response(record: MeasuredRecord, file: RtsFile, test: RtsTest, followed: Tr
     crossings = critical_delays(LinearModel.of(laboratory, whole.deformation, part).whole, 0.5 / file.loop.main_step)
     critical = min((one.delay for one in crossings if one.delay > 0.0), default=math.inf)
     late = followed.correlation_delay + force_delay(laboratory)
+    if corrected:
+        late = _delay_of_applied_force(laboratory, time, target, applied)
     return JudgedResponse(
         test=test.name,
         driven_by=drive.source,
         reproduced=nrms_root(target, by_force),
-        response_error=response_error(measured, direct),
-        peak_error=peak_error(measured, direct),
+        corrected=corrected,
+        response_error=response_error(answered, direct),
+        peak_error=peak_error(answered, direct),
         target_error=response_error(target, direct),
         force_nrms=nrms_root(force, law) ** 2,
         force_nrms_root=nrms_root(force, law),
         critical_delay=critical,
-        margin=math.inf if late <= 0.0 or math.isinf(critical) else critical / late,
+        delay_factor=delay_factor(critical, late, file.loop.main_step),
         covered=float(np.max(np.abs(direct)) / np.max(np.abs(whole.deformation))),
         time=time,
         target=target,
@@ -240,6 +248,18 @@ def _response(record: MeasuredRecord, file: RtsFile, test: RtsTest, followed: Tr
         by_force=by_force,
         law_force=law,
     )
+
+
+def _delay_of_applied_force(
+    laboratory: VirtualLaboratory, time: np.ndarray, target: np.ndarray, applied: np.ndarray
+) -> float:
+    """Of a corrected force behind that of the law under the target, s, and half a step if it is held; NaN: not told."""
+    over_step = force_delay(laboratory) - laboratory.laboratory.sensors.force_delay
+    try:
+        law = _law_force(laboratory.damper, time, target)
+        return correlation_delay(law, applied, laboratory.file.loop.main_step).delay + over_step
+    except Untold:
+        return math.nan
 
 
 def _shared_time(record: MeasuredRecord, drive: Drive) -> np.ndarray:
@@ -312,7 +332,7 @@ def _criteria(file: RtsFile, response: JudgedResponse) -> tuple[Criterion, ...]:
     return (
         Criterion("target under the measured force", response.reproduced, REPRODUCED),
         Criterion("error of the response", response.response_error, file.criteria.response_error),
-        Criterion("margin of the delay", response.margin, file.criteria.delay_margin, at_least=True),
+        Criterion("delay factor", response.delay_factor, file.criteria.delay_margin, at_least=True),
         Criterion("largest deformation that the record lasts for, over that of the test", response.covered, 1.0, True),
     )
 

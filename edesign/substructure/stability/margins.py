@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.substructure.stability.loop import Loop, phase_delay
+from edesign.substructure.stability.loop import Loop, RigDelayLoop, phase_delay
 from edesign.substructure.stability.roots import further_roots, loop_roots
 from edesign.substructure.stability.sweep import GAIN_OF_INTEREST, Sweep, sweep
 from edesign.substructure.stability.whole import StructureMode, WholeStructure
@@ -81,9 +81,8 @@ class LoopStability:
         bounded: False: the loop does not fade, |L| >= 1 however high the frequency, and has roots without end there.
         gain_margin: least factor above 1 on the specimen's force that makes the loop unstable; inf: none below 20. Of
             an unstable loop: the largest factor below 1 with a root on the axis; 0: none.
-        delay_margin: extra delay that makes the loop unstable, s; inf: none. Of an unstable loop, less than zero: the
-            delay to be taken away until a root comes back; -inf: that does not help.
-        lead_margin: extra lead, s, as above for a stable loop; nan for an unstable one.
+        delay_margin: extra delay of the rig that makes the loop unstable, s; inf: none. Of an unstable loop, less than
+            zero: the delay to be taken away until a root comes back; -inf: that does not help.
         first_mode: number of the mode that goes first; 0: none.
         crossings: by delay, from the least extra one.
         modes: from the lowest.
@@ -96,7 +95,6 @@ class LoopStability:
     bounded: bool
     gain_margin: float
     delay_margin: float
-    lead_margin: float
     first_mode: int
     crossings: tuple[Crossing, ...]
     modes: tuple[LoopMode, ...]
@@ -111,13 +109,16 @@ class LoopStability:
         return max([0.0, *(rate for rate in modes if math.isfinite(rate)), *others])
 
 
-def loop_stability(loop: Loop, highest_frequency: float | None = None) -> LoopStability:
+def loop_stability(
+    loop: Loop, highest_frequency: float | None = None, delayed: RigDelayLoop | None = None
+) -> LoopStability:
     """Whether a substructure test is stable, and with what margins.
 
     Args:
         loop: with rig and compensator as they are; without them: the partition itself.
         highest_frequency: Hz, see `sweep`; give half the rate of the main step for a compensator that would grow
             without bound.
+        delayed: the loop opened at its rig, whose delay the margin is of; None: it multiplies all of L.
 
     Raises:
         InputError: the structure itself is undamped, or a part of the loop has no finite transfer function.
@@ -125,29 +126,42 @@ def loop_stability(loop: Loop, highest_frequency: float | None = None) -> LoopSt
     own, swept = loop.whole.modes, sweep(loop, highest_frequency)
     roots = loop_roots(loop)
     found = crossings_of(loop, swept)
+    if delayed is not None:
+        found = crossings_of(delayed, sweep(delayed, highest_frequency))
     stable = swept.bounded and swept.unstable_roots == 0
     late = [one for one in found if one.delay > 0.0]
     early = [one for one in found if one.delay < 0.0]
     if stable:
         first = min((one for one in late if one.grows), key=lambda one: one.delay, default=None)
         delay_margin = first.delay if first else math.inf
-        lead_margin = min((-one.delay for one in early if not one.grows), default=math.inf)
     else:
         first = max((one for one in early if one.grows), key=lambda one: one.delay, default=None)
-        delay_margin, lead_margin = (first.delay if first else -math.inf), math.nan
+        delay_margin = first.delay if first else -math.inf
     return LoopStability(
         stable,
         swept.unstable_roots,
         swept.bounded,
         _gain_margin(loop, swept, stable),
         delay_margin,
-        lead_margin,
         first.mode if first else 0,
         found,
         tuple(_mode(loop, i + 1, own[i], complex(roots[i]), found) for i in range(len(own))),
         further_roots(loop, _dips(swept), float(swept.omega[-1]), roots, swept.unstable_roots),
         swept,
     )
+
+
+def delay_factor(critical: float, late: float, step: float) -> float:
+    """Return how many times as late a test may be: critical delay over the delay; inf: no delay is critical.
+
+    A delay below a main step, or a lead, counts as a step: no loop knows its own delay more closely.
+
+    Args:
+        critical: delay at which the test grows, that which it has included, s.
+        late: delay that the test has, s; NaN: it is not told, and the factor is not.
+        step: main step, s.
+    """
+    return critical / max(late, step) if math.isfinite(late) else math.nan
 
 
 def critical_delays(whole: WholeStructure, highest_frequency: float | None = None) -> tuple[Crossing, ...]:
@@ -202,19 +216,16 @@ def _gain_margin(loop: Loop, swept: Sweep, stable: bool) -> float:
 def _mode(loop: Loop, number: int, own: StructureMode, root: complex, crossings: Sequence[Crossing]) -> LoopMode:
     """One mode's figures."""
     s = np.array([1j * own.omega])
-    deformation = abs(loop.whole.deformation_of(own.shape)) ** 2
-    inertia = float(np.linalg.norm(own.shape)) ** 2 * own.omega**2
-    share = float(loop.whole.specimen_at(s)[0].real * deformation / inertia) if own.omega > 0.0 else math.nan
     actuation = complex(loop.actuation(s)[0])
     mine = (one.delay for one in crossings if one.mode == number and one.grows)
     return LoopMode(
         number,
-        own.omega / (2.0 * math.pi),
-        -own.root.real / abs(own.root),
+        own.frequency,
+        own.damping,
         abs(root) / (2.0 * math.pi),
         -root.real / abs(root),
-        share,
-        phase_delay(loop.actuation, own.omega / (2.0 * math.pi)),
+        loop.whole.share_of(own),
+        phase_delay(loop.actuation, own.frequency),
         abs(actuation),
         _nearest_ahead(tuple(mine), gone=root.real > 0.0),
     )

@@ -73,12 +73,15 @@ def sweep(loop: Loop, highest_frequency: float | None = None) -> Sweep:
         InputError: a mode of the structure does not decay, or a part of the loop is not finite at a frequency, which is
             named.
     """
-    modes = loop.whole.modes
-    resonances = np.array([*(mode.root for mode in modes if np.isfinite(mode.root)), *loop.whole.numerical_roots])
-    top = max(float(np.max(np.abs(resonances), initial=0.0)), max(mode.omega for mode in modes))
+    whole = loop.whole
+    resonances = np.array([*(mode.root for mode in whole.modes if np.isfinite(mode.root)), *whole.numerical_roots])
+    top = max(float(np.max(np.abs(resonances), initial=0.0)), max(mode.omega for mode in whole.modes))
     end, bounded = _end(loop, top) if highest_frequency is None else (2.0 * np.pi * highest_frequency, True)
-    omega = first_grid(resonances, end)
-    omega, values = refined(omega, _values(loop, omega), lambda at: _values(loop, at), _too_far)
+    if end not in whole.swept:
+        omega = first_grid(resonances, end)
+        whole.swept[end] = omega, whole.specimen_share(1j * omega)
+    omega, share = whole.swept[end]
+    omega, values = refined(omega, _values(loop, omega, share), lambda at: _values(loop, at), _too_far)
     return Sweep(omega, values[0], values[1], bounded)
 
 
@@ -119,14 +122,15 @@ def first_grid(resonances: np.ndarray, end: float) -> np.ndarray:
     return np.asarray(grid[(grid >= 0.0) & (grid <= end)])
 
 
-def _values(loop: Loop, omega: np.ndarray) -> np.ndarray:
-    """L and R, (2, m).
+def _values(loop: Loop, omega: np.ndarray, share: np.ndarray | None = None) -> np.ndarray:
+    """L and R, (2, m); the share of the specimen there may be known.
 
     Raises:
         InputError: not finite.
     """
     s = 1j * omega
-    share, actuation = loop.whole.specimen_share(s), loop.actuation(s)
+    share = loop.whole.specimen_share(s) if share is None else share
+    actuation = loop.actuation(s)
     ratio = 1.0 + (actuation - 1.0) * share
     if not np.all(np.isfinite(ratio)):
         first = omega[~np.isfinite(ratio)][0] / (2.0 * np.pi)

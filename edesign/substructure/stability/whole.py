@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -41,6 +42,16 @@ class StructureMode:
     root: complex
     shape: np.ndarray
 
+    @property
+    def frequency(self) -> float:
+        """Hz."""
+        return self.omega / (2.0 * math.pi)
+
+    @property
+    def damping(self) -> float:
+        """Ratio -Re s / |s|; NaN: it does not swing."""
+        return -self.root.real / abs(self.root)
+
 
 @dataclass(frozen=True, eq=False)
 class WholeStructure:
@@ -54,6 +65,8 @@ class WholeStructure:
         stiffness: (n, n), N/m, symmetric, without the specimen.
         interface: (n,); the specimen's deformation is interface . x.
         specimen: complex stiffness of the specimen.
+        swept: first frequencies (m,), rad/s, of sweeps by their last one, and the specimen's share there, (m,): all
+            loops with the structure have them.
 
     Raises:
         InputError: shapes that do not fit, values that are not finite, or a degree without mass.
@@ -64,6 +77,7 @@ class WholeStructure:
     stiffness: np.ndarray
     interface: np.ndarray
     specimen: ComplexStiffness
+    swept: dict[float, tuple[np.ndarray, np.ndarray]] = field(default_factory=dict, init=False, repr=False)
 
     def __post_init__(self) -> None:
         """Check the arrays."""
@@ -144,9 +158,14 @@ class WholeStructure:
         own = self._own
         return Pencil(own.damping, own.squares, own.interface, coupling, damps)
 
-    def deformation_of(self, shape: np.ndarray) -> complex:
-        """Of the specimen in a shape of generalised mass |shape|^2, m."""
-        return complex(self._own.interface @ shape)
+    def share_of(self, mode: StructureMode) -> float:
+        """Share of a mode's stiffness that is the specimen's; NaN: it does not swing."""
+        if not mode.omega > 0.0:
+            return math.nan
+        deformation = abs(complex(self._own.interface @ mode.shape)) ** 2
+        inertia = float(np.linalg.norm(mode.shape)) ** 2 * mode.omega**2
+        stiffness = float(self.specimen_at(np.array([1j * mode.omega]))[0].real)
+        return stiffness * deformation / inertia
 
     @cached_property
     def _own(self) -> _NumericalModes:

@@ -87,7 +87,7 @@ def test_the_critical_delay_is_that_of_the_thesis_frame(tmp_path: Path) -> None:
     response = judge(record(tmp_path / "measured.csv", "none"), file()).response
     assert response is not None
     assert 0.0315 < response.critical_delay < 0.040
-    assert response.margin == pytest.approx(response.critical_delay / (0.01025 + 0.0005), rel=0.02)
+    assert response.delay_factor == pytest.approx(response.critical_delay / (0.01025 + 0.0005), rel=0.02)
 
 
 def test_tracking_alone_needs_no_file(tmp_path: Path) -> None:
@@ -192,7 +192,9 @@ def test_a_perfect_smith_prediction_is_a_good_test(tmp_path: Path) -> None:
     assert (tmp_path / "ground_none.csv").read_text().splitlines()[0] == ",".join(HEADERS)
     found = judge(tmp_path / "ground_smith.csv", chosen)
     assert found.response is not None and results.direct is not None and predicted.record is not None
-    assert found.response.reproduced < 1e-6 and found.response.target_error < 0.02
+    assert found.response.reproduced < 1e-6 and found.response.response_error == found.response.target_error < 0.02
+    # the specimen is ten steps late, and what is left in the corrected force is below one
+    assert found.response.delay_factor == pytest.approx(found.response.critical_delay / 1e-3)
     assert found.tracking.relative_energy_error == pytest.approx(0.0, abs=0.02)
     law = 6e6 * predicted.record.target + 1e5 * predicted.record.target_velocity
     assert np.max(np.abs(predicted.record.applied_force - law)) < 0.02 * np.max(np.abs(law))
@@ -213,7 +215,7 @@ def test_a_late_force_counts_as_a_late_rig(tmp_path: Path) -> None:
         write_run(results.runs[0], tmp_path / "ground.csv")
         response = judge(tmp_path / "ground.csv", chosen).response
         assert response is not None
-        margins.append(response.margin * 1e3 / response.critical_delay)
+        margins.append(response.delay_factor * 1e3 / response.critical_delay)
     assert margins == pytest.approx([1e6 / 8.0, 1e6 / 16.0], rel=2e-3)
 
 
@@ -222,9 +224,9 @@ def test_a_delay_that_cannot_be_told_leaves_its_criterion_open(tmp_path: Path) -
     backwards = -1e3 * runs()["none"].record.measured  # type: ignore[union-attr]
     path = record(tmp_path / "measured.csv", "none", displacement_mm=backwards)
     found = judge(path, file())
-    margin = next(one for one in found.criteria if one.name == "margin of the delay")
+    margin = next(one for one in found.criteria if one.name == "delay factor")
     assert np.isnan(margin.value) and not margin.met and not margin.determined and found.good is False
-    assert "margin of the delay (not determined)" in found.verdict
+    assert "delay factor (not determined)" in found.verdict
     assert any("not determined" in row for row in judgement_tables(found)[-1].rows)
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from unit.substructure.test_expected_errors import ELASTOMER
 
 from edesign.archive.reader import open_archive
 from edesign.project.substructure import load_rts_file, parse_rts_file
@@ -137,6 +138,76 @@ def test_nothing_is_recommended_where_the_motion_is_lost_in_noise() -> None:
         assert bool(advise(VirtualLaboratory(file)).recommended) == chosen
 
 
+def uncompensated(structure: str, scale: float, delay: float) -> str:
+    """A pure delay in ms, and no compensator."""
+    text = thesis_file(structure, scale).replace(THESIS_RIG, f"{{kind: delay, delay: {delay} ms}}")
+    return text.replace(THESIS_COMPENSATORS, "  none: {kind: none}\n")
+
+
+# delay in ms: NRMS with the root, rms error of the response, peak, all in % (substructure_tests.md section 4)
+BY_DELAY = {5: (6.8, 12.4, 6.6), 10: (13.7, 26.4, 12.9), 15: (20.6, 43.9, 19.6), 20: (27.5, 67.7, 26.8)}
+
+
+@pytest.mark.parametrize("delay", BY_DELAY)
+def test_expected_errors_of_a_delay_are_those_of_an_independent_program(delay: int) -> None:
+    """The thesis' storey with its damper, as a prototype that is not in the repository ran it with the law itself.
+
+    Errors at resonance meet 0.756 of the loss stiffness of the motion, see ELASTOMER.
+    """
+    text = uncompensated(ONE_STOREY, 0.18, delay)
+    advice, _ = advice_of(text)
+    none = advice.tests[0].expected[0]
+    nrms, rms, peak = BY_DELAY[delay]
+    assert 100.0 * none.tracking_rms == pytest.approx(nrms, rel=0.05)
+    for wanted, found in ((rms, none.response_rms), (peak, none.response_peak)):
+        assert 1.0 / ELASTOMER < wanted / (100.0 * found) < ELASTOMER
+
+
+def test_expected_errors_of_three_storeys_by_the_same_program() -> None:
+    """10 ms: 11.6 % and a peak of 7.7 %."""
+    text = uncompensated(THREE_STOREYS, 0.09, 10)
+    none = advice_of(text)[0].tests[0].expected[0]
+    assert 1.0 / ELASTOMER < 11.6 / (100.0 * none.response_rms) < ELASTOMER
+    assert 1.0 / ELASTOMER < 7.7 / (100.0 * none.response_peak) < ELASTOMER
+
+
+def test_a_smith_predictor_is_judged_by_its_target(tmp_path: Path) -> None:
+    """Its model is the specimen and the rig: the structure moves as without delay, while the specimen is 12 ms late."""
+    smith = "  smith: {kind: smith, delay: 12 ms, stiffness: 5 kN/mm, damping: 100 kN*s/m}\n"
+    text = thesis_file(ONE_STOREY, 0.18).replace(THESIS_RIG, "{kind: delay, delay: 12 ms}")
+    text = text.replace(THESIS_COMPENSATORS, smith).replace(
+        TESTED, "{law: {type: kelvin_voigt, parameters: {k: 5 kN/mm, c: 100 kN*s/m}}}"
+    )
+    advice, laboratory = advice_of(text)
+    (expected,), (run,) = advice.tests[0].expected, only_results(laboratory).runs
+    # the velocity of its model is that of the target, half a step before the ramp of the rig has it
+    assert expected.response_rms < 5e-3 and expected.tracking_rms > 0.1
+    assert run.response_error == pytest.approx(expected.response_rms, abs=1e-3)
+    assert run.tracking is not None and run.tracking.nrms_root > 0.1
+
+
+def test_the_margin_of_a_controller_is_that_of_its_rig() -> None:
+    """A further delay of the rig is in its feedback too. Runs with 0.93 and 1.07 of the margin decide.
+
+    That is some 0.5 % of damping to either side, which in 40 s at 2 Hz divides or multiplies a motion by ten.
+    """
+    control = "  pi: {kind: pi_phase_lead, proportional: 0.4, integral: 40 /s, lead: 16 ms, lag: 1 ms}\n"
+    text = controlled("{law: {type: kelvin_voigt, parameters: {k: 7 kN/mm, c: 40 kN*s/m}}}", 40).replace(
+        f"  {SLOW_CONTROLLER}\n", control
+    )
+    (expected,) = advice_of(text)[0].tests[0].expected
+    assert expected.stable and expected.stability is not None
+    margin = expected.stability.delay_margin
+    assert expected.delay_factor == pytest.approx((expected.delay_left + margin) / max(expected.delay_left, 1e-3))
+    for share, grows in ((0.93, False), (1.07, True)):
+        later = text.replace("delay: 4.25 ms", f"delay: {4.25 + 1e3 * share * margin:.4f} ms")
+        (run,) = only_results(VirtualLaboratory(parse_rts_file(later, Path("rts.yaml")))).runs
+        assert run.record is not None
+        x = np.abs(run.record.deformation)
+        ends = run.outcome == "done" and np.max(x[-4000:]) < np.max(x[-14000:-10000])
+        assert ends != grows, share
+
+
 def test_critical_delays_of_the_thesis(
     one_storey: tuple[Advice, VirtualLaboratory], three_storeys: tuple[Advice, VirtualLaboratory]
 ) -> None:
@@ -148,7 +219,7 @@ def test_critical_delays_of_the_thesis(
     assert one.modes[0].without_specimen == pytest.approx(1.999, abs=1e-3)
     assert 2.18 < one.modes[0].frequency < 2.30
     assert one.modes[0].rig_delay == pytest.approx(10.25e-3, rel=0.01)
-    assert one.modes[0].margin_factor == pytest.approx(one.critical_delay / one.modes[0].rig_delay)
+    assert one.modes[0].delay_factor == pytest.approx(one.critical_delay / one.modes[0].rig_delay)
     bare = [mode.without_specimen for mode in three.modes]
     assert bare == pytest.approx([1.0289, 2.6999, 3.6374], rel=1e-4)
 
@@ -380,7 +451,8 @@ def test_without_structure_the_best_tracking_is_taken() -> None:
 def test_a_live_delay_counts_as_its_polynomial() -> None:
     two = "live: {kind: live_delay, delay: 5 ms}\ncubic: {kind: polynomial, delay: 12 ms}"
     live, cubic = advice_of(command_file("{kind: delay, delay: 12 ms}", two))[0].tests[0].expected
-    assert live.tracking_rms == pytest.approx(cubic.tracking_rms, rel=1e-6)
+    # it finds the delay by halves at the crossings of 20 s of noise up to 5 Hz: in the first of some hundred
+    assert live.tracking_rms == pytest.approx(cubic.tracking_rms, rel=0.1)
     assert live.modelled_as == "converged: a delay of 12 ms"
 
 

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from unit.substructure.delayed_oscillator import critical_delay
 
 from edesign.cli.main import main
 from edesign.core.substructure import SubstructureLoop
@@ -15,7 +16,6 @@ from edesign.substructure.advice.expectation import ExpectedTest, LinearModel
 from edesign.substructure.advice.sampled_rig import sampled_rig
 from edesign.substructure.advice.stability_map import governing_map
 from edesign.substructure.compensation.compensators import none
-from edesign.substructure.stability.oscillator import critical_delay
 from edesign.substructure.stability.sampled import SampledLoop, SampledPlant, SampledStability
 from edesign.substructure.stability.specimens import linear_specimen
 from edesign.substructure.structure.numerical import LinearPart
@@ -95,9 +95,9 @@ def laboratory(
 
 def expected(one: VirtualLaboratory) -> ExpectedTest:
     drive = one.drives["pulse"]
-    motion = one.direct(drive).deformation
-    model = LinearModel.of(one, motion, one.laboratory.structure.part)  # type: ignore[union-attr]
-    return model.expected("one", model.under(drive), motion, model.compensator("one", motion))
+    direct = one.direct(drive)
+    model = LinearModel.of(one, direct.deformation, one.laboratory.structure.part)  # type: ignore[union-attr]
+    return model.expected("one", drive, direct, model.compensator("one", direct.deformation))
 
 
 def sampled(one: VirtualLaboratory) -> SampledStability:

@@ -8,13 +8,13 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from unit.substructure.delayed_oscillator import critical_delay
 
 from edesign.cli.main import main
 from edesign.project.substructure import parse_rts_file
 from edesign.substructure.advice.expectation import LinearModel
-from edesign.substructure.advice.stability_map import RANGE, StabilityMap, governing_map, rig_delay_loop
+from edesign.substructure.advice.stability_map import RANGE, StabilityMap, governing_map
 from edesign.substructure.stability.loop import Loop, pure_delay
-from edesign.substructure.stability.oscillator import critical_delay
 from edesign.substructure.stability.specimens import linear_specimen
 from edesign.substructure.stability.stable_delays import stable_delays
 from edesign.substructure.stability.sweep import sweep
@@ -156,7 +156,7 @@ def test_a_delay_in_the_rig_is_what_moves_the_roots(tmp_path: Path, rig: str) ->
     seen = 0
     for name, described in one.file.compensators.items():
         compensator = model.compensator(name, motion)
-        stable = stable_delays(rig_delay_loop(model, name, compensator), -0.006, 0.15, 1000.0)
+        stable = stable_delays(model.rig_delay_loop(name, compensator), -0.006, 0.15, 1000.0)
         for further in (-0.004, 0.012, 0.028, 0.047, 0.09):
             other = LinearModel.of(laboratory(tmp_path, rig, 0.006 + further), motion, part)
             same = compensator if described.kind == "modified_ats" else other.compensator(name, motion)
