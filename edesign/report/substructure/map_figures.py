@@ -77,6 +77,7 @@ def _caption(test: str, of: StabilityMap) -> str:
     unstable = [one.compensator for one in of.regions if not of.is_stable(one.compensator)]
     here = f" There it is unstable with {', '.join(unstable)}." if unstable else ""
     frozen = f" Adaptive ones keep what they find in this test ({'; '.join(adaptive)})." if adaptive else ""
+    without = "".join(f" {one}." for one in _without_line(of))
     left = "".join(f" Not shown: {name}, {why}." for name, why in of.left_out)
     return (
         f"Stability map, {test}: delay of the rig for slow motions over the frequency of mode {of.mode} with the "
@@ -84,8 +85,16 @@ def _caption(test: str, of: StabilityMap) -> str:
         f"it is: {plain(of.frequency)} Hz, {plain(1e3 * of.delay)} ms.{here} Only masses change the frequency, with "
         f"m ~ 1/f²; damping ratios and the specimen's share of the stiffness stay. {_of_rig(of)} changes. "
         f"The law is linearised at {plain(1e3 * of.amplitude)} mm. "
-        f"Compensators keep their settings.{frozen}{left}"
+        f"Compensators keep their settings.{frozen}{without} Lines are of the continuous loop; the verdict on the dot "
+        f"counts main steps.{left}"
     )
+
+
+def _without_line(of: StabilityMap) -> Iterator[str]:
+    """Why compensators have no line, in sentences without a full stop."""
+    for stable, what in ((True, "stable"), (False, "unstable")):
+        if names := of.without_line(stable):
+            yield f"No line: {what} all over the map with {', '.join(names)}"
 
 
 def _of_rig(of: StabilityMap) -> str:
@@ -129,6 +138,9 @@ def map_figure(test: str, of: StabilityMap, kinds: Mapping[str, str], best: str 
     axis.plot([of.frequency], [1e3 * of.delay], "o", color=MEAN, ms=5.0, zorder=5)
     at = (of.frequency, 1e3 * of.delay)
     axis.annotate(test, at, (0.0, -6.0), textcoords="offset points", ha="center", va="top", bbox=BOX)
+    said = list(_without_line(of))
+    if len(of.without_line(True)) + len(of.without_line(False)) == len(of.regions):
+        axis.text(0.5, 0.5, "\n".join(said), transform=axis.transAxes, ha="center", va="center", wrap=True, bbox=BOX)
     logarithmic(axis)
     axis.set_xlim(of.frequencies[0], of.frequencies[-1])
     axis.set_ylim(0.0, 1e3 * of.largest)

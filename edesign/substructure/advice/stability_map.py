@@ -20,6 +20,8 @@ COLUMNS = 17
 """Frequencies, evenly spaced on a logarithmic scale: a factor of 1.22 from one to the next."""
 BEYOND = 2.0
 """Largest delay of the map over the larger of the rig's and the critical one, so that both are in its lower half."""
+ROUNDING = 1e-9
+"""Of the height of the map, by which intervals may miss it."""
 
 
 @dataclass(frozen=True)
@@ -67,6 +69,21 @@ class StabilityMap:
     delay: float
     regions: tuple[StableRegion, ...]
     left_out: tuple[tuple[str, str], ...]
+
+    def without_line(self, stable: bool) -> tuple[str, ...]:
+        """Return compensators that have no line on the map, as the test is stable, or unstable, all over it."""
+        return tuple(one.compensator for one in self.regions if self._alike(one) is stable)
+
+    def _alike(self, region: StableRegion) -> bool | None:
+        """Whether the test is stable all over the map; None: it is in one place and is not in another."""
+        inside = [
+            sum(max(min(end, self.largest) - max(begin, self.least), 0.0) for begin, end in column)
+            for column in region.delays
+        ]
+        if not any(inside):
+            return False
+        height = (self.largest - self.least) * (1.0 - ROUNDING)
+        return True if all(one >= height for one in inside) else None
 
     def is_stable(self, compensator: str) -> bool:
         """Whether the test as it is does not grow with a compensator: in main steps, or else in its region."""
@@ -164,7 +181,7 @@ class _Column:
         part = model.part
         assert part is not None
         scaled = replace(model, part=replace(part, mass=part.mass / ratio**2, damping=part.damping / ratio))
-        return cls(scaled, scaled.whole.modes[mode - 1].omega / (2.0 * math.pi))
+        return cls(scaled, scaled.whole.modes[mode - 1].frequency)
 
 
 def _stable(

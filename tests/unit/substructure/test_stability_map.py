@@ -12,6 +12,7 @@ from unit.substructure.delayed_oscillator import critical_delay
 
 from edesign.cli.main import main
 from edesign.project.substructure import parse_rts_file
+from edesign.report.substructure.map_figures import map_figure
 from edesign.substructure.advice.expectation import LinearModel
 from edesign.substructure.advice.stability_map import RANGE, StabilityMap, governing_map
 from edesign.substructure.stability.loop import Loop, pure_delay
@@ -208,6 +209,18 @@ def test_runs_on_both_sides_of_a_line_of_the_map(
     for share, unstable in ((0.92, False), (1.08, True)):
         delay = float(share * end - found.least)
         assert grows(laboratory(tmp_path, LAGGING, delay, f"{line}\n", ratio, float(free))) == unstable, share
+
+
+def test_a_map_without_a_line_says_why(tmp_path: Path) -> None:
+    """All critical delays are beyond a map of 0.1 ms."""
+    one = laboratory(tmp_path, "kind: delay", 0.001, "  none: {kind: none}\n")
+    found = replace(map_of(one), least=0.0, largest=1e-4)
+    assert found.without_line(True) == ("none",) and found.without_line(False) == ()
+    never = replace(found, regions=tuple(replace(region, delays=((),) * 17) for region in found.regions))
+    assert never.without_line(False) == ("none",) and never.without_line(True) == ()
+    drawn = map_figure("pulse", found, {"none": "none"}, None)
+    assert any("No line: stable all over the map with none" in text.get_text() for text in drawn.axes[0].texts)
+    assert map_of(one).without_line(True) == ()
 
 
 def test_check_draws_the_map(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
