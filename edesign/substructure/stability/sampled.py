@@ -7,6 +7,7 @@ up to half the rate of the loop count as they are in a run.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import cached_property
@@ -17,11 +18,13 @@ import scipy.linalg
 from edesign.core.compensator import DifferenceEquation, Term
 from edesign.core.substructure import Recursion
 from edesign.errors import InputError
+from edesign.project.substructure.checks_tests import MOST_STEPS
 from edesign.substructure.stability.sweep import LARGEST_CHANGE, first_grid, refined
 
-SLOWEST = 1e-7
-"""Growth in a main step that counts as none: a motion grows by a factor of e in ten million steps. Undamped roots of a
-numerical part lie on the unit circle, and rounding moves a double root at z = 1 by some 1e-8."""
+SLOWEST = math.log(2.0) / MOST_STEPS
+"""Growth in a main step that counts as none, 1.4e-7: it doubles a motion in the longest test that may run. Undamped
+roots of a numerical part lie on the unit circle, and rounding moves a double root at z = 1 by the root of a double's
+1e-16, which is less."""
 LEANS = (0.0, 0.01, 0.1, 0.5)
 """Growth over half the rate of the loop of the starts from which roots are sought."""
 STARTS = 40
