@@ -89,7 +89,7 @@ def indicators(runs: Sequence[VirtualTest]) -> Group:
     ):
         group.add(name, ("run",), np.array([getattr(run, name) for run in runs]), "", text)
     _add_limits(group, runs)
-    text = "root mean square error of the damper's deformation over the direct one"
+    text = "root mean square error of the deformation whose force the structure gets, over the direct deformation"
     group.add("response_error", ("run",), [run.response_error for run in runs], "1", text)
     text = "relative error of the largest deformation"
     group.add("peak_error", ("run",), [run.peak_error for run in runs], "1", text)

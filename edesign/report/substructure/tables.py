@@ -166,9 +166,9 @@ def _response(archive: Archive, found: list[Run]) -> Table:
         left=2,
         sentences=5,
         notes=wrapped(
-            "rms, peak: errors of the damper's deformation, root mean square and of its largest value, against the "
-            "direct analysis of the same structure; storeys: rms of the drift of the storey where it is largest; "
-            + _accepted(most)
+            "rms, peak: errors of the deformation whose force the structure gets (the specimen's, or the target where "
+            "the force is corrected), root mean square and of its largest value, against the direct analysis of the "
+            "same structure; storeys: rms of the drift of the storey where it is largest; " + _accepted(most)
         ),
     )
     for run in found:
