@@ -70,7 +70,7 @@ static int check(const ed_damper *damper, const ed_amendment_kind *kind, int ins
              damper->law->name);
     return ED_E_ARGUMENT;
   }
-  if (damper->brace > 0.0 && !ed_damper_has_exact_step(damper)) {
+  if (damper->brace > 0.0 && !ed_damper_is_braced(damper)) {
     snprintf(message, ED_DAMPER_MESSAGE,
              "amendment %s: law %s is integrated together with its brace, so that no amendment can stand between them; the brace "
              "must be rigid", kind->name, damper->law->name);

@@ -1,7 +1,4 @@
-/* Bouc-Wen (thesis Eqs. 2.67, 2.68; Wen 1976): F = alpha Fy/Y u + (1 - alpha) Fy z.
- *
- * With a brace k_b in series the own deformation u_d follows from k_b (u - u_d) = F(u_d, z), and its velocity is
- * w = k_b v / (k_b + dF/du_d), so that z stays the only variable. */
+/* Bouc-Wen (thesis Eqs. 2.67, 2.68; Wen 1976): F = alpha Fy/Y u + (1 - alpha) Fy z. */
 #include "damper/bouc_wen.h"
 
 #include "damper/laws.h"
@@ -53,6 +50,22 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   return ED_OK;
 }
 
+static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+                ed_damper_force *out)
+{
+  const double *p = damper->parameter, k = p[ALPHA] * p[FY] / p[Y], f = (1.0 - p[ALPHA]) * p[FY];
+  const ed_bouc_wen_shape shape = shape_of(damper);
+  double slope[2];
+  trial[0] = committed[0];
+  const int status = ed_bouc_wen_follow(&shape, path, direction, trial, slope);
+  out->force = k * ed_path_u(path, path->h) + f * trial[0];
+  for (int j = 0; j < 2; j++)
+    out->slope[j] = k * ed_path_u(&direction[j], path->h) + f * slope[j];
+  return status;
+}
+
+/* As differential equation. With a brace k_b in series the own deformation u_d follows from k_b (u - u_d) = F(u_d, z), and its velocity is
+ * w = k_b v / (k_b + dF/du_d), so that z stays the only variable. */
 static void rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out)
 {
   (void)memory;
@@ -83,4 +96,5 @@ const ed_law ed_bouc_wen = {.name = "bouc_wen",
                             .rate_independent = 1,
                             .takes_brace = 1,
                             .prepare = prepare,
+                            .step = step,
                             .rate = rate};

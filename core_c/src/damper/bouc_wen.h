@@ -3,6 +3,8 @@
 #ifndef ED_BOUC_WEN_H
 #define ED_BOUC_WEN_H
 
+#include "damper/path.h"
+
 #include <math.h>
 
 typedef struct {
@@ -26,5 +28,9 @@ static inline double ed_way(double v)
 
 /* NULL, or which parameter of the five is impossible. */
 const char *ed_bouc_wen_refused(const ed_bouc_wen_shape *shape, double *value, const char **allowed);
+
+/* Moves z along a path, exactly to rounding whatever its length (bouc_wen_path.c). slope: derivatives of z at its end to the two
+ * unknowns; zero where no direction moves the path. ED_OK; ED_E_ARGUMENT: z lies where no motion leads; ED_E_NOT_CONVERGED. */
+int ed_bouc_wen_follow(const ed_bouc_wen_shape *shape, const ed_path *path, const ed_path direction[2], double *z, double slope[2]);
 
 #endif

@@ -230,7 +230,7 @@ static int meet(const ed_damper *d, const double *committed, double u0, const do
     const double residual = out->force - kb * (total - u), slope = out->slope[1] + kb;
     if (!isfinite(residual))
       return ED_E_NOT_FINITE;
-    if (i == 0 && d->n_amendments > 0) { /* their factors may let the force fall while the damper is deformed further */
+    if (i == 0 && (d->law->softens || d->n_amendments > 0)) { /* the force may fall while the damper is deformed further */
       const double reach = 4.0 * fabs(residual) / kb;
       low = u - reach;
       high = u + reach;

@@ -89,7 +89,7 @@ void ed_damper_clear(ed_damper *damper)
 
 int ed_damper_state_size(const ed_damper *damper)
 {
-  return ed_damper_own_size(damper) + (damper->brace > 0.0 && ed_damper_has_exact_step(damper) ? ED_BRACE_STATE : 0);
+  return ed_damper_own_size(damper) + (ed_damper_is_braced(damper) ? ED_BRACE_STATE : 0);
 }
 
 void ed_damper_start(const ed_damper *damper, double *state)
@@ -103,17 +103,12 @@ void ed_damper_start(const ed_damper *damper, double *state)
   ed_amendments_start(damper, state, 1);
 }
 
-int ed_damper_has_exact_step(const ed_damper *damper)
-{
-  return damper->law->step != NULL && !(damper->brace > 0.0 && damper->law->takes_brace);
-}
-
 int ed_damper_advance(const ed_damper *damper, ed_ode_system *system, const double *committed, const ed_path *path,
                       const ed_path direction[2], double *trial, ed_damper_force *out)
 {
   if (!ed_damper_has_exact_step(damper))
     return ed_ode_system_step(system, &committed, path, (const ed_path(*)[2])direction, &trial, out);
-  if (damper->brace > 0.0)
+  if (ed_damper_is_braced(damper))
     return ed_brace_step(damper, committed, path, direction, trial, out);
   return ed_damper_own_step(damper, committed, path, direction, trial, out);
 }

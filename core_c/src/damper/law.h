@@ -13,6 +13,8 @@
 #include "damper/path.h"
 #include "edcore.h"
 
+#include <stddef.h>
+
 enum { ED_MAX_PARAMETERS = 64, ED_MAX_ODE = 64, ED_DAMPER_MESSAGE = 256 };
 
 typedef struct {
@@ -45,6 +47,7 @@ struct ed_damper {
   double *derived;      /* constants that `prepare` makes of the parameters; owned */
   int n_ode, n_memory;
   int diagonal_ode;
+  int without_step;     /* the exact step of its law does not hold for what it has beside: set by `prepare` */
   double brace;         /* stiffness in series; 0: none (rigid) */
   int rate_independent; /* as its law, unless `prepare` finds that its parameters make it so, or amendments that they do not */
   ed_stop stop;   /* whom histories ask whether to stop */
@@ -57,7 +60,9 @@ struct ed_law {
   const char *name;
   int least_parameters, most_parameters;
   int rate_independent;  /* the force depends on the order of deformations alone, not on their speed */
-  int takes_brace;       /* `rate` itself puts brace > 0 in series; exact steps leave that to brace.c */
+  int softens;           /* the force may fall while the deformation grows */
+  int takes_brace;       /* `rate` itself puts brace > 0 in series */
+  int step_takes_brace;  /* so does the exact step; else brace.c puts it there */
   /* Turns a damper with a brace into one of the law that both are together, and that takes the brace itself. NULL: there is none. */
   void (*with_brace)(ed_damper *damper);
   /* Checks the parameters; sets n_ode, n_memory, diagonal_ode and `derived`. On ED_E_ARGUMENT `message` says parameter, value
@@ -94,7 +99,17 @@ void ed_damper_clear(ed_damper *damper);
 struct ed_ode_system;
 int ed_damper_advance(const ed_damper *damper, struct ed_ode_system *system, const double *committed, const ed_path *path,
                       const ed_path direction[2], double *trial, ed_damper_force *out);
-int ed_damper_has_exact_step(const ed_damper *damper);
+
+static inline int ed_damper_has_exact_step(const ed_damper *damper)
+{
+  return damper->law->step != NULL && !damper->without_step;
+}
+
+/* Whether brace.c puts a brace in series with its exact step. */
+static inline int ed_damper_is_braced(const ed_damper *damper)
+{
+  return damper->brace > 0.0 && ed_damper_has_exact_step(damper) && !damper->law->step_takes_brace;
+}
 
 /* Amendments (amendment.h). */
 int ed_damper_add_amendment(ed_damper *damper, int id, int inside, int n_parameters, const double *parameters,

@@ -53,15 +53,6 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   return ED_OK;
 }
 
-static int moves(const ed_path direction[2])
-{
-  for (int j = 0; j < 2; j++)
-    for (int i = 0; i < 4; i++)
-      if (direction[j].c[i] != 0.0)
-        return 1;
-  return 0;
-}
-
 /* What the chord of the power has more than its tangent, if it has: where the power is below 1. */
 static double softer(const ed_mgmm_constants *law, double slope, double chord)
 {
@@ -184,7 +175,7 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
     return ED_E_NOT_FINITE;
   if (law->tau < INSTANT * h)
     return instant_step(law, memory, path, direction, trial, out);
-  const int wanted = moves(direction);
+  const int wanted = ed_path_moves(direction);
   const int resting = ed_mgmm_still(memory, path);
   if (resting || !softens(law)) {
     const int status = still_step(law, committed, path, direction, wanted, trial, out);

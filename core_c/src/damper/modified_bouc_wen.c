@@ -1,20 +1,23 @@
 /* Bouc-Wen with softening by the largest deformation, beside a power-law dashpot (thesis Eqs. 2.69 to 2.71; Karavasilis,
  * Blakeborough & Williams 2011): F = k (alpha u + (1 - alpha) Y z) + C |v|^alpha_d sgn v, k = k1 exp(-u_max/u_ref) + k2.
  *
- * With a brace k_b in series the elongation of the brace, e = F / k_b, is a variable, so that errors are judged by the force; the
+ * As differential equation with a brace k_b in series (SUNDIALS integrates it where there is a dashpot too) the elongation of the brace, e = F / k_b, is a variable, so that errors are judged by the force; the
  * own deformation is u - e. Its velocity w follows from the dashpot, which takes what the brace gives beyond the hysteretic part:
  * C |w|^alpha_d sgn w = k_b e - k (...); without dashpot from k_b (v - w) = dF/d(u - e) w. Memory: largest and smallest (own)
  * deformation. */
 #include "damper/bouc_wen.h"
 #include "damper/laws.h"
+#include "damper/power_dashpot.h"
 #include "damper/running_extremes.h"
+#include "damper/softening.h"
 #include "edcore.h"
+
+#include <string.h>
 
 enum { K1, K2, U_REF, Y, ALPHA, A, BETA, GAMMA, N, C, ALPHA_D, PARAMETERS };
 
-/* For alpha_d < 1 the slope of the dashpot's force is infinite at rest. Below this speed the force is the chord from the origin, as
- * in viscous_power.c. For alpha_d > 1 the slope of its speed is infinite at no force: below this share of C it is held. */
-static const double AT_REST = 1e-9, NO_FORCE = 1e-16;
+/* For alpha_d > 1 the slope of the dashpot's speed is infinite at no force: below this share of C it is held. */
+static const double NO_FORCE = 1e-16;
 static const double rounding = 1e-10; /* of the extremes: so near to one it grows */
 static const double no_way = 1e-12; /* of the brace's force: which way the device goes is then told by the whole */
 
@@ -48,7 +51,52 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
     return ed_refuse_parameter(message, "alpha_d", p[ALPHA_D], "at most 2");
   damper->n_ode = damper->brace > 0.0 ? 2 : 1;
   damper->n_memory = 2;
+  damper->rate_independent = p[C] == 0.0;
+  damper->without_step = damper->brace > 0.0 && p[C] > 0.0;
   return ED_OK;
+}
+
+/* Stiffness at the end of a path and its derivatives; `memory` is moved there. */
+static ed_modulus stiffness(const double *p, const ed_path *path, const ed_path direction[2], int wanted, double *memory)
+{
+  const ed_softening law = {p[K1], p[K2], p[U_REF]};
+  const ed_running start = {memory[0], memory[1]};
+  ed_softening_piece piece[ED_EXTREMES_PIECES];
+  ed_running after;
+  double along[2] = {0.0, 0.0};
+  const int n = ed_softening_pieces(start, path, wanted ? direction : NULL, 0.0, piece, &after);
+  for (int j = 0; wanted && j < 2; j++)
+    along[j] = ed_path_u(&direction[j], path->h);
+  memory[0] = after.largest;
+  memory[1] = after.smallest;
+  return ed_softening_modulus(&law, &piece[n - 1], ed_path_u(path, path->h), along);
+}
+
+/* Without brace, or without dashpot behind a brace that brace.c puts there: its elongation, the first variable, follows from the force. */
+static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+                ed_damper_force *out)
+{
+  const double *p = damper->parameter, h = path->h, u = ed_path_u(path, h), f = (1.0 - p[ALPHA]) * p[Y];
+  const ed_bouc_wen_shape shape = shape_of(damper);
+  const int wanted = ed_path_moves(direction), n = damper->n_ode;
+  double *z = trial + n - 1, z_slope[2], secant = 0.0, slope = 0.0;
+  memcpy(trial, committed, (size_t)(n + damper->n_memory) * sizeof *trial);
+  const int status = ed_bouc_wen_follow(&shape, path, direction, z, z_slope);
+  if (status != ED_OK)
+    return status;
+  const ed_modulus k = stiffness(p, path, direction, wanted, trial + n);
+  const double part = p[ALPHA] * u + f * *z, v = ed_path_v(path, h);
+  if (p[C] > 0.0)
+    ed_power_dashpot(p[C], p[ALPHA_D], v, &secant, &slope);
+  out->force = k.value * part + secant * v;
+  for (int j = 0; j < 2; j++) {
+    const double by_v = ed_path_v(&direction[j], h);
+    out->slope[j] = k.slope[j] * part + k.value * (p[ALPHA] * ed_path_u(&direction[j], h) + f * z_slope[j]) + slope * by_v;
+    out->chord[j] = p[ALPHA_D] < 1.0 ? (secant - slope) * by_v : 0.0;
+  }
+  if (n > 1)
+    trial[0] = out->force / damper->brace;
+  return isfinite(out->force) ? ED_OK : ED_E_NOT_FINITE;
 }
 
 /* The hysteretic part at own deformation x and z, and its derivatives. */
@@ -74,16 +122,13 @@ static hysteretic hysteretic_part(const double *p, double x, double z, double wa
 /* Without brace: y = z. */
 static void rigid_rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out)
 {
-  const double *p = damper->parameter, speed = fabs(v), way = ed_way(v);
+  const double *p = damper->parameter, way = ed_way(v);
   const ed_bouc_wen_shape shape = shape_of(damper);
   const hysteretic part = hysteretic_part(p, u, y[0], way, memory);
   double slope, slope_z, chord = 0.0, tangent = 0.0;
   ed_bouc_wen_slope(&shape, y[0], way, &slope, &slope_z);
-  if (p[C] > 0.0) {
-    const int rest = speed < AT_REST && p[ALPHA_D] <= 1.0;
-    chord = p[C] * (p[ALPHA_D] == 1.0 ? 1.0 : pow(rest ? AT_REST : speed, p[ALPHA_D] - 1.0));
-    tangent = rest ? chord : p[ALPHA_D] * chord;
-  }
+  if (p[C] > 0.0)
+    ed_power_dashpot(p[C], p[ALPHA_D], v, &chord, &tangent);
   out->force = part.force + chord * v;
   out->force_u = part.x;
   out->force_v = tangent;
@@ -169,8 +214,10 @@ static int events(const ed_damper *damper, const ed_path *path, const double *me
 const ed_law ed_modified_bouc_wen = {.name = "modified_bouc_wen",
                                      .least_parameters = PARAMETERS,
                                      .most_parameters = PARAMETERS,
+                                     .softens = 1,
                                      .takes_brace = 1,
                                      .prepare = prepare,
+                                     .step = step,
                                      .rate = rate,
                                      .remember = remember,
                                      .events = events};

@@ -25,6 +25,16 @@ static inline double ed_path_v(const ed_path *path, double s)
   return c[1] + s * (2.0 * c[2] + s * 3.0 * c[3]);
 }
 
+/* Whether a path moves with the unknowns at all; histories ask for no derivatives. */
+static inline int ed_path_moves(const ed_path direction[2])
+{
+  for (int j = 0; j < 2; j++)
+    for (int i = 0; i < 4; i++)
+      if (direction[j].c[i] != 0.0)
+        return 1;
+  return 0;
+}
+
 /* The piece from s0 to s1, in its own time 0..s1-s0. */
 void ed_path_piece(const ed_path *path, double s0, double s1, ed_path *piece);
 

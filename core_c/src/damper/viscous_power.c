@@ -1,13 +1,9 @@
+/* Power-law dashpot alone: F = c |v|^alpha sgn v. */
 #include "damper/laws.h"
+#include "damper/power_dashpot.h"
 #include "edcore.h"
 
 #include <math.h>
-
-/* F = c |v|^alpha sgn v. For alpha < 1 its slope at rest is infinite: a tangent matrix would be useless there, and rounding of the
- * velocity (1e-13 of a unit) would make forces. Below this speed, in the caller's units of length and time (a nanometre a second),
- * F is therefore the chord from the origin, and so is the slope. It differs there from the power by less than c AT_REST^alpha,
- * 0.4 % of the force at 0.1 for alpha = 0.3, and a device that slow is at rest for any other purpose. */
-static const double AT_REST = 1e-9;
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
@@ -24,14 +20,9 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
 {
   (void)committed, (void)trial;
   const double c = damper->parameter[0], alpha = damper->parameter[1], h = path->h;
-  const double v = ed_path_v(path, h), speed = fabs(v);
+  const double v = ed_path_v(path, h);
   double secant, slope;
-  if (speed < AT_REST && alpha <= 1.0) {
-    secant = slope = c * pow(AT_REST, alpha - 1.0);
-  } else {
-    secant = c * pow(speed, alpha - 1.0);
-    slope = alpha * secant;
-  }
+  ed_power_dashpot(c, alpha, v, &secant, &slope);
   out->force = secant * v;
   for (int j = 0; j < 2; j++) {
     out->slope[j] = slope * ed_path_v(&direction[j], h);
