@@ -378,8 +378,8 @@ static void refused(rig *r, const amendment *one, int inside, int status, const 
 
 static void check_refusals(void)
 {
-  const double bouc_wen[] = {1.0, 0.01, 0.1, 1.0, 0.5, 0.5, 2.0};
-  rig plain = new_rig(ED_LAW_ZENER, 3, ZENER, 0.0), braced = new_rig(ED_LAW_BOUC_WEN, 7, bouc_wen, 5.0);
+  const double power[] = {1.0, 0.5, 100.0};
+  rig plain = new_rig(ED_LAW_ZENER, 3, ZENER, 0.0), braced = new_rig(ED_LAW_MAXWELL_POWER, 3, power, 5.0);
   refused(&plain, &(amendment){99, 1, {1.0}}, 0, ED_E_ID, "there is no amendment 99");
   refused(&plain, &(amendment){ED_AMEND_CONSTANT, 2, {1.0, 1.0}}, 0, ED_E_ARGUMENT, "amendment constant: 2 parameters, but 1 are needed");
   refused(&plain, &(amendment){ED_AMEND_CONSTANT, 1, {NAN}}, 0, ED_E_ARGUMENT, "a finite number");

@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { LAWS = 9, SIZE = 8 };
+enum { LAWS = 9, SIZE = 24 };
 
 static const struct {
   const char *name;

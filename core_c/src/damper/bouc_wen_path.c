@@ -14,7 +14,7 @@
 
 #include <float.h>
 
-enum { MOST_TERMS = 20, MOST_PIECES = 100000 };
+enum { MOST_TERMS = ED_SERIES_TERMS, MOST_PIECES = 100000 };
 
 /* Terms of a sum that begins with 1. */
 static const double ROUNDING = 0.25 * DBL_EPSILON;
@@ -89,7 +89,7 @@ static void by_taylor(double n, double sign, double y, double f, double *q, doub
   r[1] = scale * f;
   for (int k = 1; k < MOST_TERMS; k++) {
     w[k] = ed_power_of_series(n, k, r, w);
-    r[k + 1] = -scale * y * w[k] / (k + 1);
+    r[k + 1] = -scale * y * w[k] * ED_INVERSE[k + 1];
     sum += r[k + 1];
     if (fmax(fabs(r[k + 1]), fabs(r[k])) <= ROUNDING) {
       *q *= sum;
