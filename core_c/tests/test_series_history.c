@@ -75,7 +75,7 @@ static void check_complex_stiffness(void)
   CHECK_NEAR(log2(coarse / fine), 3.0, 0.1);
 }
 
-/* Without play it is a brace, of another method (collocation of order 3, and SUNDIALS): largest difference over largest force. */
+/* Without play it is a brace, of another method (collocation of order 3, or the spring of the law): largest difference over largest force. */
 static double brace_difference(int law, int n_parameters, const double *p, double phase, int n)
 {
   const double K = 60e6;
@@ -105,7 +105,7 @@ static void check_braces(void)
   } each[] = {{ED_LAW_ZENER, 3, zener, 0.4, 2.2, 5e-8},
               {ED_LAW_MGMM, 12, MGMM, 0.4, 0.8, 2e-4}, /* the power of the velocity is steep where the damper turns */
               {ED_LAW_ELASTIC_PLASTIC, 3, plastic, 0.4, 1.5, 1e-5}, /* a turn inside a step is met only nearly */
-              {ED_LAW_MAXWELL_POWER, 3, power, 0.0, 2.2, 2e-7}}; /* SUNDIALS; it hardly comes to rest, so from zero */
+              {ED_LAW_MAXWELL_POWER, 3, power, 0.0, 2.2, 2e-7}}; /* the brace joins its spring; it hardly comes to rest, so from zero */
   for (int i = 0; i < 4; i++) {
     const double coarse = brace_difference(each[i].law, each[i].n, each[i].p, each[i].phase, 200);
     const double fine = brace_difference(each[i].law, each[i].n, each[i].p, each[i].phase, 1600);

@@ -288,6 +288,9 @@ static int follow(part *of)
   return ED_OK;
 }
 
+/* The size of x where nothing moves. */
+static const double NOTHING = 1e-100;
+
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                 ed_damper_force *out)
 {
@@ -297,7 +300,8 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   /* |w| never passes the largest velocity from below, nor does x grow faster than the spring alone would let it */
   const double fastest = fabs(c[1]) + h * (2.0 * fabs(c[2]) + 3.0 * h * fabs(c[3])), size = fabs(of.x);
   of.largest = fmax(size, fmin(raised(fastest, of.alpha), size + of.kappa * fastest * h));
-  const int status = of.largest > 0.0 || of.direction ? follow(&of) : ED_OK;
+  of.largest = fmax(of.largest, NOTHING);
+  const int status = follow(&of);
   trial[0] = out->force = p[C] * of.x;
   out->slope[0] = p[C] * of.slope[0];
   out->slope[1] = p[C] * of.slope[1];
