@@ -181,6 +181,8 @@ static int solve_stages(stages *in)
   const part *of = in->of;
   const double step = of->kappa * of->h, most = in->by_w ? raised(of->largest, of->power) : of->largest;
   const pair start = in->at[0];
+  /* rounding of what the dashpot goes, where x is free to follow it: that much Newton's method cannot tell */
+  const double settled = SETTLED * most + (in->by_w ? 0.0 : 4.0 * DBL_EPSILON * step * raised(most, of->power));
   double unknown[STAGES], change[STAGES];
   for (int i = 0; i < STAGES; i++) { /* a first guess by the implicit Euler rule, within what x can reach */
     const double reach = PLACE[i] * step, guess = (in->by_w ? start.w : start.x) + reach * (in->v[1 + i] - start.w) / (start.dx + reach * start.dw);
@@ -188,7 +190,7 @@ static int solve_stages(stages *in)
     in->at[1 + i] = pair_of(in, unknown[i]);
   }
   for (int n = 0; n < MOST_NEWTON; n++) {
-    double moved = 0.0;
+    double moved = 0.0, sum = 0.0;
     for (int i = 0; i < STAGES; i++) {
       change[i] = start.x - in->at[1 + i].x;
       for (int j = 0; j < STAGES; j++)
@@ -201,16 +203,18 @@ static int solve_stages(stages *in)
       unknown[i] += change[i];
       in->at[1 + i] = pair_of(in, unknown[i]);
       moved = fmax(moved, fabs(change[i]));
+      sum += in->at[1 + i].x + in->at[1 + i].w;
     }
-    if (!isfinite(moved))
+    if (!isfinite(sum))
       return 0;
-    if (moved <= SETTLED * most)
+    if (moved <= settled)
       return 1;
   }
   return 0;
 }
 
-/* Of the error of x at the end. The rate at which x forgets is the smaller one of start and end: at rest it may be infinite. */
+/* Of the error of x at the end. The rate at which x forgets is the smaller one of start and end: at rest it may be infinite. Through rest w
+ * is not smooth, unless it is a line, and may bend between the stages unseen: all that it changes there counts as error. */
 static double estimate(const stages *in)
 {
   const pair *start = &in->at[0], *end = &in->at[STAGES];
@@ -219,7 +223,9 @@ static double estimate(const stages *in)
   double sum = step * (in->v[0] - start->w);
   for (int i = 0; i < STAGES; i++)
     sum += ESTIMATE[i] * (in->at[1 + i].x - start->x);
-  return fabs(sum) * slow->dx / (REAL_EIGENVALUE * slow->dx + step * slow->dw); /* a fraction, so that dx may be zero */
+  const double bend = start->x * end->x < 0.0 && in->of->power != 1.0 ? step * fmax(fabs(start->w), fabs(end->w)) : 0.0;
+  /* fractions, so that dx may be zero */
+  return fmax(fabs(sum) * slow->dx / (REAL_EIGENVALUE * slow->dx + step * slow->dw), bend * slow->dx / (slow->dx + step * slow->dw));
 }
 
 /* Moves the derivatives from the start to the end. */
