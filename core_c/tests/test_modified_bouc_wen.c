@@ -10,7 +10,8 @@
 enum { WAYS = 6 };
 static const double P[] = {3.0, 2.0, 0.8, 0.5, 0.1, 1.0, 0.4, 0.6, 2.0, 0.7, 0.5};
 /* h, u, v at the end: monotone, with a turn, with two, back and beyond the extremes */
-static const double WAY[WAYS][3] = {{0.02, 0.03, 2.0}, {0.4, 0.5, -1.5}, {0.4, 0.3, -2.0}, {1.0, -1.2, 3.0}, {0.3, -0.9, -0.2}, {2.0, 4.0, 0.7}};
+static const double WAY[WAYS][3] = {{0.02, 0.03, 2.0}, {0.4, 0.5, -1.5}, {0.4, 0.3, -2.0}, {1.0, -1.2, 3.0},
+                                   {0.3, -0.9, -0.2}, {2.0, 4.0, 0.7}};
 
 static void check_plain(void)
 {

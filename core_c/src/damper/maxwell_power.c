@@ -185,8 +185,8 @@ static int solve_stages(stages *in)
   const double settled = SETTLED * most + (in->by_w ? 0.0 : 4.0 * DBL_EPSILON * step * raised(most, of->power));
   double unknown[STAGES], change[STAGES];
   for (int i = 0; i < STAGES; i++) { /* a first guess by the implicit Euler rule, within what x can reach */
-    const double reach = PLACE[i] * step, guess = (in->by_w ? start.w : start.x) + reach * (in->v[1 + i] - start.w) / (start.dx + reach * start.dw);
-    unknown[i] = fmax(-most, fmin(most, guess));
+    const double reach = PLACE[i] * step, moved = reach * (in->v[1 + i] - start.w) / (start.dx + reach * start.dw);
+    unknown[i] = fmax(-most, fmin(most, (in->by_w ? start.w : start.x) + moved));
     in->at[1 + i] = pair_of(in, unknown[i]);
   }
   for (int n = 0; n < MOST_NEWTON; n++) {

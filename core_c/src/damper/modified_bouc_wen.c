@@ -1,10 +1,10 @@
 /* Bouc-Wen with softening by the largest deformation, beside a power-law dashpot (thesis Eqs. 2.69 to 2.71; Karavasilis,
  * Blakeborough & Williams 2011): F = k (alpha u + (1 - alpha) Y z) + C |v|^alpha_d sgn v, k = k1 exp(-u_max/u_ref) + k2.
  *
- * As differential equation with a brace k_b in series (SUNDIALS integrates it where there is a dashpot too) the elongation of the brace, e = F / k_b, is a variable, so that errors are judged by the force; the
- * own deformation is u - e. Its velocity w follows from the dashpot, which takes what the brace gives beyond the hysteretic part:
- * C |w|^alpha_d sgn w = k_b e - k (...); without dashpot from k_b (v - w) = dF/d(u - e) w. Memory: largest and smallest (own)
- * deformation. */
+ * As differential equation with a brace k_b in series (SUNDIALS integrates it where there is a dashpot too) the elongation of
+ * the brace, e = F / k_b, is a variable, so that errors are judged by the force; the own deformation is u - e. Its velocity w
+ * follows from the dashpot, which takes what the brace gives beyond the hysteretic part: C |w|^alpha_d sgn w = k_b e - k (...);
+ * without dashpot from k_b (v - w) = dF/d(u - e) w. Memory: largest and smallest (own) deformation. */
 #include "damper/bouc_wen.h"
 #include "damper/laws.h"
 #include "damper/power_dashpot.h"
