@@ -178,6 +178,7 @@ typedef struct {
   long state_updates;    /* element state determinations */
   long element_iterations;
   long elastic_updates;  /* element states found by the elastic shortcut */
+  long damper_updates;   /* damper state determinations */
   long fallbacks;        /* rungs of the ladder that were tried */
   double worst_unbalance;/* of an accepted step, relative */
   double energy_error;   /* |balance| / largest input so far */

@@ -61,13 +61,13 @@ int ed_last_iterations(const ed_analysis *a)
   return a->n_residuals > 0 ? a->n_residuals - 1 : 0;
 }
 
-static void move(ed_analysis *a, const ed_step *step, double factor)
+void ed_move(ed_analysis *a, const ed_step *step, double factor, const double *du)
 {
   for (int i = 0; i < a->n; i++) {
-    const double du = factor * a->du[i];
-    a->trial.u[i] += du;
-    a->trial.v[i] += step->velocity * du;
-    a->trial.a[i] += step->acceleration * du;
+    const double moved = factor * du[i];
+    a->trial.u[i] += moved;
+    a->trial.v[i] += step->velocity * moved;
+    a->trial.a[i] += step->acceleration * moved;
   }
 }
 
@@ -103,7 +103,7 @@ static int search(ed_analysis *a, const ed_step *step, double start)
       next = 0.5 * (taken + 1.0);
     }
     next = fmax(next, 0.1 * taken);
-    move(a, step, next - taken);
+    ed_move(a, step, next - taken, a->du);
     taken = next;
     const int status = evaluate(a, step);
     if (status != ED_OK)
@@ -152,7 +152,7 @@ int ed_accept(ed_analysis *a, double unbalance)
 
 int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
 {
-  const int keep_factors = rung == 0 && a->reuse;
+  const int keep_factors = rung == 0 && a->reuse, condensed = ed_condenses(a, rung);
   double before = HUGE_VAL;
   int status;
   a->n_residuals = 0;
@@ -178,7 +178,7 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
       factor = a->factored_stamp != a->tangent_stamp || rung != 0;
     else if (same && iteration > 0)
       factor = worth_factoring(a, unbalance, before);
-    if (!a->swinging && iteration >= 3 && ed_installed(a) && unbalance > 0.1 * a->residuals[iteration - 2])
+    if (!condensed && !a->swinging && iteration >= 3 && ed_installed(a) && unbalance > 0.1 * a->residuals[iteration - 2])
       factor = a->swinging = 1;
     if (factor && (status = ed_factor_effective(a, step->k, step->m, step->c)) != ED_OK)
       return status;
@@ -187,9 +187,15 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
       return status;
     a->statistics.iterations++;
     const double start = rung >= ED_RUNG_LINE_SEARCH ? slope(a) : 0.0;
-    move(a, step, 1.0);
-    if ((status = evaluate(a, step)) != ED_OK)
+    if (condensed)
+      status = ed_move_condensed(a, step, iteration == 0);
+    else
+      ed_move(a, step, 1.0, a->du);
+    if (status == ED_OK)
+      status = condensed ? ed_update_members(a) : ed_update_elements(a);
+    if (status != ED_OK)
       return status;
+    step->residual(a, step, a->r);
     if (rung >= ED_RUNG_LINE_SEARCH && (status = search(a, step, start)) != ED_OK)
       return status;
     before = unbalance;

@@ -145,22 +145,19 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
   a->duration = dt;
   a->velocity_factor = step.velocity;
   const double *v0 = a->committed.v, *a0 = a->committed.a;
-  if (ed_installed(a)) {
-    /* Dampers with a power of the velocity meet a velocity that turns back, as that at an unchanged displacement would, with a force
-     * that turns at once: go on as in the last two steps. Velocities and accelerations would not do, stiff modes ring in them. */
-    for (int i = 0; i < a->n; i++) {
-      const double du = dt * (2.0 * a->committed.pace[i] - a->committed.pace_before[i]);
-      a->trial.u[i] = a->committed.u[i] + du;
-      a->trial.v[i] = (1.0 - g / b) * v0[i] + dt * (1.0 - 0.5 * g / b) * a0[i] + step.velocity * du;
-      a->trial.a[i] = (1.0 - 0.5 / b) * a0[i] - v0[i] / (b * dt) + step.acceleration * du;
-    }
-    const int status = ed_update_elements(a);
-    return status == ED_OK ? ed_equilibrate(a, &step, rung) : status;
-  }
   /* start from the committed displacement: its element states are known */
   for (int i = 0; i < a->n; i++) {
     a->trial.v[i] = (1.0 - g / b) * v0[i] + dt * (1.0 - 0.5 * g / b) * a0[i];
     a->trial.a[i] = (1.0 - 0.5 / b) * a0[i] - v0[i] / (b * dt);
+  }
+  if (ed_installed(a) && !ed_condenses(a, rung)) {
+    /* Dampers with a power of the velocity meet a velocity that turns back, as this one, with a force that turns at once: go on as in
+     * the last two steps. Velocities and accelerations would not do, stiff modes ring in them. */
+    ed_follow_pace(a, a->predicted);
+    ed_move(a, &step, 1.0, a->predicted);
+    const int status = ed_update_elements(a);
+    if (status != ED_OK)
+      return status;
   }
   return ed_equilibrate(a, &step, rung);
 }

@@ -18,9 +18,7 @@ void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa)
   a->statistics.worst_unbalance = 0.0;
   a->committed.head->position = a->trial.head->position = 0.0;
   a->committed.head->time = a->trial.head->time = abscissa;
-  /* about 1000 operations an element and iteration beside the solution */
-  const double others = 1000.0 * a->model->n_members;
-  a->factor_price = ed_solver_flops(a->solver) / (ed_solver_solve_flops(a->solver) + others);
+  a->factor_price = (ed_solver_flops(a->solver) + ed_condensation_flops(a)) / ed_iteration_flops(a);
 }
 
 void ed_slowly(ed_analysis *a)

@@ -63,7 +63,7 @@ static int prepare(ed_analysis *a)
     return status;
   a->tangent_stamp = 1;
   a->factored_stamp = -1;
-  if ((status = ed_check_structure(a)) != ED_OK)
+  if ((status = ed_check_structure(a)) != ED_OK || (status = ed_condensation_allocate(a)) != ED_OK)
     return status;
   memcpy(a->initial, a->tangent, ((size_t)a->nnz + 1) * sizeof(double));
   memcpy(a->reference, a->initial, ((size_t)a->nnz + 1) * sizeof(double));

@@ -36,6 +36,7 @@ typedef struct {
 typedef struct {
   int valid;
   double *matrix;                /* nnz */
+  double *device_slope;          /* n_devices */
   double k, m, c;
 } ed_factored;
 
@@ -154,6 +155,15 @@ struct ed_analysis {
   double damper_tolerance;
   int failed_device;             /* -1: one of those by ODE, which are solved together */
   int device_status;             /* why */
+  double *device_factored;       /* slope of each that is in the factors */
+
+  /* the frame condensed to the deformations of the dampers (condensation.c) */
+  double *device_response;       /* n_devices x n: A^-1 b of the factors; NULL: condensation would cost more than it saves */
+  double *flexibility;           /* n_devices x n_devices: b' A^-1 b */
+  double *condensed;             /* n_devices x n_devices: factors of the balance at the dampers */
+  int *condensed_pivot;
+  double *condensed_work;        /* 7 n_devices */
+  int flexibility_known;         /* of the present factors */
 
   /* damping */
   double rayleigh_mass, rayleigh_stiffness;
@@ -202,7 +212,8 @@ const char *ed_equation_name(const ed_analysis *a, int equation, char *buffer, i
 int ed_build_pattern(ed_analysis *a);
 void ed_set_factors(ed_analysis *a);              /* external and element loads from a->factors */
 void ed_spread(const ed_analysis *a, const double *u, double *displacement);
-int ed_update_elements(ed_analysis *a);           /* trial u -> element states, resisting forces */
+int ed_update_elements(ed_analysis *a);           /* trial u, v -> states of elements and dampers, resisting forces */
+int ed_update_members(ed_analysis *a);            /* the same, dampers are there already */
 void ed_collect_forces(ed_analysis *a);           /* element states -> resisting forces */
 void ed_assemble_tangent(ed_analysis *a);
 void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, double *y); /* symmetric, y = A x */
@@ -228,9 +239,13 @@ int ed_device_block_size(const ed_device *device);
 int ed_devices_allocate(ed_analysis *a);
 void ed_devices_free(ed_analysis *a);
 int ed_update_devices(ed_analysis *a);            /* trial u, v -> states and forces */
+double ed_along_device(const ed_analysis *a, int device, const double *vector); /* sum of coefficient * vector over equations */
+void ed_add_along_device(const ed_analysis *a, int device, double factor, double *vector);
+double ed_device_force(const ed_analysis *a, int device);  /* at the trial state */
+double ed_device_slope(const ed_analysis *a, int device);  /* dF/du + (dv/du of the attempt) dF/dv there */
 void ed_name_damper(const ed_analysis *a, char *buffer, int size); /* that failed, and why */
 void ed_add_device_forces(ed_analysis *a);        /* into the resisting forces over all degrees */
-void ed_add_device_tangent(const ed_analysis *a, double k, double velocity, double *matrix);
+void ed_add_device_tangent(const ed_analysis *a, double k, double *matrix);
 int ed_installed(const ed_analysis *a);
 int ed_start_devices(ed_analysis *a);
 double ed_count_device_work(ed_analysis *a);
@@ -259,6 +274,7 @@ typedef struct ed_step {
   double ground[2], ground_before[2];
 } ed_step;
 int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung);
+void ed_move(ed_analysis *a, const ed_step *step, double factor, const double *du); /* trial u, v, a by factor du */
 double ed_unbalance(ed_analysis *a, const double *r);  /* relative; notes the worst equation */
 void ed_raise_force_level(ed_analysis *a);
 double ed_rounding(ed_analysis *a);                    /* relative unbalance that rounding makes */
@@ -266,6 +282,15 @@ int ed_stalls(const ed_analysis *a, int iteration);
 int ed_accept(ed_analysis *a, double unbalance);       /* notes it; ED_OK */
 void ed_freeze_damping(ed_analysis *a, int rung);
 int ed_last_iterations(const ed_analysis *a);
+
+/* condensation.c */
+int ed_condensation_allocate(ed_analysis *a);
+int ed_condenses(const ed_analysis *a, int rung);   /* whether dampers are balanced with the condensed frame */
+double ed_condensation_flops(const ed_analysis *a); /* that come to a factorisation */
+double ed_iteration_flops(const ed_analysis *a);    /* of an iteration of the frame */
+/* Moves the trial state by the solution in `du`, with the dampers in balance and at their new states. first: of the step. */
+int ed_move_condensed(ed_analysis *a, const ed_step *step, int first);
+void ed_follow_pace(const ed_analysis *a, double *du); /* from the committed state, on as in the last two steps */
 
 /* history_forces.c: of a history that runs, otherwise there are none */
 void ed_move_history_forces(ed_analysis *a, double from, double to);  /* to a substep between two positions in the whole step */

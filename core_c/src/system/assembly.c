@@ -192,7 +192,7 @@ static void sum_forces(ed_analysis *a)
   a->tangent_stamp++;
 }
 
-int ed_update_elements(ed_analysis *a)
+static int update_members(ed_analysis *a)
 {
   clear_forces(a);
   for (int m = 0; m < a->model->n_members; m++) {
@@ -208,11 +208,25 @@ int ed_update_elements(ed_analysis *a)
     }
     add_forces(a, m, d);
   }
-  const int status = ed_update_devices(a);
-  if (status != ED_OK)
-    return status;
-  sum_forces(a);
   return ED_OK;
+}
+
+int ed_update_members(ed_analysis *a)
+{
+  const int status = update_members(a);
+  if (status == ED_OK)
+    sum_forces(a);
+  return status;
+}
+
+int ed_update_elements(ed_analysis *a)
+{
+  int status = update_members(a);
+  if (status == ED_OK)
+    status = ed_update_devices(a);
+  if (status == ED_OK)
+    sum_forces(a);
+  return status;
 }
 
 void ed_collect_forces(ed_analysis *a)

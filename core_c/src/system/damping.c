@@ -107,6 +107,7 @@ static int factor(ed_analysis *a, double k, double m, double c)
   a->statistics.factorisations += repivoted;
   a->statistics.refactorisations += !repivoted;
   a->factored_stamp = status == ED_OK ? a->tangent_stamp : -1;
+  a->flexibility_known = 0;
   a->factored_k = k;
   a->factored_m = m;
   a->factored_c = c;
@@ -131,6 +132,8 @@ void ed_note_factors(const ed_analysis *a, ed_factored *to)
 {
   to->valid = a->factored_stamp >= 0;
   memcpy(to->matrix, a->effective, (size_t)a->nnz * sizeof(double));
+  for (int i = 0; i < a->model->n_devices; i++)
+    to->device_slope[i] = a->device_factored[i];
   to->k = a->factored_k;
   to->m = a->factored_m;
   to->c = a->factored_c;
@@ -148,6 +151,8 @@ void ed_restore_factors(ed_analysis *a)
   if (!a->kept.valid)
     return;
   memcpy(a->effective, a->kept.matrix, (size_t)a->nnz * sizeof(double));
+  for (int i = 0; i < a->model->n_devices; i++)
+    a->device_factored[i] = a->kept.device_slope[i];
   a->kept.valid = 0;
   if (factor(a, a->kept.k, a->kept.m, a->kept.c) == ED_OK)
     a->factored_stamp = 0; /* of an earlier tangent */
@@ -167,7 +172,9 @@ int ed_factor_effective(ed_analysis *a, double k, double m, double c)
     for (int i = 0; i < a->nnz; i++)
       a->effective[i] = k * a->tangent[i] + damping * D[i];
   }
-  ed_add_device_tangent(a, k, a->velocity_factor, a->effective);
+  ed_add_device_tangent(a, k, a->effective);
+  for (int i = 0; i < a->model->n_devices; i++)
+    a->device_factored[i] = ed_device_slope(a, i);
   const double inertia = m + c * a->rayleigh_mass;
   if (inertia != 0.0)
     for (int i = 0; i < a->n; i++)

@@ -36,8 +36,12 @@ static int allocate(ed_analysis *a, int n)
   a->device_old = calloc(count, sizeof *a->device_old);
   a->device_new = calloc(count, sizeof *a->device_new);
   a->device_by_ode = calloc(count, sizeof *a->device_by_ode);
+  a->device_factored = calloc(count, sizeof *a->device_factored);
+  a->kept.device_slope = calloc(count, sizeof *a->kept.device_slope);
+  a->backed.device_slope = calloc(count, sizeof *a->backed.device_slope);
   return a->device_path && a->device_direction && a->device_out && a->device_slope && a->device_old && a->device_new &&
-                 a->device_by_ode && a->device_chord && a->device_swings
+                 a->device_by_ode && a->device_chord && a->device_swings && a->device_factored && a->kept.device_slope &&
+                 a->backed.device_slope
              ? ED_OK
              : ED_E_MEMORY;
 }
@@ -70,20 +74,44 @@ void ed_devices_free(ed_analysis *a)
   ed_ode_system_free(a->ode_system);
   void *blocks[] = {a->device_block, a->device_path, a->device_direction, a->device_out, a->device_slope,
                     a->device_old,   a->device_new,  a->device_by_ode,    a->device_scatter,
-                    a->device_chord, a->device_swings};
+                    a->device_chord, a->device_swings, a->device_factored, a->kept.device_slope,
+                    a->backed.device_slope, a->device_response, a->flexibility, a->condensed, a->condensed_pivot, a->condensed_work};
   for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
     free(blocks[i]);
 }
 
-static double along(const ed_analysis *a, const ed_device *device, const double *vector)
+double ed_along_device(const ed_analysis *a, int i, const double *vector)
 {
+  const ed_device *device = &a->model->devices[i];
   double sum = 0.0;
-  for (int i = 0; i < device->n_terms; i++) {
-    const int equation = a->equation[device->degree[i]];
+  for (int k = 0; k < device->n_terms; k++) {
+    const int equation = a->equation[device->degree[k]];
     if (equation >= 0)
-      sum += device->coefficient[i] * vector[equation];
+      sum += device->coefficient[k] * vector[equation];
   }
   return sum;
+}
+
+void ed_add_along_device(const ed_analysis *a, int i, double factor, double *vector)
+{
+  const ed_device *device = &a->model->devices[i];
+  for (int k = 0; k < device->n_terms; k++) {
+    const int equation = a->equation[device->degree[k]];
+    if (equation >= 0)
+      vector[equation] += factor * device->coefficient[k];
+  }
+}
+
+double ed_device_force(const ed_analysis *a, int i)
+{
+  return block_of(a, &a->trial, i)[FORCE];
+}
+
+double ed_device_slope(const ed_analysis *a, int i)
+{
+  const double *slope = a->device_slope[i], *chord = a->device_chord[i];
+  const double tangent = slope[0] + a->velocity_factor * slope[1];
+  return a->swinging && a->device_swings[i] ? tangent + chord[0] + a->velocity_factor * chord[1] : tangent;
 }
 
 /* The law's path over this step, from the degrees. A static step goes slowly from rest to rest, also after a history that ended in
@@ -94,9 +122,9 @@ static void set_path(ed_analysis *a, int i, ed_path *path)
   const int slow = a->run.kind != ED_RUN_HISTORY;
   const double *before = block_of(a, &a->committed, i);
   double *now = block_of(a, &a->trial, i);
-  const double scale = device->deformation_scale, v0 = slow ? 0.0 : along(a, device, a->committed.v);
-  now[DEFORMATION] = along(a, device, a->trial.u) - now[OFFSET];
-  const double velocity = slow ? 0.0 : along(a, device, a->trial.v);
+  const double scale = device->deformation_scale, v0 = slow ? 0.0 : ed_along_device(a, i, a->committed.v);
+  now[DEFORMATION] = ed_along_device(a, i, a->trial.u) - now[OFFSET];
+  const double velocity = slow ? 0.0 : ed_along_device(a, i, a->trial.v);
   a->device_swings[i] = velocity * now[VELOCITY] < 0.25 * now[VELOCITY] * now[VELOCITY];
   now[VELOCITY] = velocity;
   ed_path_hermite(path, a->duration, scale * before[DEFORMATION], scale * v0, scale * now[DEFORMATION],
@@ -143,6 +171,7 @@ int ed_update_devices(ed_analysis *a)
 {
   if (!ed_installed(a))
     return ED_OK;
+  a->statistics.damper_updates += a->model->n_devices;
   ed_path_hermite_directions(a->direction, a->duration);
   for (int i = 0; i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
@@ -185,17 +214,15 @@ int ed_installed(const ed_analysis *a)
   return a->model->n_devices > 0 && block_of(a, &a->trial, 0)[INSTALLED] != 0.0;
 }
 
-/* k (dF/du + velocity dF/dv) of every device, into a matrix of the pattern (nnz + 1). */
-void ed_add_device_tangent(const ed_analysis *a, double k, double velocity, double *matrix)
+/* k times the slope of every device, into a matrix of the pattern (nnz + 1). */
+void ed_add_device_tangent(const ed_analysis *a, double k, double *matrix)
 {
   if (!ed_installed(a))
     return;
   const int *place = a->device_scatter;
   for (int i = 0; i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
-    double slope = k * (a->device_slope[i][0] + velocity * a->device_slope[i][1]);
-    if (a->swinging && a->device_swings[i])
-      slope += k * (a->device_chord[i][0] + velocity * a->device_chord[i][1]);
+    const double slope = k * ed_device_slope(a, i);
     for (int p = 0; p < device->n_terms; p++)
       for (int q = 0; q < device->n_terms; q++)
         matrix[*place++] += slope * device->coefficient[p] * device->coefficient[q];
@@ -226,7 +253,7 @@ int ed_install_dampers(ed_analysis *a)
     if (now[INSTALLED] != 0.0)
       continue;
     now[INSTALLED] = 1.0;
-    now[OFFSET] = along(a, &a->model->devices[i], a->committed.u);
+    now[OFFSET] = ed_along_device(a, i, a->committed.u);
   }
   ed_revert(a);
   return ED_OK;
@@ -239,7 +266,7 @@ int ed_start_devices(ed_analysis *a)
     return ED_OK;
   double speed = 0.0; /* now, or where the last run ended */
   for (int i = 0; i < a->model->n_devices; i++)
-    speed += fabs(along(a, &a->model->devices[i], a->committed.v)) + fabs(block_of(a, &a->committed, i)[VELOCITY]);
+    speed += fabs(ed_along_device(a, i, a->committed.v)) + fabs(block_of(a, &a->committed, i)[VELOCITY]);
   if (speed == 0.0)
     return ED_OK;
   a->duration = 1e-6 * a->run.dt;

@@ -1,0 +1,197 @@
+/* Dampers in balance with the frame condensed to their deformations, while factors A of the frame are kept.
+ *
+ * With the deformations x = B D that an iteration D of the frame brings, forces f(x) of the dampers, their slopes s and those that
+ * are in the factors, S_0, the frame's linear part and the dampers as they are balance where
+ *
+ *   A D = r + k B' (f_now - f(x) + S_0 x),   so   x = B A^-1 r + k F (f_now - f(x) + S_0 x),   F = B A^-1 B'
+ *
+ * (Woodbury's identity where f is linear). F is as large as there are dampers, and a trial of theirs is cheap beside one of the
+ * frame. So Newton's method finds x on its own: the frame is evaluated only for what is not linear in itself, and slopes of dampers
+ * that change ask for no new factors. */
+#include "base/dense.h"
+#include "system/analysis.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Operations of one solution at the dampers, with the iteration that it moves. */
+static double solution_flops(const ed_analysis *a)
+{
+  const double n = a->n, dampers = a->model->n_devices;
+  return 2.0 / 3.0 * dampers * dampers * dampers + 2.0 * dampers * n;
+}
+
+/* Operations of an iteration of the frame. */
+double ed_iteration_flops(const ed_analysis *a)
+{
+  const double element = 1000.0; /* about, beside the solution */
+  return ed_solver_solve_flops(a->solver) + element * a->model->n_members;
+}
+
+int ed_condensation_allocate(ed_analysis *a)
+{
+  const size_t dampers = (size_t)a->model->n_devices, n = (size_t)a->n;
+  /* A solution here saves an iteration of the frame and its factors at best. Those that SUNDIALS integrates cost more than a frame. */
+  if (dampers == 0 || a->n_by_ode > 0 || solution_flops(a) > ed_iteration_flops(a) + ed_solver_flops(a->solver))
+    return ED_OK;
+  a->device_response = malloc(dampers * n * sizeof(double));
+  a->flexibility = malloc(dampers * dampers * sizeof(double));
+  a->condensed = malloc(dampers * dampers * sizeof(double));
+  a->condensed_pivot = malloc(dampers * sizeof(int));
+  a->condensed_work = malloc(7 * dampers * sizeof(double));
+  return a->device_response && a->flexibility && a->condensed && a->condensed_pivot && a->condensed_work ? ED_OK : ED_E_MEMORY;
+}
+
+int ed_condenses(const ed_analysis *a, int rung)
+{
+  return a->device_response && rung == 0 && a->reuse && a->run.kind == ED_RUN_HISTORY && ed_installed(a);
+}
+
+double ed_condensation_flops(const ed_analysis *a)
+{
+  return ed_condenses(a, 0) ? a->model->n_devices * (ed_solver_solve_flops(a->solver) + 2.0 * a->model->n_devices) : 0.0;
+}
+
+void ed_follow_pace(const ed_analysis *a, double *du)
+{
+  for (int i = 0; i < a->n; i++)
+    du[i] = a->duration * (2.0 * a->committed.pace[i] - a->committed.pace_before[i]);
+}
+
+/* A^-1 B' and F of the present factors. */
+static int find_flexibility(ed_analysis *a)
+{
+  const int dampers = a->model->n_devices;
+  if (a->flexibility_known)
+    return ED_OK;
+  memset(a->device_response, 0, (size_t)dampers * (size_t)a->n * sizeof(double));
+  for (int i = 0; i < dampers; i++) {
+    double *response = a->device_response + (size_t)i * (size_t)a->n;
+    ed_add_along_device(a, i, 1.0, response);
+    const int status = ed_solve_effective(a, response);
+    if (status != ED_OK)
+      return status;
+    for (int j = 0; j < dampers; j++)
+      a->flexibility[j * dampers + i] = ed_along_device(a, j, response);
+  }
+  a->flexibility_known = 1;
+  return ED_OK;
+}
+
+/* Deformations of the dampers, and the linear law f + s (x - at) of each about the last trial. */
+typedef struct {
+  double *free, *x, *at, *now, *force, *slope, *push;
+} condensed;
+
+static void linearise(const ed_analysis *a, condensed *c, const double *moved)
+{
+  for (int i = 0; i < a->model->n_devices; i++) {
+    c->at[i] = ed_along_device(a, i, moved);
+    c->force[i] = ed_device_force(a, i);
+    c->slope[i] = ed_device_slope(a, i);
+  }
+}
+
+/* x at which all balance with the linear laws, and the forces k (f_now - f(x) + S_0 x) by which they move the frame. */
+static int balance(ed_analysis *a, double k, condensed *c)
+{
+  const int n = a->model->n_devices;
+  for (int j = 0; j < n; j++)
+    c->push[j] = k * (c->now[j] - c->force[j] + c->slope[j] * c->at[j]);
+  for (int i = 0; i < n; i++) {
+    const double *row = a->flexibility + i * n;
+    double sum = c->free[i], *of = a->condensed + i * n;
+    for (int j = 0; j < n; j++) {
+      of[j] = k * row[j] * (c->slope[j] - a->device_factored[j]);
+      sum += row[j] * c->push[j];
+    }
+    of[i] += 1.0;
+    c->x[i] = sum;
+  }
+  if (!ed_dense_factor(n, a->condensed, a->condensed_pivot))
+    return ED_E_SINGULAR;
+  ed_dense_solve(n, a->condensed, a->condensed_pivot, c->x);
+  for (int j = 0; j < n; j++)
+    c->push[j] -= k * (c->slope[j] - a->device_factored[j]) * c->x[j];
+  return ED_OK;
+}
+
+/* Largest share of a damper's force in the unbalance of a degree: as there, moments are divided by the mean length of elements. */
+static double reach(const ed_analysis *a, int i)
+{
+  const ed_device *device = &a->model->devices[i];
+  double most = 0.0;
+  for (int k = 0; k < device->n_terms; k++)
+    most = fmax(most, fabs(device->coefficient[k]) / (device->degree[k] % 3 == 2 ? a->length : 1.0));
+  return most;
+}
+
+/* Largest unbalance that is left as the forces of a trial are not those of the linear laws. */
+static double left(const ed_analysis *a, const condensed *c)
+{
+  double largest = 0.0;
+  for (int i = 0; i < a->model->n_devices; i++) {
+    const double off = reach(a, i) * fabs(ed_device_force(a, i) - c->force[i] - c->slope[i] * (c->x[i] - c->at[i]));
+    if (!(off <= largest))
+      largest = off;
+  }
+  return largest;
+}
+
+/* `moved` becomes `du` and what the dampers add to it, and the trial state moves along. */
+static void move_on(ed_analysis *a, const ed_step *step, const condensed *c, double *moved)
+{
+  double *change = a->work;
+  memcpy(change, a->du, (size_t)a->n * sizeof *change);
+  for (int j = 0; j < a->model->n_devices; j++) {
+    const double *response = a->device_response + (size_t)j * (size_t)a->n;
+    for (int i = 0; i < a->n; i++)
+      change[i] += response[i] * c->push[j];
+  }
+  for (int i = 0; i < a->n; i++) {
+    const double now = change[i];
+    change[i] -= moved[i];
+    moved[i] = now;
+  }
+  ed_move(a, step, 1.0, change);
+}
+
+int ed_move_condensed(ed_analysis *a, const ed_step *step, int first)
+{
+  const int dampers = a->model->n_devices;
+  double *work = a->condensed_work, *moved = a->predicted, before = HUGE_VAL;
+  condensed c = {.free = work, .x = work + dampers, .at = work + 2 * dampers, .now = work + 3 * dampers, .force = work + 4 * dampers,
+                 .slope = work + 5 * dampers, .push = work + 6 * dampers};
+  int status = find_flexibility(a);
+  if (status != ED_OK)
+    return status;
+  for (int i = 0; i < dampers; i++) {
+    c.free[i] = ed_along_device(a, i, a->du);
+    c.now[i] = ed_device_force(a, i);
+  }
+  memset(moved, 0, (size_t)a->n * sizeof *moved);
+  if (first) { /* the dampers begin where the last two steps lead, the frame where it is */
+    ed_follow_pace(a, moved);
+    ed_move(a, step, 1.0, moved);
+    if ((status = ed_update_devices(a)) != ED_OK)
+      return status;
+  }
+  for (int trial = 0; trial < a->max_iterations; trial++) {
+    linearise(a, &c, moved);
+    if ((status = balance(a, step->k, &c)) != ED_OK)
+      return status;
+    move_on(a, step, &c, moved);
+    if ((status = ed_update_devices(a)) != ED_OK)
+      return status;
+    const double off = left(a, &c);
+    if (!isfinite(off))
+      return ED_E_NOT_FINITE;
+    if (off <= a->tolerance * a->trial.head->force_level)
+      return ED_OK;
+    if (off > 0.5 * before) /* Newton's method swings about rest */
+      a->swinging = 1;
+    before = off;
+  }
+  return ED_OK; /* what is left the frame's next iteration sees */
+}
