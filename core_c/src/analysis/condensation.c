@@ -174,7 +174,7 @@ int ed_move_condensed(ed_analysis *a, const ed_step *step, int first)
   if (first) { /* the dampers begin where the last two steps lead, the frame where it is */
     ed_follow_pace(a, moved);
     ed_move(a, step, 1.0, moved);
-    if ((status = ed_update_devices(a)) != ED_OK)
+    if ((status = ed_update_devices(a, 1)) != ED_OK)
       return status;
   }
   for (int trial = 0; trial < a->max_iterations; trial++) {
@@ -182,7 +182,7 @@ int ed_move_condensed(ed_analysis *a, const ed_step *step, int first)
     if ((status = balance(a, step->k, &c)) != ED_OK)
       return status;
     move_on(a, step, &c, moved);
-    if ((status = ed_update_devices(a)) != ED_OK)
+    if ((status = ed_update_devices(a, 0)) != ED_OK)
       return status;
     const double off = left(a, &c);
     if (!isfinite(off))

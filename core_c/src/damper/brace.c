@@ -12,6 +12,7 @@
 enum { MOST_ITERATIONS = 40, MOST_HALVINGS = 8, PATIENCE = 20 };
 static const double TOLERANCE = 1e-9; /* of the forces that balance: a hundredth of what a frame asks of its own balance */
 static const double BETWEEN_TRIALS = 1e-3;
+static const double ROUGH = 0.1; /* Newton's method then gains a digit at least from one trial to the next */
 
 static double largest(double a, double b)
 {
@@ -80,15 +81,15 @@ static int solve(const double slope[2][2], double right0, double right1, double 
 }
 
 /* What a trial leaves for the next one of the same step, behind the own deformation in the state. */
-enum { STRETCHING = 1, FROM, DURATION, OWN, TOTAL = OWN + 2, SLOPE = TOTAL + 2, RESIDUAL = SLOPE + 4 };
+enum { STRETCHING = 1, BENDING, FROM, DURATION, OWN, TOTAL = OWN + 2, SLOPE = TOTAL + 2, RESIDUAL = SLOPE + 4 };
 
-/* The first guess: the brace stretches on as it does when the step begins; or the last trial of this step, moved on to where the total
+/* The first guess: the brace stretches on as at the end of the step before, with the speed and its change there; or the last trial of this step, moved on to where the total
  * deformation is now. Returns by how much the latter moved the damper, or 0. */
 static double guess(const double *committed, const double *last, const ed_path *path, const double total[2], double kb, ed_stage *stage)
 {
-  const double h = path->h, u0 = committed[0];
-  stage->a = total[0] - path->c[0] - THIRD * h * committed[STRETCHING];
-  stage->b = total[1] - path->c[0] - h * committed[STRETCHING];
+  const double h = path->h, u0 = committed[0], third = THIRD * h;
+  stage->a = total[0] - path->c[0] - third * (committed[STRETCHING] + 0.5 * third * committed[BENDING]);
+  stage->b = total[1] - path->c[0] - h * (committed[STRETCHING] + 0.5 * h * committed[BENDING]);
   if (last[FROM] != u0 || last[DURATION] != h)
     return 0.0;
   double slope[2][2], move[2];
@@ -154,7 +155,7 @@ static int leap(const ed_damper *d, const double *committed, double h, const dou
   return evaluate(d, committed, h, total, stage, trial);
 }
 
-static int viscous(const ed_damper *d, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+static int viscous(const ed_damper *d, int rough, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                    ed_damper_force *out)
 {
   const int own = ed_damper_own_size(d);
@@ -162,8 +163,10 @@ static int viscous(const ed_damper *d, const double *committed, const ed_path *p
   const double total[2] = {ed_path_u(path, THIRD * h), ed_path_u(path, h)};
   ed_stage stage;
   /* Between trials of one step the balance need only be better than the change from one to the next: the rest is made up to first
-   * order below, and vanishes with the change. */
-  const double rest = BETWEEN_TRIALS * kb * guess(committed + own, trial + own, path, total, kb, &stage);
+   * order below, and vanishes with the change. So is it in a rough trial, which begins with the whole deformation of the step. */
+  double rest = BETWEEN_TRIALS * kb * guess(committed + own, trial + own, path, total, kb, &stage);
+  if (rough)
+    rest = largest(rest, ROUGH * kb * (fabs(total[0] - path->c[0]) + fabs(total[1] - path->c[0])));
   int status = evaluate(d, committed, h, total, &stage, trial);
   for (int i = 0;; i++) {
     if (status != ED_OK)
@@ -181,6 +184,7 @@ static int viscous(const ed_damper *d, const double *committed, const ed_path *p
   leave(&stage, total, u0, h, trial + own);
   trial[own] = u0 + stage.b;
   trial[own + STRETCHING] = ed_path_v(path, h) - (5.0 * stage.b - 9.0 * stage.a) / (2.0 * h);
+  trial[own + BENDING] = 2.0 * path->c[2] + 6.0 * path->c[3] * h - (3.0 * stage.b - 9.0 * stage.a) / (h * h);
   out->force = kb * (total[1] - u0 - stage.b - rest_of[1]);
   for (int i = 0; i < 2; i++) {
     const double of_third = ed_path_u(&direction[i], THIRD * h), of_end = ed_path_u(&direction[i], h);
@@ -279,9 +283,9 @@ static int hysteretic(const ed_damper *d, const double *committed, const ed_path
   return ED_OK;
 }
 
-int ed_brace_step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2],
+int ed_brace_step(const ed_damper *damper, int rough, const double *committed, const ed_path *path, const ed_path direction[2],
                   double *trial, ed_damper_force *out)
 {
   return damper->rate_independent ? hysteretic(damper, committed, path, direction, trial, out)
-                                       : viscous(damper, committed, path, direction, trial, out);
+                                       : viscous(damper, rough, committed, path, direction, trial, out);
 }

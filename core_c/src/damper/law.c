@@ -103,12 +103,18 @@ void ed_damper_start(const ed_damper *damper, double *state)
   ed_amendments_start(damper, state, 1);
 }
 
+int ed_damper_try(const ed_damper *damper, int rough, const double *committed, const ed_path *path, const ed_path direction[2],
+                  double *trial, ed_damper_force *out)
+{
+  if (ed_damper_is_braced(damper))
+    return ed_brace_step(damper, rough, committed, path, direction, trial, out);
+  return ed_damper_own_step(damper, committed, path, direction, trial, out);
+}
+
 int ed_damper_advance(const ed_damper *damper, ed_ode_system *system, const double *committed, const ed_path *path,
                       const ed_path direction[2], double *trial, ed_damper_force *out)
 {
   if (!ed_damper_has_exact_step(damper))
     return ed_ode_system_step(system, &committed, path, (const ed_path(*)[2])direction, &trial, out);
-  if (ed_damper_is_braced(damper))
-    return ed_brace_step(damper, committed, path, direction, trial, out);
-  return ed_damper_own_step(damper, committed, path, direction, trial, out);
+  return ed_damper_try(damper, 0, committed, path, direction, trial, out);
 }

@@ -99,6 +99,10 @@ void ed_damper_clear(ed_damper *damper);
 struct ed_ode_system;
 int ed_damper_advance(const ed_damper *damper, struct ed_ode_system *system, const double *committed, const ed_path *path,
                       const ed_path direction[2], double *trial, ed_damper_force *out);
+/* The same of one with an exact step. rough: another trial from `committed` is to follow, so that the balance with a brace need only be
+ * near enough for the slopes to hold; what is missing the force has to first order. */
+int ed_damper_try(const ed_damper *damper, int rough, const double *committed, const ed_path *path, const ed_path direction[2],
+                  double *trial, ed_damper_force *out);
 
 static inline int ed_damper_has_exact_step(const ed_damper *damper)
 {

@@ -238,7 +238,7 @@ int ed_state_finite(const ed_analysis *a); /* whether every number of the commit
 int ed_device_block_size(const ed_device *device);
 int ed_devices_allocate(ed_analysis *a);
 void ed_devices_free(ed_analysis *a);
-int ed_update_devices(ed_analysis *a);            /* trial u, v -> states and forces */
+int ed_update_devices(ed_analysis *a, int rough); /* trial u, v -> states and forces; rough: as in ed_damper_try */
 double ed_along_device(const ed_analysis *a, int device, const double *vector); /* sum of coefficient * vector over equations */
 void ed_add_along_device(const ed_analysis *a, int device, double factor, double *vector);
 double ed_device_force(const ed_analysis *a, int device);  /* at the trial state */

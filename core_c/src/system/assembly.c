@@ -223,7 +223,7 @@ int ed_update_elements(ed_analysis *a)
 {
   int status = update_members(a);
   if (status == ED_OK)
-    status = ed_update_devices(a);
+    status = ed_update_devices(a, 0);
   if (status == ED_OK)
     sum_forces(a);
   return status;

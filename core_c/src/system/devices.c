@@ -167,7 +167,7 @@ static int fail(ed_analysis *a, int device, int status)
   return ED_E_DAMPER;
 }
 
-int ed_update_devices(ed_analysis *a)
+int ed_update_devices(ed_analysis *a, int rough)
 {
   if (!ed_installed(a))
     return ED_OK;
@@ -180,8 +180,8 @@ int ed_update_devices(ed_analysis *a)
     ed_damper_force out = {0};
     ed_path path;
     set_path(a, i, &path);
-    const int status = ed_damper_advance(&device->damper, NULL, block_of(a, &a->committed, i) + LAW_STATE, &path,
-                                         a->direction, block_of(a, &a->trial, i) + LAW_STATE, &out);
+    const int status = ed_damper_try(&device->damper, rough, block_of(a, &a->committed, i) + LAW_STATE, &path,
+                                     a->direction, block_of(a, &a->trial, i) + LAW_STATE, &out);
     if (status != ED_OK)
       return fail(a, i, status);
     take(a, i, &out);
@@ -272,7 +272,7 @@ int ed_start_devices(ed_analysis *a)
   a->duration = 1e-6 * a->run.dt;
   for (int i = 0; i < a->n; i++)
     a->trial.u[i] += a->duration * a->trial.v[i];
-  const int status = ed_update_devices(a);
+  const int status = ed_update_devices(a, 0);
   memcpy(a->trial.u, a->committed.u, (size_t)a->n * sizeof(double));
   for (int i = 0; status == ED_OK && i < a->model->n_devices; i++) {
     double *before = block_of(a, &a->committed, i);
