@@ -87,7 +87,10 @@ static void check_runs(int damping)
   static double ground[N + 1], rows[2 * (N + 1)], energy[(N + 1) * ED_N_ENERGY];
   ed_statistics statistics;
   ground_motion(N, 0.01, 9.0, ground);
+  const double mgmm[] = {515e3, 15.1e3, 107e3, 21e3, 0.374, 3741e3, 3613e3, 7.966e-3, 902e3, 190e3, 13.468e-3, 0.0}, one = 1.0;
+  const int top = frame_node(FRAME, 0, 1), along = 0;
   ed_model *model = frame_model(FRAME);
+  CHECK_INT(ed_model_damper(model, "damper", ED_LAW_MGMM, 12, mgmm, 0.0, 1.0, 1.0, 1, &top, &along, &one), 0);
   ed_analysis *analysis = frame_analysis(model);
   add_channel(analysis, ED_DISPLACEMENT, frame_node(FRAME, 0, 3), 0);
   add_channel(analysis, ED_FIBRE_STRESS, 0, 0);
@@ -95,6 +98,7 @@ static void check_runs(int damping)
   CHECK_STATUS(ed_static_begin(analysis, GRAVITY, 1.0, 5), ED_OK);
   CHECK_INT(calls_while(analysis, 5), 0);
   ed_run_end(analysis);
+  CHECK_STATUS(ed_install_dampers(analysis), ED_OK);
   CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   ed_run_buffers(analysis, 1, NULL, rows, energy);
   CHECK_INT(calls_while(analysis, N), 0);
@@ -120,6 +124,7 @@ static void check_dampers(void)
   CHECK_STATUS(ed_static_begin(analysis, GRAVITY, 1.0, 5), ED_OK);
   CHECK_INT(calls_while(analysis, 5), 0);
   ed_run_end(analysis);
+  CHECK_STATUS(ed_install_dampers(analysis), ED_OK);
   CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   CHECK_INT(calls_while(analysis, N), 0);
   ed_analysis_free(analysis);

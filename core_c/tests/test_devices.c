@@ -21,11 +21,15 @@ static int damper(ed_model *model, int storey, int law, int n, const double *par
   return ed_model_damper(model, "damper", law, n, parameters, brace, 1.0, 1.0, 2, node, degree, coefficient);
 }
 
-static ed_model *damped_frame(double brace)
+/* The second damper by SUNDIALS, or as the first by its exact step: only dampers that all have one are balanced with the condensed frame. */
+static ed_model *damped_frame(int exact, double brace)
 {
   ed_model *model = frame_model(FRAME);
   CHECK_INT(damper(model, 1, ED_LAW_MGMM, 12, MGMM, brace), 0);
-  CHECK_INT(damper(model, 2, ED_LAW_BOUC_WEN, 7, BOUC_WEN, brace), 1);
+  if (exact)
+    CHECK_INT(damper(model, 2, ED_LAW_MGMM, 12, MGMM, brace), 1);
+  else
+    CHECK_INT(damper(model, 2, ED_LAW_BOUC_WEN, 7, BOUC_WEN, brace), 1);
   return model;
 }
 
@@ -91,11 +95,11 @@ static double bare_energy_error(const double *ground)
 }
 
 /* Tries that are given up, and the same run in one analysis or taken up from a saved state. */
-static void check_tries(double brace)
+static void check_tries(int exact, double brace)
 {
   double ground[N + 1];
   ground_motion(N, DT, 6.0, ground);
-  ed_model *model = damped_frame(brace);
+  ed_model *model = damped_frame(exact, brace);
   ed_analysis *straight = under_gravity(model), *hesitant = under_gravity(model);
   CHECK_STATUS(ed_history_begin(straight, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
   CHECK_STATUS(ed_history_begin(hesitant, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
@@ -117,12 +121,54 @@ static void check_tries(double brace)
   ed_model_free(model);
 }
 
+/* Statistics of a history to a tight tolerance, and what it ends with: displacement of the roof, forces of the dampers. */
+static ed_statistics tight_history(const ed_model *model, int dampers, int reuse, double end[3])
+{
+  double ground[N + 1], most[3], when[3], least[3], since[3];
+  ground_motion(N, DT, 6.0, ground);
+  ed_statistics before, after;
+  ed_analysis *a = under_gravity(model);
+  CHECK_STATUS(ed_set(a, ED_TOLERANCE, 1e-11), ED_OK);
+  CHECK_STATUS(ed_set(a, ED_REUSE_FACTORS, reuse), ED_OK);
+  add_channel(a, ED_DISPLACEMENT, frame_node(FRAME, 0, 2), 0);
+  for (int i = 0; i < dampers; i++)
+    add_channel(a, ED_DAMPER_FORCE, i, 0);
+  ed_get_statistics(a, &before);
+  CHECK_STATUS(ed_history_begin(a, N, DT, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  CHECK_STATUS(run_to_end(a, N), ED_OK);
+  ed_extremes(a, most, when, least, since, end);
+  ed_get_statistics(a, &after);
+  CHECK_INT(after.fallbacks, 0);
+  after.iterations -= before.iterations;
+  after.refactorisations -= before.refactorisations;
+  ed_analysis_free(a);
+  return after;
+}
+
+/* With kept factors the dampers are balanced with the condensed frame, with new ones in each iteration they are part of its matrix:
+ * the answer is the same. Slopes of |v|^0.374 that change ask neither for iterations of the frame nor for factors: it takes no more
+ * than bare, where it yields more, and an evaluation of the predictor is no longer needed. */
+static void check_condensed(double brace)
+{
+  ed_model *model = damped_frame(1, brace), *plain = frame_model(FRAME);
+  double kept[3], anew[3], undamped[3];
+  const ed_statistics few = tight_history(model, 2, 1, kept), many = tight_history(model, 2, 0, anew);
+  const ed_statistics bare = tight_history(plain, 0, 1, undamped);
+  for (int i = 0; i < 3; i++)
+    CHECK_NEAR(kept[i], anew[i], 1e-8 * fabs(anew[i])); /* each is in balance to 1e-11 of the forces, and that over N steps */
+  CHECK(few.iterations <= bare.iterations);
+  CHECK(few.refactorisations <= bare.refactorisations);
+  CHECK(many.refactorisations > N);
+  ed_model_free(model);
+  ed_model_free(plain);
+}
+
 /* A state that is saved and set again goes on as if nothing had been. */
 static void check_saved(void)
 {
   double ground[N + 1];
   ground_motion(N, DT, 6.0, ground);
-  ed_model *model = damped_frame(30e6);
+  ed_model *model = damped_frame(0, 30e6);
   ed_analysis *a = under_gravity(model), *b = under_gravity(model);
   CHECK_STATUS(ed_set(a, ED_REUSE_FACTORS, 0), ED_OK); /* factors of an earlier step are no part of the state */
   CHECK_STATUS(ed_set(b, ED_REUSE_FACTORS, 0), ED_OK);
@@ -253,8 +299,12 @@ static void check_refusals(void)
 int main(void)
 {
   check_link();
-  check_tries(0.0);
-  check_tries(30e6);
+  for (int exact = 0; exact < 2; exact++) {
+    check_tries(exact, 0.0);
+    check_tries(exact, 30e6);
+  }
+  check_condensed(0.0);
+  check_condensed(30e6);
   check_saved();
   check_hht();
   check_static_after();

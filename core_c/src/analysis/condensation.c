@@ -8,6 +8,7 @@
  * (Woodbury's identity where f is linear). F is as large as there are dampers, and a trial of theirs is cheap beside one of the
  * frame. So Newton's method finds x on its own: the frame is evaluated only for what is not linear in itself, and slopes of dampers
  * that change ask for no new factors. */
+#include "base/clones.h"
 #include "base/dense.h"
 #include "system/analysis.h"
 
@@ -88,7 +89,7 @@ static void linearise(const ed_analysis *a, condensed *c, const double *moved)
 {
   for (int i = 0; i < a->model->n_devices; i++) {
     c->at[i] = ed_along_device(a, i, moved);
-    c->force[i] = ed_device_force(a, i);
+    c->force[i] = ed_device_force(a, &a->trial, i);
     c->slope[i] = ed_device_slope(a, i);
   }
 }
@@ -132,11 +133,18 @@ static double left(const ed_analysis *a, const condensed *c)
 {
   double largest = 0.0;
   for (int i = 0; i < a->model->n_devices; i++) {
-    const double off = reach(a, i) * fabs(ed_device_force(a, i) - c->force[i] - c->slope[i] * (c->x[i] - c->at[i]));
+    const double off = reach(a, i) * fabs(ed_device_force(a, &a->trial, i) - c->force[i] - c->slope[i] * (c->x[i] - c->at[i]));
     if (!(off <= largest))
       largest = off;
   }
   return largest;
+}
+
+ED_CLONES static void add_responses(int n, int count, const double *restrict response, const double *restrict factor, double *restrict sum)
+{
+  for (int j = 0; j < count; j++, response += n)
+    for (int i = 0; i < n; i++)
+      sum[i] += response[i] * factor[j];
 }
 
 /* `moved` becomes `du` and what the dampers add to it, and the trial state moves along. */
@@ -144,17 +152,20 @@ static void move_on(ed_analysis *a, const ed_step *step, const condensed *c, dou
 {
   double *change = a->work;
   memcpy(change, a->du, (size_t)a->n * sizeof *change);
-  for (int j = 0; j < a->model->n_devices; j++) {
-    const double *response = a->device_response + (size_t)j * (size_t)a->n;
-    for (int i = 0; i < a->n; i++)
-      change[i] += response[i] * c->push[j];
-  }
+  add_responses(a->n, a->model->n_devices, a->device_response, c->push, change);
   for (int i = 0; i < a->n; i++) {
     const double now = change[i];
     change[i] -= moved[i];
     moved[i] = now;
   }
   ed_move(a, step, 1.0, change);
+}
+
+int ed_predict_dampers(ed_analysis *a, const ed_step *step)
+{
+  ed_follow_pace(a, a->predicted);
+  ed_move(a, step, 1.0, a->predicted);
+  return ed_update_devices(a, 1);
 }
 
 int ed_move_condensed(ed_analysis *a, const ed_step *step, int first)
@@ -168,15 +179,10 @@ int ed_move_condensed(ed_analysis *a, const ed_step *step, int first)
     return status;
   for (int i = 0; i < dampers; i++) {
     c.free[i] = ed_along_device(a, i, a->du);
-    c.now[i] = ed_device_force(a, i);
+    c.now[i] = ed_device_force(a, first ? &a->committed : &a->trial, i);
   }
-  memset(moved, 0, (size_t)a->n * sizeof *moved);
-  if (first) { /* the dampers begin where the last two steps lead, the frame where it is */
-    ed_follow_pace(a, moved);
-    ed_move(a, step, 1.0, moved);
-    if ((status = ed_update_devices(a, 1)) != ED_OK)
-      return status;
-  }
+  if (!first)
+    memset(moved, 0, (size_t)a->n * sizeof *moved);
   for (int trial = 0; trial < a->max_iterations; trial++) {
     linearise(a, &c, moved);
     if ((status = balance(a, step->k, &c)) != ED_OK)

@@ -158,6 +158,8 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
   a->n_residuals = 0;
   a->swinging = 0;
   step->residual(a, step, a->r);
+  if (condensed && (status = ed_predict_dampers(a, step)) != ED_OK)
+    return status;
   for (int iteration = 0;; iteration++) {
     const double unbalance = ed_unbalance(a, a->r);
     if (a->n_residuals < ED_MAX_RESIDUALS)

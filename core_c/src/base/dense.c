@@ -1,8 +1,10 @@
 #include "base/dense.h"
 
+#include "base/clones.h"
+
 #include <math.h>
 
-int ed_dense_factor(int n, double *a, int *pivot)
+ED_CLONES int ed_dense_factor(int n, double *a, int *pivot)
 {
   for (int k = 0; k < n; k++) {
     int best = k;
@@ -17,10 +19,12 @@ int ed_dense_factor(int n, double *a, int *pivot)
       a[k * n + j] = a[best * n + j];
       a[best * n + j] = swap;
     }
+    const double *restrict chosen = a + k * n;
     for (int i = k + 1; i < n; i++) {
-      const double factor = a[i * n + k] /= a[k * n + k];
+      double *restrict row = a + i * n; /* another one */
+      const double factor = row[k] /= chosen[k];
       for (int j = k + 1; j < n; j++)
-        a[i * n + j] -= factor * a[k * n + j];
+        row[j] -= factor * chosen[j];
     }
   }
   return 1;

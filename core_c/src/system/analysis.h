@@ -241,8 +241,8 @@ void ed_devices_free(ed_analysis *a);
 int ed_update_devices(ed_analysis *a, int rough); /* trial u, v -> states and forces; rough: as in ed_damper_try */
 double ed_along_device(const ed_analysis *a, int device, const double *vector); /* sum of coefficient * vector over equations */
 void ed_add_along_device(const ed_analysis *a, int device, double factor, double *vector);
-double ed_device_force(const ed_analysis *a, int device);  /* at the trial state */
-double ed_device_slope(const ed_analysis *a, int device);  /* dF/du + (dv/du of the attempt) dF/dv there */
+double ed_device_force(const ed_analysis *a, const ed_state *state, int device);
+double ed_device_slope(const ed_analysis *a, int device);  /* dF/du + (dv/du of the attempt) dF/dv at the trial state */
 void ed_name_damper(const ed_analysis *a, char *buffer, int size); /* that failed, and why */
 void ed_add_device_forces(ed_analysis *a);        /* into the resisting forces over all degrees */
 void ed_add_device_tangent(const ed_analysis *a, double k, double *matrix);
@@ -288,7 +288,9 @@ int ed_condensation_allocate(ed_analysis *a);
 int ed_condenses(const ed_analysis *a, int rung);   /* whether dampers are balanced with the condensed frame */
 double ed_condensation_flops(const ed_analysis *a); /* that come to a factorisation */
 double ed_iteration_flops(const ed_analysis *a);    /* of an iteration of the frame */
-/* Moves the trial state by the solution in `du`, with the dampers in balance and at their new states. first: of the step. */
+/* Moves the trial state on as in the last two steps, for the dampers alone; of the frame it stays the committed one. */
+int ed_predict_dampers(ed_analysis *a, const ed_step *step);
+/* Moves the trial state by the solution in `du`, with the dampers in balance and at their new states. first: behind ed_predict_dampers. */
 int ed_move_condensed(ed_analysis *a, const ed_step *step, int first);
 void ed_follow_pace(const ed_analysis *a, double *du); /* from the committed state, on as in the last two steps */
 

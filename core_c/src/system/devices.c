@@ -102,9 +102,9 @@ void ed_add_along_device(const ed_analysis *a, int i, double factor, double *vec
   }
 }
 
-double ed_device_force(const ed_analysis *a, int i)
+double ed_device_force(const ed_analysis *a, const ed_state *state, int i)
 {
-  return block_of(a, &a->trial, i)[FORCE];
+  return block_of(a, state, i)[FORCE];
 }
 
 double ed_device_slope(const ed_analysis *a, int i)
