@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterator, Mapping, MutableMapping
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -29,12 +30,51 @@ class Variable:
             raise ValueError(f"{self.long_name}: {np.ndim(self.values)} axes for dimensions {self.dims}")
 
 
+class Unread(MutableMapping[str, Variable]):
+    """Variables by name, each of which is read when it is first asked for.
+
+    Args:
+        dims: dimensions of each variable, by its name.
+        read: returns a variable by its name.
+    """
+
+    def __init__(self, dims: Mapping[str, tuple[str, ...]], read: Callable[[str], Variable]) -> None:
+        self._dims = dict(dims)
+        self._read = read
+        self._have: dict[str, Variable] = {}
+
+    def __getitem__(self, name: str) -> Variable:
+        if name in self._dims and name not in self._have:
+            self._have[name] = self._read(name)
+        return self._have[name]
+
+    def __setitem__(self, name: str, variable: Variable) -> None:
+        self._dims[name], self._have[name] = variable.dims, variable
+
+    def __delitem__(self, name: str) -> None:
+        del self._dims[name]
+        self._have.pop(name, None)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._dims
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._dims)
+
+    def __len__(self) -> int:
+        return len(self._dims)
+
+    def without(self, *dims: str) -> Unread:
+        """The same variables without those along dimensions; nothing is read."""
+        return Unread({name: own for name, own in self._dims.items() if not set(dims) & set(own)}, self.__getitem__)
+
+
 @dataclass
 class Group:
     """Variables that share dimensions; every dimension has a coordinate of the same name in `coords`."""
 
-    coords: dict[str, Variable] = field(default_factory=dict)
-    variables: dict[str, Variable] = field(default_factory=dict)
+    coords: MutableMapping[str, Variable] = field(default_factory=dict)
+    variables: MutableMapping[str, Variable] = field(default_factory=dict)
     attributes: dict[str, Any] = field(default_factory=dict)
 
     def add(self, name: str, dims: tuple[str, ...], values: Any, unit: str, long_name: str) -> None:
@@ -44,7 +84,9 @@ class Group:
     def without(self, *dims: str) -> Group:
         """The same group without what lies along dimensions."""
         coords, variables = (
-            {name: item for name, item in items.items() if not set(dims) & set(item.dims)}
+            items.without(*dims)
+            if isinstance(items, Unread)
+            else {name: item for name, item in items.items() if not set(dims) & set(item.dims)}
             for items in (self.coords, self.variables)
         )
         return Group(coords, variables, self.attributes)

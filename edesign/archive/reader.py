@@ -9,7 +9,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import TypeVar
 
-from edesign.archive.dataset import Group
+from edesign.archive.dataset import Group, Unread, Variable
 from edesign.archive.files import reason
 from edesign.archive.opening import Opened, has_seal, is_partial, open_file
 from edesign.archive.survey import survey
@@ -147,6 +147,27 @@ class Archive:
             ArchiveError: there is no such group, or it is damaged.
         """
         return self._found(path, self._tree.group)
+
+    def view(self, path: str = "/") -> Group:
+        """Return a group as `group` does, but read each of its variables when it is first asked for.
+
+        What is asked for must be so while the archive is open. Of an archive without a seal all is read at once,
+        as only then the checksum of the group tells whether it is as it was written.
+        """
+        return self._found(path, self._view if self.sealed else self._tree.group)
+
+    def _view(self, place: str) -> Group:
+        dims = self._tree.dimensions(place)
+
+        def read(name: str) -> Variable:
+            try:
+                return self._tree.variable(place, name, dims[name])
+            except Damaged as error:
+                raise self._damaged(error) from error
+
+        along = {name: own for name, own in dims.items() if own == (name,)}
+        others = {name: own for name, own in dims.items() if name not in along}
+        return Group(Unread(along, read), Unread(others, read), self._tree.attributes(place))
 
     def close(self) -> None:
         """Close the file."""

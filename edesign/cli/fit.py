@@ -76,7 +76,7 @@ def fit(
     from edesign.damper.fitting import compare
     from edesign.errors import InputError
     from edesign.input_files import spare_inputs
-    from edesign.report.archive_figures import check_format
+    from edesign.report.figures import check_format
     from edesign.report.fit_figures import draw_fits
     from edesign.report.fit_tables import tables_of
     from edesign.report.text import print_tables

@@ -30,7 +30,7 @@ def show(
     """Print the records and analyses of an archive, response measures and statistics."""
     from edesign.archive.files import check_folder
     from edesign.archive.reader import Archive, DamagedArchive, read_archive
-    from edesign.report.archive_figures import check_format, draw_figures
+    from edesign.report.figures import check_format
     from edesign.report.summary import summarise
     from edesign.report.tables import details, overview
     from edesign.report.text import print_tables
@@ -57,6 +57,8 @@ def show(
     tell, damage = read_archive(archive, read)
     tell()
     if figures is not None:
+        from edesign.report.archive_figures import draw_figures
+
         drawn, damage = read_archive(archive, lambda opened: draw_figures(opened, figures, figure_format))
         if not drawn:
             nothing = "nothing to draw: no record is fitted or of a suite, and no history of dampers was kept"

@@ -144,6 +144,7 @@ _FACTORS: dict[str, dict[str, float]] = {
     "m/s": {"m/s": 1.0, "mm/s": 1e-3},
     "m/s^2": {"g": STANDARD_GRAVITY, "m/s^2": 1.0, "cm/s^2": 1e-2},
     "1/s": {"Hz": 1.0},
+    "rad": {"rad": 1.0, "mrad": 1e-3, "deg": math.radians(1.0)},
     "dimensionless": {"": 1.0},
     "N*m": _MOMENTS,
     "N*m/rad": {f"{unit}/rad": factor for unit, factor in _MOMENTS.items()},

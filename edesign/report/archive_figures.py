@@ -10,8 +10,6 @@ from typing import TYPE_CHECKING
 
 from edesign.archive.files import make_folder
 from edesign.archive.reader import Archive, open_archive
-from edesign.errors import InputError
-from edesign.project.problems import did_you_mean
 from edesign.report.archived import is_building_archive, is_substructure_archive
 from edesign.report.axial_figures import axial_figures
 from edesign.report.building_curves import mode_shapes, spectra, storey_curves
@@ -21,7 +19,7 @@ from edesign.report.captions import UniqueNames
 from edesign.report.damper_loops import damper_figures
 from edesign.report.design_figures import design_figures
 from edesign.report.energy_figures import energy_figures
-from edesign.report.figures import FORMATS, save
+from edesign.report.figures import check_format, save
 from edesign.report.frame_figures import frame_figures
 from edesign.report.incremental_figures import incremental_figures
 from edesign.report.mode_figures import mode_figures
@@ -73,17 +71,6 @@ FIGURES = (
 def all_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """All figures of an archive: name of the file, caption, figure."""
     return chain.from_iterable(figures(archive) for figures in FIGURES)
-
-
-def check_format(name: str) -> str:
-    """Return the format of figures if it is one.
-
-    Raises:
-        InputError: it is none of `FORMATS`.
-    """
-    if name not in FORMATS:
-        raise InputError(f"--format: `{name}` is unknown{did_you_mean(name, FORMATS)} (allowed: {', '.join(FORMATS)})")
-    return name
 
 
 def draw_figures(

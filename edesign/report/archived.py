@@ -47,7 +47,7 @@ def archived_project(archive: Archive) -> Project | None:
 
 def archived_texts(archive: Archive) -> dict[str, str]:
     """Return the texts of the root of an archive by their names; errors as those of `Archive.group`."""
-    return {name: str(one.values) for name, one in archive.group().variables.items() if one.values.ndim == 0}
+    return {name: str(one.values) for name, one in archive.view().variables.items() if one.values.ndim == 0}
 
 
 def project_of_texts(texts: Mapping[str, str], path: Path) -> Project:
@@ -80,7 +80,7 @@ def archived_building(archive: Archive) -> Building | None:
     Raises:
         InputError: the text is not that of a building of this version.
     """
-    text = archive.group().variables.get("building_text")
+    text = archive.view().variables.get("building_text")
     if text is None:
         return None
     path = Path(str(archive.attributes.get("building_file") or "building.yaml"))
@@ -97,7 +97,7 @@ def archived_study(archive: Archive) -> Study | None:
     base = archived_project(archive)
     if base is None or not is_study_archive(archive):
         return None
-    text = archive.group().variables.get("study_text")
+    text = archive.view().variables.get("study_text")
     if text is None:
         raise ArchiveError(f"{archive.path}: damaged: the text of the study (`study_text`) is missing")
     path = Path(str(archive.attributes.get("study_file") or "study.yaml"))

@@ -63,7 +63,7 @@ def gravity_forces(archive: Archive) -> dict[Place, float]:
     """Axial forces of the columns under gravity, of the archive's first gravity analysis; {} if there is none."""
     for name in archive.names(ANALYSES):
         if archive.group_attributes(f"{ANALYSES}/{name}").get("kind") == "gravity":
-            group = archive.group(f"{ANALYSES}/{name}")
+            group = archive.view(f"{ANALYSES}/{name}")
             if f"{FORCE}_final" in group.variables:
                 values = group.variables[f"{FORCE}_final"].values
                 return {_place(n): float(v) for n, v in zip(names_of(group, "column"), values, strict=True)}

@@ -92,6 +92,19 @@ def save(figure: Figure, path: Path) -> None:
         write_whole(path, lambda partial: figure.savefig(partial, dpi=160, metadata=metadata))
 
 
+def check_format(name: str) -> str:
+    """Return the format of figures if it is one.
+
+    Raises:
+        InputError: it is none of `FORMATS`.
+    """
+    if name not in FORMATS:
+        from edesign.project.problems import did_you_mean
+
+        raise InputError(f"--format: `{name}` is unknown{did_you_mean(name, FORMATS)} (allowed: {', '.join(FORMATS)})")
+    return name
+
+
 def check_figure_name(path: Path) -> None:
     """Check the suffix of a figure.
 

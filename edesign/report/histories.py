@@ -45,8 +45,8 @@ class History:
         return "design temperature" if self.temperature is None else f"{self.temperature:g} °C"
 
     def read(self, archive: Archive) -> Group:
-        """Its results."""
-        return archive.group(f"{ANALYSES}/{self.name}")
+        """Its results; a variable is read when it is first asked for."""
+        return archive.view(f"{ANALYSES}/{self.name}")
 
 
 def histories(archive: Archive) -> list[History]:

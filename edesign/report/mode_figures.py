@@ -47,7 +47,7 @@ def mode_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         about = archive.group_attributes(place)
         if about.get("kind") != "modal" or about.get("status") != "completed":
             continue
-        variables = archive.group(place).variables
+        variables = archive.view(place).variables
         variant = str(about.get("variant") or "")
         if "floor_shape" in variables and (variant or name) not in found:  # of several of a variant the first
             color = colors[variant] if variant else VARIANTS[len(found) % len(VARIANTS)]

@@ -23,12 +23,12 @@ def record_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     for name in archive.names(RECORDS):
         place = f"{RECORDS}/{name}"
         if not archive.group_attributes(place).get("suite"):
-            group = archive.group(place)
+            group = archive.view(place)
             if _is_fitted(group):
                 yield file_name(name), _match_caption(group), match_figure(group)
             continue
-        members = {member: archive.group(f"{place}/{member}") for member in archive.names(place)}
-        yield from _suite_figures(name, archive.group(place), members)
+        members = {member: archive.view(f"{place}/{member}") for member in archive.names(place)}
+        yield from _suite_figures(name, archive.view(place), members)
         for member, group in members.items():
             if _is_fitted(group):
                 yield file_name(member), _match_caption(group), match_figure(group)

@@ -45,14 +45,14 @@ def tables_of(archive: Archive) -> list[Table]:
     for name in names:
         place = f"{RECORDS}/{name}"
         if archive.group_attributes(place).get("suite"):
-            suite = archive.group(place)
+            suite = archive.view(place)
             warnings += [f"{name}: {text}" for text in suite.attributes.get("warnings", ())]
             prefix = f"{name}/" if len(names) > 1 else ""  # of a single suite it would only widen the tables
-            groups |= {f"{prefix}{member}": archive.group(f"{place}/{member}") for member in archive.names(place)}
+            groups |= {f"{prefix}{member}": archive.view(f"{place}/{member}") for member in archive.names(place)}
             if "criteria" in suite.attributes:
                 tables.append(criteria_table(name, suite.attributes))
         else:
-            groups[name] = archive.group(place)
+            groups[name] = archive.view(place)
     if not groups:
         return []
     fitted = {name: group for name, group in groups.items() if "match_method" in group.attributes}

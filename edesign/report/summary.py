@@ -100,11 +100,14 @@ def input_warnings(archive: Archive) -> list[str]:
 
 
 def results(archive: Archive, name: str) -> Group:
-    """Return the results of an analysis, a group with the status "not run" or "damaged" where there is nothing else."""
+    """Return the results of an analysis, a group with the status "not run" or "damaged" where there is nothing else.
+
+    Its variables are read when they are asked for, so the archive must stay open; see `Archive.view`.
+    """
     path = f"{ANALYSES}/{name}"
     if why := archive.lost(path):
         return Group(attributes={"status": DAMAGED, "reason": why})
-    return archive.group(path) if archive.has(path) else Group(attributes={"status": NOT_RUN})
+    return archive.view(path) if archive.has(path) else Group(attributes={"status": NOT_RUN})
 
 
 def all_results(archive: Archive) -> dict[str, Group]:

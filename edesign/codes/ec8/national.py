@@ -12,10 +12,10 @@ from importlib import resources
 from typing import Any
 
 import yaml
-from scipy.constants import g
 
 from edesign.codes.ec8.parameters import HorizontalParameters, VerticalParameters, horizontal_of, vertical_of
 from edesign.codes.names import unknown
+from edesign.codes.quantities import STANDARD_GRAVITY
 from edesign.errors import InputError
 
 _RECOMMENDED = "recommended"
@@ -157,7 +157,7 @@ class NationalParameters:
         if "zones" not in self.parameters:
             return {}
         zones = self.parameters["zones"]
-        unit = g if zones.unit == "g" else 1.0
+        unit = STANDARD_GRAVITY if zones.unit == "g" else 1.0
         return {name: float(value) * unit for name, value in zones.value.items()}
 
     def a_gR(self, zone: str) -> float:

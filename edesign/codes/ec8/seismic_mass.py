@@ -6,9 +6,8 @@ from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.constants import g
 
-from edesign.codes.quantities import check_not_negative
+from edesign.codes.quantities import STANDARD_GRAVITY, check_not_negative
 
 _WITH_STOREYS = "ABC"
 
@@ -55,4 +54,4 @@ def seismic_mass(permanent: ArrayLike, variable: ArrayLike, factors: ArrayLike) 
     """
     check_not_negative(permanent=permanent, variable=variable, factors=factors)
     loads = np.tensordot(np.asarray(factors, dtype=float), np.asarray(variable, dtype=float), axes=1)
-    return np.asarray((np.asarray(permanent, dtype=float) + loads) / g)
+    return np.asarray((np.asarray(permanent, dtype=float) + loads) / STANDARD_GRAVITY)

@@ -118,7 +118,7 @@ class Source:
 
     @cached_property
     def _root(self) -> Group:
-        return self.archive.group()
+        return self.archive.view()
 
     def pictures(self, *makers: Figures) -> tuple[Picture, ...]:
         """Draw the figures of functions that give (name, caption, figure) one after the other.
