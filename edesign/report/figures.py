@@ -12,6 +12,7 @@ import numpy as np
 
 from edesign.archive.files import write_whole
 from edesign.errors import InputError
+from edesign.report.finished_figure import finished
 from edesign.report.visible import visible
 
 if TYPE_CHECKING:
@@ -127,7 +128,7 @@ def _svg_file(figure: Figure) -> str:
     from matplotlib.backends.backend_svg import FigureCanvasSVG
 
     text, dpi = StringIO(), figure.dpi
-    with matplotlib.rc_context(_STYLE):
+    with matplotlib.rc_context(_STYLE), finished(figure):
         FigureCanvasSVG(figure).print_svg(text, metadata={"Date": None})
     figure.dpi = dpi
     return visible(text.getvalue())  # XML has no control characters
