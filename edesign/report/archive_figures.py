@@ -19,7 +19,7 @@ from edesign.report.captions import UniqueNames
 from edesign.report.damper_loops import damper_figures
 from edesign.report.design_figures import design_figures
 from edesign.report.energy_figures import energy_figures
-from edesign.report.figures import check_format, save
+from edesign.report.figures import check_format, garbage_between_figures, save
 from edesign.report.frame_figures import frame_figures
 from edesign.report.incremental_figures import incremental_figures
 from edesign.report.mode_figures import mode_figures
@@ -96,9 +96,12 @@ def draw_figures(
     suffix = check_format(figure_format)
     written: list[Path] = []
     unique = UniqueNames()
-    for name, _, figure in all_figures(archive):
-        if not written:
-            make_folder(folder)
-        written.append(folder / f"{unique(name)}.{suffix}")
-        save(figure, written[-1])
+    with garbage_between_figures() as collect:
+        for name, _, figure in all_figures(archive):
+            if not written:
+                make_folder(folder)
+            written.append(folder / f"{unique(name)}.{suffix}")
+            save(figure, written[-1])
+            del figure
+            collect()
     return tuple(written)

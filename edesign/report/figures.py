@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import gc
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import wraps
 from io import StringIO
 from pathlib import Path
@@ -60,6 +62,22 @@ def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
             return draw(*args, **kwargs)
 
     return in_style
+
+
+@contextmanager
+def garbage_between_figures() -> Iterator[Callable[[], object]]:
+    """Collect garbage only when the function that is given is called, after each figure when it is let go.
+
+    A figure is some hundred thousand objects in circles, all of which live until it is drawn: to look through them
+    ever again meanwhile takes a quarter of the time.
+    """
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield lambda: gc.collect(1)
+    finally:
+        if collects:
+            gc.enable()
 
 
 def new_figure(rows: int, columns: int, width: float, height: float) -> tuple[Figure, list[list[Axes]]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import html
 import re
 import xml.etree.ElementTree as ElementTree
 
@@ -17,6 +18,9 @@ _LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}(?:[eE][-+]?\d+)?")
 _REFERENCE = re.compile(r"url\(#([^)]+)\)")
 _FONT_FAMILY = re.compile(r"font-family:[^;]*;?\s*")  # the page's own, which are narrower than that of the drawing
 _NO_ROTATION = re.compile(r"\s*rotate\(-?0 [^)]*\)")
+_FIGURE = re.compile(r'<svg viewBox="[^"]*" role="img" aria-labelledby="([^"]+)-title".*?</svg>', re.DOTALL)
+_TAG = re.compile(r"<[a-z][^<>]*>")
+_STYLE = re.compile(r' style="([^"]*)"')
 _ROUNDED = ("x", "y", "width", "height", "transform", "style", "d", "points", "cx", "cy", "r")
 
 
@@ -24,7 +28,8 @@ def inline_svg(text: str, name: str, title: str, description: str = "") -> tuple
     """Make an SVG file fit to stand in a page with others.
 
     Header, metadata and the file's own style sheet, which would rule the whole page, are taken out; names of elements
-    begin with `name`; curves lose the points that nobody can see; coordinates are rounded to 0.01 points.
+    begin with `name`; curves lose the points that nobody can see; coordinates are rounded to 0.01 points, those of
+    curves to 0.1.
 
     Args:
         text: the file, as matplotlib writes it.
@@ -43,6 +48,7 @@ def inline_svg(text: str, name: str, title: str, description: str = "") -> tuple
     for element in root.iter():
         element.tag = _tag(element)  # inside a page the names need no name space
         _lighten(element)
+    _unwrap(root)
     root.attrib = {"viewBox": root.attrib["viewBox"], "role": "img", "aria-labelledby": f"{name}-title"}
     if description:
         root.attrib["aria-describedby"] = f"{name}-desc"
@@ -50,6 +56,38 @@ def inline_svg(text: str, name: str, title: str, description: str = "") -> tuple
     _label(root, "title", f"{name}-title", title)
     found = ElementTree.tostring(root, encoding="unicode")
     return re.sub(r">\s+<", "><", found), box[2]
+
+
+def share_styles(page: str) -> str:
+    """Let the figures of a page share their styles, as classes in its style sheet, and give their parts short names.
+
+    Args:
+        page: HTML with figures as `inline_svg` returns them, and a style sheet before them.
+    """
+    classes: dict[str, str] = {}
+    count = 0
+
+    def with_class(style: re.Match[str]) -> str:
+        return f' class="{classes.setdefault(style[1], f"v{len(classes)}")}"'
+
+    def shorter(figure: re.Match[str]) -> str:
+        nonlocal count
+        count += 1
+        part, short = re.compile(rf"(?<=[#\"]){re.escape(figure[1])}(?=-\d)"), f"v{count}"
+        return _TAG.sub(lambda tag: part.sub(short, _STYLE.sub(with_class, tag[0])), figure[0])
+
+    page = _FIGURE.sub(shorter, page)
+    rules = "".join(f".{name}{{{html.unescape(style)}}}\n" for style, name in classes.items())
+    return page.replace("</style>", f"{rules}</style>", 1)
+
+
+def _unwrap(element: ElementTree.Element) -> None:
+    """Take out groups that say nothing of what is in them."""
+    children: list[ElementTree.Element] = []
+    for child in element:
+        _unwrap(child)
+        children += list(child) if child.tag == "g" and not child.attrib else [child]
+    element[:] = children
 
 
 def _tag(element: ElementTree.Element) -> str:
@@ -120,15 +158,16 @@ def _thinner(path: str) -> str:
     for piece in path.replace("\n", " ").split("M")[1:]:
         closed = piece.rstrip().endswith("z")
         numbers = np.array(re.findall(_NUMBER, piece), dtype=float).reshape(-1, 2)
+        digits = 2
         if len(numbers) >= MANY:
-            numbers = thin_out(numbers, TOLERANCE)
-        pieces.append(_steps(numbers) + ("z" if closed else ""))
+            numbers, digits = thin_out(numbers, TOLERANCE), 1
+        pieces.append(_steps(numbers, digits) + ("z" if closed else ""))
     return "".join(pieces)
 
 
-def _steps(points: np.ndarray) -> str:
+def _steps(points: np.ndarray, digits: int) -> str:
     """Relative coordinates are shorter; they are differences of rounded ones, so errors do not add up."""
-    hundredths = np.rint(100.0 * points).astype(int)
+    hundredths = 10 ** (2 - digits) * np.rint(10**digits * points).astype(int)
     first = f"M{_short(hundredths[0, 0] / 100)} {_short(hundredths[0, 1] / 100)}"
     steps = np.diff(hundredths, axis=0)
     return first + "".join(

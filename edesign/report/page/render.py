@@ -11,6 +11,7 @@ from itertools import groupby
 from markupsafe import Markup, escape
 
 from edesign._version import __version__
+from edesign.report.page.inline_svg import share_styles
 from edesign.report.page.section import Part, Section
 from edesign.report.table import Table
 from edesign.report.visible import visible
@@ -85,7 +86,8 @@ def render(cover: Cover, sections: Sequence[Section]) -> str:
     }
     css = resources.files("edesign.report.page").joinpath("page.css").read_text(encoding="utf-8")
     page = environment.get_template("page.html")
-    return visible(page.render(**vars(cover), sections=sections, css=css, version=__version__)) + "\n"
+    text = page.render(**vars(cover), sections=sections, css=css, version=__version__)
+    return share_styles(visible(text)) + "\n"
 
 
 def typeset(text: str) -> Markup:

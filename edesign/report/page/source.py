@@ -125,13 +125,18 @@ class Source:
 
         One that cannot be drawn is named in `left_out`.
         """
+        from edesign.report.figures import garbage_between_figures
+
         found = []
-        for maker in makers:
-            with self._or_left_out(maker.__name__.replace("_", " ")):
-                for name, caption, figure in maker(self.archive):
-                    self._tell(f"figure {name}")
-                    with self._or_left_out(f"figure {name}"):
-                        found.append(picture_of(self._unique(name), caption, figure))
+        with garbage_between_figures() as collect:
+            for maker in makers:
+                with self._or_left_out(maker.__name__.replace("_", " ")):
+                    for name, caption, figure in maker(self.archive):
+                        self._tell(f"figure {name}")
+                        with self._or_left_out(f"figure {name}"):
+                            found.append(picture_of(self._unique(name), caption, figure))
+                        del figure
+                        collect()
         return tuple(found)
 
     @contextmanager
