@@ -14,27 +14,30 @@ def check(
     ],
 ) -> None:
     """Check a project, study, building or substructure test file, its records and its frame; print a summary."""
-    from edesign.building.building_file import load_building
-    from edesign.building.building_sections import BuildingSections
-    from edesign.building.project_file import load_project, load_study
     from edesign.file_kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS, kind_of
-    from edesign.project.substructure import load_rts_file
-    from edesign.project.substructure.summary import summary
     from edesign.report.visible import visible_line
-    from edesign.space.check import check_building
-    from edesign.study.check import check_project, check_study
-    from edesign.substructure.virtual_tests import VirtualLaboratory
 
-    kind = kind_of(project)
+    kind = kind_of(project)  # what is needed for one kind alone is loaded for it alone
     if kind == SUBSTRUCTURE_TESTS:
+        from edesign.building.building_sections import BuildingSections
+        from edesign.project.substructure import load_rts_file
+        from edesign.project.substructure.summary import summary
+        from edesign.substructure.virtual_tests import VirtualLaboratory
+
         tests = load_rts_file(project, BuildingSections())
         laboratory = VirtualLaboratory(tests)
         _ = laboratory.drives  # records and commands are read
         warned = "\n".join(laboratory.laboratory.warnings)
         found = summary(tests) | ({"warnings": warned} if warned else {})
     elif kind == BUILDING:
+        from edesign.building.building_file import load_building
+        from edesign.space.check import check_building
+
         found = check_building(load_building(project))
     else:
+        from edesign.building.project_file import load_project, load_study
+        from edesign.study.check import check_project, check_study
+
         found = check_study(load_study(project)) if kind == STUDY else check_project(load_project(project))
     for label, text in found.items():
         for i, line in enumerate(text.split("\n")):

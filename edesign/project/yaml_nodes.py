@@ -17,6 +17,10 @@ from edesign.project.limits import YAML_ADVICE, YAML_BYTES, YAML_DEPTH, YAML_VAL
 
 _INTEGER = re.compile(r"[-+]?[0-9]+")
 _FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
+_QUICK: Any = getattr(yaml, "CSafeLoader", None)
+"""The parser of libyaml, ten times as fast; None where PyYAML was built without it."""
+_OTHERWISE = re.compile(r"[^\n -~]|[?!]")
+"""What libyaml reads otherwise in places: tabs, line ends and signs beyond ASCII, question and exclamation marks."""
 _CONSTANTS: dict[str, Any] = {"": None, "null": None, "~": None, "true": True, "false": False}
 
 
@@ -82,7 +86,13 @@ def parse(text: str) -> tuple[Node, list[Fault]]:
     """
     if message := _too_large(text):
         return Node(Mark(1, 1), entries={}), [Fault(Mark(1, 1), (), message)]
-    reader = _Reader(text)
+    if _QUICK is not None and not _OTHERWISE.search(text):
+        reader = _Reader(text, _QUICK)
+        try:
+            return reader.document(), reader.faults
+        except yaml.YAMLError:
+            pass  # the other parser says what is wrong
+    reader = _Reader(text, yaml.SafeLoader)
     try:
         return reader.document(), reader.faults
     except yaml.MarkedYAMLError as error:
@@ -110,8 +120,9 @@ def find(root: Node, keys: Sequence[str | int]) -> Node:
 class _Reader:
     """Builds the tree from PyYAML's events, which carry the marks."""
 
-    def __init__(self, text: str) -> None:
-        self.events: Iterator[Any] = iter(yaml.parse(text, Loader=yaml.SafeLoader))
+    def __init__(self, text: str, loader: Any) -> None:
+        self.events: Iterator[Any] = iter(yaml.parse(text, Loader=loader))
+        self._quick = loader is _QUICK
         self.faults: list[Fault] = []
 
     def document(self) -> Node:
@@ -135,6 +146,8 @@ class _Reader:
             return self._mapping(event, keys)
         node = Node(mark, (event.start_mark.index, event.end_mark.index))
         if isinstance(event, yaml.ScalarEvent):
+            if self._quick and not event.style and (not event.value or event.start_mark.line != event.end_mark.line):
+                raise yaml.YAMLError("libyaml sees the end of this elsewhere")
             node.value, node.text = _scalar(event), event.value
         return node
 
@@ -142,10 +155,10 @@ class _Reader:
         items: list[Node] = []
         while not isinstance(event := next(self.events), yaml.SequenceEndEvent):
             items.append(self.node(event, (*keys, len(items))))
-        return Node(_mark(start), _span(start, event, items), start.flow_style, items=items)
+        return Node(_mark(start), _span(start, event, items), bool(start.flow_style), items=items)
 
     def _mapping(self, start: Any, keys: tuple[str | int, ...]) -> Node:
-        node = Node(_mark(start), flow=start.flow_style, entries={})
+        node = Node(_mark(start), flow=bool(start.flow_style), entries={})
         last: list[Node] = []
         entries = node.entries
         assert entries is not None

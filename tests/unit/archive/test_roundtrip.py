@@ -41,6 +41,27 @@ def test_read_back_is_bitwise_what_was_written(tmp_path: Path) -> None:
         np.testing.assert_equal(read.attributes[name], value)
 
 
+def test_a_view_reads_what_is_asked_for_and_has_the_same(tmp_path: Path) -> None:
+    """Against `Archive.group`, which reads all; of what was left out along time nothing is read."""
+    with open_archive(write(tmp_path / "a.h5", {"analyses/one": history_group()})) as archive:
+        read, view = archive.group("analyses/one"), archive.view("analyses/one")
+        assert view.attributes == read.attributes
+        asked: list[str] = []
+        tree = archive._tree
+        variable = tree.variable
+        tree.variable = lambda place, name, dims: asked.append(name) or variable(place, name, dims)  # type: ignore[method-assign,func-returns-value]
+        short, shorter = read.without("time"), view.without("time")
+        for all_read, unread in ((short.coords, shorter.coords), (short.variables, shorter.variables)):
+            assert list(unread) == list(all_read)
+            assert "time" not in unread
+            for name, expected in all_read.items():
+                assert unread[name].dims == expected.dims
+                assert unread[name].unit == expected.unit
+                assert unread[name].long_name == expected.long_name
+                np.testing.assert_array_equal(unread[name].values, expected.values, strict=True)
+        assert sorted(asked) == sorted([*short.coords, *short.variables])
+
+
 def test_xarray_opens_it_with_named_dimensions(tmp_path: Path) -> None:
     xarray = pytest.importorskip("xarray")
     pytest.importorskip("h5netcdf")

@@ -6,7 +6,10 @@ import math
 from typing import Any
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
+from edesign.project import yaml_nodes
 from edesign.project.yaml_nodes import Mark, find, parse
 
 
@@ -86,3 +89,29 @@ def test_what_is_refused(text: str, mark: Mark, said: str) -> None:
     _, faults = parse(text)
     assert faults[0].mark == mark
     assert said in faults[0].message
+
+
+SPECIAL = [" ", "\n", "\n\n", ":", "- ", "#", '"', *"[]{},?\té", "&a ", "*a", "!t ", "|\n", ">-\n  ", "---\n"]
+SAMPLE = """title: frame  # of two bays
+sections: {column: HEB300, beam: "IPE400"}
+analyses:
+  - {name: modes, kind: modal, modes: 3}
+  - name: push
+    note: >-
+      as long as
+      it holds
+    steps: [1, 2.5e-3, no]
+"""
+
+
+@pytest.mark.skipif(yaml_nodes._QUICK is None, reason="PyYAML was built without libyaml")
+@given(st.lists(st.tuples(st.integers(0, len(SAMPLE)), st.integers(0, 2), st.sampled_from(SPECIAL)), max_size=3))
+def test_libyaml_reads_the_same(edits: list[tuple[int, int, str]]) -> None:
+    """Tree, marks and faults, as by PyYAML's own parser, of texts right and wrong."""
+    text = SAMPLE
+    for place, cut, new in edits:
+        text = text[:place] + new + text[place + cut :]
+    quickly = yaml_nodes.parse(text)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(yaml_nodes, "_QUICK", None)
+        assert yaml_nodes.parse(text) == quickly

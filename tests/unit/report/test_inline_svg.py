@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from edesign.report.figures import new_figure, styled, svg_text
-from edesign.report.page.inline_svg import TOLERANCE, inline_svg
+from edesign.report.page.inline_svg import TOLERANCE, inline_svg, share_styles
 
 PIXELS_PER_POINT = 1.24  # as the style sheet shows figures; 34rem on a phone is less
 
@@ -81,3 +81,15 @@ def test_curves_lose_points_and_stay_within_half_a_pixel() -> None:
         distance = np.minimum(distance, np.linalg.norm(every - start - share[:, None] * along, axis=1))
     assert np.max(distance) * PIXELS_PER_POINT < 0.5
     assert np.max(distance) > TOLERANCE / 10.0  # it was thinned out at all
+
+
+def test_figures_of_a_page_share_styles_as_classes() -> None:
+    """What looks alike has one class, whose rule is the style that was written out before; ids stay apart."""
+    figures = [inline_svg(_drawing(np.sin(np.arange(50)), ' style="a"'), name, "a")[0] for name in ("one", "two")]
+    page = share_styles(f"<style></style>{''.join(figures)}")
+    rules = dict(re.findall(r"\.(v\d+)\{([^}]*)\}", page))
+    assert len(set(rules.values())) == len(rules)
+    shared = re.sub(r' class="(v\d+)"', lambda found: f' style="{rules[found[1]]}"', page[page.index("<svg") :])
+    for number, name in enumerate(("one", "two"), 1):
+        shared = re.sub(rf'(?<=[#"])v{number}(?=-)', name, shared)
+    assert shared == "".join(figures)
