@@ -33,9 +33,9 @@ def test(
     from edesign.errors import InputError
     from edesign.input_files import spare_inputs
     from edesign.project.file_bytes import is_there
-    from edesign.report.figures import check_format
     from edesign.report.damper_figures import draw_tests
     from edesign.report.damper_tables import properties_table
+    from edesign.report.figures import check_format
     from edesign.report.text import print_tables
 
     check_format(figure_format)

@@ -146,8 +146,8 @@ class _Reader:
             return self._mapping(event, keys)
         node = Node(mark, (event.start_mark.index, event.end_mark.index))
         if isinstance(event, yaml.ScalarEvent):
-            if self._quick and not event.style and (not event.value or event.start_mark.line != event.end_mark.line):
-                raise yaml.YAMLError("libyaml sees the end of this elsewhere")
+            if self._quick and _ends_elsewhere(event):
+                raise yaml.YAMLError("for the other parser")
             node.value, node.text = _scalar(event), event.value
         return node
 
@@ -188,6 +188,11 @@ class _Reader:
             self.faults.append(Fault(mark, keys, f"the anchor `&{event.anchor}` is not allowed; write the value alone"))
         if getattr(event, "tag", None):
             self.faults.append(Fault(mark, keys, f"the tag `{event.tag}` is not allowed; write the value alone"))
+
+
+def _ends_elsewhere(event: Any) -> bool:
+    """Whether libyaml may see the place or the end of a scalar elsewhere: of nothing, or of plain text over lines."""
+    return not event.style and (not event.value or event.start_mark.line != event.end_mark.line)
 
 
 def _mark(event: Any) -> Mark:

@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.report.thin_out import thin_out
 
-TOLERANCE = 0.15  # points (1/72 inch); the page shows a point as 1.24 pixels
+TOLERANCE = 0.2  # points (1/72 inch); with roundings half a pixel, as the page shows a point as 1.24 pixels
 MANY = 12  # vertices, from which a curve is thinned out
 _LINK = "{http://www.w3.org/1999/xlink}href"
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
@@ -55,7 +55,7 @@ def inline_svg(text: str, name: str, title: str, description: str = "") -> tuple
         _label(root, "desc", f"{name}-desc", description)
     _label(root, "title", f"{name}-title", title)
     found = ElementTree.tostring(root, encoding="unicode")
-    return re.sub(r">\s+<", "><", found), box[2]
+    return re.sub(r">\s+<", "><", found).replace(" />", "/>"), box[2]
 
 
 def share_styles(page: str) -> str:
