@@ -11,12 +11,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.constants import g
 
 from edesign.codes.ec8 import VerticalSpectrum
 from edesign.codes.ec8.design import vertical_design_spectrum
 from edesign.codes.ec8.directions import vertical_component_counts
 from edesign.codes.en1990.combinations import Combination
+from edesign.project.units import STANDARD_GRAVITY
 from edesign.space.analysis.bracing import joined_beams
 from edesign.space.analysis.effects import Effects
 from edesign.space.structure.frame import SpaceFrame
@@ -57,8 +57,8 @@ class VerticalComponent:
         named = ", ".join(self.spans[:NAMED])
         of = named if len(self.spans) <= NAMED else f"{named} and {len(self.spans) - NAMED} more"
         return (
-            f"the vertical component of the seismic action counts, a_vg = {self.a_vg / g:.2f} g, for {of}; E_z is "
-            f"{self.S_vd / g:.2f} of their gravity (EN 1998-1, 4.3.3.5.2)"
+            f"the vertical component of the seismic action counts, a_vg = {self.a_vg / STANDARD_GRAVITY:.2f} g, "
+            f"for {of}; E_z is {self.S_vd / STANDARD_GRAVITY:.2f} of their gravity (EN 1998-1, 4.3.3.5.2)"
         )
 
     def with_case(self, effects: Effects, gravity: Combination) -> Effects:
@@ -68,7 +68,7 @@ class VerticalComponent:
             effects: of all actions.
             gravity: a seismic combination, whose loads of gravity have the masses.
         """
-        own = self.S_vd / g * effects.of_static(gravity)
+        own = self.S_vd / STANDARD_GRAVITY * effects.of_static(gravity)
         found = np.zeros((1, *own.shape))
         found[0, self.beams] = own[self.beams]
         found[0, self.columns] = own[self.columns]
