@@ -21,6 +21,8 @@ PY     := $(VENV)/bin/python
 BIN    := $(VENV)/bin
 STAMPS := $(VENV)/stamps
 PIP    := $(PY) -m pip --disable-pip-version-check --no-input -qq
+# Python compiles what is imported when it is imported; to compile all of it at once takes 80 MB more.
+INSTALL := $(PIP) install --no-compile
 SAY    := @echo edesign:
 
 CORE_SOURCES := $(wildcard core_c/src/*/*.c core_c/src/*/*.h core_c/include/*.h) core_c/libraries.sh edesign/core/build.py
@@ -49,7 +51,7 @@ help:
 	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
 	@echo "make pytest ARGS=\"-m study\"     tests that run the whole thesis study"
 	@echo "make format    lay out and sort the Python sources (ruff)"
-	@echo "make clean     remove builds and caches;  make distclean: the environment too"
+	@echo "make clean     remove builds and caches;  make distclean: the environment and .libraries too"
 	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml FOLDERS=recordings WORKERS=n PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
 
 # ---- set-up ----
@@ -70,12 +72,14 @@ $(STAMPS)/venv:
 	rm -rf $(VENV) && mkdir -p $(STAMPS) && pwd >$(STAMPS)/place && "$$python" -m venv $(VENV)
 	@touch $@
 
-# The first time, or when the packaging changed: install. When only C sources changed: compile these.
+# The first time, or when the packaging changed: install. When only C sources changed: compile these. Of the packages with
+# records only data files are read, so that they come alone: what they depend on is larger than all else.
 $(STAMPS)/build: $(STAMPS)/venv pyproject.toml setup.py $(CORE_SOURCES)
 	$(SAY) building
 	@if [ -n "$(filter-out $(CORE_SOURCES),$?)" ]; then \
-	    $(PY) tools/requirements.py build >$(STAMPS)/build.txt && $(PIP) install -r $(STAMPS)/build.txt && \
-	    $(PIP) install --no-build-isolation -e '.[records]'; \
+	    $(PY) tools/requirements.py build >$(STAMPS)/build.txt && $(INSTALL) -r $(STAMPS)/build.txt && \
+	    $(INSTALL) --no-build-isolation -e . && \
+	    $(PY) tools/requirements.py records >$(STAMPS)/records.txt && $(INSTALL) --no-deps -r $(STAMPS)/records.txt; \
 	else \
 	    $(PY) setup.py --quiet build_ext --inplace; \
 	fi
@@ -84,14 +88,14 @@ $(STAMPS)/build: $(STAMPS)/venv pyproject.toml setup.py $(CORE_SOURCES)
 $(STAMPS)/test: $(STAMPS)/build tools/requirements.py tools/setup_system.sh
 	@tools/setup_system.sh $(SYSTEM) >/dev/null
 	$(SAY) installing what the tests need
-	@$(PY) tools/requirements.py dev >$(STAMPS)/dev.txt && $(PIP) install -r $(STAMPS)/dev.txt
+	@$(PY) tools/requirements.py dev >$(STAMPS)/dev.txt && $(INSTALL) -r $(STAMPS)/dev.txt
 	@touch $@
 
 # Some peers have no build for some systems; comparisons with them are then skipped.
 $(STAMPS)/peers: $(STAMPS)/test
 	@$(PY) tools/requirements.py peers >$(STAMPS)/peers.txt; \
-	$(PIP) install -r $(STAMPS)/peers.txt >$(STAMPS)/peers.log 2>&1 || while read -r peer; do \
-	    $(PIP) install "$$peer" >>$(STAMPS)/peers.log 2>&1 || \
+	$(INSTALL) -r $(STAMPS)/peers.txt >$(STAMPS)/peers.log 2>&1 || while read -r peer; do \
+	    $(INSTALL) "$$peer" >>$(STAMPS)/peers.log 2>&1 || \
 	        echo "edesign: notice: no $$peer for this system, comparisons with it are skipped ($(STAMPS)/peers.log)"; \
 	done <$(STAMPS)/peers.txt
 	@touch $@
@@ -173,3 +177,4 @@ clean:
 
 distclean: clean
 	@[ ! -f $(STAMPS)/place ] || rm -rf $(VENV)
+	rm -rf .libraries

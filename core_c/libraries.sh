@@ -5,6 +5,7 @@
 # those that are nowhere, when one is missing.
 # The only list of places to look: the Python build, the stand-alone Makefile and the set-up all ask here.
 # SUITESPARSE_ROOT=/prefix and SUNDIALS_ROOT=/prefix override; CONDA_PREFIX counts only for the conda environment that is active.
+# .libraries is what tools/setup_system.sh has unpacked.
 
 # The first number that a header defines for a name.
 number() { sed -n "s/^[[:space:]]*#[[:space:]]*define[[:space:]]\{1,\}$2[[:space:]]\{1,\}\([0-9]\{1,\}\).*/\1/p" "$1" | head -n 1; }
@@ -44,12 +45,13 @@ sundials_in() {
 
 # look name keg root: flags of a library in the first prefix that has it; keg is its directory in Homebrew.
 look() {
-    for place in "$3" "$CONDA_PREFIX" /usr /usr/local "/opt/homebrew/opt/$2" "/usr/local/opt/$2" /opt/homebrew /opt/local; do
+    for place in "$3" "$CONDA_PREFIX" /usr /usr/local "/opt/homebrew/opt/$2" "/usr/local/opt/$2" /opt/homebrew /opt/local "$unpacked"; do
         [ -n "$place" ] && "$1_in" "$place" && return 0
     done
     return 1
 }
 
+unpacked="$(cd "$(dirname "$0")/.." && pwd)/.libraries"
 found="" missing=0
 for name in ${*:-suitesparse sundials}; do
     case "$name" in

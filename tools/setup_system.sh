@@ -8,6 +8,9 @@
 # links, not that a package has a certain name, so nothing is installed where everything is there already. Missing
 # packages are installed by apt when we are root or sudo asks no password; otherwise one message names them and the exit
 # code is 1.
+#
+# libsundials-dev and libsuitesparse-dev bring PETSc, MPI, a Fortran compiler, BLAS. Of what they name, apt installs the
+# few libraries that the core links; headers go from the packages into .libraries, where core_c/libraries.sh finds them.
 # Environment: PYTHON (interpreter to try first), CC, SUITESPARSE_ROOT, SUNDIALS_ROOT, EDESIGN_NO_INSTALL=1 (never call
 # apt).
 set -euo pipefail
@@ -110,8 +113,30 @@ END
 # The chromium of Ubuntu is a stub of a snap, which cannot read the folders of tests; they look for others themselves.
 has_browser() { command -v chromium || command -v google-chrome || grep -s '^ID=ubuntu' /etc/os-release; } >/dev/null
 
+# The libraries that a development package names and the core links.
+linked_of() {
+    local pattern='libsundials-(arkode|nvecserial|core)[0-9]+'
+    [[ "$1" == libsundials-dev ]] || pattern='lib(klu|amd|colamd|btf|suitesparseconfig)[0-9]+'
+    apt-cache depends "$1" | grep -oxE "  Depends: $pattern(t64)?" | sed 's/.*: //'
+}
+
+# Headers of a development package, and links to the libraries of it that are installed, into .libraries.
+unpack_headers() {
+    local library file
+    mkdir -p "$scratch/$1" .libraries/include .libraries/lib
+    (cd "$scratch/$1" && apt-get -q download "$1" && dpkg-deb -x ./*.deb .) >>"$scratch/apt.log" 2>&1 || return 1
+    cp -R "$scratch/$1/usr/include/." .libraries/include
+    for library in $(linked_of "$1"); do
+        for file in $(dpkg -L "$library" | grep -E '/lib[^/]*\.so\.[0-9]+$'); do
+            ln -sf "$file" ".libraries/lib/$(basename "${file%.so.*}").so"
+        done
+    done
+}
+
+# apt_install few | whole: with the libraries of development packages that the core links, or with all they ask for.
 apt_install() {
     local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300) version names=() name
+    local unpacked=() linked
     [[ "$(id -u)" == 0 ]] || apt=(sudo -n "${apt[@]}")
     say "updating the package list (apt)"
     "${apt[@]}" update </dev/null >"$scratch/apt.log" 2>&1 || true
@@ -122,20 +147,28 @@ apt_install() {
             done
             [[ -n "$version" ]] || { say "apt offers no Python >= 3.11 on this system"; return 1; }
             names+=("python$version" "python$version-dev" "python$version-venv")
+        elif [[ "$1" == few && "$name" == libsu*-dev ]] && linked="$(linked_of "$name")"; then
+            # shellcheck disable=SC2206
+            names+=($linked)
+            unpacked+=("$name")
         else
             names+=("$name")
         fi
     done
     say "installing ${names[*]} (apt)"
-    "${apt[@]}" install --no-install-recommends "${names[@]}" </dev/null >>"$scratch/apt.log" 2>&1 && return 0
-    if [[ " ${names[*]} " == *" chromium "* ]]; then  # not every system with apt has it
+    if ! "${apt[@]}" install --no-install-recommends "${names[@]}" </dev/null >>"$scratch/apt.log" 2>&1; then
+        # not every system with apt has chromium
         mapfile -t names < <(printf '%s\n' "${names[@]}" | grep -v '^chromium$')
-        [[ ${#names[@]} == 0 ]] && return 1
-        "${apt[@]}" install --no-install-recommends "${names[@]}" </dev/null >>"$scratch/apt.log" 2>&1 && return 0
+        if [[ ${#names[@]} == 0 ]] ||
+            ! "${apt[@]}" install --no-install-recommends "${names[@]}" </dev/null >>"$scratch/apt.log" 2>&1; then
+            say "apt could not install them; its last lines:"
+            tail -n 8 "$scratch/apt.log" >&2
+            return 1
+        fi
     fi
-    say "apt could not install them; its last lines:"
-    tail -n 8 "$scratch/apt.log" >&2
-    return 1
+    for name in ${unpacked[@]+"${unpacked[@]}"}; do
+        unpack_headers "$name" || return 1
+    done
 }
 
 explain() {
@@ -168,7 +201,10 @@ if [[ ${#missing[@]} -gt 0 ]]; then
         if [[ "$(id -u)" == 0 ]] || sudo -n true 2>/dev/null; then may_install=yes; fi
     fi
     if [[ $may_install == yes ]]; then
-        if apt_install; then hash -r; look; fi
+        for extent in few whole; do
+            [[ $hard == 0 && $extent == whole ]] && break
+            if apt_install "$extent"; then hash -r; look; fi
+        done
     fi
 fi
 if [[ $hard -gt 0 ]]; then
