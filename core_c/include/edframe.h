@@ -163,6 +163,8 @@ void ed_run_buffers(ed_analysis *analysis, int every, double *abscissa, double *
 int ed_run_advance(ed_analysis *analysis, int max_steps);
 int ed_run_steps_done(const ed_analysis *analysis);
 int ed_run_rows(const ed_analysis *analysis);
+/* How many rows the buffers hold; the next one is written to their start again. So a long run needs no long buffers. */
+int ed_run_take_rows(ed_analysis *analysis);
 /* The channel whose limit has ended the run (of several the one furthest beyond its own), -1: none; its value, and the time. */
 int ed_run_limit(const ed_analysis *analysis, double *value, double *time);
 void ed_run_end(ed_analysis *analysis);

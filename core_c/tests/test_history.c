@@ -76,6 +76,40 @@ static void check_recursion(int method, scheme s)
   ed_model_free(model);
 }
 
+/* Rows that are taken while the run goes on leave their place to the next ones. */
+static void check_taken_rows(void)
+{
+  enum { N = 200 };
+  static double ground[N + 1], whole[N + 1], piece[4], time[4];
+  for (int i = 0; i <= N; i++)
+    ground[i] = sin(0.05 * i);
+  ed_model *model = oscillator(0.0);
+  for (int taken = 0; taken < 2; taken++) {
+    ed_analysis *analysis = frame_analysis(model);
+    add_channel(analysis, ED_DISPLACEMENT, 1, 0);
+    CHECK_STATUS(ed_history_begin(analysis, N, 0.01, ground, NULL, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+    if (taken)
+      ed_run_buffers(analysis, 1, time, piece, NULL);
+    else
+      ed_run_buffers(analysis, 1, NULL, whole, NULL);
+    for (int row = 0; taken && row <= N;) {
+      CHECK_STATUS(ed_run_advance(analysis, 3), ED_OK);
+      const int rows = ed_run_take_rows(analysis);
+      CHECK(rows > 0 && rows <= 4);
+      CHECK_INT(ed_run_take_rows(analysis), 0);
+      for (int i = 0; i < rows; i++, row++) {
+        CHECK(piece[i] == whole[row]);
+        CHECK_NEAR(time[i], row * 0.01, 1e-12);
+      }
+      CHECK_INT(ed_run_rows(analysis), row);
+    }
+    if (!taken)
+      CHECK_STATUS(run_to_end(analysis, N), ED_OK);
+    ed_analysis_free(analysis);
+  }
+  ed_model_free(model);
+}
+
 /* Free vibration from an initial velocity: the amplitude stays and the phase errs as (omega dt)^2 / 12. */
 static double phase_error(double dt, double duration)
 {
@@ -168,6 +202,7 @@ int main(void)
   check_recursion(ED_GENERALISED_ALPHA, (scheme){0.0, 0.1, 0.6, 0.3025});
   check_recursion(ED_GENERALISED_ALPHA, (scheme){2.0 / 7.0, 3.0 / 7.0, 0.5 + 1.0 / 7.0, 16.0 / 49.0});
   check_order();
+  check_taken_rows();
   check_yielding_oscillator();
   for (int stiffness = ED_STIFFNESS_INITIAL; stiffness <= ED_STIFFNESS_CURRENT; stiffness++)
     check_frame(ED_P_DELTA, stiffness, ED_NEWMARK);

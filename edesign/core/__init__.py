@@ -8,9 +8,10 @@ from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
 from edesign.core.materials import Bilinear, Elastic, MenegottoPinto, Steel
 from edesign.core.model import Model
 from edesign.core.modes import Modes, natural_modes
-from edesign.core.response import Channel, Response
+from edesign.core.response import ENERGIES, Channel, Response
 
 __all__ = [
+    "ENERGIES",
     "HHT",
     "AmendmentValues",
     "Analysis",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import time as clock
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -17,7 +17,8 @@ from edesign.core.errors import CoreError, status_name
 from edesign.core.integrators import Integrator, Newmark
 from edesign.core.model import Model
 from edesign.core.modes import Modes, natural_modes
-from edesign.core.response import ENERGIES, KINDS, RUNGS, Channel, Passed, Response, energy_error
+from edesign.core.recording import PIECE, Recording
+from edesign.core.response import KINDS, RUNGS, Channel, Passed, Response
 from edesign.core.stop import STOP, raise_if_stopped
 from edesign.stopping import stoppable
 
@@ -39,32 +40,11 @@ SETTINGS = {
 AVERAGE_ACCELERATION = Newmark()
 DEFAULT_TOLERANCE = 1e-7  # as the core's
 NO_LIMITS: Mapping[str, float] = {}
-_PIECE = 0.2  # seconds of computing between looks at the stop flag
+_SECONDS = 0.2  # seconds of computing between looks at the stop flag
 
 
 def _doubles(array: np.ndarray | None) -> Any:
     return ffi.NULL if array is None else ffi.from_buffer("double[]", array)
-
-
-@dataclass(frozen=True)
-class Recording:
-    """What a run records, while it goes on: the core writes into the arrays.
-
-    Attributes:
-        channels: in the order of the core's.
-        limits: by name of a channel.
-        abscissa: (rows,), NaN where there is no row yet.
-        values: (rows, channels with history).
-        energy: (rows, ENERGIES) J.
-        before: statistics of the analysis when it began.
-    """
-
-    channels: tuple[Channel, ...]
-    limits: Mapping[str, float]
-    abscissa: np.ndarray
-    values: np.ndarray
-    energy: np.ndarray
-    before: Mapping[str, float]
 
 
 class Analysis:
@@ -109,15 +89,21 @@ class Analysis:
         return float(self._statistics()["energy_error"])
 
     def record(
-        self, channels: Sequence[Channel], rows: int, every: int = 1, limits: Mapping[str, float] = NO_LIMITS
+        self,
+        channels: Sequence[Channel],
+        rows: int,
+        steps_a_row: int = 1,
+        limits: Mapping[str, float] = NO_LIMITS,
+        **kept: Any,
     ) -> Recording:
         """Let the run that is begun, or the substructure test that comes next, record channels and energies.
 
         Args:
             channels: in the place of all before.
             rows: how many there will be at most, with the one at the start.
-            every: steps from one row to the next.
+            steps_a_row: from one row to the next.
             limits: as in `history`.
+            kept: which rows are kept, as of `Recording`.
 
         Raises:
             ValueError: two channels have the same name, or a limit belongs to none.
@@ -126,23 +112,13 @@ class Analysis:
         lib.ed_clear_channels(self._c)
         self._add_channels(channels)
         self._set_limits(channels, limits)
-        kept = sum(channel.history for channel in channels)
-        recording = Recording(
-            tuple(channels),
-            limits,
-            np.full(rows, np.nan),
-            np.empty((rows, kept)),
-            np.empty((rows, len(ENERGIES))),
-            self._statistics(),
-        )
-        lib.ed_run_buffers(
-            self._c, every, *(_doubles(b.ravel()) for b in (recording.abscissa, recording.values, recording.energy))
-        )
+        recording = Recording(channels, limits, self._statistics(), rows, **kept)
+        lib.ed_run_buffers(self._c, steps_a_row, *recording.buffers())
         return recording
 
     def recorded(self, recording: Recording, status: str = "completed", reason: str = "", cpu: float = 0.0) -> Response:
         """Return what a run has recorded, once it has ended; arguments as of `Response`, with CPU seconds."""
-        n = int(np.count_nonzero(np.isfinite(recording.abscissa)))
+        recording.take_rest()
         extremes = [np.zeros(len(recording.channels)) for _ in range(5)]
         lib.ed_extremes(self._c, *(_doubles(e) for e in extremes))
         names = [c.name for c in recording.channels]
@@ -151,23 +127,24 @@ class Analysis:
         )
         before, after = recording.before, self._statistics()
         statistics = {k: after[k] - before[k] for k in after if k not in ("worst_unbalance", "energy_error")}
-        energies = {name: recording.energy[:n, i].copy() for i, name in enumerate(ENERGIES)}
-        error = energy_error(energies, self.tolerance)
+        error = recording.balance.error(self.tolerance)
         statistics |= {"worst_unbalance": after["worst_unbalance"], "energy_error": error, "cpu_s": cpu}
-        kept = [c.name for c in recording.channels if c.history]
         return Response(
             status=status,
             reason=reason,
-            time=recording.abscissa[:n].copy(),
-            values={name: recording.values[:n, i].copy() for i, name in enumerate(kept)},
+            time=recording.time,
+            values=recording.values,
             maximum=maximum,
             minimum=minimum,
             final=last,
             time_of_maximum=at_maximum,
             time_of_minimum=at_minimum,
-            energy=energies,
+            energy=recording.energy,
             events=self._events(),
             statistics=statistics,
+            end=recording.end,
+            tail=recording.tail,
+            energy_final=recording.energy_final,
         )
 
     def _check(self, status: int) -> None:
@@ -316,17 +293,23 @@ class Analysis:
         progress: Callable[[int, int], None] | None = None,
         stop: Callable[[], bool] | None = None,
         limits: Mapping[str, float] = NO_LIMITS,
+        tail: int = 0,
+        energies: bool = True,
     ) -> Response:
         """Time history under ground acceleration.
 
         Args:
             ground_acceleration: (nt,) m/s2 along x, `dt` s apart; the first sample is at time 0.
             method: integrator.
-            channels: what to record; every `every`-th step is kept (0: only the start), extremes count every step.
+            channels: what to record.
+            every: every so many steps are kept, extremes and the balance of the energies count every step. 0: only the
+                start is kept, and energies are not counted in between.
             vertical: (nt,) m/s2 along y.
             progress: called with (steps done, steps) now and then.
             stop: asked now and then; True ends the run with status "interrupted".
             limits: by name of a channel; the run ends with status "limit" in the step in which its magnitude passes it.
+            tail: how many of the last steps are kept of channels with a tail.
+            energies: whether the energies of the steps that are kept are kept as well.
 
         Returns:
             Response; status "failed" with the reason when equilibrium was lost (what was computed before is in it).
@@ -342,7 +325,7 @@ class Analysis:
         kind, parameters = method.parameters()
         steps = ground.size - 1
         self._check(lib.ed_history_begin(self._c, steps, dt, _doubles(ground), _doubles(other), kind, parameters))
-        return self._run(steps, channels, every, progress, stop, limits)
+        return self._run(steps, channels, every, progress, stop, limits, tail=tail, energies=energies)
 
     def _add_channels(self, channels: Sequence[Channel]) -> None:
         repeated = {name for name, count in Counter(c.name for c in channels).items() if count > 1}
@@ -357,7 +340,7 @@ class Analysis:
                 kinds,
                 [int(i) for _, _, i, _ in channel.terms],
                 [int(k) for _, _, _, k in channel.terms],
-                channel.history,
+                channel.history or channel.tail,
             )
             if status < 0:
                 message = ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace")
@@ -379,9 +362,10 @@ class Analysis:
         progress: Callable[[int, int], None] | None,
         stop: Callable[[], bool] | None,
         limits: Mapping[str, float] = NO_LIMITS,
+        **kept: Any,
     ) -> Response:
         try:
-            return self._advance(steps, channels, every, progress, stop, limits)
+            return self._advance(steps, channels, every, progress, stop, limits, **kept)
         finally:
             lib.ed_run_end(self._c)
 
@@ -393,9 +377,10 @@ class Analysis:
         progress: Callable[[int, int], None] | None,
         stop: Callable[[], bool] | None,
         limits: Mapping[str, float],
+        **kept: Any,
     ) -> Response:
-        every = every or steps + 1
-        recording = self.record(channels, steps // every + 1, every, limits)
+        rows, steps_a_row = (steps + 1, 1) if every else (1, steps + 1)
+        recording = self.record(channels, rows, steps_a_row, limits, every=max(every, 1), **kept)
         status, reason, done, piece = "completed", "", 0, 1
         passed: Passed | None = None
         cpu = 0.0
@@ -405,6 +390,7 @@ class Analysis:
                 result = lib.ed_run_advance(self._c, piece)
             cpu += clock.thread_time() - start
             wall = clock.perf_counter() - wall
+            recording.take(lib.ed_run_take_rows(self._c))
             done = int(lib.ed_run_steps_done(self._c))
             if result == lib.ED_E_STOPPED and stop is not None and stop():
                 status, reason = "interrupted", f"stopped after {done} of {steps} steps"
@@ -422,7 +408,7 @@ class Analysis:
             if stop is not None and done < steps and stop():
                 status, reason = "interrupted", f"stopped after {done} of {steps} steps"
                 break
-            piece = max(1, min(4 * piece, int(piece * _PIECE / max(wall, 1e-6))))
+            piece = max(1, min(4 * piece, int(piece * _SECONDS / max(wall, 1e-6)), PIECE))
         lib.ed_run_end(self._c)
         return replace(self.recorded(recording, status, reason, cpu), passed=passed)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -52,12 +51,14 @@ class Channel:
         name: key of the results.
         terms: (coefficient, kind, id of the node or element, component); edframe.h lists kinds and components, `KINDS`
             the names.
-        history: keep every sample, not only the extremes.
+        history: keep the samples, not only the extremes.
+        tail: keep the samples of the last steps.
     """
 
     name: str
     terms: tuple[tuple[float, str, int, int], ...]
     history: bool = True
+    tail: bool = False
 
 
 @dataclass(frozen=True)
@@ -76,13 +77,17 @@ class Response:
     Attributes:
         status: "completed", "failed", "interrupted" or "limit".
         reason: why it did not complete, "" otherwise.
-        time: (nt,) s; load factor in load control, controlled displacement (m) in displacement control.
+        time: (nt,) s, of the steps that were kept; load factor in load control, controlled displacement (m) in
+            displacement control.
         values: (nt,) of every channel with history.
         maximum, minimum, final, time_of_maximum, time_of_minimum: of every channel, every step counted.
-        energy: (nt,) J of each of ENERGIES.
+        energy: (nt,) J of each of ENERGIES; (0,) if they were not kept.
         events: rungs of the failure ladder that were used: time, step, rung, halvings, success, iterations.
         statistics: counts, worst relative unbalance, `energy_error` (see the function), CPU seconds.
         passed: the limit that ended the run, if the status is "limit".
+        end: `time` of the last step.
+        tail: of every channel with a tail, the last steps.
+        energy_final: J of each of ENERGIES in the last step.
     """
 
     status: str
@@ -98,6 +103,9 @@ class Response:
     events: list[dict[str, object]] = field(default_factory=list)
     statistics: dict[str, float] = field(default_factory=dict)
     passed: Passed | None = None
+    end: float = float("nan")
+    tail: dict[str, np.ndarray] = field(default_factory=dict)
+    energy_final: dict[str, float] = field(default_factory=dict)
 
     def peak(self, name: str) -> float:
         """Largest magnitude of a channel."""
@@ -106,7 +114,7 @@ class Response:
     @property
     def finite(self) -> bool:
         """Whether every extreme and every energy is a finite number."""
-        extremes = [*self.maximum.values(), *self.minimum.values(), *self.final.values()]
+        extremes = [*self.maximum.values(), *self.minimum.values(), *self.final.values(), *self.energy_final.values()]
         return bool(np.all(np.isfinite(extremes)) and all(np.all(np.isfinite(e)) for e in self.energy.values()))
 
     @property
@@ -115,24 +123,36 @@ class Response:
         return self.time
 
 
-def energy_error(energy: Mapping[str, np.ndarray], tolerance: float) -> float:
-    """Return the largest error of the energy balance in a run over the largest energy that was put in.
+class EnergyBalance:
+    """The largest error of the energy balance in a run over the largest energy that was put in, counted on the way.
 
-    Both count from the start of the run: what gravity has put in before would hide the error of a small motion. The
-    input is taken as at least `tolerance` times all that was ever put in: equilibrium is not solved more closely.
-
-    Args:
-        energy: (nt,) J of each of ENERGIES.
-        tolerance: dimensionless, of equilibrium.
-
-    Returns:
-        A ratio; infinite if an energy is not finite, 0 without any.
+    Both count from the start of the run: what gravity has put in before would hide the error of a small motion.
     """
-    given, missing = energy["input"], energy["residual"]
-    if not given.size:
-        return 0.0
-    if not (np.all(np.isfinite(given)) and np.all(np.isfinite(missing))):
-        return float("inf")
-    error = float(np.max(np.abs(missing - missing[0])))
-    put_in = max(float(np.max(np.abs(given - given[0]))), tolerance * float(np.max(np.abs(given))))
-    return error / put_in if put_in > 0.0 else 0.0
+
+    def __init__(self) -> None:
+        self._start: tuple[float, float] | None = None
+        self._error = self._put_in = self._ever = 0.0
+        self._finite = True
+
+    def count(self, given: np.ndarray, missing: np.ndarray) -> None:
+        """Count further steps: the input and the residual of their energies, each (nt,) J."""
+        self._finite = self._finite and bool(np.all(np.isfinite(given)) and np.all(np.isfinite(missing)))
+        if not given.size or not self._finite:
+            return
+        if self._start is None:
+            self._start = float(given[0]), float(missing[0])
+        self._error = max(self._error, float(np.max(np.abs(missing - self._start[1]))))
+        self._put_in = max(self._put_in, float(np.max(np.abs(given - self._start[0]))))
+        self._ever = max(self._ever, float(np.max(np.abs(given))))
+
+    def error(self, tolerance: float) -> float:
+        """Return the error as a ratio; infinite if an energy is not finite, 0 without any.
+
+        Args:
+            tolerance: dimensionless, of equilibrium. The input is taken as at least that times all that was ever put
+                in: equilibrium is not solved more closely.
+        """
+        if not self._finite:
+            return float("inf")
+        put_in = max(self._put_in, tolerance * self._ever)
+        return self._error / put_in if put_in > 0.0 else 0.0

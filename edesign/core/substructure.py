@@ -286,7 +286,11 @@ class SubstructureLoop:
         frame = (
             self._numerical if isinstance(self._numerical, FrameNumericalPart) and self._numerical.channels else None
         )
-        recording = frame.analysis.record(frame.channels, n + 1, frame.steps, frame.limits) if frame else None
+        recording = (
+            frame.analysis.record(frame.channels, n + 1, frame.steps, frame.limits, tail=n + 1, whole=True)
+            if frame
+            else None
+        )
         record = np.empty((n + 1, lib.ED_RTS_CHANNELS + self._outputs))
         cpu = thread_time()
         status = lib.ed_substructure_run(

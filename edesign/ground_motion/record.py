@@ -10,6 +10,7 @@ import numpy as np
 from edesign.errors import InputError
 
 _TOLERANCE = 1e-9  # of a step: durations and steps are decimal numbers that floats hold to about 1e-13
+_BLOCK = 1 << 16  # samples that are interpolated at a time, for memory
 
 
 @dataclass(frozen=True)
@@ -44,13 +45,14 @@ class Record:
         object.__setattr__(self, "acceleration", samples)
         object.__setattr__(self, "time_step", step)
         if not self.checksum:
-            data = np.concatenate(([step], samples)).astype("<f8").tobytes()
-            object.__setattr__(self, "checksum", hashlib.sha256(data).hexdigest())
+            digest = hashlib.sha256(np.array(step, "<f8").tobytes())
+            digest.update(memoryview(samples.astype("<f8", copy=False)))
+            object.__setattr__(self, "checksum", digest.hexdigest())
 
     @property
     def pga(self) -> float:
         """Peak ground acceleration: the largest absolute sample, m/s2."""
-        return float(np.max(np.abs(self.acceleration)))
+        return float(max(np.max(self.acceleration), -np.min(self.acceleration)))
 
     @property
     def duration(self) -> float:
@@ -88,10 +90,12 @@ class Record:
             raise InputError(
                 f"{self.name}: the time step of {time_step:g} s is longer than the record ({self.duration:g} s)"
             )
-        position = np.arange(last + 1) * (time_step / self.time_step)
-        nearest = np.round(position)  # a sample that both grids share is taken over exactly
-        position = np.where(np.abs(position - nearest) < _TOLERANCE * np.maximum(1.0, nearest), nearest, position)
-        samples = np.interp(position, np.arange(self.acceleration.size), self.acceleration)
+        samples, given = np.empty(last + 1), np.arange(self.acceleration.size)
+        for first in range(0, last + 1, _BLOCK):
+            position = np.arange(first, min(first + _BLOCK, last + 1)) * (time_step / self.time_step)
+            nearest = np.round(position)  # a sample that both grids share is taken over exactly
+            position = np.where(np.abs(position - nearest) < _TOLERANCE * np.maximum(1.0, nearest), nearest, position)
+            samples[first : first + _BLOCK] = np.interp(position, given, self.acceleration)
         source = f"{self.source}; resampled to {time_step:.9g} s by linear interpolation"
         return replace(self, acceleration=samples, time_step=time_step, source=source)
 

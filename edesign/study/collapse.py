@@ -23,7 +23,7 @@ def collapse_reason(response: Response, drifts: Quantity, storeys: Sequence[int]
     """Say how a frame collapsed, "" if it did not.
 
     Args:
-        response: of the history, every step kept.
+        response: of the history.
         drifts: on all column lines, as `quantities.line_drifts` gives them.
         storeys: of these drifts, from 1.
     """
@@ -31,7 +31,7 @@ def collapse_reason(response: Response, drifts: Quantity, storeys: Sequence[int]
         return ""
     last = np.abs(drifts.extreme(response, "final"))
     worst = int(np.argmax(last))
-    storey, drift, time = storeys[worst], f"{100.0 * last[worst]:.3g} %", f"{response.time[-1]:.6g} s"
+    storey, drift, time = storeys[worst], f"{100.0 * last[worst]:.3g} %", f"{response.end:.6g} s"
     if response.status == "limit":
         return f"collapsed: drift of storey {storey} reached {drift} at {time}"
     if last[worst] <= LARGE_DRIFT:

@@ -21,9 +21,10 @@ from edesign.project.records import record_of
 from edesign.study.history_results import HistoryResults
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, level_factor, project_motions
+from edesign.study.residual import period_steps
 from edesign.study.structure import Structure, make_structure
 
-MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; every quantity keeps 8 bytes of each step in memory
+MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
 
 
 def run_history(
@@ -63,6 +64,9 @@ def run_history(
         progress=progress,
         stop=stop,
         limits=results.limits,
+        every=project.outputs.every,
+        tail=period_steps(ground.time_step, period),
+        energies=results.energies,
     )
     group = results.group(response, ground.acceleration, ground.time_step, period, project.outputs.every)
     group.attributes |= _provenance(motion, factor, ground, spec)

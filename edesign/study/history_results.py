@@ -9,14 +9,14 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel
-from edesign.core import Channel, Response
+from edesign.core import ENERGIES, Channel, Response
 from edesign.project.outputs import HistoryKind
 from edesign.project.project import Project
 from edesign.study import quantities as q
 from edesign.study.buckling import buckling_warnings
 from edesign.study.collapse import collapse_reason, drift_limits
 from edesign.study.dampers import strain_warnings
-from edesign.study.recording import channels, coordinate, store, store_run
+from edesign.study.recording import SINGLE, channels, coordinate, store, store_run
 from edesign.study.requested import requested_quantities
 from edesign.study.residual import DEFINITION, residual
 from edesign.study.validity import judged, rotation_limits, rotation_names
@@ -31,10 +31,11 @@ class HistoryResults:
         frame: the model.
         collapse_drift: drift ratio at which the history ends as collapsed; None: there is none.
         histories: what is kept over time; None: what the project says.
+        keep_drift: whether the drift of the storeys is kept over time in any case.
 
     Attributes:
-        channels: for the core. Every step is recorded, whatever is kept later: the residual response does not depend on
-            what is kept.
+        channels: for the core. Displacements and drifts have a tail, for the residual response.
+        energies: whether energies are kept over time.
         limits: at which the history ends, by name of a channel.
 
     Raises:
@@ -47,13 +48,16 @@ class HistoryResults:
         frame: FrameModel,
         collapse_drift: float | None = None,
         histories: Collection[HistoryKind] | None = None,
+        keep_drift: bool = False,
     ) -> None:
         self._project, self._frame, self._group = project, frame, Group()
         q.coordinates(self._group, frame)
         self._wanted = project.outputs.histories if histories is None else histories
         floors, storeys = "floors" in self._wanted, "storeys" in self._wanted
-        self._displacements = q.floor_displacements(frame, history=True)
-        self._drift, self._drifts = q.storey_drifts(frame, history=True), q.line_drifts(frame)
+        self.energies = "energy" in self._wanted
+        self._displacements = replace(q.floor_displacements(frame, floors), tail=True)
+        self._drift = replace(q.storey_drifts(frame, storeys), tail=True)
+        self._drifts = q.line_drifts(frame)
         self._others = [
             q.floor_accelerations(frame, floors),
             q.floor_relative_accelerations(frame),
@@ -66,26 +70,23 @@ class HistoryResults:
             *requested_quantities(project, frame, self._group),
         ]
         self._names = rotation_names(frame, self._drifts, self._others)
-        self.channels: list[Channel] = channels([self._displacements, self._drift, self._drifts, *self._others])
+        drift = replace(self._drift, history=storeys or keep_drift)
+        self.channels: list[Channel] = channels([self._displacements, drift, self._drifts, *self._others])
         self.limits = rotation_limits(project, self._names) | drift_limits(self._drifts, collapse_drift)
 
-    def floors(self, response: Response) -> np.ndarray:
-        """Return the displacements of the floors at every step, (nt, floors) m."""
-        return self._displacements.values(response)
-
     def drift(self, response: Response) -> np.ndarray:
-        """Return the drift ratios of the storeys at every step, (nt, storeys)."""
+        """Return the drift ratios of the storeys over time, (nt, storeys), if `keep_drift` was asked for."""
         return self._drift.values(response)
 
     def group(self, response: Response, acceleration: np.ndarray, time_step: float, period: float, every: int) -> Group:
         """Return the results of the history, once.
 
         Args:
-            response: with `channels` of every step.
+            response: with `channels`, and a tail of a fundamental period at least.
             acceleration: of the ground at each step, m/s2.
             time_step: s.
             period: fundamental period under gravity, for residual values, s.
-            every: one step in so many is kept over time.
+            every: one step in so many was kept over time.
         """
         group, frame = self._group, self._frame
         group.attributes["fundamental_period_s"] = period
@@ -94,23 +95,20 @@ class HistoryResults:
         if reason:
             response = replace(response, status="failed", reason=reason)
             group.attributes["collapsed"] = True
-        coordinate(group, "time", response.time[::every], "s", "time from the start of the record")
-        samples = acceleration[: response.time.size : every]
+        coordinate(group, "time", response.time, "s", "time from the start of the record")
+        samples = acceleration[::every][: response.time.size]
         group.add("ground_acceleration", ("time",), samples, "m/s^2", "ground acceleration as applied")
-        displacements, drift = (
-            replace(self._displacements, history="floors" in self._wanted),
-            replace(self._drift, history="storeys" in self._wanted),
-        )
-        store(group, [displacements, drift, *self._others], response, "time", every)
+        store(group, [self._displacements, self._drift, *self._others], response, "time", SINGLE)
         q.store_drift_extremes(group, frame, self._drifts, response)
         warnings = buckling_warnings(group, self._project, frame)
         if "damper_strain_max" in group.variables:
             largest, least = (group.variables[f"damper_strain_{which}"].values for which in ("max", "min"))
             warnings += strain_warnings(frame.devices, np.maximum(largest, -least))
         store_warnings(group, [] if doubts is None else [*doubts, *warnings])
-        _store_energy(group, response, every, "energy" in self._wanted)
+        _store_energy(group, response, self.energies)
         if response.status == "completed":
-            store_residuals(group, self.floors(response), self.drift(response), time_step, period)
+            floors, drift = (quantity.last_values(response) for quantity in (self._displacements, self._drift))
+            store_residuals(group, floors, drift, time_step, period)
         store_run(group, response, "time", "s")
         return group
 
@@ -122,8 +120,8 @@ def store_residuals(
 
     Args:
         group: of the history.
-        floors: (nt, floors) displacements at every step, m.
-        drifts: (nt, storeys) ratios; None: heights are not known.
+        floors: (nt, floors) displacements at every step, or in the last ones, m.
+        drifts: (nt, storeys) ratios, likewise; None: heights are not known.
         time_step: s.
         period: fundamental period under gravity, s.
     """
@@ -136,11 +134,11 @@ def store_residuals(
         group.add("residual_storey_drift", ("storey",), residual(drifts, time_step, period), "1", label)
 
 
-def _store_energy(group: Group, response: Response, every: int, history: bool) -> None:
-    terms = list(response.energy)
-    table = np.array([response.energy[term] for term in terms]).T
-    coordinate(group, "energy_term", terms, "", "term of the energy balance")
+def _store_energy(group: Group, response: Response, history: bool) -> None:
+    coordinate(group, "energy_term", ENERGIES, "", "term of the energy balance")
     if history:
-        group.add("energy", ("time", "energy_term"), table[::every], "J", "energy since the start of the record")
-    if table.size:
-        group.add("energy_final", ("energy_term",), table[-1], "J", "energy at the end")
+        table = np.array([response.energy[term] for term in ENERGIES]).T
+        group.add("energy", ("time", "energy_term"), table, "J", "energy since the start of the record")
+    if response.energy_final:
+        final = [response.energy_final[term] for term in ENERGIES]
+        group.add("energy_final", ("energy_term",), final, "J", "energy at the end")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,6 +11,10 @@ from edesign.archive.dataset import Group, Variable
 from edesign.core import Channel, Response
 
 Terms = tuple[tuple[float, str, int, int], ...]
+
+SINGLE = np.float32
+"""Type of what is kept over time: its rounding, 6e-8, is finer than the tolerance to which equilibrium is solved, 1e-7
+of the largest force. What a history is judged by, its extremes and last values, is kept in double precision."""
 
 _SUFFIX = {"max": "largest value", "min": "smallest value", "final": "at the end"}
 
@@ -26,6 +30,7 @@ class Quantity:
         cells: the weighted terms of each component in C order; a component without terms is zero.
         history: whether the value at every time is kept.
         keep: which of max, min, final are stored.
+        tail: whether the values of the last steps are kept.
     """
 
     name: str
@@ -36,6 +41,7 @@ class Quantity:
     long_name: str
     history: bool = False
     keep: tuple[str, ...] = ("max", "min", "final")
+    tail: bool = False
 
     @property
     def keys(self) -> dict[int, str]:
@@ -44,14 +50,20 @@ class Quantity:
 
     def channels(self) -> list[Channel]:
         """Channels of the components that have terms."""
-        return [Channel(key, self.cells[i], self.history) for i, key in self.keys.items()]
+        return [Channel(key, self.cells[i], self.history, self.tail) for i, key in self.keys.items()]
 
     def values(self, response: Response) -> np.ndarray:
-        """Values at every time, shape (nt, *shape)."""
-        columns = np.zeros((response.time.size, len(self.cells)))
-        for i, terms in enumerate(self.cells):
-            if terms:
-                columns[:, i] = response.values[self._key(i)]
+        """Values at every time that was kept, shape (nt, *shape)."""
+        return self._columns(response.values, response.time.size)
+
+    def last_values(self, response: Response) -> np.ndarray:
+        """Values in the last steps, shape (steps, *shape)."""
+        return self._columns(response.tail, max((column.size for column in response.tail.values()), default=1))
+
+    def _columns(self, found: Mapping[str, np.ndarray], rows: int) -> np.ndarray:
+        columns = np.zeros((rows, len(self.cells)))
+        for i, key in self.keys.items():
+            columns[:, i] = found[key]
         return columns.reshape(-1, *self.shape)
 
     def extreme(self, response: Response, which: str) -> np.ndarray:
@@ -77,7 +89,9 @@ def channels(quantities: Iterable[Quantity]) -> list[Channel]:
     return found
 
 
-def store(group: Group, quantities: Iterable[Quantity], response: Response, along: str, every: int = 1) -> None:
+def store(
+    group: Group, quantities: Iterable[Quantity], response: Response, along: str, kind: type[np.floating] = np.float64
+) -> None:
     """Add the recorded values to a group.
 
     Args:
@@ -85,11 +99,11 @@ def store(group: Group, quantities: Iterable[Quantity], response: Response, alon
         quantities: what was recorded.
         response: of the run.
         along: dimension of the histories, "time" or "step".
-        every: one value of so many is kept in histories; extremes count all.
+        kind: of the numbers of histories.
     """
     for quantity in quantities:
         if quantity.history:
-            values = quantity.values(response)[::every]
+            values = quantity.values(response).astype(kind, copy=False)
             group.add(quantity.name, (along, *quantity.dims), values, quantity.unit, quantity.long_name)
         for which in quantity.keep:
             label = f"{quantity.long_name}, {_SUFFIX[which]}"

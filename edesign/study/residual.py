@@ -7,6 +7,11 @@ import numpy as np
 DEFINITION = "mean over the last whole fundamental period (under gravity) of the analysed time"
 
 
+def period_steps(time_step: float, period: float) -> int:
+    """Return the number of steps in a whole period, at least one; both in s."""
+    return max(round(period / time_step), 1)
+
+
 def residual(values: np.ndarray, time_step: float, period: float) -> np.ndarray:
     """Return the mean over the last whole period; over all values if they are shorter than that.
 
@@ -15,5 +20,5 @@ def residual(values: np.ndarray, time_step: float, period: float) -> np.ndarray:
         time_step: s.
         period: s.
     """
-    count = min(max(round(period / time_step), 1), values.shape[0])
+    count = min(period_steps(time_step, period), values.shape[0])
     return np.asarray(values[-count:].mean(axis=0))

@@ -3,11 +3,15 @@ stopping."""
 
 from __future__ import annotations
 
+import tracemalloc
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from verification.structures import Structure, cantilever, channel, oscillator, steel_portal
 
-from edesign.core import Bilinear, Elastic, GeneralisedAlpha, Model, Newmark
+from edesign.core import ENERGIES, Bilinear, Elastic, GeneralisedAlpha, Model, Newmark, Response
+from edesign.core.recording import PIECE
 
 T = np.arange(401) * 0.005
 GROUND = 2.0 * np.sin(11.0 * T) * np.sin(np.pi * T / 2.0)
@@ -161,3 +165,33 @@ def test_stop_and_progress() -> None:
     n = part.values["u"].size
     assert 1 < n < 401
     np.testing.assert_array_equal(part.values["u"], full.values["u"][:n])
+
+
+def test_what_is_kept_of_a_long_run() -> None:
+    """Taken over in pieces, a run gives the same bits as kept whole, and needs no memory for what is not kept."""
+    n = 2 * PIECE + 1000
+    ground = np.sin(0.05 * np.arange(n + 1))
+
+    def run(history: bool, **kept: object) -> Response:
+        s = steel_portal()
+        one = replace(channel("displacement", s.nodes[2], 0, "u"), history=history, tail=True)
+        return s.analysis().history(ground, 0.005, channels=[one], **kept)
+
+    whole, thin = run(True), run(True, every=7, tail=500)
+    np.testing.assert_array_equal(thin.time, whole.time[::7])
+    np.testing.assert_array_equal(thin.values["u"], whole.values["u"][::7])
+    for term, values in whole.energy.items():
+        np.testing.assert_array_equal(thin.energy[term], values[::7])
+        assert thin.energy_final[term] == values[-1]
+    tracemalloc.start()
+    none = run(False, tail=500, energies=False)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    for found in (thin, none):
+        np.testing.assert_array_equal(found.tail["u"], whole.values["u"][-500:])
+        assert found.statistics["energy_error"] == whole.statistics["energy_error"]
+        assert (found.maximum, found.minimum, found.final) == (whole.maximum, whole.minimum, whole.final)
+        assert found.end == whole.time[-1]
+    assert not none.values and not none.energy["input"].size
+    rows = PIECE + 1  # a piece has abscissa, one value and the energies; the time of all steps is kept
+    assert peak < 8 * (2 * rows * (2 + len(ENERGIES)) + 2 * n) + 1e6

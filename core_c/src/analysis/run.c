@@ -88,6 +88,13 @@ int ed_run_rows(const ed_analysis *a)
   return a->run.row;
 }
 
+int ed_run_take_rows(ed_analysis *a)
+{
+  const int rows = a->run.row - a->run.taken;
+  a->run.taken = a->run.row;
+  return rows;
+}
+
 int ed_run_limit(const ed_analysis *a, double *value, double *time)
 {
   const int channel = a->run.limited - 1;

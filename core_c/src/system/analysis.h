@@ -73,6 +73,7 @@ typedef struct {
 typedef struct {
   ed_run_kind kind;
   int steps, done, row, every;
+  int taken;                     /* rows that are no longer in the buffers */
   double *abscissa, *values, *energy;
   int failed;
   int limited;                   /* 1 + the channel that has exceeded its limit; 0: none */

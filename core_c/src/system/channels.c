@@ -200,7 +200,8 @@ int ed_sample(ed_analysis *a, int keep_row)
 {
   const double time = a->committed.head->time;
   const int first = a->run.done == 0;
-  double *row = keep_row && a->run.values ? a->run.values + (size_t)a->run.row * (size_t)a->n_history : NULL;
+  const size_t place = (size_t)(a->run.row - a->run.taken);
+  double *row = keep_row && a->run.values ? a->run.values + place * (size_t)a->n_history : NULL;
   for (int i = 0; i < a->n_channels; i++) {
     const double value = ed_channel_value(a, i);
     if (!isfinite(value))
@@ -226,9 +227,9 @@ int ed_sample(ed_analysis *a, int keep_row)
   if (!keep_row)
     return ED_OK;
   if (a->run.abscissa)
-    a->run.abscissa[a->run.row] = time;
+    a->run.abscissa[place] = time;
   if (a->run.energy) {
-    memcpy(a->run.energy + (size_t)a->run.row * ED_N_ENERGY, a->committed.head->energy, ED_N_ENERGY * sizeof(double));
+    memcpy(a->run.energy + place * ED_N_ENERGY, a->committed.head->energy, ED_N_ENERGY * sizeof(double));
   }
   a->run.row++;
   return ED_OK;

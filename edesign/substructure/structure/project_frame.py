@@ -12,12 +12,13 @@ from edesign.building.devices import Device
 from edesign.building.frame import FrameModel
 from edesign.core import Channel, LawValues, Response
 from edesign.core.frame_part import FrameNumericalPart
-from edesign.core.response import energy_error
+from edesign.core.response import EnergyBalance
 from edesign.errors import AnalysisError, InputError
 from edesign.project.outputs import HistoryKind
 from edesign.project.project import Project
 from edesign.study.history import integrator, load_and_damp
 from edesign.study.history_results import HistoryResults
+from edesign.study.residual import period_steps
 from edesign.study.structure import Structure, make_frame, make_structure
 from edesign.substructure.structure.numerical import LinearPart
 
@@ -150,8 +151,12 @@ class ProjectFrame:
         """
         work = found.values[WORK]
         energy = {**found.energy, "input": found.energy["input"] + work, "dampers": found.energy["dampers"] + work}
-        balance = energy_error(energy, self._ready[0].structure.analysis.tolerance)
-        found = replace(found, energy=energy, statistics={**found.statistics, "energy_error": balance})
+        balance = EnergyBalance()
+        balance.count(energy["input"], energy["residual"])
+        error = balance.error(self._ready[0].structure.analysis.tolerance)
+        final = {term: float(values[-1]) for term, values in energy.items() if values.size}
+        statistics = {**found.statistics, "energy_error": error}
+        found = replace(found, energy=energy, energy_final=final, statistics=statistics)
         return self._response(self._ready[0], found, ground, step, 1)
 
     def direct(self, ground: np.ndarray, step: float, every: int = 1) -> FrameResponse:
@@ -169,7 +174,16 @@ class ProjectFrame:
         results, own = self._recorded(ready.structure.frame)
         assert self.project.integration is not None
         method = integrator(self.project.integration)
-        found = ready.structure.analysis.history(ground, step, method, [*results.channels, *own], limits=results.limits)
+        found = ready.structure.analysis.history(
+            ground,
+            step,
+            method,
+            [*results.channels, *own],
+            every,
+            limits=results.limits,
+            tail=period_steps(step, ready.period),
+            energies=results.energies,
+        )
         response = self._response(ready, found, ground, step, every)
         if response.group.attributes["status"] != "completed":
             reason = response.group.attributes["reason"]
@@ -181,14 +195,13 @@ class ProjectFrame:
         number = frame.devices[-1].number
         kinds = {DEFORMATION: "damper_deformation", FORCE: "damper_force", WORK: "damper_work"}
         own = [Channel(name, ((1.0, kind, number, 0),)) for name, kind in kinds.items()]
-        return HistoryResults(self.project, frame, self.collapse_drift, self.histories), own
+        return HistoryResults(self.project, frame, self.collapse_drift, self.histories, keep_drift=True), own
 
     def _response(self, ready: _Ready, found: Response, ground: np.ndarray, step: float, every: int) -> FrameResponse:
         results, _ = self._recorded(ready.structure.frame)
         group = results.group(found, ground, step, ready.period, every)
         group.attributes["height"] = self.project.frame.height
-        kept = (results.drift(found), found.values[DEFORMATION], found.values[FORCE])
-        return FrameResponse(group, *(values[::every] for values in kept))
+        return FrameResponse(group, results.drift(found), found.values[DEFORMATION], found.values[FORCE])
 
     def _prepared(self, inside: bool) -> _Ready:
         """The frame under gravity, damped, its dampers installed; the specimen is the last of them, inside or not."""
