@@ -38,10 +38,10 @@ def _add(digest: Any, name: str, value: Any) -> None:
     array = np.asarray(value)
     if array.dtype.kind in "UO":
         texts = [stored_text(str(text)) for text in array.ravel().tolist()]
-        kind, content = "text", b"".join(b"%d:%b" % (len(text), text) for text in texts)
+        kind, content = "text", memoryview(b"".join(b"%d:%b" % (len(text), text) for text in texts))
     else:
-        kind, content = array.dtype.str, array.tobytes()
-    digest.update(stored_text(f"{name}\n{kind}{array.shape}{len(content)}\n"))
+        kind, content = array.dtype.str, memoryview(np.ascontiguousarray(array).reshape(-1).view(np.uint8))
+    digest.update(stored_text(f"{name}\n{kind}{array.shape}{content.nbytes}\n"))
     digest.update(content)
 
 

@@ -1,8 +1,8 @@
 """Groups written into HDF5 in the form of netCDF-4: dimension scales, `units`, `long_name`.
 
 Texts have a fixed length. Those of variable length lie in a heap that HDF5 does not check; fixed ones lie in object
-headers, which it does. Small arrays lie in the header as well, larger ones in chunks with a Fletcher-32 checksum. Only
-this package knows h5py.
+headers, which it does. Small arrays lie in the header as well, larger ones in compressed chunks with a Fletcher-32
+checksum. Only this package knows h5py.
 """
 
 from __future__ import annotations
@@ -25,6 +25,9 @@ DIMENSIONS = "dimensions"
 HEADER_LIMIT = 1 << 13  # bytes; a chunked dataset needs 2 to 3 kB for its index alone
 HEADER_MOST = 60_000  # bytes; a message of a header holds 64 kB
 CHUNK = 1 << 16  # bytes, about; HDF5 keeps up to 1 MB of chunks at hand
+
+DEFLATE_LEVEL = 1
+"""Of histories of the thesis frame level 4 saves 1 to 2 % more than level 1, and takes 10 to 20 % longer."""
 
 
 def write_group(target: h5py.Group, group: Group) -> None:
@@ -89,7 +92,15 @@ def _create(target: h5py.Group, name: str, values: np.ndarray) -> h5py.Dataset:
         return _create_in_header(target, name, values)
     if values.ndim == 0:  # one long text, which HDF5 does not divide: the checksum of the group must do
         return target.create_dataset(name, data=values)
-    return target.create_dataset(name, data=values, chunks=chunk_shape(values.shape, values.itemsize), fletcher32=True)
+    return target.create_dataset(
+        name,
+        data=values,
+        chunks=chunk_shape(values.shape, values.itemsize),
+        shuffle=values.dtype.kind != "S",  # first bytes of numbers resemble each other, not those of texts
+        compression="gzip",
+        compression_opts=DEFLATE_LEVEL,
+        fletcher32=True,
+    )
 
 
 def _create_in_header(target: h5py.Group, name: str, values: np.ndarray) -> h5py.Dataset:

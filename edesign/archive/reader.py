@@ -219,7 +219,7 @@ class Archive:
 
     def _check(self, damaged: bool) -> None:
         found = self._tree.layout
-        if found not in (1, FORMAT):
+        if found not in range(1, FORMAT + 1):
             what = "an HDF5 file, but not an archive of edesign" if found is None else f"an archive of layout {found}"
             raise ArchiveError(f"{self.path}: this is {what}; this version reads layouts 1 to {FORMAT}")
         if not self.sealed and found != 1 and self.complete and not is_partial(self.path):

@@ -1,7 +1,8 @@
 """The groups of an HDF5 file, read with care: only what an archive can contain, and no more than the file holds.
 
 What is refused: links that lead elsewhere or in circles, data outside the file, types other than numbers and texts,
-filters of others, and arrays longer than the file. A file of a few kB can promise 24 GB of zeros, or name another file.
+filters of others, and arrays longer than what the file holds of them can become. A file of a few kB can promise 24 GB
+of zeros, or name another file.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import math
 import re
 from collections.abc import Container, Iterator
 from contextlib import contextmanager
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
 import h5py
@@ -22,9 +23,12 @@ from edesign.archive.checksum import CONTENT_CHECKSUM, content_checksum
 from edesign.archive.dataset import Group, Variable
 from edesign.archive.hdf5 import BOOLEAN_MARK, DIMENSIONS
 
-FORMAT = 2  # version of the layout, in the root attribute `edesign_archive`
-EXPANSION = {h5z.FILTER_FLETCHER32: 1}
-"""Filters that an archive's data may have passed, and how many bytes one stored byte can become at most."""
+FORMAT = 3  # version of the layout, in the root attribute `edesign_archive`
+EXPANSION = {h5z.FILTER_FLETCHER32: 1, h5z.FILTER_SHUFFLE: 1, h5z.FILTER_DEFLATE: 1032}
+"""Filters that an archive's data may have passed, and how many bytes one stored byte can become at most.
+
+Source: zlib 1.3, "Technical Details": no stream of deflate expands more than 1032 times.
+"""
 DEEPEST = 8  # groups in each other; records/SUITE/ID are 3
 _NUMBERS = (h5t.INTEGER, h5t.FLOAT)
 _LARGEST_NUMBER = 8  # bytes
@@ -216,6 +220,8 @@ class Tree:
             _check_dimensions(group)
             if not self.trusted:
                 self._check(stored, group)
+            for items in (group.coords, group.variables):
+                items.update({name: _in_double(item) for name, item in items.items()})
             self._held[place] = held - before
         return group
 
@@ -364,6 +370,13 @@ def _reading(place: str) -> Iterator[None]:
 def _decoded(stored: dict[str, Any]) -> dict[str, Any]:
     """Return the attributes that the group was given."""
     return {name: decode(value) for name, value in stored.items() if name not in (CONTENT_CHECKSUM, DIMENSIONS)}
+
+
+def _in_double(variable: Variable) -> Variable:
+    """Return a variable with numbers of single precision as those of double precision, with which all else goes on."""
+    if variable.values.dtype != np.float32:
+        return variable
+    return replace(variable, values=variable.values.astype(float))
 
 
 def _scales(name: str, item: h5d.DatasetID) -> tuple[str, ...]:

@@ -12,7 +12,7 @@ from edesign.building.frame import FrameModel
 from edesign.core import Response
 from edesign.study import quantities as q
 from edesign.study.history_results import store_residuals
-from edesign.study.recording import Quantity, Terms, coordinate, store, store_run
+from edesign.study.recording import SINGLE, Quantity, Terms, coordinate, store, store_run
 
 ACROSS = 0
 
@@ -89,7 +89,7 @@ class LinearBuilding:
             coordinate(group, "storey", np.arange(1, count + 1), "1", "storey below the floor of the same number")
         coordinate(group, "time", time, "s", "time from the start of the record")
         group.add("ground_acceleration", ("time",), ground, "m/s^2", "ground acceleration as applied")
-        store(group, [quantity for quantity, _ in told], response, "time")
+        store(group, [quantity for quantity, _ in told], response, "time", SINGLE)
         if self.frame is not None and self.line_drifts is not None:
             q.store_drift_extremes(group, self.frame, self.line_drifts, response)
         if not failed and time.size > 1:

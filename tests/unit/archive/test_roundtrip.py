@@ -13,6 +13,7 @@ from edesign.archive.dataset import Group, Variable
 from edesign.archive.hdf5 import CHUNK, chunk_shape
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter, partial_path
+from edesign.errors import ArchiveError
 
 
 def write(path: Path, groups: dict[str, Group]) -> Path:
@@ -112,6 +113,39 @@ def test_texts_have_a_fixed_length_and_numbers_a_checksum(tmp_path: Path) -> Non
                 assert item.attrs.get_id(attribute).get_type().get_class() != h5py.h5t.VLEN
         assert group["displacement"].fletcher32 and group["displacement"].chunks == (1500, 3)
         assert group.attrs["status"] == b"completed" and group["note"][()].decode() == "10 °C, ünïcode"
+
+
+def test_bytes_of_a_value(tmp_path: Path) -> None:
+    """Of sines, the bytes of the mantissa are as good as random, those of sign and exponent repeat: 3 of 4, 7 of 8."""
+    time = 0.01 * np.arange(6000)
+    motion = 0.1 * np.sin(2.0 * np.pi * np.outer(time, np.linspace(0.4, 3.0, 20)))
+    group = Group(attributes={"status": "completed"})
+    group.coords["time"] = Variable(("time",), time, "s", "time")
+    group.coords["floor"] = Variable(("floor",), np.arange(1, 21), "1", "floor")
+    group.add("single", ("time", "floor"), motion.astype(np.float32), "m", "displacement")
+    group.add("double", ("time", "floor"), motion, "m", "displacement")
+    path = write(tmp_path / "a.h5", {"analyses/a": group})
+    with h5py.File(path) as file:
+        stored = {name: file["analyses/a"][name].id.get_storage_size() for name in ("single", "double", "time")}
+        assert file["analyses/a/single"].dtype == np.float32
+    assert stored["single"] < 3.25 * motion.size and stored["double"] < 7.5 * motion.size
+    assert stored["time"] < 0.1 * 8 * time.size  # steps of a clock: their bytes repeat
+    with open_archive(path) as archive:
+        found = archive.group("analyses/a").variables
+    np.testing.assert_array_equal(found["double"].values, motion)
+    assert found["single"].values.dtype == float
+    np.testing.assert_allclose(found["single"].values, motion, rtol=2.0**-24, atol=0.0)
+
+
+def test_layouts_that_are_read(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Layout 2 differs from 3 only in that nothing is compressed; a later one is refused."""
+    monkeypatch.setattr("edesign.archive.writer.FORMAT", 2)
+    with open_archive(write(tmp_path / "a.h5", {"analyses/a": history_group()})) as archive:
+        assert archive.names("analyses") == ["a"]
+    monkeypatch.setattr("edesign.archive.writer.FORMAT", 4)
+    path = write(tmp_path / "b.h5", {"analyses/a": history_group()})
+    with pytest.raises(ArchiveError, match="an archive of layout 4; this version reads layouts 1 to 3"):
+        open_archive(path)
 
 
 @pytest.mark.parametrize("shape", [(1025,), (20_000, 3), (1, 100_000), (2, 3, 50_000), (70_000, 1, 2)])
