@@ -40,7 +40,7 @@ def _add(digest: Any, name: str, value: Any) -> None:
         texts = [stored_text(str(text)) for text in array.ravel().tolist()]
         kind, content = "text", memoryview(b"".join(b"%d:%b" % (len(text), text) for text in texts))
     else:
-        kind, content = array.dtype.str, memoryview(np.ascontiguousarray(array).reshape(-1).view(np.uint8))
+        kind, content = array.dtype.str, np.ascontiguousarray(array).reshape(-1).view(np.uint8).data
     digest.update(stored_text(f"{name}\n{kind}{array.shape}{content.nbytes}\n"))
     digest.update(content)
 

@@ -46,7 +46,7 @@ class Record:
         object.__setattr__(self, "time_step", step)
         if not self.checksum:
             digest = hashlib.sha256(np.array(step, "<f8").tobytes())
-            digest.update(memoryview(samples.astype("<f8", copy=False)))
+            digest.update(samples.astype("<f8", copy=False).data)
             object.__setattr__(self, "checksum", digest.hexdigest())
 
     @property
