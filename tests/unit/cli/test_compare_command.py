@@ -40,7 +40,7 @@ def test_tables(files: list[str], capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["compare", *files, "--bars", "--check"]) == 0
     out = capsys.readouterr().out
     assert "Design - k [kN/m]" in out
-    assert ["1", "100", "103", "+3.0", "5", "in"] in [line.split() for line in out.splitlines()]
+    assert ["1", "100", "103", "+3.0", "5", "met"] in [line.split() for line in out.splitlines()]
     assert "2 of them have a bar, 2 are within it" in out
 
 

@@ -77,19 +77,22 @@ def test_measures_of_each_record_and_their_statistics() -> None:
 
 
 def test_verdicts_performance_and_objectives() -> None:
-    *_, verdicts, performance, objectives = tables_of_histories(HISTORIES, frame(), STUDY.criteria, STUDY.objectives)
+    tables = tables_of_histories(HISTORIES, frame(), STUDY.criteria, STUDY.objectives)
+    *_, verdicts, performance, by_members, objectives = tables
     drift = row(verdicts, "drift")
     assert drift[1:8] == ["damped", "DBE", "not met", "mean", "1 %", "1.3 %", "1 of 2"]
     assert drift[-1] == "interstorey drift 0.7 to 1.3 %"
     assert any(note.startswith("drift (damped, DBE): failed histories") and "two" in note for note in verdicts.notes)
     assert [cells[3] for cells in verdicts.rows if cells[0] == "columns"] == ["not met", "not met"]
     assert row(performance, "bare")[2:7] == ["LS", "0", "1", "1", "0"]  # mean 2.5 % of 2.5 %; one at 2, one at 3 %
-    assert row(performance, "damped")[-1] == "1 of 2"
+    assert row(performance, "damped")[-2] == row(by_members, "damped")[-2] == "1/2"
     by_drift = objectives.rows[0]
     assert by_drift[:7] == ["h", "bare", "drift", "met", "10 % in 50 years (DBE)", "Life Safety (LS)", "basic"]
     assert by_drift[7] == "100 %"
     assert [cells[3] for cells in objectives.rows] == ["met", "not met", "met", "not met"]
-    assert all(len(line) > 0 for table in (verdicts, performance, objectives) for line in plain(table).splitlines())
+    assert all(
+        len(line) > 0 for table in (verdicts, performance, by_members, objectives) for line in plain(table).splitlines()
+    )
 
 
 def test_means_of_few_histories_are_remarked() -> None:

@@ -241,7 +241,7 @@ def test_a_linear_building_is_that_of_lsim(tmp_path: Path, force: str, order: fl
             errors.append(np.max(np.abs(found - values)) / size)
             assert np.max(np.abs(direct - values)) / size < 1e-3
             peak = np.max(one.building.variables[f"{name}_max"].values)
-            assert peak == np.max(found)
+            assert peak == pytest.approx(np.max(found), rel=6e-8)  # archived histories are float32
         drifts = np.asarray(one.building.variables["storey_displacement"].values)
         exact = expected["storey_displacement"]
         rms = np.sqrt(np.mean((drifts - exact) ** 2, axis=0) / np.mean(exact**2, axis=0))
