@@ -236,5 +236,5 @@ def test_the_project_runs_as_it_is(system: str, tmp_path: Path, capsys: pytest.C
     assert np.max(np.abs(own - u)) < 1e-12
     work = np.trapezoid(values["damper_force"].values[:, 0], own)
     energy = dict(zip(damped.coords["energy_term"].values, values["energy_final"].values, strict=True))
-    assert energy["dampers"] == pytest.approx(work, rel=1e-9)
+    assert energy["dampers"] == pytest.approx(work, rel=1e-7)  # archived histories are float32
     assert peak[-1] < 0.85 * np.max(np.abs(bare.variables["floor_displacement"].values[:, -1]))

@@ -107,7 +107,7 @@ def test_braces_carry_axial_force_only(groups: dict[str, Group]) -> None:
     assert np.all(group.variables["member_bending_moment"].values[:, at] == 0.0)
     brace = list(group.coords["brace"].values).index("D_2_1_f")
     peak = group.variables["brace_axial_force_max"].values[brace]
-    assert peak == pytest.approx(axial[:, 1].max(), rel=1e-12)  # tension pulls the end along the axis
+    assert peak == pytest.approx(axial[:, 1].max(), rel=6e-8)  # float32; tension pulls the end along the axis
 
 
 def test_what_is_asked_for_besides_changes_no_envelope(groups: dict[str, Group], tmp_path: Path) -> None:
@@ -121,7 +121,8 @@ def test_what_is_asked_for_besides_changes_no_envelope(groups: dict[str, Group],
     for name in extremes:
         np.testing.assert_array_equal(full[name].values, plain.variables[name].values, err_msg=name)
     moments = full["member_bending_moment"].values[:, 0]  # C_A_1 is the first of both lists
-    np.testing.assert_array_equal(moments.max(axis=0), full["member_bending_moment_max"].values[0])
+    largest = full["member_bending_moment_max"].values[0]
+    np.testing.assert_allclose(moments.max(axis=0), largest, rtol=6e-8)  # histories are float32
 
 
 def test_a_fibre_that_is_asked_for_twice_is_kept_once(groups: dict[str, Group]) -> None:
