@@ -22,7 +22,7 @@
 #define ed_menegotto_pinto_trial without_avx_trial
 #define ed_menegotto_pinto_commit without_avx_commit
 #define respond respond_in_vectors
-#define turn turn_in_vectors
+#define reverse reverse_in_vectors
 #include "../src/material/menegotto_pinto.c"
 #undef ed_menegotto_pinto_place
 #undef ed_menegotto_pinto_set
@@ -32,7 +32,7 @@
 #undef ed_menegotto_pinto_trial
 #undef ed_menegotto_pinto_commit
 #undef respond
-#undef turn
+#undef reverse
 
 /* ---- the law, plainly ---- */
 

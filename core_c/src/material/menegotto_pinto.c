@@ -11,7 +11,7 @@ enum { DEPTH = ED_LANE_WIDTH }; /* reversals inside reversals that are remembere
 /* What a fibre keeps beside the branches that it left; most trials read the first six. */
 enum {
   STRAIN,                                    /* committed */
-  FROM_STRAIN, FROM_STRESS, SPAN, ROUNDNESS, /* the branch followed, see below; the sign of its span is the direction of loading */
+  FROM_STRAIN, FROM_STRESS, SPAN, EXPONENT, /* the branch followed, see below; the sign of its span is the direction of loading */
   SAFE,                                      /* strain, in the direction, up to which no remembered branch can govern */
   STRESS,                                    /* committed */
   AHEAD, BEHIND,                             /* how many branches are remembered for the direction, and for the other one */
@@ -21,7 +21,7 @@ enum {
 /* The branches left while loading upwards, or downwards, from the widest to the innermost. A branch is where it begins, the strain from
  * there to where the elastic line meets the asymptote, and the exponent R. */
 typedef struct {
-  double strain[DEPTH], stress[DEPTH], span[DEPTH], roundness[DEPTH];
+  double strain[DEPTH], stress[DEPTH], span[DEPTH], exponent[DEPTH];
 } branches;
 
 /* Fibres come in groups of ED_LANE_WIDTH: a group's fields lie side by side, those of all groups before all their branches. */
@@ -68,7 +68,7 @@ void ed_menegotto_pinto_initialise(const ed_menegotto_pinto *law, double *state)
     double *at = state + fields_at(i);
     at[AT(LARGEST)] = at[AT(SPAN)] = law->yield_strain[i];
     at[AT(LEAST)] = -law->yield_strain[i];
-    at[AT(ROUNDNESS)] = law->R0[i];
+    at[AT(EXPONENT)] = law->R0[i];
     at[AT(SAFE)] = FAR;
   }
 }
@@ -102,7 +102,7 @@ ED_INLINE void curved_part(const ed_lanes *x, const ed_lanes *R, ed_mask *curved
 
 /* The branch that begins at the committed points of a group of fibres where they turn. The elastic line through the point meets
  * stress = direction fy (1 - b) + b E strain. */
-ED_INLINE void turned_branch(const ed_menegotto_pinto *law, const double *at, int i, ed_lanes *span, ed_lanes *roundness)
+ED_INLINE void reversal_branch(const ed_menegotto_pinto *law, const double *at, int i, ed_lanes *span, ed_lanes *exponent)
 {
   const ed_lanes zero = {0}, one = zero + 1.0, strain = ED_LOAD(at + AT(STRAIN)), E = ED_LOAD(law->E + i), b = ED_LOAD(law->b + i);
   const ed_lanes yield_strain = ED_LOAD(law->yield_strain + i), shortest = 1e-12 * yield_strain;
@@ -114,7 +114,7 @@ ED_INLINE void turned_branch(const ed_menegotto_pinto *law, const double *at, in
   ed_lanes excursion = ED_SELECT(upwards, ED_LOAD(at + AT(LARGEST)), ED_LOAD(at + AT(LEAST))) - (strain + *span);
   ed_lanes_size(&excursion, &excursion);
   const ed_lanes share = excursion / (ED_LOAD(law->cR2 + i) * yield_strain + excursion);
-  *roundness = ED_LOAD(law->R0 + i) * (1.0 - ED_LOAD(law->cR1 + i) * share);
+  *exponent = ED_LOAD(law->R0 + i) * (1.0 - ED_LOAD(law->cR1 + i) * share);
 }
 
 enum {
@@ -179,7 +179,7 @@ ED_INLINE int list_stack(evaluations *list, const branches *stack, int count, do
   const int at = list->count;
   const ed_lanes x = (strain - ED_LOAD(stack->strain)) / ED_LOAD(stack->span);
   ED_STORE(list->x + at, x);
-  ED_STORE(list->R + at, ED_LOAD(stack->roundness));
+  ED_STORE(list->R + at, ED_LOAD(stack->exponent));
   list->count += count;
   return at;
 }
@@ -187,25 +187,25 @@ ED_INLINE int list_stack(evaluations *list, const branches *stack, int count, do
 /* A fibre that has to look at remembered branches. */
 typedef struct {
   int fibre;     /* from the first of the chunk */
-  int turned;
+  int reversed;
   double direction;
-  int here, there; /* evaluations of the branches at the committed strain, if turned, and at the new one */
+  int here, there; /* evaluations of the branches at the committed strain, if reversed, and at the new one */
   int ahead;     /* branches that lie ahead */
   int governs;   /* which of them the fibre is on, or -1 */
-} question;
+} bounded_fibre;
 
 /* What a chunk of fibres answers. */
 typedef struct {
   double *stress, *tangent; /* of each */
   int elastic;
-  int turned[CHUNK / ED_LANE_WIDTH]; /* bits of the fibres of each group that turn */
-  int questions;
-  question asked[CHUNK];
+  int reversed[CHUNK / ED_LANE_WIDTH]; /* bits of the fibres of each group that turn */
+  int bounded_count;
+  bounded_fibre bounded[CHUNK];
   evaluations list;
-} answer;
+} chunk_response;
 
-/* What the fibres of a group do, as bits of each: turn, have to look at remembered branches, leave the straight part. */
-enum { TURNS = 1, ASKS = 16, CURVED = 256, ALL = 15 };
+/* What the fibres of a group do, as bits of each: reverse, may be bounded by remembered branches, leave the straight part. */
+enum { REVERSES = 1, BOUNDED = 16, CURVED = 256, ALL = 15 };
 
 ED_INLINE void stack_response(const ed_menegotto_pinto *law, const evaluations *list, int at, const branches *stack, int k, int i,
                               double strain, double *stress, double *tangent)
@@ -222,87 +222,88 @@ typedef struct {
   int place; /* in the list of evaluations; -1 where it is straight */
 } group;
 
-ED_INLINE void mark(group *it, const ed_mask *turns, const ed_mask *asks)
+ED_INLINE void mark(group *it, const ed_mask *turns, const ed_mask *bounds)
 {
   it->x = it->along / it->span;
   ed_mask marks;
   curved_part(&it->x, &it->R, &marks);
-  marks = ED_WEIGHTED(marks, CURVED) | ED_WEIGHTED(*turns, TURNS) | ED_WEIGHTED(*asks, ASKS);
+  marks = ED_WEIGHTED(marks, CURVED) | ED_WEIGHTED(*turns, REVERSES) | ED_WEIGHTED(*bounds, BOUNDED);
   it->marks = ed_lanes_bits(&marks);
 }
 
 /* A group whose fibres go on in their directions. */
-ED_INLINE void go_on(const double *at, const double *strain, group *it)
+ED_INLINE void continue_loading(const double *at, const double *strain, group *it)
 {
   const ed_lanes zero = {0}, to = ED_LOAD(strain), before = ED_LOAD(at + AT(STRAIN)), past = to - ED_LOAD(at + AT(SAFE));
   it->span = ED_LOAD(at + AT(SPAN));
-  it->R = ED_LOAD(at + AT(ROUNDNESS));
+  it->R = ED_LOAD(at + AT(EXPONENT));
   it->along = to - ED_LOAD(at + AT(FROM_STRAIN));
   it->from_stress = ED_LOAD(at + AT(FROM_STRESS));
   it->place = -1;
   const ed_mask upwards = it->span > zero, turns = (upwards & (to < before)) | (~upwards & (to > before));
-  const ed_mask asks = (upwards & (past > zero)) | (~upwards & (past < zero));
-  mark(it, &turns, &asks);
+  const ed_mask bounds = (upwards & (past > zero)) | (~upwards & (past < zero));
+  mark(it, &turns, &bounds);
 }
 
 /* The same group, where some fibres turn. */
-ED_INLINE void turn_back(const ed_menegotto_pinto *law, const double *at, int i, const double *strain, group *it)
+ED_INLINE void reverse_loading(const ed_menegotto_pinto *law, const double *at, int i, const double *strain, group *it)
 {
   const ed_mask bit = {1, 2, 4, 8}, none = {0};
-  const ed_mask turns = ((it->marks & bit * TURNS) != none), asked = ((it->marks & bit * ASKS) != none);
+  const ed_mask turns = ((it->marks & bit * REVERSES) != none), were_bounded = ((it->marks & bit * BOUNDED) != none);
   const ed_lanes zero = {0}, to = ED_LOAD(strain);
   ed_lanes span, R;
-  turned_branch(law, at, i, &span, &R);
+  reversal_branch(law, at, i, &span, &R);
   it->span = ED_SELECT(turns, span, it->span);
   it->R = ED_SELECT(turns, R, it->R);
   it->along = ED_SELECT(turns, to - ED_LOAD(at + AT(STRAIN)), it->along);
   it->from_stress = ED_SELECT(turns, ED_LOAD(at + AT(STRESS)), it->from_stress);
-  const ed_mask asks = (turns & (ED_LOAD(at + AT(BEHIND)) > zero)) | (~turns & asked);
-  mark(it, &turns, &asks);
+  const ed_mask bounds = (turns & (ED_LOAD(at + AT(BEHIND)) > zero)) | (~turns & were_bounded);
+  mark(it, &turns, &bounds);
 }
 
 /* Lists the remembered branches that a fibre has to look at. */
-ED_INLINE void ask(const ed_menegotto_pinto *law, const double *state, int first, int fibre, int turned, double strain, answer *a)
+ED_INLINE void list_bounds(const ed_menegotto_pinto *law, const double *state, int first, int fibre, int reversed, double strain,
+                           chunk_response *a)
 {
   const int i = first + fibre;
   const double *at = state + fields_at(i);
-  question *q = &a->asked[a->questions++];
+  bounded_fibre *q = &a->bounded[a->bounded_count++];
   q->fibre = fibre;
-  q->turned = turned;
-  q->direction = (at[AT(SPAN)] > 0.0) != turned ? 1.0 : -1.0;
-  q->ahead = (int)at[turned ? AT(BEHIND) : AT(AHEAD)];
+  q->reversed = reversed;
+  q->direction = (at[AT(SPAN)] > 0.0) != reversed ? 1.0 : -1.0;
+  q->ahead = (int)at[reversed ? AT(BEHIND) : AT(AHEAD)];
   const branches *stack = (const branches *)(const void *)(state + branches_at(law->n, i, q->direction));
-  if (turned)
+  if (reversed)
     q->here = list_stack(&a->list, stack, q->ahead, at[AT(STRAIN)]);
   q->there = list_stack(&a->list, stack, q->ahead, strain);
 }
 
 /* Response of fibres first to first + count on the branch followed, or on the one that begins where they turn, bounded by those
  * remembered. A return behind the beginning of a remembered branch, or across it, has erased it. */
-ED_INLINE void respond(const ed_menegotto_pinto *law, const double *state, int first, int count, const double *strain, answer *a)
+ED_INLINE void respond(const ed_menegotto_pinto *law, const double *state, int first, int count, const double *strain, chunk_response *a)
 {
   const int groups = count / ED_LANE_WIDTH;
   group all[CHUNK / ED_LANE_WIDTH];
   int any = 0;
-  a->list.count = a->questions = 0;
+  a->list.count = a->bounded_count = 0;
   for (int g = 0; g < groups; g++) {
-    go_on(state + fields_at(first + g * ED_LANE_WIDTH), strain + g * ED_LANE_WIDTH, &all[g]);
+    continue_loading(state + fields_at(first + g * ED_LANE_WIDTH), strain + g * ED_LANE_WIDTH, &all[g]);
     any |= all[g].marks;
   }
   for (int g = 0; g < groups && any; g++) {
     const int i = g * ED_LANE_WIDTH;
     group *it = &all[g];
-    if (it->marks & ALL * TURNS)
-      turn_back(law, state + fields_at(first + i), first + i, strain + i, it);
+    if (it->marks & ALL * REVERSES)
+      reverse_loading(law, state + fields_at(first + i), first + i, strain + i, it);
     if (it->marks & ALL * CURVED) {
       it->place = a->list.count;
       ED_STORE(a->list.x + it->place, it->x);
       ED_STORE(a->list.R + it->place, it->R);
       a->list.count += ED_LANE_WIDTH;
     }
-    for (int left = it->marks / ASKS & ALL; left; left &= left - 1) {
+    for (int left = it->marks / BOUNDED & ALL; left; left &= left - 1) {
       const int k = __builtin_ctz((unsigned)left);
-      ask(law, state, first, i + k, it->marks / TURNS >> k & 1, strain[i + k], a);
+      list_bounds(law, state, first, i + k, it->marks / REVERSES >> k & 1, strain[i + k], a);
     }
   }
   evaluate(&a->list);
@@ -311,7 +312,7 @@ ED_INLINE void respond(const ed_menegotto_pinto *law, const double *state, int f
     const int i = g * ED_LANE_WIDTH;
     const group *it = &all[g];
     const ed_lanes E = ED_LOAD(law->E + first + i);
-    a->turned[g] = it->marks / TURNS & ALL;
+    a->reversed[g] = it->marks / REVERSES & ALL;
     if (it->place < 0) {
       ED_STORE(a->stress + i, it->from_stress + E * it->along);
       ED_STORE(a->tangent + i, E);
@@ -322,16 +323,17 @@ ED_INLINE void respond(const ed_menegotto_pinto *law, const double *state, int f
              it->from_stress + E * (b * it->along + (1.0 - b) * it->span * ED_LOAD(a->list.curve + it->place)));
     ED_STORE(a->tangent + i, E * (b + (1.0 - b) * ED_LOAD(a->list.slope + it->place)));
   }
-  for (int j = 0; j < a->questions; j++) {
-    question *q = &a->asked[j];
+  for (int j = 0; j < a->bounded_count; j++) {
+    bounded_fibre *q = &a->bounded[j];
     const int i = first + q->fibre;
     const double *at = state + fields_at(i);
     const branches *stack = (const branches *)(const void *)(state + branches_at(law->n, i, q->direction));
     const double here = at[AT(STRAIN)], stress_here = at[AT(STRESS)];
-    /* elastic lines of many branches coincide: rounding must not decide which of them is crossed */
+    /* elastic lines of many branches coincide: rounding must not decide which of them is crossed. Powers are good to 2e-14, and a
+     * straight part leaves out 4e-15; this is well above both, and far below any tolerance of equilibrium */
     const double on_it = 1e-12 * law->E[i] * law->yield_strain[i];
     double stress, tangent;
-    for (; q->turned && q->ahead > 0; q->ahead--) {
+    for (; q->reversed && q->ahead > 0; q->ahead--) {
       stack_response(law, &a->list, q->here, stack, q->ahead - 1, i, here, &stress, &tangent);
       if (q->direction * (here - stack->strain[q->ahead - 1]) > 0.0 && q->direction * (stress_here - stress) <= on_it)
         break;
@@ -354,7 +356,7 @@ ED_CLONES int ed_menegotto_pinto_trial(const ed_menegotto_pinto *law, const doub
   int elastic = 1;
   for (int from = 0; from < count; from += CHUNK) {
     const int some = count - from < CHUNK ? count - from : CHUNK;
-    answer a;
+    chunk_response a;
     a.stress = stress + from;
     a.tangent = tangent + from;
     respond(law, state, first + from, some, strain + from, &a);
@@ -397,13 +399,13 @@ ED_INLINE double safe_strain(const ed_menegotto_pinto *law, const evaluations *l
 }
 
 /* Where fibres of a group turn the branch followed is remembered, and another begins. */
-ED_INLINE void turn(const ed_menegotto_pinto *law, double *state, int i, int turned)
+ED_INLINE void reverse(const ed_menegotto_pinto *law, double *state, int i, int reversed)
 {
   double *group = state + fields_at(i);
-  ed_lanes span, roundness;
-  turned_branch(law, group, i, &span, &roundness);
-  for (; turned; turned &= turned - 1) {
-    const int k = __builtin_ctz((unsigned)turned);
+  ed_lanes span, exponent;
+  reversal_branch(law, group, i, &span, &exponent);
+  for (; reversed; reversed &= reversed - 1) {
+    const int k = __builtin_ctz((unsigned)reversed);
     double *at = group + k;
     branches *leaving = (branches *)(void *)(state + branches_at(law->n, i + k, at[AT(SPAN)]));
     int left = (int)at[AT(AHEAD)];
@@ -412,25 +414,25 @@ ED_INLINE void turn(const ed_menegotto_pinto *law, double *state, int i, int tur
     leaving->strain[left] = at[AT(FROM_STRAIN)];
     leaving->stress[left] = at[AT(FROM_STRESS)];
     leaving->span[left] = at[AT(SPAN)];
-    leaving->roundness[left] = at[AT(ROUNDNESS)];
+    leaving->exponent[left] = at[AT(EXPONENT)];
     at[AT(AHEAD)] = 0.0;
     at[AT(BEHIND)] = left + 1;
     at[AT(FROM_STRAIN)] = at[AT(STRAIN)];
     at[AT(FROM_STRESS)] = at[AT(STRESS)];
     at[AT(SPAN)] = span[k];
-    at[AT(ROUNDNESS)] = roundness[k];
+    at[AT(EXPONENT)] = exponent[k];
     at[AT(SAFE)] = span[k] > 0.0 ? FAR : -FAR;
   }
 }
 
 /* Fibres that meet, or may soon meet, a remembered branch. */
-ED_INLINE void settle(const ed_menegotto_pinto *law, double *state, int first, const double *strain, answer *a)
+ED_INLINE void update_bounds(const ed_menegotto_pinto *law, double *state, int first, const double *strain, chunk_response *a)
 {
   int listed[CHUNK], count[CHUNK];
   evaluations *list = &a->list;
   list->count = 0;
-  for (int j = 0; j < a->questions; j++) {
-    const question *q = &a->asked[j];
+  for (int j = 0; j < a->bounded_count; j++) {
+    const bounded_fibre *q = &a->bounded[j];
     const int i = first + q->fibre;
     double *at = state + fields_at(i);
     const branches *stack = (const branches *)(const void *)(state + branches_at(law->n, i, q->direction));
@@ -440,7 +442,7 @@ ED_INLINE void settle(const ed_menegotto_pinto *law, double *state, int first, c
       at[AT(FROM_STRAIN)] = stack->strain[q->governs];
       at[AT(FROM_STRESS)] = stack->stress[q->governs];
       at[AT(SPAN)] = stack->span[q->governs];
-      at[AT(ROUNDNESS)] = stack->roundness[q->governs];
+      at[AT(EXPONENT)] = stack->exponent[q->governs];
     }
     at[AT(AHEAD)] = count[j];
     const double to = strain[q->fibre], step = fabs(to - at[AT(STRAIN)]);
@@ -449,8 +451,8 @@ ED_INLINE void settle(const ed_menegotto_pinto *law, double *state, int first, c
       list_stack(list, stack, count[j], to + q->direction * HORIZON[h] * step);
   }
   evaluate(list);
-  for (int j = 0; j < a->questions; j++) {
-    const question *q = &a->asked[j];
+  for (int j = 0; j < a->bounded_count; j++) {
+    const bounded_fibre *q = &a->bounded[j];
     const int i = first + q->fibre;
     double *at = state + fields_at(i);
     const branches *stack = (const branches *)(const void *)(state + branches_at(law->n, i, q->direction));
@@ -463,14 +465,14 @@ ED_INLINE void settle(const ed_menegotto_pinto *law, double *state, int first, c
 ED_INLINE void commit_chunk(const ed_menegotto_pinto *law, double *state, int first, int count, const double *strain, double *dissipated)
 {
   double stress[CHUNK], tangent[CHUNK];
-  answer a;
+  chunk_response a;
   a.stress = stress;
   a.tangent = tangent;
   respond(law, state, first, count, strain, &a);
   for (int g = 0; g * ED_LANE_WIDTH < count; g++)
-    if (a.turned[g])
-      turn(law, state, first + g * ED_LANE_WIDTH, a.turned[g]);
-  settle(law, state, first, strain, &a);
+    if (a.reversed[g])
+      reverse(law, state, first + g * ED_LANE_WIDTH, a.reversed[g]);
+  update_bounds(law, state, first, strain, &a);
   for (int i = 0; i < count; i += ED_LANE_WIDTH) {
     double *at = state + fields_at(first + i);
     const ed_lanes strains = ED_LOAD(strain + i), before = ED_LOAD(at + AT(STRAIN));
