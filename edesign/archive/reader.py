@@ -62,6 +62,7 @@ class Archive:
         self._readable = 0
         self._fault = ""
         self._opened: Opened | None = None
+        self._closed = False
         try:
             self._check_file()
             self._state = _state(self.path)
@@ -153,6 +154,10 @@ class Archive:
 
         What is asked for must be so while the archive is open. Of an archive without a seal all is read at once,
         as only then the checksum of the group tells whether it is as it was written.
+
+        Raises:
+            ArchiveError: there is no such group, it is damaged, or a variable is asked for after the archive was
+                closed.
         """
         return self._found(path, self._view if self.sealed else self._tree.group)
 
@@ -160,6 +165,8 @@ class Archive:
         dims = self._tree.dimensions(place)
 
         def read(name: str) -> Variable:
+            if self._closed:
+                raise ArchiveError(f"{self.path}: {name} of {place} is asked for after the archive was closed")
             try:
                 return self._tree.variable(place, name, dims[name])
             except Damaged as error:
@@ -171,6 +178,7 @@ class Archive:
 
     def close(self) -> None:
         """Close the file."""
+        self._closed = True
         if self._opened is not None:
             self._opened.close()
 

@@ -11,7 +11,7 @@ from unit.archive.archive_samples import history_group
 
 from edesign.archive.dataset import Group, Variable
 from edesign.archive.hdf5 import CHUNK, chunk_shape
-from edesign.archive.reader import open_archive
+from edesign.archive.reader import DamagedArchive, open_archive
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.errors import ArchiveError
 
@@ -40,6 +40,14 @@ def test_read_back_is_bitwise_what_was_written(tmp_path: Path) -> None:
     assert read.attributes.keys() == group.attributes.keys()
     for name, value in group.attributes.items():
         np.testing.assert_equal(read.attributes[name], value)
+
+
+def test_a_view_of_a_closed_archive_is_no_damage(tmp_path: Path) -> None:
+    with open_archive(write(tmp_path / "a.h5", {"analyses/one": history_group()})) as archive:
+        view = archive.view("analyses/one")
+    with pytest.raises(ArchiveError, match="asked for after the archive was closed") as caught:
+        dict(view.variables)
+    assert not isinstance(caught.value, DamagedArchive)
 
 
 def test_a_view_reads_what_is_asked_for_and_has_the_same(tmp_path: Path) -> None:
