@@ -26,7 +26,7 @@ static void check_state(const member *m, const double *v)
     const ed_section *section = m->e.section[p];
     const double plastic_force = 0.02 * 275e6 * 1.5;
     ed_section_response r;
-    ed_section_trial(section, m->layers + m->e.layer_offset[p], point[0], point[1], &r);
+    ed_section_trial(section, m->layers + m->e.layer_offset[p], point[0], point[1], NULL, &r);
     CHECK_NEAR(r.N, q[0] + m->e.section_load[p][0], 1e-7 * plastic_force);
     CHECK_NEAR(r.M, (x - 1.0) * q[1] + x * q[2] + m->e.section_load[p][1], 1e-7 * plastic_force * section->depth);
     sum[0] += w * point[0];

@@ -75,7 +75,7 @@ static void check_order(const ed_steel *steels)
   CHECK_INT(ed_section_from_fibres(&first, n, y, area, material, steels), 1);
   double state[MOST_SECTION_STATE];
   ed_section_initialise(&first, state);
-  ed_section_commit(&first, state, 1e-3, 0.02);
+  ed_section_commit(&first, state, 1e-3, 0.02, NULL);
   for (int trial = 0; trial < 20; trial++) {
     shuffle(n, y, area, material, &source);
     ed_section other;
@@ -84,8 +84,8 @@ static void check_order(const ed_steel *steels)
     CHECK_SAME(other.y, first.y, first.n);
     CHECK_SAME(other.area, first.area, first.n);
     ed_section_response a, b;
-    ed_section_trial(&first, state, -2e-4, -0.01, &a);
-    ed_section_trial(&other, state, -2e-4, -0.01, &b);
+    ed_section_trial(&first, state, -2e-4, -0.01, NULL, &a);
+    ed_section_trial(&other, state, -2e-4, -0.01, NULL, &b);
     CHECK_SAME(&b.N, &a.N, 5); /* N, M, k11, k12, k22 */
     ed_section_free(&other);
   }

@@ -46,7 +46,7 @@ static void check_kernel(const ed_steel *steels)
     memcpy(state, plastic, (size_t)n * sizeof *state);
     const double e0 = next_number(&source, -2.0, 2.0) * YIELD, kappa = next_number(&source, -2.0, 2.0) * YIELD / DEPTH;
     ed_section_response got;
-    ed_section_trial(&section, state, e0, kappa, &got);
+    ed_section_trial(&section, state, e0, kappa, NULL, &got);
     const ed_section_response expected = sum_of_fibres(n, y, area, material, steels, plastic, e0, kappa);
     double A = 0.0;
     for (int i = 0; i < n; i++)
@@ -68,7 +68,7 @@ static void check_elastic_bits(const ed_steel *steels)
   const double initial[3] = {section.k11, section.k12, section.k22};
   for (int i = -9; i <= 9; i++) {
     ed_section_response r;
-    ed_section_trial(&section, state, 0.05 * i * YIELD, 0.05 * i * YIELD / DEPTH, &r);
+    ed_section_trial(&section, state, 0.05 * i * YIELD, 0.05 * i * YIELD / DEPTH, NULL, &r);
     CHECK_INT(r.elastic, 1);
     CHECK_SAME(&r.k11, initial, 3);
   }
@@ -86,11 +86,11 @@ static void check_tangent(const ed_steel *steels, int flange, int web)
     const double e0 = next_number(&source, -3.0, 3.0) * YIELD, kappa = next_number(&source, -4.0, 4.0) * YIELD / DEPTH;
     const double h = 1e-6 * YIELD;
     ed_section_response r, plus[2], minus[2];
-    ed_section_trial(&section, state, e0, kappa, &r);
-    ed_section_trial(&section, state, e0 + h, kappa, &plus[0]);
-    ed_section_trial(&section, state, e0 - h, kappa, &minus[0]);
-    ed_section_trial(&section, state, e0, kappa + h / DEPTH, &plus[1]);
-    ed_section_trial(&section, state, e0, kappa - h / DEPTH, &minus[1]);
+    ed_section_trial(&section, state, e0, kappa, NULL, &r);
+    ed_section_trial(&section, state, e0 + h, kappa, NULL, &plus[0]);
+    ed_section_trial(&section, state, e0 - h, kappa, NULL, &minus[0]);
+    ed_section_trial(&section, state, e0, kappa + h / DEPTH, NULL, &plus[1]);
+    ed_section_trial(&section, state, e0, kappa - h / DEPTH, NULL, &minus[1]);
     /* one layer at its yield point within h spoils the difference: seen as tangents that differ at the two sides */
     int same = 1;
     for (int i = 0; i < 2; i++)
@@ -104,7 +104,7 @@ static void check_tangent(const ed_steel *steels, int flange, int web)
       CHECK_NEAR((plus[1].N - minus[1].N) * DEPTH / (2.0 * h), r.k12, 1e-6 * section.k11 * DEPTH);
       CHECK_NEAR((plus[1].M - minus[1].M) * DEPTH / (2.0 * h), r.k22, 1e-6 * section.k11 * DEPTH * DEPTH);
     }
-    ed_section_commit(&section, state, e0, kappa);
+    ed_section_commit(&section, state, e0, kappa, NULL);
   }
   CHECK(smooth > 0.9 * tried);
   ed_section_free(&section);
@@ -128,7 +128,7 @@ static void check_moment_curvature(const ed_steel *steels)
   for (int i = 1; i <= 20; i++) {
     const double ratio = 0.5 * i;
     ed_section_response r;
-    ed_section_trial(&section, state, 0.0, ratio * kappa_y, &r);
+    ed_section_trial(&section, state, 0.0, ratio * kappa_y, NULL, &r);
     const double expected = ratio <= 1.0 ? ratio : 1.5 - 0.5 / (ratio * ratio);
     CHECK_NEAR(r.M, expected * yield_moment, 2e-6 * yield_moment); /* midpoint rule: 2 / N^2 */
     CHECK_NEAR(r.N, 0.0, 1e-12 * FY * width * height);
@@ -150,9 +150,9 @@ static void check_energy(const ed_steel *steels, int flange, int web)
       const double next_e = YIELD * (turns[t - 1][0] + s * (turns[t][0] - turns[t - 1][0]));
       const double next_k = YIELD / DEPTH * (turns[t - 1][1] + s * (turns[t][1] - turns[t - 1][1]));
       ed_section_response r;
-      ed_section_trial(&section, state, next_e, next_k, &r);
+      ed_section_trial(&section, state, next_e, next_k, NULL, &r);
       work += 0.5 * ((r.N + last.N) * (next_e - e0) + (r.M + last.M) * (next_k - kappa));
-      dissipated += ed_section_commit(&section, state, next_e, next_k);
+      dissipated += ed_section_commit(&section, state, next_e, next_k, NULL);
       e0 = next_e;
       kappa = next_k;
       last = r;
@@ -172,16 +172,56 @@ static void check_energy(const ed_steel *steels, int flange, int web)
   ed_section_free(&section);
 }
 
+/* Within the reach of a trial forces follow the tangent, to 1e-12 of yield in each layer; a commit there by the trial's record leaves the
+ * stresses of one that evaluates every layer. */
+static void check_reach(const ed_steel *steels, int flange, int web, double shortest)
+{
+  numbers source = {5};
+  ed_section section = i_section(steels, flange, web);
+  double state[MOST_SECTION_STATE], evaluated[MOST_SECTION_STATE], record[MOST_SECTION_STATE], e0 = 0.0, kappa = 0.0, force = 0.0;
+  double longest = 0.0;
+  for (int i = 0; i < section.n; i++)
+    force += section.area[i] * section.steel[i]->E * YIELD;
+  ed_section_initialise(&section, state);
+  for (int i = 0; i < 500; i++) {
+    e0 += next_number(&source, -0.3, 0.3) * YIELD;
+    kappa += next_number(&source, -1.0, 1.0) * YIELD / DEPTH;
+    ed_section_response r, there;
+    ed_section_trial(&section, state, e0, kappa, record, &r);
+    const double reach = fmin(r.reach, YIELD); /* without yielding nothing ends it */
+    const double part = next_number(&source, -1.0, 1.0), de = part * reach, dk = (1.0 - fabs(part)) * reach / section.depth;
+    longest = fmax(longest, reach);
+    ed_section_trial(&section, state, e0 + de, kappa + dk, NULL, &there);
+    /* layers of a stress of up to 1.3 times yield, sums of some 20 of them */
+    CHECK_NEAR(there.N, r.N + r.k11 * de + r.k12 * dk, 2e-12 * force);
+    CHECK_NEAR(there.M, r.M + r.k12 * de + r.k22 * dk, 2e-12 * force * section.depth);
+    e0 += de;
+    kappa += dk;
+    memcpy(evaluated, state, (size_t)section.state_size * sizeof *state);
+    const double dissipated = ed_section_commit(&section, evaluated, e0, kappa, NULL);
+    CHECK_NEAR(ed_section_commit(&section, state, e0, kappa, record), dissipated, 1e-11 * force * YIELD);
+    for (int layer = 0; layer < section.n; layer++) {
+      double stress, expected, strain;
+      ed_section_layer(&section, state, layer, e0, kappa, &stress, &strain);
+      ed_section_layer(&section, evaluated, layer, e0, kappa, &expected, &strain);
+      CHECK_NEAR(stress, expected, 2e-12 * FY);
+    }
+    memcpy(state, evaluated, (size_t)section.state_size * sizeof *state);
+  }
+  CHECK(longest > shortest * YIELD);
+  ed_section_free(&section);
+}
+
 static void check_elastic_section(void)
 {
   ed_section section;
   ed_section_response r;
   ed_section_elastic(&section, 3e9, 5e7);
-  ed_section_trial(&section, NULL, 1e-3, -2e-3, &r);
+  ed_section_trial(&section, NULL, 1e-3, -2e-3, NULL, &r);
   CHECK(r.N == 3e9 * 1e-3 && r.M == 5e7 * -2e-3 && r.k11 == 3e9 && r.k12 == 0.0 && r.k22 == 5e7 && r.elastic);
   CHECK_INT(section.state_size, 0);
   CHECK_NEAR(ed_section_stored(&section, NULL, 1e-3, -2e-3), 0.5 * (3e9 * 1e-6 + 5e7 * 4e-6), 1e-9);
-  CHECK(ed_section_commit(&section, NULL, 1e-3, -2e-3) == 0.0);
+  CHECK(ed_section_commit(&section, NULL, 1e-3, -2e-3, NULL) == 0.0);
   ed_section_free(&section);
 }
 
@@ -199,6 +239,9 @@ int main(void)
   check_energy(steels, 0, 0);
   check_energy(steels, 1, 2);
   check_energy(steels, 3, 1);
+  check_reach(steels, 0, 1, 1e-3); /* to the nearest kink */
+  check_reach(steels, 3, 3, 1e-7); /* sqrt(1e-12) over the bend */
+  check_reach(steels, 3, 1, 1e-7);
   check_elastic_section();
   return checks_end("section response");
 }

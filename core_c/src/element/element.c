@@ -109,6 +109,22 @@ int ed_element_block_size(const ed_element *e)
   return e->kind == ED_FIBRE_BEAM ? ED_BLOCK_POINTS + e->points * ED_POINT_SIZE : ED_BLOCK_POINTS;
 }
 
+int ed_element_record_size(const ed_element *e)
+{
+  int size = 0;
+  for (int p = 0; p < e->points; p++)
+    size += e->section[p]->record_size;
+  return size;
+}
+
+void ed_element_place_records(ed_element *e, double *records)
+{
+  for (int p = 0; p < e->points; p++) {
+    e->record[p] = e->section[p]->record_size ? records : NULL;
+    records += e->section[p]->record_size;
+  }
+}
+
 int ed_element_layer_size(const ed_element *e)
 {
   if (e->kind == ED_TRUSS)
@@ -256,8 +272,10 @@ double ed_element_commit(const ed_element *e, double *block, double *layers)
     double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
     if (point[ED_POINT_ELASTIC] != 0.0 && !e->section[p]->curved)
       continue; /* no layer yields: nothing to remember */
+    const double *record = point[ED_POINT_REACH] > 0.0 ? e->record[p] : NULL; /* 0: no trial since the last commit */
     block[ED_BLOCK_INELASTIC] = point[ED_POINT_INELASTIC] = 1.0;
-    dissipated += e->weight[p] * ed_section_commit(e->section[p], layers + e->layer_offset[p], point[0], point[1]);
+    point[ED_POINT_REACH] = 0.0;
+    dissipated += e->weight[p] * ed_section_commit(e->section[p], layers + e->layer_offset[p], point[0], point[1], record);
   }
   return dissipated;
 }

@@ -28,6 +28,7 @@ typedef struct {
   int state;                     /* offset of the block */
   int layers;                    /* offset of the layers' state */
   int layer_offset[ED_MAX_POINTS];
+  double *record[ED_MAX_POINTS]; /* of the last trial of a section, for its commit; NULL: none kept */
   /* loads at the present factors */
   double section_load[ED_MAX_POINTS][2]; /* N, M */
   double end_load[3];            /* reactions: axial i, transverse i, transverse j */
@@ -43,13 +44,15 @@ typedef struct {
 
 /* Offsets in the block. */
 enum { ED_BLOCK_V = 0, ED_BLOCK_Q = 3, ED_BLOCK_K = 6, ED_BLOCK_REFERENCE = 12, ED_BLOCK_INELASTIC = 13, ED_BLOCK_POINTS = 14 };
-/* a point: e0 kappa, N M, k11 k12 k22, elastic in this trial, some layer has yielded before */
-enum { ED_POINT_E = 0, ED_POINT_S = 2, ED_POINT_K = 4, ED_POINT_ELASTIC = 7, ED_POINT_INELASTIC = 8, ED_POINT_SIZE = 9 };
+/* a point: e0 kappa, N M, k11 k12 k22, elastic in this trial, some layer has yielded before, what is left of the reach of its tangent */
+enum { ED_POINT_E = 0, ED_POINT_S = 2, ED_POINT_K = 4, ED_POINT_ELASTIC = 7, ED_POINT_INELASTIC = 8, ED_POINT_REACH = 9, ED_POINT_SIZE = 10 };
 
 /* 0: its length or stiffness is not a finite number. */
 int ed_element_setup(ed_element *element, const ed_model *model, int index);
 int ed_element_block_size(const ed_element *element);
 int ed_element_layer_size(const ed_element *element);
+int ed_element_record_size(const ed_element *element);
+void ed_element_place_records(ed_element *element, double *records);
 void ed_element_initialise(const ed_element *element, double *block, double *layers);
 
 void ed_element_clear_loads(ed_element *element);

@@ -63,9 +63,20 @@ static inline int invert_flexibility(const ed_element *e, const double *F, doubl
   return 1;
 }
 
-static inline void respond(const ed_element *e, int p, const double *layers, double *point, int fast)
+/* Moves a section by (de, dk); the return is 1 where its forces follow the tangent that far, so that its layers need not be asked. */
+static inline int respond(const ed_element *e, int p, const double *layers, double *point, double de, double dk, int fast)
 {
   const ed_section *section = e->section[p];
+  point[0] += de;
+  point[1] += dk;
+  const double change = fabs(de) + section->depth * fabs(dk);
+  if (fast && change <= point[ED_POINT_REACH]) {
+    const double *k = point + ED_POINT_K;
+    point[ED_POINT_S] += k[0] * de + k[1] * dk;
+    point[ED_POINT_S + 1] += k[1] * de + k[2] * dk;
+    point[ED_POINT_REACH] -= change;
+    return 1;
+  }
   /* a section that never yielded and provably does not yield now needs no layers */
   if (fast && point[ED_POINT_INELASTIC] == 0.0 &&
       fabs(point[0]) + section->depth * fabs(point[1]) < section->yield_strain) {
@@ -75,16 +86,19 @@ static inline void respond(const ed_element *e, int p, const double *layers, dou
     point[ED_POINT_K + 1] = section->k12;
     point[ED_POINT_K + 2] = section->k22;
     point[ED_POINT_ELASTIC] = 1.0;
-    return;
+    point[ED_POINT_REACH] = 0.0;
+    return 0;
   }
   ed_section_response r;
-  ed_section_trial(section, layers + e->layer_offset[p], point[0], point[1], &r);
+  ed_section_trial(section, layers + e->layer_offset[p], point[0], point[1], e->record[p], &r);
   point[ED_POINT_S] = r.N;
   point[ED_POINT_S + 1] = r.M;
   point[ED_POINT_K] = r.k11;
   point[ED_POINT_K + 1] = r.k12;
   point[ED_POINT_K + 2] = r.k22;
   point[ED_POINT_ELASTIC] = r.elastic;
+  point[ED_POINT_REACH] = r.reach;
+  return 0;
 }
 
 /* Slope of the potential of the sections along a step that keeps compatibility; q drops out but for rounding. */
@@ -132,6 +146,7 @@ static int elastic_shortcut(const ed_element *e, const double *v, double *block)
     point[ED_POINT_K + 1] = e->section[p]->k12;
     point[ED_POINT_K + 2] = e->section[p]->k22;
     point[ED_POINT_ELASTIC] = 1.0;
+    point[ED_POINT_REACH] = 0.0;
   }
   return 1;
 }
@@ -147,6 +162,7 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
   double *q = block + ED_BLOCK_Q, *K = block + ED_BLOCK_K, *points = block + ED_BLOCK_POINTS;
   double f[ED_MAX_POINTS][3], unbalance[ED_MAX_POINTS][2], step[ED_MAX_POINTS][2];
   memcpy(block + ED_BLOCK_V, v, 3 * sizeof *v);
+  int linear = 1; /* K is that of the sections as they are */
 
   for (int iteration = 0;; iteration++) {
     double F[6] = {0};
@@ -173,7 +189,7 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       correction[0] += w * de;
       correction[1] += (x - 1.0) * w * dk;
       correction[2] += x * w * dk;
-      if (!elastic)
+      if (!linear && !elastic)
         add_flexibility(F, f[p], x, w);
       /* measured with the elastic flexibility: the softened one would magnify rounding */
       const double *f0 = e->inverse[p];
@@ -191,10 +207,12 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       return ED_E_NOT_FINITE;
     if (level < block[ED_BLOCK_REFERENCE])
       level = block[ED_BLOCK_REFERENCE];
-    if (elastic)
-      memcpy(K, e->stiffness, sizeof e->stiffness);
-    else if (!invert_flexibility(e, F, K))
-      return ED_E_ELEMENT;
+    if (!linear) {
+      if (elastic)
+        memcpy(K, e->stiffness, sizeof e->stiffness);
+      else if (!invert_flexibility(e, F, K))
+        return ED_E_ELEMENT;
+    }
     if (iteration > 0 && energy <= control->tolerance * level) {
       block[ED_BLOCK_REFERENCE] = level;
       return ED_OK;
@@ -204,6 +222,7 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
     control->iterations++;
 
     double dq[3], slope = 0.0;
+    linear = 1;
     ed_sym3_times(K, missing, dq);
     for (int i = 0; i < 3; i++)
       q[i] += dq[i];
@@ -215,9 +234,7 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       step[p][0] = f[p][0] * N + f[p][1] * M;
       step[p][1] = f[p][1] * N + f[p][2] * M;
       slope -= e->weight[p] * (unbalance[p][0] * step[p][0] + unbalance[p][1] * step[p][1]);
-      point[0] += step[p][0];
-      point[1] += step[p][1];
-      respond(e, p, layers, point, control->fast_elastic);
+      linear &= respond(e, p, layers, point, step[p][0], step[p][1], control->fast_elastic);
     }
     if (iteration == 0)
       continue;
@@ -238,9 +255,7 @@ int ed_fibre_beam_update(const ed_element *e, const double *v, const double *lay
       const double next = fmin(fmax(secant, low + 0.1 * width), high - 0.1 * width);
       for (int p = 0; p < e->points; p++) {
         double *point = points + p * ED_POINT_SIZE;
-        point[0] += (next - taken) * step[p][0];
-        point[1] += (next - taken) * step[p][1];
-        respond(e, p, layers, point, control->fast_elastic);
+        linear &= respond(e, p, layers, point, (next - taken) * step[p][0], (next - taken) * step[p][1], control->fast_elastic);
       }
       taken = next;
     }

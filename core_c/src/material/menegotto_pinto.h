@@ -27,12 +27,13 @@ void ed_menegotto_pinto_initialise(const ed_menegotto_pinto *law, double *state)
 /* Whether the branches that a state remembers may be so many. */
 int ed_menegotto_pinto_valid(int n, const double *state);
 /* Stress and tangent of the fibres `first` to first + count, multiples of ED_LANE_WIDTH; arrays of count. The return is 1 when all
- * respond elastically. */
+ * respond elastically. Strains may change by `reach` before a stress leaves its tangent by more than 1e-9 of yield. */
 int ed_menegotto_pinto_trial(const ed_menegotto_pinto *law, const double *state, int first, int count,
-                             const double *strain, double *stress, double *tangent);
-/* Moves the fibres to `strain`; `dissipated` a unit volume on the way. */
+                             const double *strain, double *stress, double *tangent, double *reach);
+/* Moves the fibres to `strain`, where a trial found `stress`, or follows from it within reach; fibres that come near remembered branches
+ * are evaluated anew. `dissipated`: a unit volume, on the way. */
 void ed_menegotto_pinto_commit(const ed_menegotto_pinto *law, double *state, int first, int count, const double *strain,
-                               double *dissipated);
+                               double *stress, double *dissipated);
 /* The committed stress of a fibre. */
 double ed_menegotto_pinto_stress(const double *state, int fibre);
 

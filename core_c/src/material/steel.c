@@ -65,10 +65,10 @@ int ed_steel_trial(const ed_steel *steel, const double *state, double strain, do
 {
   if (steel->law == ED_MENEGOTTO_PINTO) {
     alone fibre;
-    double strains[ED_LANE_WIDTH], stresses[ED_LANE_WIDTH], tangents[ED_LANE_WIDTH];
+    double strains[ED_LANE_WIDTH], stresses[ED_LANE_WIDTH], tangents[ED_LANE_WIDTH], reach;
     set_alone(&fibre, steel);
     repeat(strains, strain);
-    const int elastic = ed_menegotto_pinto_trial(&fibre.law, state, 0, ED_LANE_WIDTH, strains, stresses, tangents);
+    const int elastic = ed_menegotto_pinto_trial(&fibre.law, state, 0, ED_LANE_WIDTH, strains, stresses, tangents, &reach);
     *stress = stresses[0];
     *tangent = tangents[0];
     return elastic;
@@ -83,10 +83,11 @@ double ed_steel_commit(const ed_steel *steel, double *state, double strain)
 {
   if (steel->law == ED_MENEGOTTO_PINTO) {
     alone fibre;
-    double strains[ED_LANE_WIDTH], dissipated[ED_LANE_WIDTH];
+    double strains[ED_LANE_WIDTH], stresses[ED_LANE_WIDTH], tangents[ED_LANE_WIDTH], dissipated[ED_LANE_WIDTH], reach;
     set_alone(&fibre, steel);
     repeat(strains, strain);
-    ed_menegotto_pinto_commit(&fibre.law, state, 0, ED_LANE_WIDTH, strains, dissipated);
+    ed_menegotto_pinto_trial(&fibre.law, state, 0, ED_LANE_WIDTH, strains, stresses, tangents, &reach);
+    ed_menegotto_pinto_commit(&fibre.law, state, 0, ED_LANE_WIDTH, strains, stresses, dissipated);
     return dissipated[0];
   }
   double stress, flow;

@@ -14,7 +14,7 @@ typedef struct {
 
 enum {
   ED_BILINEAR_STATE = 1,        /* plastic strain */
-  ED_MENEGOTTO_PINTO_STATE = 43
+  ED_MENEGOTTO_PINTO_STATE = 44
 };
 
 /* Doubles of state that a fibre of its own keeps. */

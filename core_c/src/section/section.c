@@ -13,6 +13,11 @@ typedef struct {
   int material;
 } fibre;
 
+static const double FAR = 1e300; /* strain: no limit */
+
+/* A record of curved layers: where they were evaluated, then n_padded stresses and tangents. */
+enum { RECORD_E0, RECORD_KAPPA, RECORD_LAYERS };
+
 static int by_depth(const void *left, const void *right)
 {
   const fibre *a = left, *b = right;
@@ -106,11 +111,13 @@ int ed_section_from_fibres(ed_section *section, int n, const double *y, const do
       continue;
     section->steel[i] = steel;
     section->depth = fmax(section->depth, fabs(depth));
+    section->stiffest = fmax(section->stiffest, steel->E);
     section->yield_strain = fmin(section->yield_strain, steel->law == ED_ELASTIC ? HUGE_VAL : steel->fy / steel->E);
     if (curved)
       section->yield_strain = 0.0; /* its curve is never straight */
   }
   free(fibres);
+  section->record_size = section->curved ? RECORD_LAYERS + 2 * padded : 0;
   section->state_size = (section->straight ? padded : 0) + (section->curved ? padded * ED_MENEGOTTO_PINTO_STATE : 0);
   /* the same sums as the kernels', so that an elastic answer equals the initial stiffness bit for bit */
   double *state = malloc((size_t)section->state_size * sizeof *state);
@@ -120,7 +127,7 @@ int ed_section_from_fibres(ed_section *section, int n, const double *y, const do
   }
   ed_section_initialise(section, state);
   ed_section_response response;
-  ed_section_trial(section, state, 0.0, 0.0, &response);
+  ed_section_trial(section, state, 0.0, 0.0, NULL, &response);
   free(state);
   section->k11 = response.k11;
   section->k12 = response.k12;
@@ -154,6 +161,7 @@ _Static_assert(ED_LANES == 2 * HALF, "two vectors a group");
 
 typedef struct {
   lanes N, M, k11, k12, k22;
+  lanes margin; /* of stress, from yielding or to unloading */
   mask yielded;
 } half_sum;
 
@@ -175,6 +183,11 @@ ED_INLINE void add_layers(const ed_section *section, const double *plastic, doub
   add->k12 -= factor * ED_LOAD(section->EAy + i);
   add->k22 += factor * ED_LOAD(section->EAyy + i);
   add->yielded |= beyond;
+  lanes margin;
+  ed_lanes_size(&relative, &margin);
+  margin -= fy;
+  ed_lanes_size(&margin, &margin);
+  add->margin = ED_SELECT(margin < add->margin, margin, add->margin);
 }
 
 ED_INLINE double total(const lanes *low, const lanes *high)
@@ -199,11 +212,14 @@ ED_CLONES static void straight_trial(const ed_section *section, const double *pl
                                      ed_section_response *response)
 {
   half_sum low = {0}, high = {0};
+  low.margin = high.margin = low.N + FAR;
   for (int i = 0; i < section->n_padded; i += ED_LANES) {
     add_layers(section, plastic, e0, kappa, i, &low);
     add_layers(section, plastic, e0, kappa, i + HALF, &high);
   }
   sum_up(&low, &high, response);
+  const lanes margin = ED_SELECT(low.margin < high.margin, low.margin, high.margin);
+  response->reach = fmin(fmin(margin[0], margin[1]), fmin(margin[2], margin[3])) / section->stiffest;
   const mask any = low.yielded | high.yielded;
   response->elastic = !ED_ANY(any);
 }
@@ -233,16 +249,24 @@ ED_INLINE void add_curved(const ed_section *section, const double *stress, const
 }
 
 /* Layers of Menegotto-Pinto's law. */
-ED_CLONES static void curved_trial(const ed_section *section, const double *state, double e0, double kappa,
+ED_CLONES static void curved_trial(const ed_section *section, const double *state, double e0, double kappa, double *record,
                                    ed_section_response *response)
 {
   half_sum low = {0}, high = {0};
   int elastic = 1;
+  double reach = FAR;
+  if (record) {
+    record[RECORD_E0] = e0;
+    record[RECORD_KAPPA] = kappa;
+  }
   for (int first = 0; first < section->n_padded; first += CHUNK) {
-    double strain[CHUNK], stress[CHUNK], tangent[CHUNK];
+    double strain[CHUNK], unrecorded[2][CHUNK], part;
+    double *const stress = record ? record + RECORD_LAYERS + first : unrecorded[0];
+    double *const tangent = record ? stress + section->n_padded : unrecorded[1];
     const int count = chunk_at(section, first);
     strains_of(section, first, count, e0, kappa, strain);
-    elastic &= ed_menegotto_pinto_trial(&section->menegotto_pinto, state, first, count, strain, stress, tangent);
+    elastic &= ed_menegotto_pinto_trial(&section->menegotto_pinto, state, first, count, strain, stress, tangent, &part);
+    reach = fmin(reach, part);
     for (int i = 0; i < count; i += ED_LANES) {
       add_curved(section, stress, tangent, first, i, &low);
       add_curved(section, stress, tangent, first, i + HALF, &high);
@@ -250,13 +274,14 @@ ED_CLONES static void curved_trial(const ed_section *section, const double *stat
   }
   sum_up(&low, &high, response);
   response->elastic = elastic;
+  response->reach = reach;
 }
 
-void ed_section_trial(const ed_section *section, const double *state, double e0, double kappa,
+void ed_section_trial(const ed_section *section, const double *state, double e0, double kappa, double *record,
                       ed_section_response *response)
 {
   if (section->elastic) {
-    *response = (ed_section_response){section->k11 * e0, section->k22 * kappa, section->k11, 0.0, section->k22, 1};
+    *response = (ed_section_response){section->k11 * e0, section->k22 * kappa, section->k11, 0.0, section->k22, 1, FAR};
     return;
   }
   if (section->straight)
@@ -264,7 +289,7 @@ void ed_section_trial(const ed_section *section, const double *state, double e0,
   if (!section->curved)
     return;
   ed_section_response curved;
-  curved_trial(section, curved_state(section, state), e0, kappa, &curved);
+  curved_trial(section, curved_state(section, state), e0, kappa, record, &curved);
   if (!section->straight) {
     *response = curved;
     return;
@@ -275,22 +300,45 @@ void ed_section_trial(const ed_section *section, const double *state, double e0,
   response->k12 += curved.k12;
   response->k22 += curved.k22;
   response->elastic &= curved.elastic;
+  response->reach = fmin(response->reach, curved.reach);
 }
 
-double ed_section_commit(const ed_section *section, double *state, double e0, double kappa)
+/* Stresses of curved layers first to first + count at (e0, kappa), from a record within reach. */
+ED_INLINE void recorded_stresses(const ed_section *section, const double *record, int first, int count, double e0, double kappa,
+                                 double *stress)
 {
-  double energy = 0.0;
+  const double *recorded = record + RECORD_LAYERS + first, *tangent = recorded + section->n_padded;
+  strains_of(section, first, count, e0 - record[RECORD_E0], kappa - record[RECORD_KAPPA], stress);
+  for (int i = 0; i < count; i += HALF)
+    ED_STORE(stress + i, ED_LOAD(recorded + i) + ED_LOAD(tangent + i) * ED_LOAD(stress + i));
+}
+
+ED_CLONES static double curved_commit(const ed_section *section, double *state, double e0, double kappa, const double *record)
+{
+  lanes low = {0}, high = {0};
+  for (int first = 0; first < section->n_padded; first += CHUNK) {
+    double strain[CHUNK], stress[CHUNK], tangent[CHUNK], dissipated[CHUNK], reach;
+    const int count = chunk_at(section, first);
+    strains_of(section, first, count, e0, kappa, strain);
+    if (record)
+      recorded_stresses(section, record, first, count, e0, kappa, stress);
+    else
+      ed_menegotto_pinto_trial(&section->menegotto_pinto, state, first, count, strain, stress, tangent, &reach);
+    ed_menegotto_pinto_commit(&section->menegotto_pinto, state, first, count, strain, stress, dissipated);
+    for (int i = 0; i < count; i += ED_LANES) {
+      low += ED_LOAD(section->curved_area + first + i) * ED_LOAD(dissipated + i);
+      high += ED_LOAD(section->curved_area + first + i + HALF) * ED_LOAD(dissipated + i + HALF);
+    }
+  }
+  return total(&low, &high);
+}
+
+double ed_section_commit(const ed_section *section, double *state, double e0, double kappa, const double *record)
+{
+  double energy = section->curved ? curved_commit(section, curved_state(section, state), e0, kappa, record) : 0.0;
   for (int i = 0; i < section->n && section->straight; i++)
     if (section->steel[i]->law != ED_MENEGOTTO_PINTO)
       energy += section->area[i] * ed_steel_commit(section->steel[i], state + i, e0 - kappa * section->y[i]);
-  for (int first = 0; first < section->n_padded && section->curved; first += CHUNK) {
-    double strain[CHUNK], dissipated[CHUNK];
-    const int count = chunk_at(section, first);
-    strains_of(section, first, count, e0, kappa, strain);
-    ed_menegotto_pinto_commit(&section->menegotto_pinto, curved_state(section, state), first, count, strain, dissipated);
-    for (int i = 0; i < count; i++)
-      energy += section->curved_area[first + i] * dissipated[i];
-  }
   return energy;
 }
 
@@ -321,8 +369,8 @@ void ed_section_layer(const ed_section *section, const double *state, int layer,
     return;
   }
   const int first = layer / HALF * HALF;
-  double strains[HALF], stresses[HALF], tangents[HALF];
+  double strains[HALF], stresses[HALF], tangents[HALF], reach;
   strains_of(section, first, HALF, e0, kappa, strains);
-  ed_menegotto_pinto_trial(&section->menegotto_pinto, curved_state(section, state), first, HALF, strains, stresses, tangents);
+  ed_menegotto_pinto_trial(&section->menegotto_pinto, curved_state(section, state), first, HALF, strains, stresses, tangents, &reach);
   *stress = stresses[layer - first];
 }

@@ -12,6 +12,7 @@ typedef struct {
   double N, M;
   double k11, k12, k22; /* dN/de0, dN/dkappa = dM/de0, dM/dkappa */
   int elastic;          /* no layer yields: the tangent is the initial one */
+  double reach;         /* change of strain of any layer up to which no stress leaves its tangent by more than 1e-9 of yield */
 } ed_section_response;
 
 /* Each kind of law is evaluated over all layers, where those of another law have no area. */
@@ -22,8 +23,10 @@ typedef struct {
   int straight;         /* some laws are bilinear or elastic */
   int curved;           /* some laws are Menegotto-Pinto's */
   int state_size;       /* doubles a section of this kind keeps */
+  int record_size;      /* doubles of a trial that its commit can use; 0: none */
   double k11, k12, k22; /* initial stiffness */
   double depth;         /* largest |y| */
+  double stiffest;      /* largest E of the layers */
   double yield_strain;  /* smallest of the layers; 0 where a law is never straight */
   const ed_steel **steel; /* n */
   double *y, *area;     /* n_padded; padding has area 0 */
@@ -45,10 +48,12 @@ void ed_section_initialise(const ed_section *section, double *state);
 /* Whether the layers may be in this state of finite numbers. */
 int ed_section_state_valid(const ed_section *section, const double *state);
 
-void ed_section_trial(const ed_section *section, const double *state, double e0, double kappa,
+/* `record`: what a commit can use, or NULL. */
+void ed_section_trial(const ed_section *section, const double *state, double e0, double kappa, double *record,
                       ed_section_response *response);
-/* Moves the layers to (e0, kappa); the return is the energy a unit length dissipated. */
-double ed_section_commit(const ed_section *section, double *state, double e0, double kappa);
+/* Moves the layers to (e0, kappa); the return is the energy a unit length dissipated. `record`: of a trial from this state within whose
+ * reach (e0, kappa) is, or NULL. */
+double ed_section_commit(const ed_section *section, double *state, double e0, double kappa, const double *record);
 /* Recoverable energy a unit length at (e0, kappa), to which the state has been committed. */
 double ed_section_stored(const ed_section *section, const double *state, double e0, double kappa);
 void ed_section_layer(const ed_section *section, const double *state, int layer, double e0, double kappa,

@@ -123,6 +123,7 @@ struct ed_analysis {
   double *layers;
   int layer_size;
   double *layers_backup, *block_backup;
+  double *records;               /* of the trials of sections, for their commits */
   int *device_block;             /* per device: offset of its block */
   double *displacement;          /* over all degrees, at the trial state */
   double *resisting;             /* over all degrees, at the trial state */

@@ -33,13 +33,14 @@ static void point_into(ed_state *state, double *block, const ed_analysis *a)
 
 int ed_state_allocate(ed_analysis *a)
 {
-  long blocks = 0, layers = 0, devices = 0; /* offsets are whole numbers of 32 bits */
+  long blocks = 0, layers = 0, records = 0, devices = 0; /* offsets are whole numbers of 32 bits */
   for (int m = 0; m < a->model->n_members; m++) {
     ed_element *e = &a->elements[m];
     e->state = (int)blocks;
     e->layers = (int)layers;
     blocks += ed_element_block_size(e);
     layers += ed_element_layer_size(e);
+    records += ed_element_record_size(e);
     if (blocks + layers > MOST_DOUBLES)
       return ED_E_MEMORY;
   }
@@ -62,14 +63,18 @@ int ed_state_allocate(ed_analysis *a)
   double *committed = calloc((size_t)a->state_size, sizeof *committed);
   a->block_backup = malloc((size_t)a->state_size * sizeof(double));
   a->layers = calloc((size_t)layers + 1, sizeof(double));
+  a->records = calloc((size_t)records + 1, sizeof(double));
   a->layers_backup = malloc(((size_t)layers + 1) * sizeof(double));
   point_into(&a->trial, trial, a);
   point_into(&a->committed, committed, a);
-  if (!trial || !committed || !a->block_backup || !a->layers || !a->layers_backup)
+  if (!trial || !committed || !a->block_backup || !a->layers || !a->layers_backup || !a->records)
     return ED_E_MEMORY;
+  double *next = a->records;
   for (int m = 0; m < a->model->n_members; m++) {
-    const ed_element *e = &a->elements[m];
+    ed_element *e = &a->elements[m];
     ed_element_initialise(e, a->trial.elements + e->state, a->layers + e->layers);
+    ed_element_place_records(e, next);
+    next += ed_element_record_size(e);
   }
   const int status = ed_devices_allocate(a);
   memcpy(a->committed.block, a->trial.block, (size_t)a->state_size * sizeof(double));
