@@ -119,7 +119,7 @@ static void check_slow_motion(void)
   }
   memset(r.state, 0, sizeof r.state);
   r.u = r.v = 0.0;
-  double trial[5], force, slope[2];
+  double trial[LARGEST_DAMPER_STATE], force, slope[2];
   CHECK_STATUS(ed_damper_step(r.damper, ED_DAMPER_BEST, 1e-6, r.state, h, 0.0, 0.0, 0.0, 0.0, trial, &force, slope), ED_OK);
   /* to the end velocity: 1/TAU integral of exp(-(h - s)/TAU) (3 s^2/h^2 - 2 s/h) ds by the moments of the exponential */
   const double first = h - TAU * reached, second = h * h - 2.0 * TAU * first;
@@ -225,11 +225,13 @@ static void check_complex_stiffness(int consistent)
 static void anywhere(rig *r, numbers *source, double h, double *u, double *v)
 {
   const double fastest = pow(10.0, next_number(source, 0.0, 2.3)), speeding = 25.0 * fastest;
-  r->state[0] = next_number(source, -30.0, 30.0);
-  r->state[1] = next_number(source, 0.0, 6.0);
-  r->state[2] = next_number(source, -6.0, 0.0);
-  r->state[3] = next_number(source, 0.0, fastest);
-  r->state[4] = next_number(source, -fastest, 0.0);
+  const double relaxing = next_number(source, -30.0, 30.0);
+  const double largest_u = next_number(source, 0.0, 6.0), smallest_u = next_number(source, -6.0, 0.0);
+  const double largest_v = next_number(source, 0.0, fastest), smallest_v = next_number(source, -fastest, 0.0);
+  const double been[] = {largest_u, smallest_u, largest_v, smallest_v};
+  CHECK_STATUS(ed_damper_been(r->damper, been), ED_OK);
+  ed_damper_start(r->damper, r->state);
+  r->state[0] = relaxing;
   r->u = next_number(source, r->state[2], r->state[1]);
   r->v = next_number(source, r->state[4], r->state[3]);
   *v = r->v + next_number(source, -1.0, 1.0) * fmin(speeding * h, fastest);
@@ -267,7 +269,7 @@ static void check_subdivision(int consistent)
 /* Force at the end of a step from where the rig is. */
 static double force_at(const rig *r, double h, double u, double v, double slope[2])
 {
-  double trial[5], force = NAN;
+  double trial[LARGEST_DAMPER_STATE], force = NAN;
   CHECK_STATUS(ed_damper_step(r->damper, ED_DAMPER_BEST, 1e-6, r->state, h, r->u, r->v, u, v, trial, &force, slope), ED_OK);
   return force;
 }
@@ -347,7 +349,7 @@ static void check_no_relaxation(int consistent)
 static void check_rest(void)
 {
   rig r = table_4_2(0);
-  double trial[5], force, slope[2];
+  double trial[LARGEST_DAMPER_STATE], force, slope[2];
   CHECK_STATUS(ed_damper_step(r.damper, ED_DAMPER_BEST, 1e-6, r.state, 0.01, 0.0, 0.0, 0.0, 0.0, trial, &force, slope), ED_OK);
   CHECK(force == 0.0);
   CHECK(isfinite(slope[0]) && isfinite(slope[1]) && slope[0] > 10.0);

@@ -8,7 +8,8 @@
  *   F = (k0 + k_mod) u + Q and Q + tau Q' = (c1 + c_mod) v + c_NL |v|^alpha sgn v             when consistent,
  *
  * the right-hand side G of Q depends on the path alone, so that Q follows by quadrature: Q(h) = Q(0) exp(-h/tau) + 1/tau integral
- * of exp(-(h - s)/tau) G(s) ds. State: Q, largest and smallest deformation, largest and smallest velocity. */
+ * of exp(-(h - s)/tau) G(s) ds. State: Q, largest and smallest deformation, largest and smallest velocity,
+ * k_mod and c_mod for these. */
 #include "damper/laws.h"
 #include "damper/mgmm_terms.h"
 #include "edcore.h"
@@ -107,9 +108,9 @@ static int still_step(const ed_mgmm_constants *law, const double *committed, con
                       double *trial, ed_damper_force *out)
 {
   const double *memory = committed + 1;
-  const double h = path->h, k = ed_mgmm_constant(&law->k_mod, memory[ED_LARGEST_U], memory[ED_SMALLEST_U]);
+  const double h = path->h, k = memory[ED_K_MOD];
   const double stiffness = law->relaxing * k, spring = law->k0 + (1.0 - law->relaxing) * k;
-  const double damping = law->c1 + ed_mgmm_constant(&law->c_mod, memory[ED_LARGEST_V], memory[ED_SMALLEST_V]);
+  const double damping = law->c1 + memory[ED_C_MOD];
   double moment[4], slope[2] = {0.0}, chord[2] = {0.0};
   moments(h / law->tau, moment);
   double relaxing = committed[0] * (1.0 - moment[0]) + relaxed(path, moment, stiffness, damping);
@@ -127,17 +128,14 @@ static int still_step(const ed_mgmm_constants *law, const double *committed, con
   return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;
 }
 
-/* Extremes after a path. */
-static void remember_path(const double *memory, const ed_path *path, double *after)
+/* What is remembered after a path. */
+static void remember_path(const ed_mgmm_constants *law, const double *memory, const ed_path *path, double *after)
 {
   ed_path velocity;
   ed_path_of_velocity(path, &velocity);
   const ed_running of_u = ed_extremes_along(ed_mgmm_extremes(memory, ED_LARGEST_U), path);
   const ed_running of_v = ed_extremes_along(ed_mgmm_extremes(memory, ED_LARGEST_V), &velocity);
-  after[ED_LARGEST_U] = of_u.largest;
-  after[ED_SMALLEST_U] = of_u.smallest;
-  after[ED_LARGEST_V] = of_v.largest;
-  after[ED_SMALLEST_V] = of_v.smallest;
+  ed_mgmm_remember(law, of_u, of_v, after);
 }
 
 /* Whether the moduli mind the extremes at all. */
@@ -152,9 +150,8 @@ static int instant_step(const ed_mgmm_constants *law, const double *memory, cons
 {
   const double h = path->h, u = ed_path_u(path, h), v = ed_path_v(path, h);
   double *after = trial + 1;
-  remember_path(memory, path, after);
-  const double k = ed_mgmm_constant(&law->k_mod, after[ED_LARGEST_U], after[ED_SMALLEST_U]);
-  const double c = law->c1 + ed_mgmm_constant(&law->c_mod, after[ED_LARGEST_V], after[ED_SMALLEST_V]);
+  remember_path(law, memory, path, after);
+  const double k = after[ED_K_MOD], c = law->c1 + after[ED_C_MOD];
   double steep, power = ed_power_now(&law->power, v, &steep);
   trial[0] = law->relaxing * k * u + c * v + law->c_nl * power;
   out->force = (law->k0 + (1.0 - law->relaxing) * k) * u + trial[0];
@@ -180,7 +177,7 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   if (resting || !softens(law)) {
     const int status = still_step(law, committed, path, direction, wanted, trial, out);
     if (!resting)
-      remember_path(memory, path, trial + 1);
+      remember_path(law, memory, path, trial + 1);
     return status;
   }
   ed_path velocity, along[2], velocity_along[2];
@@ -217,10 +214,7 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
     sum.value += law->c_nl * ed_power_integral(&law->power, &sum.path, sum.direction, slope, chord);
   const double relaxing = sum.value + committed[0] * exp(-h / law->tau), u = ed_path_u(&sum.path, length);
   trial[0] = relaxing;
-  trial[1 + ED_LARGEST_U] = extremes_u.largest;
-  trial[1 + ED_SMALLEST_U] = extremes_u.smallest;
-  trial[1 + ED_LARGEST_V] = extremes_v.largest;
-  trial[1 + ED_SMALLEST_V] = extremes_v.smallest;
+  ed_mgmm_remember(law, extremes_u, extremes_v, trial + 1);
   double along_u[2] = {0.0};
   for (int j = 0; wanted && j < 2; j++)
     along_u[j] = ed_path_u(&along[j], length);
@@ -265,19 +259,15 @@ static void rate(const ed_damper *damper, double u, double v, const double *y, c
 
 static void remember(const ed_damper *damper, double u, double v, const double *y, double *memory)
 {
-  (void)damper;
   (void)y;
-  const ed_running of_u = ed_extremes_with(ed_mgmm_extremes(memory, ED_LARGEST_U), u);
-  const ed_running of_v = ed_extremes_with(ed_mgmm_extremes(memory, ED_LARGEST_V), v);
-  memory[ED_LARGEST_U] = of_u.largest;
-  memory[ED_SMALLEST_U] = of_u.smallest;
-  memory[ED_LARGEST_V] = of_v.largest;
-  memory[ED_SMALLEST_V] = of_v.smallest;
+  ed_mgmm_remember(ed_mgmm_constants_of(damper), ed_extremes_with(ed_mgmm_extremes(memory, ED_LARGEST_U), u),
+                   ed_extremes_with(ed_mgmm_extremes(memory, ED_LARGEST_V), v), memory);
 }
 
 static void start(const ed_damper *damper, double *state)
 {
-  memcpy(state + 1, damper->been, sizeof damper->been);
+  const double *been = damper->been;
+  ed_mgmm_remember(ed_mgmm_constants_of(damper), ed_mgmm_extremes(been, ED_LARGEST_U), ed_mgmm_extremes(been, ED_LARGEST_V), state + 1);
 }
 
 /* At most 5 of the deformation and 3 of the velocity, which is quadratic. */

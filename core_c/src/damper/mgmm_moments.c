@@ -14,31 +14,12 @@ static const double OF_POWERS[4][ED_MOMENTS] = {
   {1.0 / 4.0, 3.0 / 20.0, -1.0 / 60.0, -11.0 / 140.0, -23.0 / 420.0, -1.0 / 36.0},
 };
 
-/* What the damper remembers, and its moduli as long as no extreme grows. */
-typedef struct {
-  double memory[ED_MGMM_MEMORY];
-  double k, c;
-} softened;
-
-static void settle(const ed_mgmm_constants *law, softened *now)
-{
-  now->k = ed_mgmm_constant(&law->k_mod, now->memory[ED_LARGEST_U], now->memory[ED_SMALLEST_U]);
-  now->c = ed_mgmm_constant(&law->c_mod, now->memory[ED_LARGEST_V], now->memory[ED_SMALLEST_V]);
-}
-
-static void extremes_of(softened *now, int largest, ed_running extremes)
-{
-  now->memory[largest] = extremes.largest;
-  now->memory[largest + 1] = extremes.smallest;
-}
-
 /* At rest at a first deformation, then at once at a first velocity. */
-static void begin(const ed_damper *damper, double u, double v, softened *now)
+static void begin(const ed_damper *damper, double u, double v, double *memory)
 {
-  memcpy(now->memory, damper->been, sizeof now->memory);
-  extremes_of(now, ED_LARGEST_U, ed_extremes_with(ed_mgmm_extremes(now->memory, ED_LARGEST_U), u));
-  extremes_of(now, ED_LARGEST_V, ed_extremes_with(ed_mgmm_extremes(now->memory, ED_LARGEST_V), v));
-  settle(ed_mgmm_constants_of(damper), now);
+  const double *been = damper->been;
+  ed_mgmm_remember(ed_mgmm_constants_of(damper), ed_extremes_with(ed_mgmm_extremes(been, ED_LARGEST_U), u),
+                   ed_extremes_with(ed_mgmm_extremes(been, ED_LARGEST_V), v), memory);
 }
 
 /* Moments of a path times a modulus; NULL: not wanted. */
@@ -50,26 +31,24 @@ static void constant_moments(double modulus, const ed_path *path, double *moment
 }
 
 /* The moments of k_mod u and c_mod v over one step; moves what is remembered to its end. */
-static int softened_moments(const ed_mgmm_constants *law, softened *now, const ed_path *path, double *spring, double *dashpot)
+static int softened_moments(const ed_mgmm_constants *law, double *memory, const ed_path *path, double *spring, double *dashpot)
 {
   ed_path velocity;
   ed_path_of_velocity(path, &velocity);
-  if (ed_mgmm_still(now->memory, path)) {
-    constant_moments(now->k, path, spring);
-    constant_moments(now->c, &velocity, dashpot);
+  if (ed_mgmm_still(memory, path)) {
+    constant_moments(memory[ED_K_MOD], path, spring);
+    constant_moments(memory[ED_C_MOD], &velocity, dashpot);
     return ED_OK;
   }
   ed_mgmm_sums sum = {.path = *path, .velocity = velocity, .moments = 1, .spring = spring, .dashpot = dashpot};
   ed_softening_piece of_u[ED_EXTREMES_PIECES], of_v[ED_EXTREMES_PIECES];
   ed_running after_u, after_v;
-  const int n_u = ed_softening_pieces(ed_mgmm_extremes(now->memory, ED_LARGEST_U), path, NULL, 0.0, of_u, &after_u);
-  const int n_v = ed_softening_pieces(ed_mgmm_extremes(now->memory, ED_LARGEST_V), &velocity, NULL, 0.0, of_v, &after_v);
+  const int n_u = ed_softening_pieces(ed_mgmm_extremes(memory, ED_LARGEST_U), path, NULL, 0.0, of_u, &after_u);
+  const int n_v = ed_softening_pieces(ed_mgmm_extremes(memory, ED_LARGEST_V), &velocity, NULL, 0.0, of_v, &after_v);
   of_u[n_u - 1].to = of_v[n_v - 1].to = path->h;
   if (!ed_mgmm_add_softened(law, &sum, of_u, of_v))
     return ED_E_NOT_FINITE;
-  extremes_of(now, ED_LARGEST_U, after_u);
-  extremes_of(now, ED_LARGEST_V, after_v);
-  settle(law, now);
+  ed_mgmm_remember(law, after_u, after_v, memory);
   return ED_OK;
 }
 
@@ -94,9 +73,9 @@ int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const do
     return status;
   const ed_mgmm_constants *law = ed_mgmm_constants_of(damper);
   ed_watch watch = ed_watch_of(&damper->stop);
-  softened now;
-  begin(damper, u[0], v[0], &now);
-  *held = now.k * u[0];
+  double memory[ED_MGMM_MEMORY];
+  begin(damper, u[0], v[0], memory);
+  *held = memory[ED_K_MOD] * u[0];
   if (!isfinite(*held))
     return ED_E_NOT_FINITE;
   const size_t size = ED_MOMENTS * ((size_t)n - 1) * sizeof(double);
@@ -110,7 +89,7 @@ int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const do
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
     status = isfinite(ed_path_u(&path, path.h)) ? ED_OK : ED_E_NOT_FINITE;
     if (status == ED_OK)
-      status = softened_moments(law, &now, &path, spring ? spring + at : NULL, dashpot ? dashpot + at : NULL);
+      status = softened_moments(law, memory, &path, spring ? spring + at : NULL, dashpot ? dashpot + at : NULL);
     if (status == ED_OK && ed_watch_step(&watch))
       status = ED_E_STOPPED;
     if (status != ED_OK) {

@@ -114,7 +114,17 @@ int ed_mgmm_still(const double *memory, const ed_path *path)
          (u0 > u1 ? u0 : u1) + over <= memory[ED_LARGEST_U] && (u0 < u1 ? u0 : u1) - over >= memory[ED_SMALLEST_U];
 }
 
-double ed_mgmm_constant(const ed_softening *law, double largest, double smallest)
+static double modulus(const ed_softening *law, ed_running extremes)
 {
-  return law->a * exp(-ed_extremes_mean((ed_running){largest, smallest}) / law->reference) + law->b;
+  return law->a * exp(-ed_extremes_mean(extremes) / law->reference) + law->b;
+}
+
+void ed_mgmm_remember(const ed_mgmm_constants *law, ed_running of_u, ed_running of_v, double *memory)
+{
+  memory[ED_LARGEST_U] = of_u.largest;
+  memory[ED_SMALLEST_U] = of_u.smallest;
+  memory[ED_LARGEST_V] = of_v.largest;
+  memory[ED_SMALLEST_V] = of_v.smallest;
+  memory[ED_K_MOD] = modulus(&law->k_mod, of_u);
+  memory[ED_C_MOD] = modulus(&law->c_mod, of_v);
 }

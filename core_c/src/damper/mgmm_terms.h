@@ -6,8 +6,8 @@
 #include "damper/power_integral.h"
 #include "damper/softening.h"
 
-/* Memory of the law. */
-enum { ED_LARGEST_U, ED_SMALLEST_U, ED_LARGEST_V, ED_SMALLEST_V, ED_MGMM_MEMORY };
+/* Memory of the law: extremes, and the moduli k_mod and c_mod that they leave as long as none grows. */
+enum { ED_LARGEST_U, ED_SMALLEST_U, ED_LARGEST_V, ED_SMALLEST_V, ED_K_MOD, ED_C_MOD, ED_MGMM_MEMORY };
 
 typedef struct {
   double tau, k0, c1, c_nl, alpha;
@@ -41,9 +41,9 @@ static inline ed_running ed_mgmm_extremes(const double *memory, int largest)
   return (ed_running){memory[largest], memory[largest + 1]};
 }
 
+void ed_mgmm_remember(const ed_mgmm_constants *law, ed_running of_u, ed_running of_v, double *memory);
+
 /* Whether no extreme grows over a step, so that both moduli are constant: by bounds of the cubic and its derivative. */
 int ed_mgmm_still(const double *memory, const ed_path *path);
-/* Such a modulus. */
-double ed_mgmm_constant(const ed_softening *law, double largest, double smallest);
 
 #endif
