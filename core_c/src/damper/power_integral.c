@@ -362,15 +362,19 @@ static void begin(sums *sum, const ed_power_rule *rule, const ed_path *direction
   sum->n = 0;
 }
 
-/* Gathers what the whole path needs. */
-static void gather_path(sums *sum, const ed_path *path)
+static void set_path(sums *sum, const ed_path *path)
 {
-  const ed_power_rule *rule = sum->rule;
   const double h = path->h;
   sum->a = path->c[1], sum->b = 2.0 * path->c[2] * h, sum->c = 3.0 * path->c[3] * h * h;
-  sum->h = h, sum->time = h / rule->tau;
+  sum->h = h, sum->time = h / sum->rule->tau;
   sum->rest = 0.0, sum->complex_roots = 0;
-  sum->power = rule->alpha - 1.0;
+  sum->power = sum->rule->alpha - 1.0;
+}
+
+/* Gathers what the whole path needs. */
+static void gather_path(sums *sum)
+{
+  const ed_power_rule *rule = sum->rule;
   const int points = plain_points(sum);
   if (points == 0)
     add_pieces(sum);
@@ -380,12 +384,44 @@ static void gather_path(sums *sum, const ed_path *path)
     regular_piece(sum, 0.0, 1.0, points, rule->many, rule->many_weight);
 }
 
+/* The integral over a path that few points suffice for, most of those in a frame: nothing is gathered. */
+static double plain_integral(const sums *sum, int n, const double *point, const double *weight, double slope[2], double chord[2])
+{
+  enum { ROOM = (ED_POWER_MANY + ED_POWER_BLOCK - 1) / ED_POWER_BLOCK * ED_POWER_BLOCK };
+  double v[ROOM], base[ROOM], fading[ROOM], share[ROOM], value = 0.0, along[2] = {0.0};
+  for (int i = 0; i < n; i++) {
+    v[i] = velocity(sum, point[i]);
+    base[i] = fabs(v[i]);
+    fading[i] = -(1.0 - point[i]) * sum->time;
+  }
+  for (int i = n; i % ED_POWER_BLOCK; i++)
+    base[i] = 1.0, fading[i] = 0.0;
+  ed_power_exp(n, sum->power, base, fading, share);
+  for (int i = 0; i < n; i++) {
+    share[i] *= weight[i] * sum->time;
+    value += share[i] * v[i];
+    for (int j = 0; sum->direction && j < 2; j++)
+      along[j] += share[i] * ed_path_v(&sum->direction[j], point[i] * sum->h);
+  }
+  for (int j = 0; sum->direction && j < 2; j++) {
+    slope[j] = sum->rule->alpha * along[j];
+    chord[j] = along[j];
+  }
+  return value;
+}
+
 double ed_power_integral(const ed_power_rule *rule, const ed_path *path, const ed_path *direction, double slope[2],
                          double chord[2])
 {
   sums sum;
   begin(&sum, rule, direction, NULL);
-  gather_path(&sum, path);
+  set_path(&sum, path);
+  const int points = plain_points(&sum);
+  if (points == ED_POWER_FEW)
+    return plain_integral(&sum, points, rule->few, rule->few_weight, slope, chord);
+  if (points == ED_POWER_MANY)
+    return plain_integral(&sum, points, rule->many, rule->many_weight, slope, chord);
+  add_pieces(&sum);
   add_gathered(&sum);
   for (int j = 0; direction && j < 2; j++) {
     slope[j] = sum.slope[j];
@@ -402,9 +438,10 @@ int ed_power_moments(const ed_power_rule *rule, int n, const double *time, const
   for (int i = 1; i < n && !ed_watch_step(watch); i++) {
     ed_path path;
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
-    if (isfinite(ed_path_u(&path, path.h)))
-      gather_path(&sum, &path);
-    else
+    if (isfinite(ed_path_u(&path, path.h))) {
+      set_path(&sum, &path);
+      gather_path(&sum);
+    } else
       sum.moment[0] = NAN;
     if (sum.rest > 0.0)
       add_gathered(&sum); /* with its own power */
