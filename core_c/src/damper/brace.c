@@ -11,7 +11,7 @@
 
 enum { MOST_ITERATIONS = 40, MOST_HALVINGS = 8, PATIENCE = 20 };
 static const double TOLERANCE = 1e-9; /* of the forces that balance: a hundredth of what a frame asks of its own balance */
-static const double BETWEEN_TRIALS = 1e-3;
+static const double BETWEEN_TRIALS = 1e-2; /* of the change: what is made up to first order then is off by 1e-4 of itself */
 static const double ROUGH = 0.1; /* Newton's method then gains a digit at least from one trial to the next */
 
 static double largest(double a, double b)
@@ -80,25 +80,44 @@ static int solve(const double slope[2][2], double right0, double right1, double 
   return isfinite(x[0] + x[1]);
 }
 
-/* What a trial leaves for the next one of the same step, behind the own deformation in the state. */
+/* The last element of that x is by[0] right[0] + by[1] right[1]. */
+static int end_of_solution(const double slope[2][2], double by[2])
+{
+  const double determinant = slope[0][0] * slope[1][1] - slope[0][1] * slope[1][0];
+  by[0] = -slope[1][0] / determinant;
+  by[1] = slope[0][0] / determinant;
+  return isfinite(by[0] + by[1]);
+}
+
+/* What a trial leaves for the next one, behind the own deformation in the state. */
 enum { STRETCHING = 1, BENDING, FROM, DURATION, OWN, TOTAL = OWN + 2, SLOPE = TOTAL + 2, RESIDUAL = SLOPE + 4 };
 
-/* The first guess: the brace stretches on as at the end of the step before, with the speed and its change there; or the last trial of this step, moved on to where the total
- * deformation is now. Returns by how much the latter moved the damper, or 0. */
+/* The first guess. In the first trial of a step damper and brace go on as in the step before, and share what the total deformation does
+ * otherwise by the slopes at its end; where that step had another length, the damper takes all of it. In others the last trial of this
+ * step moves on to where the total deformation is now. Returns by how much that moved the damper, or 0. */
 static double guess(const double *committed, const double *last, const ed_path *path, const double total[2], double kb, ed_stage *stage)
 {
   const double h = path->h, u0 = committed[0], third = THIRD * h;
+  double slope[2][2], move[2];
+  if (last[FROM] == u0 && last[DURATION] == h) {
+    memcpy(slope, last + SLOPE, sizeof slope);
+    if (solve(slope, kb * (total[0] - last[TOTAL]) - last[RESIDUAL], kb * (total[1] - last[TOTAL + 1]) - last[RESIDUAL + 1], move)) {
+      stage->a = last[OWN] + move[0];
+      stage->b = last[OWN + 1] + move[1];
+      return fabs(move[0]) + fabs(move[1]);
+    }
+  }
   stage->a = total[0] - path->c[0] - third * (committed[STRETCHING] + 0.5 * third * committed[BENDING]);
   stage->b = total[1] - path->c[0] - h * (committed[STRETCHING] + 0.5 * h * committed[BENDING]);
-  if (last[FROM] != u0 || last[DURATION] != h)
+  if (committed[DURATION] != h)
     return 0.0;
-  double slope[2][2], move[2];
-  memcpy(slope, last + SLOPE, sizeof slope);
-  if (!solve(slope, kb * (total[0] - last[TOTAL]) - last[RESIDUAL], kb * (total[1] - last[TOTAL + 1]) - last[RESIDUAL + 1], move))
-    return 0.0;
-  stage->a = last[OWN] + move[0];
-  stage->b = last[OWN + 1] + move[1];
-  return fabs(move[0]) + fabs(move[1]);
+  const double a = committed[OWN], b = committed[OWN + 1], on[2] = {b - 2.0 * a, 4.0 * b - 9.0 * a}; /* the parabola of that step */
+  memcpy(slope, committed + SLOPE, sizeof slope);
+  if (solve(slope, kb * (stage->a - on[0]), kb * (stage->b - on[1]), move)) {
+    stage->a = on[0] + move[0];
+    stage->b = on[1] + move[1];
+  }
+  return 0.0;
 }
 
 static void leave(const ed_stage *stage, const double total[2], double u0, double h, double *last)
@@ -178,23 +197,18 @@ static int viscous(const ed_damper *d, int rough, const double *committed, const
     status = d->n_amendments > 0 && i >= PATIENCE ? leap(d, committed, h, total, &stage, trial)
                                                   : improve(d, committed, h, total, &stage, trial);
   }
-  double rest_of[2] = {0.0};
-  if (!solve(stage.slope, -stage.residual[0], -stage.residual[1], rest_of))
+  double by[2], by_chord[2];
+  if (!end_of_solution(stage.slope, by) || !end_of_solution(stage.chord, by_chord))
     return ED_E_NOT_CONVERGED;
   leave(&stage, total, u0, h, trial + own);
   trial[own] = u0 + stage.b;
   trial[own + STRETCHING] = ed_path_v(path, h) - (5.0 * stage.b - 9.0 * stage.a) / (2.0 * h);
   trial[own + BENDING] = 2.0 * path->c[2] + 6.0 * path->c[3] * h - (3.0 * stage.b - 9.0 * stage.a) / (h * h);
-  out->force = kb * (total[1] - u0 - stage.b - rest_of[1]);
+  out->force = kb * (total[1] - u0 - stage.b + by[0] * stage.residual[0] + by[1] * stage.residual[1]);
   for (int i = 0; i < 2; i++) {
     const double of_third = ed_path_u(&direction[i], THIRD * h), of_end = ed_path_u(&direction[i], h);
-    double moved[2];
-    if (!solve(stage.slope, kb * of_third, kb * of_end, moved))
-      return ED_E_NOT_CONVERGED;
-    out->slope[i] = kb * (of_end - moved[1]);
-    if (!solve(stage.chord, kb * of_third, kb * of_end, moved))
-      return ED_E_NOT_CONVERGED;
-    out->chord[i] = kb * (of_end - moved[1]) - out->slope[i];
+    out->slope[i] = kb * (of_end - kb * (by[0] * of_third + by[1] * of_end));
+    out->chord[i] = kb * (of_end - kb * (by_chord[0] * of_third + by_chord[1] * of_end)) - out->slope[i];
   }
   return ED_OK;
 }
