@@ -64,18 +64,18 @@ void ed_follow_pace(const ed_analysis *a, double *du)
 static int find_flexibility(ed_analysis *a)
 {
   const int dampers = a->model->n_devices;
+  const size_t n = (size_t)a->n;
   if (a->flexibility_known)
     return ED_OK;
-  memset(a->device_response, 0, (size_t)dampers * (size_t)a->n * sizeof(double));
-  for (int i = 0; i < dampers; i++) {
-    double *response = a->device_response + (size_t)i * (size_t)a->n;
-    ed_add_along_device(a, i, 1.0, response);
-    const int status = ed_solve_effective(a, response);
-    if (status != ED_OK)
-      return status;
+  memset(a->device_response, 0, (size_t)dampers * n * sizeof(double));
+  for (int i = 0; i < dampers; i++)
+    ed_add_along_device(a, i, 1.0, a->device_response + (size_t)i * n);
+  const int status = ed_solve_effective(a, dampers, a->device_response);
+  if (status != ED_OK)
+    return status;
+  for (int i = 0; i < dampers; i++)
     for (int j = 0; j < dampers; j++)
-      a->flexibility[j * dampers + i] = ed_along_device(a, j, response);
-  }
+      a->flexibility[j * dampers + i] = ed_along_device(a, j, a->device_response + (size_t)i * n);
   a->flexibility_known = 1;
   return ED_OK;
 }
@@ -90,32 +90,51 @@ static void linearise(const ed_analysis *a, condensed *c, const double *moved)
   for (int i = 0; i < a->model->n_devices; i++) {
     c->at[i] = ed_along_device(a, i, moved);
     c->force[i] = ed_device_force(a, &a->trial, i);
-    c->slope[i] = ed_device_slope(a, i);
   }
 }
 
+/* Before the first trial of a step forces and deformations go on as in the last two steps. */
+static void expect(const ed_analysis *a, condensed *c)
+{
+  ed_follow_pace(a, a->work);
+  for (int i = 0; i < a->model->n_devices; i++) {
+    c->at[i] = ed_along_device(a, i, a->work);
+    c->force[i] = ed_expected_device_force(a, i);
+  }
+}
+
+/* The slopes of the last trial, or at the end of the step before, become those of the linear laws. */
+static int take_slopes(ed_analysis *a, double k, condensed *c)
+{
+  const int n = a->model->n_devices;
+  for (int j = 0; j < n; j++)
+    c->slope[j] = ed_device_slope(a, j);
+  for (int i = 0; i < n; i++) {
+    const double *row = a->flexibility + i * n;
+    double *of = a->condensed + i * n;
+    for (int j = 0; j < n; j++)
+      of[j] = k * row[j] * (c->slope[j] - a->device_factored[j]);
+    of[i] += 1.0;
+  }
+  return ed_dense_factor(n, a->condensed, a->condensed_pivot) ? ED_OK : ED_E_SINGULAR;
+}
+
 /* x at which all balance with the linear laws, and the forces k (f_now - f(x) + S_0 x) by which they move the frame. */
-static int balance(ed_analysis *a, double k, condensed *c)
+static void balance(const ed_analysis *a, double k, condensed *c)
 {
   const int n = a->model->n_devices;
   for (int j = 0; j < n; j++)
     c->push[j] = k * (c->now[j] - c->force[j] + c->slope[j] * c->at[j]);
   for (int i = 0; i < n; i++) {
     const double *row = a->flexibility + i * n;
-    double sum = c->free[i], *of = a->condensed + i * n;
-    for (int j = 0; j < n; j++) {
-      of[j] = k * row[j] * (c->slope[j] - a->device_factored[j]);
+    double sum = c->free[i];
+    for (int j = 0; j < n; j++)
       sum += row[j] * c->push[j];
-    }
-    of[i] += 1.0;
     c->x[i] = sum;
   }
-  if (!ed_dense_factor(n, a->condensed, a->condensed_pivot))
-    return ED_E_SINGULAR;
   ed_dense_solve(n, a->condensed, a->condensed_pivot, c->x);
   for (int j = 0; j < n; j++)
     c->push[j] -= k * (c->slope[j] - a->device_factored[j]) * c->x[j];
-  return ED_OK;
 }
 
 /* Largest share of a damper's force in the unbalance of a degree: as there, moments are divided by the mean length of elements. */
@@ -161,39 +180,38 @@ static void move_on(ed_analysis *a, const ed_step *step, const condensed *c, dou
   ed_move(a, step, 1.0, change);
 }
 
-int ed_predict_dampers(ed_analysis *a, const ed_step *step)
-{
-  ed_follow_pace(a, a->predicted);
-  ed_move(a, step, 1.0, a->predicted);
-  return ed_update_devices(a, 1);
-}
-
 int ed_move_condensed(ed_analysis *a, const ed_step *step, int first)
 {
   const int dampers = a->model->n_devices;
   double *work = a->condensed_work, *moved = a->predicted, before = HUGE_VAL;
   condensed c = {.free = work, .x = work + dampers, .at = work + 2 * dampers, .now = work + 3 * dampers, .force = work + 4 * dampers,
                  .slope = work + 5 * dampers, .push = work + 6 * dampers};
-  int status = find_flexibility(a);
+  /* Behind the first iteration of the frame the dampers move so little that slopes need not be new for the first trial. */
+  int slopes_known = !first && a->flexibility_known, status = find_flexibility(a);
   if (status != ED_OK)
     return status;
   for (int i = 0; i < dampers; i++) {
     c.free[i] = ed_along_device(a, i, a->du);
     c.now[i] = ed_device_force(a, first ? &a->committed : &a->trial, i);
   }
-  if (!first)
-    memset(moved, 0, (size_t)a->n * sizeof *moved);
+  memset(moved, 0, (size_t)a->n * sizeof *moved);
   for (int trial = 0; trial < a->max_iterations; trial++) {
-    linearise(a, &c, moved);
-    if ((status = balance(a, step->k, &c)) != ED_OK)
+    const int rough = first && trial == 0;
+    if (rough)
+      expect(a, &c);
+    else
+      linearise(a, &c, moved);
+    if (!slopes_known && (status = take_slopes(a, step->k, &c)) != ED_OK)
       return status;
+    slopes_known = 0;
+    balance(a, step->k, &c);
     move_on(a, step, &c, moved);
-    if ((status = ed_update_devices(a, 0)) != ED_OK)
+    if ((status = ed_update_devices(a, rough)) != ED_OK)
       return status;
     const double off = left(a, &c);
     if (!isfinite(off))
       return ED_E_NOT_FINITE;
-    if (off <= a->tolerance * a->trial.head->force_level)
+    if (!rough && off <= a->tolerance * a->trial.head->force_level)
       return ED_OK;
     if (off > 0.5 * before) /* Newton's method swings about rest */
       a->swinging = 1;

@@ -158,8 +158,6 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
   a->n_residuals = 0;
   a->swinging = 0;
   step->residual(a, step, a->r);
-  if (condensed && (status = ed_predict_dampers(a, step)) != ED_OK)
-    return status;
   for (int iteration = 0;; iteration++) {
     const double unbalance = ed_unbalance(a, a->r);
     if (a->n_residuals < ED_MAX_RESIDUALS)
@@ -185,7 +183,7 @@ int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
     if (factor && (status = ed_factor_effective(a, step->k, step->m, step->c)) != ED_OK)
       return status;
     memcpy(a->du, a->r, (size_t)a->n * sizeof(double));
-    if ((status = ed_solve_effective(a, a->du)) != ED_OK)
+    if ((status = ed_solve_effective(a, 1, a->du)) != ED_OK)
       return status;
     a->statistics.iterations++;
     const double start = rung >= ED_RUNG_LINE_SEARCH ? slope(a) : 0.0;

@@ -146,8 +146,7 @@ struct ed_analysis {
   ed_path *device_path, (*device_direction)[2]; /* of those by ODE */
   ed_path direction[2];
   ed_damper_force *device_out;   /* of those by ODE */
-  double (*device_slope)[2];     /* dF/du, dF/dv at the trial state */
-  double (*device_chord)[2];     /* what comes to them where an iteration swings */
+  double (*device_chord)[2];     /* what comes to dF/du and dF/dv where an iteration swings */
   int *device_swings;            /* its velocity fell or turned in the last iteration */
   int swinging;                  /* this attempt does not settle with tangents alone */
   const double **device_old;     /* of those by ODE */
@@ -223,7 +222,7 @@ void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, do
 /* damping.c */
 void ed_damping_force(ed_analysis *a, const double *v, double *force);
 int ed_factor_effective(ed_analysis *a, double k, double m, double c);
-int ed_solve_effective(ed_analysis *a, double *x);
+int ed_solve_effective(ed_analysis *a, int count, double *x); /* count x n right sides, solved together */
 void ed_note_factors(const ed_analysis *a, ed_factored *to);
 void ed_keep_factors(ed_analysis *a);             /* before others replace those of the last commit */
 void ed_restore_factors(ed_analysis *a);
@@ -244,6 +243,7 @@ int ed_update_devices(ed_analysis *a, int rough); /* trial u, v -> states and fo
 double ed_along_device(const ed_analysis *a, int device, const double *vector); /* sum of coefficient * vector over equations */
 void ed_add_along_device(const ed_analysis *a, int device, double factor, double *vector);
 double ed_device_force(const ed_analysis *a, const ed_state *state, int device);
+double ed_expected_device_force(const ed_analysis *a, int device); /* from the committed state, on as in the last step */
 double ed_device_slope(const ed_analysis *a, int device);  /* dF/du + (dv/du of the attempt) dF/dv at the trial state */
 void ed_name_damper(const ed_analysis *a, char *buffer, int size); /* that failed, and why */
 void ed_add_device_forces(ed_analysis *a);        /* into the resisting forces over all degrees */
@@ -290,9 +290,7 @@ int ed_condensation_allocate(ed_analysis *a);
 int ed_condenses(const ed_analysis *a, int rung);   /* whether dampers are balanced with the condensed frame */
 double ed_condensation_flops(const ed_analysis *a); /* that come to a factorisation */
 double ed_iteration_flops(const ed_analysis *a);    /* of an iteration of the frame */
-/* Moves the trial state on as in the last two steps, for the dampers alone; of the frame it stays the committed one. */
-int ed_predict_dampers(ed_analysis *a, const ed_step *step);
-/* Moves the trial state by the solution in `du`, with the dampers in balance and at their new states. first: behind ed_predict_dampers. */
+/* Moves the trial state by the solution in `du`, with the dampers in balance and at their new states. first: of the step. */
 int ed_move_condensed(ed_analysis *a, const ed_step *step, int first);
 void ed_follow_pace(const ed_analysis *a, double *du); /* from the committed state, on as in the last two steps */
 

@@ -182,11 +182,9 @@ int ed_factor_effective(ed_analysis *a, double k, double m, double c)
   return factor(a, k, m, c);
 }
 
-int ed_solve_effective(ed_analysis *a, double *x)
+/* What modal damping changes in a solution without it. */
+static void damp_solution(ed_analysis *a, double *x)
 {
-  const int status = ed_solver_solve(a->solver, x, 1);
-  if (status != ED_OK || a->n_modal == 0 || a->factored_c == 0.0)
-    return status;
   const size_t r = (size_t)a->n_modal, n = (size_t)a->n;
   double *y = a->work2; /* n >= r */
   for (size_t i = 0; i < r; i++) {
@@ -198,5 +196,14 @@ int ed_solve_effective(ed_analysis *a, double *x)
   for (size_t i = 0; i < r; i++)
     for (size_t q = 0; q < n; q++)
       x[q] -= a->modal_solved[i * n + q] * y[i];
+}
+
+int ed_solve_effective(ed_analysis *a, int count, double *x)
+{
+  const int status = ed_solver_solve(a->solver, x, count);
+  if (status != ED_OK || a->n_modal == 0 || a->factored_c == 0.0)
+    return status;
+  for (int i = 0; i < count; i++)
+    damp_solution(a, x + (size_t)i * (size_t)a->n);
   return ED_OK;
 }

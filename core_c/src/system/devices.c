@@ -12,7 +12,7 @@
 #include <string.h>
 
 /* offsets in a device's block; the law's state follows */
-enum { INSTALLED, OFFSET, DEFORMATION, VELOCITY, FORCE, WORK, LAW_STATE };
+enum { INSTALLED, OFFSET, DEFORMATION, VELOCITY, FORCE, FORCE_PACE, FORCE_PACE_BEFORE, SLOPE, WORK = SLOPE + 2, LAW_STATE };
 
 int ed_device_block_size(const ed_device *device)
 {
@@ -30,7 +30,6 @@ static int allocate(ed_analysis *a, int n)
   a->device_path = calloc(count, sizeof *a->device_path);
   a->device_direction = calloc(count, sizeof *a->device_direction);
   a->device_out = calloc(count, sizeof *a->device_out);
-  a->device_slope = calloc(count, sizeof *a->device_slope);
   a->device_chord = calloc(count, sizeof *a->device_chord);
   a->device_swings = calloc(count, sizeof *a->device_swings);
   a->device_old = calloc(count, sizeof *a->device_old);
@@ -39,7 +38,7 @@ static int allocate(ed_analysis *a, int n)
   a->device_factored = calloc(count, sizeof *a->device_factored);
   a->kept.device_slope = calloc(count, sizeof *a->kept.device_slope);
   a->backed.device_slope = calloc(count, sizeof *a->backed.device_slope);
-  return a->device_path && a->device_direction && a->device_out && a->device_slope && a->device_old && a->device_new &&
+  return a->device_path && a->device_direction && a->device_out && a->device_old && a->device_new &&
                  a->device_by_ode && a->device_chord && a->device_swings && a->device_factored && a->kept.device_slope &&
                  a->backed.device_slope
              ? ED_OK
@@ -72,7 +71,7 @@ int ed_devices_allocate(ed_analysis *a)
 void ed_devices_free(ed_analysis *a)
 {
   ed_ode_system_free(a->ode_system);
-  void *blocks[] = {a->device_block, a->device_path, a->device_direction, a->device_out, a->device_slope,
+  void *blocks[] = {a->device_block, a->device_path, a->device_direction, a->device_out,
                     a->device_old,   a->device_new,  a->device_by_ode,    a->device_scatter,
                     a->device_chord, a->device_swings, a->device_factored, a->kept.device_slope,
                     a->backed.device_slope, a->device_response, a->flexibility, a->condensed, a->condensed_pivot, a->condensed_work};
@@ -107,9 +106,15 @@ double ed_device_force(const ed_analysis *a, const ed_state *state, int i)
   return block_of(a, state, i)[FORCE];
 }
 
+double ed_expected_device_force(const ed_analysis *a, int i)
+{
+  const double *before = block_of(a, &a->committed, i);
+  return before[FORCE] + a->duration * (2.0 * before[FORCE_PACE] - before[FORCE_PACE_BEFORE]);
+}
+
 double ed_device_slope(const ed_analysis *a, int i)
 {
-  const double *slope = a->device_slope[i], *chord = a->device_chord[i];
+  const double *slope = block_of(a, &a->trial, i) + SLOPE, *chord = a->device_chord[i];
   const double tangent = slope[0] + a->velocity_factor * slope[1];
   return a->swinging && a->device_swings[i] ? tangent + chord[0] + a->velocity_factor * chord[1] : tangent;
 }
@@ -134,9 +139,12 @@ static void set_path(ed_analysis *a, int i, ed_path *path)
 static void take(ed_analysis *a, int i, const ed_damper_force *out)
 {
   const ed_device *device = &a->model->devices[i];
-  block_of(a, &a->trial, i)[FORCE] = device->force_scale * out->force;
+  double *now = block_of(a, &a->trial, i);
+  now[FORCE] = device->force_scale * out->force;
+  now[FORCE_PACE] = (now[FORCE] - block_of(a, &a->committed, i)[FORCE]) / a->duration;
+  now[FORCE_PACE_BEFORE] = block_of(a, &a->committed, i)[FORCE_PACE];
   for (int k = 0; k < 2; k++) {
-    a->device_slope[i][k] = device->force_scale * device->deformation_scale * out->slope[k];
+    now[SLOPE + k] = device->force_scale * device->deformation_scale * out->slope[k];
     a->device_chord[i][k] = device->force_scale * device->deformation_scale * out->chord[k];
   }
 }
