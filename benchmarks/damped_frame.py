@@ -1,7 +1,8 @@
 """Cost of dampers in a frame: the thesis' 10-storey frame bare, with 20 MGMM dampers, and with braces in series.
 
 The dampers have the sizes of thesis Table 5.7 (chevrons in bays 1 and 3), the braces 7 times the storey stiffness. CPU
-time of the integration loop a step of 0.01 s, median of several rounds of all three, in one thread, nothing kept.
+time of the integration loop a step of 0.01 s, in one thread, nothing kept: medians of several rounds of all three, and
+medians of the ratios within each round, as other work on the machine comes and goes.
 
 Usage: python -m benchmarks.damped_frame [--repeats N] [--scale FACTOR]
 """
@@ -100,12 +101,12 @@ def main() -> None:
         for _ in range(options.repeats):
             for name, (project, dampers) in cases.items():
                 runs[name].append(measure(project, dampers, motion))
-        times = {name: statistics.median(run[0] for run in found) for name, found in runs.items()}
         print(label)
-        for name, time in times.items():
-            _, iterations, factors, trials = runs[name][0]
+        for name, found in runs.items():
+            _, iterations, factors, trials = found[0]
             bar = f"   bar {BARS[name]:g}" if name in BARS else ""
-            ratio = time / times["bare"]
+            time = statistics.median(run[0] for run in found)
+            ratio = statistics.median(run[0] / bare[0] for run, bare in zip(found, runs["bare"], strict=True))
             print(f"  {name:22s} {time:10.1f} {ratio:7.2f} {iterations:11.2f} {factors:11.3f} {trials:13.2f}{bar}")
 
 
