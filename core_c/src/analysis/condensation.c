@@ -7,7 +7,7 @@
  *
  * (Woodbury's identity where f is linear). F is as large as there are dampers, and a trial of theirs is cheap beside one of the
  * frame. So Newton's method finds x on its own: the frame is evaluated only for what is not linear in itself, and slopes of dampers
- * that change ask for no new factors. */
+ * that change ask for no new factors. The first balance of a step is with forces that go on as in the last two steps. */
 #include "base/clones.h"
 #include "base/dense.h"
 #include "system/analysis.h"
