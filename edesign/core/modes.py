@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
+import scipy  # its sparse solvers are loaded for large structures only: they take 10 MB and a third of a second
+
+_DENSE = 600
+"""Unknowns up to which dense matrices are used: they then take 3 MB, and LAPACK a fraction of a second."""
 
 UNSTABLE = "the structure is unstable in its present state: a squared frequency is not positive"
 
@@ -37,7 +41,7 @@ def natural_modes(
     """The lowest modes of K phi = omega^2 M phi with lumped, partly zero masses.
 
     Degrees without mass are condensed statically (exact for a lumped mass matrix; Chopra 2012, 9.3); few remain, so the
-    condensed problem is solved densely. Larger problems go to ARPACK.
+    condensed problem is solved densely. Larger problems go to ARPACK. Small structures are condensed densely as well.
 
     Args:
         stiffness: (n, n) N/m.
@@ -53,13 +57,13 @@ def natural_modes(
     if not 0 < count <= heavy.size:
         raise ValueError(f"{count} modes asked for, but the structure has {heavy.size} degrees with mass")
     n = mass.size
-    solver = scipy.sparse.linalg.splu(stiffness)
+    solve = _solution(stiffness)
     root = np.sqrt(mass[heavy])
-    if heavy.size <= 600:
+    if heavy.size <= _DENSE:
         unit = np.zeros((n, heavy.size))
         unit[heavy, np.arange(heavy.size)] = root
-        flexibility = solver.solve(unit)[heavy] * root[:, None]
-        inverse, vectors = scipy.linalg.eigh(0.5 * (flexibility + flexibility.T))
+        flexibility = solve(unit)[heavy] * root[:, None]
+        inverse, vectors = np.linalg.eigh(0.5 * (flexibility + flexibility.T))
         if inverse[0] < -1e-9 * inverse[-1]:
             raise ValueError(UNSTABLE)
         inverse, vectors = inverse[::-1][:count], vectors[:, ::-1][:, :count]
@@ -68,7 +72,7 @@ def natural_modes(
         def apply(x: np.ndarray) -> np.ndarray:
             full = np.zeros(n)
             full[heavy] = root * x.ravel()
-            return np.asarray(root * solver.solve(full)[heavy])
+            return np.asarray(root * solve(full)[heavy])
 
         operator = scipy.sparse.linalg.LinearOperator((heavy.size, heavy.size), matvec=apply, dtype=float)
         start = np.ones(heavy.size)  # a fixed start: the same answer every time
@@ -79,7 +83,7 @@ def natural_modes(
     omega = 1.0 / np.sqrt(inverse)
     load = np.zeros((n, count))
     load[heavy] = root[:, None] * vectors
-    shapes = (solver.solve(load) * omega**2).T
+    shapes = (solve(load) * omega**2).T
     shapes /= np.sqrt(np.einsum("ki,i,ki->k", shapes, mass, shapes))[:, None]
     largest = np.take_along_axis(shapes, np.argmax(np.abs(shapes), axis=1)[:, None], axis=1)
     shapes = shapes * np.sign(largest)
@@ -94,3 +98,15 @@ def natural_modes(
         participation_x=participation,
         effective_mass_ratio_x=participation**2 / total if total > 0.0 else np.zeros(count),
     )
+
+
+def _solution(stiffness: scipy.sparse.csc_matrix) -> Callable[[np.ndarray], np.ndarray]:
+    """Displacements by forces, each (n,) or (n, any).
+
+    Raises:
+        ValueError, RuntimeError: the stiffness is singular.
+    """
+    if stiffness.shape[0] > _DENSE:
+        return scipy.sparse.linalg.splu(stiffness).solve
+    dense = stiffness.toarray()
+    return lambda forces: np.linalg.solve(dense, forces)
