@@ -47,10 +47,7 @@ BAR = 0.1
 
 SLOW: Mapping[str, Mapping[str, tuple[Mapping[str, float], float]]] = {
     "generalised_maxwell": {"brace": ({}, 40e6)},
-    "maxwell_power": {
-        "spring of 1e9 N/m": ({"c": 4e5, "k": 1e9}, 0.0),
-        "spring of 1e12 N/m": ({"c": 4e5, "k": 1e12}, 0.0),
-    },
+    "maxwell_power": {"spring of 1e9 N/m": ({"c": 4e5, "k": 1e9}, 0.0)},  # one of 1e12 N/m takes minutes in a frame
     "fractional_zener": {"brace": ({}, 40e6)},
     "viscous_power": {"brace": ({}, 40e6)},
     "ramberg_osgood": {"brace": ({}, 40e6)},
@@ -100,7 +97,9 @@ class Frame:
     def step(self, law: LawValues | None, brace: float) -> float:
         """CPU time of a step, us; None: bare."""
         frame = make_frame(self.project)
-        for number, terms in enumerate(self.terms if law else ()):
+        for number, terms in enumerate(self.terms):
+            if law is None:
+                break
             size = AREAS[number % len(AREAS)] / 0.0414  # of the tested pair, as 70 mm of elastomer to its 12 mm
             frame.model.damper(f"d{number}", law, terms, brace * size * 12.0 / 70.0, size, 12.0 / 70.0)
         return measure(self.project, make_structure(self.project, frame), self.motion)[0]
