@@ -14,7 +14,7 @@ from edesign.damper.property_table import PropertyTable
 from edesign.damper.specimen import Specimen
 from edesign.damper.test_record import DamperTest
 from edesign.report.captions import UniqueNames, file_name
-from edesign.report.figures import AFTER, BEFORE, logarithmic, new_figure, save, styled
+from edesign.report.figures import AFTER, BEFORE, align_ordinates, logarithmic, new_figure, save, styled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -77,7 +77,7 @@ def test_figure(test: DamperTest, specimen: Specimen) -> Figure:
     assert grid is not None
     for row in axes:
         row[1].remove()
-    right = figure.add_subplot(grid[:, 1])
+    right = figure.add_subplot(grid[:, 1], axes_class=type(axes[0][0]))
     blocks = find_blocks(test.time, test.displacement)
     cycles = sum(block.cycles for block in blocks)
     right.plot(strain, stress, color=BEFORE, lw=0.4 if cycles < MANY else 0.2)
@@ -89,7 +89,7 @@ def test_figure(test: DamperTest, specimen: Specimen) -> Figure:
         right.legend(loc="upper left")
     right.set_xlabel("shear strain (%)")
     right.set_ylabel("shear stress (MPa)")
-    figure.align_ylabels([axes[0][0], axes[1][0]])
+    align_ordinates(row[0] for row in axes)
     figure.suptitle(f"{test.label}, {test.temperature_C:g} °C", fontsize=9.0, x=0.01, ha="left")
     return figure
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import gc
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from functools import wraps
 from io import StringIO
@@ -14,7 +14,6 @@ import numpy as np
 
 from edesign.archive.files import write_whole
 from edesign.errors import InputError
-from edesign.report.finished_figure import finished
 from edesign.report.visible import visible
 
 if TYPE_CHECKING:
@@ -41,6 +40,7 @@ _STYLE: Any = {
     "axes.linewidth": 0.6,
     "axes.grid": True,
     "axes.axisbelow": True,
+    "axes.titley": 1.0,  # a title need not evade ticks, which stand below
     "grid.linewidth": 0.4,
     "grid.color": "#d9dce1",
     "lines.linewidth": 1.0,
@@ -51,14 +51,21 @@ _STYLE: Any = {
 }
 
 
+@contextmanager
+def in_style_of_figures() -> Iterator[None]:
+    """Have matplotlib draw in the style of this file meanwhile."""
+    import matplotlib
+
+    with matplotlib.rc_context(_STYLE):
+        yield
+
+
 def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
     """Let a function draw in the style of this file."""
 
     @wraps(draw)
     def in_style(*args: P.args, **kwargs: P.kwargs) -> Figure:
-        import matplotlib
-
-        with matplotlib.rc_context(_STYLE):
+        with in_style_of_figures():
             return draw(*args, **kwargs)
 
     return in_style
@@ -89,8 +96,11 @@ def new_figure(rows: int, columns: int, width: float, height: float) -> tuple[Fi
     """
     from matplotlib.figure import Figure
 
+    from edesign.report.light_axes import LightAxes
+
     figure = Figure(figsize=(width, height), layout="constrained")
-    return figure, figure.subplots(rows, columns, squeeze=False).tolist()
+    axes = figure.subplots(rows, columns, squeeze=False, subplot_kw={"axes_class": LightAxes})
+    return figure, axes.tolist()
 
 
 def save(figure: Figure, path: Path) -> None:
@@ -99,15 +109,13 @@ def save(figure: Figure, path: Path) -> None:
     Raises:
         ArchiveError: it cannot be written.
     """
-    import matplotlib
-
     suffix = path.suffix.lower()
     if suffix == ".svg":
-        text = _svg_file(figure)
+        text = svg_text(figure)
         write_whole(path, lambda partial: partial.write_text(text, encoding="utf-8"))
         return
     metadata = {"CreationDate": None} if suffix == ".pdf" else None
-    with matplotlib.rc_context(_STYLE):
+    with in_style_of_figures():
         write_whole(path, lambda partial: figure.savefig(partial, dpi=160, metadata=metadata))
 
 
@@ -135,18 +143,11 @@ def check_figure_name(path: Path) -> None:
 
 
 def svg_text(figure: Figure) -> str:
-    """Return a figure, as drawn by a `styled` function, as an <svg> element; its ids are its own only."""
-    text = _svg_file(figure)
-    return text[text.index("<svg") :]
-
-
-def _svg_file(figure: Figure) -> str:
-    """A figure as a file; `Figure.savefig` would draw it a second time, into nothing, to lay it out before."""
-    import matplotlib
+    """Return a figure, as drawn by a `styled` function, as an SVG file; `savefig` would draw it twice to lay it out."""
     from matplotlib.backends.backend_svg import FigureCanvasSVG
 
     text, dpi = StringIO(), figure.dpi
-    with matplotlib.rc_context(_STYLE), finished(figure):
+    with in_style_of_figures():
         FigureCanvasSVG(figure).print_svg(text, metadata={"Date": None})
     figure.dpi = dpi
     return visible(text.getvalue())  # XML has no control characters
@@ -185,6 +186,13 @@ def label_outer(cells: list[Axes], columns: int, abscissa: str, ordinate: str) -
             axis.set_xlabel(abscissa)
         else:
             axis.tick_params(labelbottom=False)
+
+
+def align_ordinates(column: Iterable[Axes]) -> None:
+    """Let the labels of the ordinates of axes that stand below each other stand in one line."""
+    aligned: tuple[Any, ...] = tuple(axes.yaxis for axes in column)
+    for axis in aligned:
+        axis.aligned = aligned
 
 
 def some_of(numbers: Sequence[int] | np.ndarray) -> Sequence[int] | np.ndarray:

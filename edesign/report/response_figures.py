@@ -11,7 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name, plain
-from edesign.report.figures import BEFORE, MEAN, legend_label, new_figure, styled
+from edesign.report.figures import BEFORE, MEAN, align_ordinates, legend_label, new_figure, styled
 from edesign.report.histories import by_motion, histories, missing_text, variant_colors, with_results
 
 if TYPE_CHECKING:
@@ -105,7 +105,7 @@ def response_figure(series: Sequence[Series]) -> Figure:
     bottom = axes[-1][0]
     bottom.tick_params(labelbottom=True)
     bottom.set_xlabel("time (s)")
-    figure.align_ylabels()
+    align_ordinates(row[0] for row in axes)
     handles, labels = bottom.get_legend_handles_labels()
     if labels:
         figure.legend(handles, labels, loc="outside lower center", ncols=len(labels))

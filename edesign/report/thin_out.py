@@ -2,30 +2,42 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 
 def thin_out(points: np.ndarray, tolerance: float) -> np.ndarray:
-    """Return the points of a polyline that are needed to draw it within a tolerance.
+    """Return the points of a polyline that are needed to draw it within a tolerance; see `thin_out_all`."""
+    return thin_out_all([points], tolerance)[0]
+
+
+def thin_out_all(curves: Sequence[np.ndarray], tolerance: float) -> list[np.ndarray]:
+    """Return the points of polylines that are needed to draw them within a tolerance.
 
     Every point of the line through all points is within `tolerance` of the line through those that are kept; first
-    and last are kept. All parts of a level of the subdivision are treated at once, so long histories take milliseconds.
+    and last are kept. All parts of a level of the subdivision of all curves are treated at once: thousands of points
+    take milliseconds, in one long curve or in many short ones.
 
     Args:
-        points: shape (n, 2), in the order in which they are joined; loops and reversals are allowed.
+        curves: each of shape (n, 2), in the order in which they are joined; loops and reversals are allowed.
         tolerance: largest deviation, in the unit of the points.
 
     Returns:
-        Shape (m, 2), m <= n.
+        Of each curve shape (m, 2), m <= n.
 
     Source: Ramer (1972), Comput. Graph. Image Process. 1, 244-256; Douglas and Peucker (1973), Cartographica 10,
         112-122; with the distance to the segment in place of that to the infinite line, which loops need.
     """
-    if len(points) < 3:
-        return points
-    kept = np.zeros(len(points), dtype=bool)
-    kept[[0, -1]] = True
-    first, last = np.array([0]), np.array([len(points) - 1])
+    if not curves:
+        return []
+    ends = np.cumsum([len(curve) for curve in curves])
+    points = np.concatenate(curves)
+    first, last = ends - [len(curve) for curve in curves], ends - 1
+    long = last - first > 1
+    kept = np.repeat(~long, np.diff(ends, prepend=0))
+    first, last = first[long], last[long]
+    kept[first] = kept[last] = True
     while first.size:
         counts = last - first - 1  # points inside each part
         starts = np.concatenate(([0], np.cumsum(counts)[:-1]))
@@ -42,7 +54,7 @@ def thin_out(points: np.ndarray, tolerance: float) -> np.ndarray:
         first, last = np.concatenate((first, middle)), np.concatenate((middle, last))
         open_parts = last - first > 1
         first, last = first[open_parts], last[open_parts]
-    return points[kept]
+    return [part[there] for part, there in zip(np.split(points, ends[:-1]), np.split(kept, ends[:-1]), strict=True)]
 
 
 def _to_segment(points: np.ndarray, start: np.ndarray, end: np.ndarray) -> np.ndarray:

@@ -1,183 +1,318 @@
-"""An SVG file of matplotlib as an element of an HTML page: small, without clashes, readable to all."""
+"""A figure of matplotlib as an SVG element of an HTML page: small, without clashes, readable to all."""
 
 from __future__ import annotations
 
 import html
+import math
 import re
-import xml.etree.ElementTree as ElementTree
+from functools import lru_cache
+from itertools import pairwise
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from matplotlib.backend_bases import FigureCanvasBase, RendererBase
+from matplotlib.colors import rgb2hex
+from matplotlib.path import Path
+from matplotlib.transforms import Affine2D, Bbox
 
-from edesign.report.thin_out import thin_out
+from edesign.report.figures import in_style_of_figures
+from edesign.report.thin_out import thin_out_all
+from edesign.report.visible import visible_line
 
-TOLERANCE = 0.2  # points (1/72 inch); with roundings half a pixel, as the page shows a point as 1.24 pixels
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from matplotlib.font_manager import FontProperties
+    from matplotlib.text import Text
+    from matplotlib.transforms import Transform
+
+
+UNITS = 10  # of the element's coordinates in a point (1/72 inch): whole numbers are short and exact enough
+TOLERANCE = 0.2  # points; with roundings half a pixel, as the page shows a point as 1.24 pixels
 MANY = 12  # vertices, from which a curve is thinned out
-_LINK = "{http://www.w3.org/1999/xlink}href"
-_NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?"
-_LONG_NUMBER = re.compile(r"-?\d+\.\d{3,}(?:[eE][-+]?\d+)?")
-_REFERENCE = re.compile(r"url\(#([^)]+)\)")
-_FONT_FAMILY = re.compile(r"font-family:[^;]*;?\s*")  # the page's own, which are narrower than that of the drawing
-_NO_ROTATION = re.compile(r"\s*rotate\(-?0 [^)]*\)")
-_FIGURE = re.compile(r'<svg viewBox="[^"]*" role="img" aria-labelledby="([^"]+)-title".*?</svg>', re.DOTALL)
-_TAG = re.compile(r"<[a-z][^<>]*>")
-_STYLE = re.compile(r' style="([^"]*)"')
-_ROUNDED = ("x", "y", "width", "height", "transform", "style", "d", "points", "cx", "cy", "r")
+_LETTERS = {Path.MOVETO: ("M", 1), Path.LINETO: ("L", 1), Path.CURVE3: ("Q", 2), Path.CURVE4: ("C", 3)}
+_LONG = re.compile("\0(\\d+)\0")  # no text of users has such a sign
+_ANCHORS = {"center": "middle", "right": "end"}
 
 
-def inline_svg(text: str, name: str, title: str, description: str = "") -> tuple[str, float]:
-    """Make an SVG file fit to stand in a page with others.
+def inline_svg(figure: Figure, name: str, title: str, description: str = "") -> tuple[str, float]:
+    """Draw a figure as an element that stands in a page with others.
 
-    Header, metadata and the file's own style sheet, which would rule the whole page, are taken out; names of elements
-    begin with `name`; curves lose the points that nobody can see; coordinates are rounded to 0.01 points, those of
-    curves to 0.1.
+    Names of its parts begin with `name`; curves lose the points that nobody can see; coordinates are rounded to a
+    tenth of a point. It asks for no fonts: those of the page are narrower than those of the drawing.
 
     Args:
-        text: the file, as matplotlib writes it.
+        figure: as drawn by a `styled` function.
         name: unique on the page, letters, digits, `_`, `-`, `.`.
         title, description: for those who cannot see the figure.
 
     Returns:
         The element, and its width in points.
     """
-    root = ElementTree.fromstring(text)
-    for child in [child for child in root if _tag(child) in ("metadata", "title", "desc")]:
-        root.remove(child)
-    _drop_styles(root)
-    box = [float(value) for value in root.attrib["viewBox"].split()]
-    _unique_names(root, name)
-    for element in root.iter():
-        element.tag = _tag(element)  # inside a page the names need no name space
-        _lighten(element)
-    _unwrap(root)
-    root.attrib = {"viewBox": root.attrib["viewBox"], "role": "img", "aria-labelledby": f"{name}-title"}
-    if description:
-        root.attrib["aria-describedby"] = f"{name}-desc"
-        _label(root, "desc", f"{name}-desc", description)
-    _label(root, "title", f"{name}-title", title)
-    found = ElementTree.tostring(root, encoding="unicode")
-    return re.sub(r">\s+<", "><", found).replace(" />", "/>"), box[2]
+    canvas, dpi = figure.canvas, figure.dpi
+    with in_style_of_figures():
+        figure.dpi = 72
+        width, height = 72.0 * figure.get_size_inches()
+        renderer = PageRenderer(width, height, name)
+        _PageCanvas(figure, renderer)
+        figure.draw(renderer)
+        figure.dpi = dpi
+        figure.set_canvas(canvas)
+    described = f' aria-describedby="{name}-desc"' if description else ""
+    box = f"0 0 {_number(UNITS * renderer.width)} {_number(UNITS * renderer.height)}"
+    texts = f'<title id="{name}-title">{_escaped(title)}</title>'
+    texts += f'<desc id="{name}-desc">{_escaped(description)}</desc>' if description else ""
+    start = f'<svg viewBox="{box}" role="img" aria-labelledby="{name}-title"{described}>{texts}'
+    return f"{start}{renderer.element()}</svg>", renderer.width
 
 
-def share_styles(page: str) -> str:
-    """Let the figures of a page share their styles, as classes in its style sheet, and give their parts short names.
+class PageRenderer(RendererBase):
+    """Writes what matplotlib draws as elements of SVG.
 
     Args:
-        page: HTML with figures as `inline_svg` returns them, and a style sheet before them.
+        width, height: of the figure, points, which are pixels here.
+        name: what names of parts begin with.
     """
-    classes: dict[str, str] = {}
-    count = 0
 
-    def with_class(style: re.Match[str]) -> str:
-        return f' class="{classes.setdefault(style[1], f"v{len(classes)}")}"'
+    def __init__(self, width: float, height: float, name: str) -> None:
+        super().__init__()
+        self.width, self.height = width, height
+        self._drawn: list[str] = []
+        self._long: list[tuple[np.ndarray, bool]] = []
+        self._name = name
+        self._named: dict[str, str] = {}
 
-    def shorter(figure: re.Match[str]) -> str:
-        nonlocal count
-        count += 1
-        part, short = re.compile(rf"(?<=[#\"]){re.escape(figure[1])}(?=-\d)"), f"v{count}"
-        return _TAG.sub(lambda tag: part.sub(short, _STYLE.sub(with_class, tag[0])), figure[0])
+    def get_canvas_width_height(self) -> tuple[float, float]:
+        return self.width, self.height
 
-    page = _FIGURE.sub(shorter, page)
-    rules = "".join(f".{name}{{{html.unescape(style)}}}\n" for style, name in classes.items())
-    return page.replace("</style>", f"{rules}</style>", 1)
+    def flipy(self) -> bool:
+        return True
+
+    def get_text_width_height_descent(self, s: str, prop: FontProperties, ismath: Any) -> tuple[float, float, float]:
+        return super().get_text_width_height_descent(s, prop, ismath) if ismath else _text_size(s, prop)
+
+    def draw_path(
+        self, gc: Any, path: Path, transform: Transform, rgbFace: Any = None
+    ) -> None:  # names of arguments are those of matplotlib
+        box = None if rgbFace is not None else _grown(gc.get_clip_rectangle(), gc.get_linewidth())
+        pieces = _pieces(path, transform + self._down(), self._flipped(box))
+        if pieces:
+            shape = f'<path d="{self._path_data(pieces)}"{_style(gc, rgbFace)}/>'
+            self._clipped(gc, shape, np.concatenate([points for points, _, _ in pieces]))
+
+    def draw_markers(
+        self,
+        gc: Any,
+        marker_path: Path,
+        marker_trans: Transform,
+        path: Path,
+        trans: Transform,
+        rgbFace: Any = None,
+    ) -> None:
+        pieces = _pieces(marker_path, marker_trans + Affine2D().scale(1.0, -1.0), None)
+        marker = f'<path d="{self._path_data(pieces)}"{_style(gc, rgbFace)}/>'
+        name = self._define(marker, "")
+        at = (trans + self._down()).transform(path.vertices)
+        at = at[np.all(np.isfinite(at), axis=1)]
+        uses = "".join(f'<use href="#{name}" x="{_number(x)}" y="{_number(y)}"/>' for x, y in (UNITS * at).tolist())
+        if uses:
+            reach = np.ptp(np.concatenate([points for points, _, _ in pieces]), axis=0).max() / 2
+            self._clipped(gc, uses, np.concatenate((at - reach, at + reach)))
+
+    def draw_text(
+        self,
+        gc: Any,
+        x: float,
+        y: float,
+        s: str,
+        prop: FontProperties,
+        angle: float,
+        ismath: Any = False,
+        mtext: Text | None = None,
+    ) -> None:
+        if ismath:  # as outlines
+            super().draw_text(gc, x, y, s, prop, angle, ismath, mtext)
+            return
+        style = [f"font-size:{_number(UNITS * prop.get_size_in_points())}px"]
+        if mtext is not None and mtext.get_horizontalalignment() in _ANCHORS:
+            if not angle or mtext.get_rotation_mode() == "anchor":  # fonts of the page are less wide
+                x, y = self._anchor(mtext, x, y, math.radians(angle))
+                style.append(f"text-anchor:{_ANCHORS[mtext.get_horizontalalignment()]}")
+        style += [f"font-style:{prop.get_style()}"] * (prop.get_style() != "normal")
+        style += [f"font-weight:{prop.get_weight()}"] * (prop.get_weight() not in ("normal", 400))
+        red, green, blue, alpha = gc.get_rgb()
+        style += [f"fill:{rgb2hex((red, green, blue))}"] * any((red, green, blue))
+        style += [f"opacity:{_number(alpha)}"] * (alpha != 1.0)
+        place = f'x="{UNITS * x:.0f}" y="{UNITS * y:.0f}"'
+        if angle:
+            place = f'transform="translate({UNITS * x:.0f} {UNITS * y:.0f}) rotate({_number(-angle)})"'
+        text = f'<text {place} style="{";".join(style)}">{_escaped(s)}</text>'
+        _, high, _ = _text_size(s, prop)
+        self._clipped(gc, text, np.array([[x, y - high], [x, y]]))
+
+    def element(self) -> str:
+        """All that was drawn; long curves lose their invisible points here, all at once."""
+        thinned = thin_out_all([points for points, _ in self._long], TOLERANCE)
+        data = [_line_data(points, closed) for points, (_, closed) in zip(thinned, self._long, strict=True)]
+        return _LONG.sub(lambda found: data[int(found[1])], "".join(self._drawn))
+
+    def _path_data(self, pieces: list[tuple[np.ndarray, np.ndarray, bool]]) -> str:
+        """What a path is drawn by; of long curves a number, in whose place `element` puts it."""
+        found = []
+        for points, codes, closed in pieces:
+            if codes.max() > Path.LINETO:
+                found.append(_curve_data(points, codes) + "z" * closed)
+            elif len(points) < MANY:
+                found.append(_line_data(points, closed))
+            else:
+                found.append(f"\0{len(self._long)}\0")
+                self._long.append((points, closed))
+        return "".join(found)
+
+    def _anchor(self, text: Text, x: float, y: float, angle: float) -> tuple[float, float]:
+        """The point of a text's base line, which begins at x, y, by which it is aligned."""
+        at, up = text.get_transform().transform(text.get_unitless_position())
+        across = math.sin(angle) * (x - at) + math.cos(angle) * (y - self.height + up)
+        return at + across * math.sin(angle), self.height - up + across * math.cos(angle)
+
+    def _down(self) -> Affine2D:
+        """From matplotlib's ordinate, upwards, to that of SVG."""
+        return Affine2D().scale(1.0, -1.0).translate(0.0, self.height)
+
+    def _flipped(self, box: Bbox | None) -> tuple[float, float, float, float] | None:
+        """Left, top, right, bottom of a box."""
+        return None if box is None else (box.x0, self.height - box.y1, box.x1, self.height - box.y0)
+
+    def _clipped(self, gc: Any, shape: str, points: np.ndarray) -> None:
+        """Draw a shape with these points within the clip of its context; none is needed where it does not reach."""
+        path, transform = gc.get_clip_path()
+        if path is not None:
+            pieces = _pieces(path, transform + self._down(), None)
+            outline = f'<path d="{self._path_data(pieces)}"/>'
+        elif (limits := self._flipped(_grown(gc.get_clip_rectangle(), -gc.get_linewidth() / 2))) is not None:
+            if np.all(points >= limits[:2]) and np.all(points <= limits[2:]):
+                self._drawn.append(shape)
+                return
+            left, top, right, bottom = (UNITS * value for value in self._flipped(gc.get_clip_rectangle()) or ())
+            size = f'width="{right - left:.0f}" height="{bottom - top:.0f}"'
+            outline = f'<rect x="{left:.0f}" y="{top:.0f}" {size}/>'
+        else:
+            self._drawn.append(shape)
+            return
+        name = self._define(outline, "clipPath")
+        if shape.count("<") == 1 and not shape.startswith("<use"):
+            self._drawn.append(_with(shape, f'clip-path="url(#{name})"'))
+        else:
+            self._drawn.append(f'<g clip-path="url(#{name})">{shape}</g>')
+
+    def _define(self, element: str, within: str) -> str:
+        """The name of an element that others refer to; it is defined at its first use."""
+        key = within + element
+        if key not in self._named:
+            name = self._named[key] = f"{self._name}-{len(self._named)}"
+            inner = (
+                f'<{within} id="{name}">{element}</{within}>' if within else element.replace(" ", f' id="{name}" ', 1)
+            )
+            self._drawn.append(f"<defs>{inner}</defs>")
+        return self._named[key]
 
 
-def _unwrap(element: ElementTree.Element) -> None:
-    """Take out groups that say nothing of what is in them."""
-    children: list[ElementTree.Element] = []
-    for child in element:
-        _unwrap(child)
-        children += list(child) if child.tag == "g" and not child.attrib else [child]
-    element[:] = children
+class _PageCanvas(FigureCanvasBase):
+    """Gives the layout of a figure the measures of texts."""
+
+    def __init__(self, figure: Figure, renderer: PageRenderer) -> None:
+        super().__init__(figure)
+        self._renderer = renderer
+
+    def get_renderer(self) -> PageRenderer:
+        return self._renderer
 
 
-def _tag(element: ElementTree.Element) -> str:
-    return element.tag.rpartition("}")[2]
+@lru_cache(maxsize=4096)
+def _text_size(text: str, prop: FontProperties) -> tuple[float, float, float]:
+    """Width, height and descent of a line of text, points; the labels of figures recur."""
+    width, height, descent = RendererBase().get_text_width_height_descent(text, prop, False)
+    return float(width), float(height), float(descent)
 
 
-def _label(root: ElementTree.Element, tag: str, name: str, text: str) -> None:
-    label = ElementTree.Element(tag, {"id": name})
-    label.text = text
-    root.insert(0, label)
+def _style(gc: Any, face: Any) -> str:
+    """The attribute that says how a path is filled and drawn."""
+    forced = gc.get_forced_alpha()
+    style = {"fill": "none" if face is None else rgb2hex(face[:3])}
+    if face is not None and len(face) == 4 and face[3] != 1.0 and not forced:
+        style["fill-opacity"] = _number(face[3])
+    if forced and gc.get_alpha() != 1.0:
+        style["opacity"] = _number(gc.get_alpha())
+    offset, dashes = gc.get_dashes()
+    if gc.get_linewidth():
+        red, green, blue, alpha = gc.get_rgb()
+        style |= {"stroke": rgb2hex((red, green, blue)), "stroke-width": _number(UNITS * gc.get_linewidth())}
+        style |= {"stroke-opacity": _number(alpha)} if alpha != 1.0 and not forced else {}
+        style |= {"stroke-linejoin": gc.get_joinstyle()} if gc.get_joinstyle() != "round" else {}
+        cap = {"projecting": "square"}.get(gc.get_capstyle(), gc.get_capstyle())
+        style |= {"stroke-linecap": cap} if cap != "butt" else {}
+        if dashes is not None:
+            style["stroke-dasharray"] = ",".join(_number(UNITS * length) for length in dashes)
+            style |= {"stroke-dashoffset": _number(UNITS * offset)} if offset else {}
+    style = {key: value for key, value in style.items() if (key, value) != ("fill", "#000000")}
+    return f' style="{";".join(f"{key}:{value}" for key, value in style.items())}"' if style else ""
 
 
-def _drop_styles(root: ElementTree.Element) -> None:
-    for parent in list(root.iter()):
-        for child in [child for child in parent if _tag(child) == "style"]:
-            parent.remove(child)
-
-
-def _unique_names(root: ElementTree.Element, prefix: str) -> None:
-    """Number the elements that others refer to, and take the names of all the others away."""
-    used: dict[str, str] = {}
-
-    def new(old: str) -> str:
-        return used.setdefault(old, f"{prefix}-{len(used)}")
-
-    for element in root.iter():
-        link = element.attrib.pop(_LINK, None) or element.attrib.get("href")
-        if link and link.startswith("#"):
-            element.attrib["href"] = "#" + new(link[1:])
-        for key, value in element.attrib.items():
-            if "url(#" in value:
-                element.attrib[key] = _REFERENCE.sub(lambda found: f"url(#{new(found[1])})", value)
-    for element in root.iter():
-        name = element.attrib.pop("id", None)
-        if name in used:
-            element.attrib["id"] = used[name]
-
-
-def _lighten(element: ElementTree.Element) -> None:
-    if "d" in element.attrib:
-        element.attrib["d"] = _thinner(element.attrib["d"])
-    for key in _ROUNDED:
-        if key in element.attrib:
-            element.attrib[key] = _LONG_NUMBER.sub(_rounded, element.attrib[key])
-    if "style" in element.attrib:
-        style = _FONT_FAMILY.sub("", element.attrib["style"])
-        element.attrib["style"] = style.replace("; ", ";").replace(": ", ":")
-    if "transform" in element.attrib:
-        element.attrib["transform"] = _NO_ROTATION.sub("", element.attrib["transform"])
-        if not element.attrib["transform"]:
-            del element.attrib["transform"]
-
-
-def _rounded(found: re.Match[str]) -> str:
-    return _short(float(found[0]))
-
-
-def _short(value: float) -> str:
-    text = f"{value:.2f}".rstrip("0").rstrip(".")
-    return "0" if text in ("-0", "") else text
-
-
-def _thinner(path: str) -> str:
-    """A path of straight lines without its invisible points, in steps from point to point; other paths as they are."""
-    if set(re.findall(r"[A-Za-z]", path)) - set("MLze"):
-        return path
-    pieces = []
-    for piece in path.replace("\n", " ").split("M")[1:]:
-        closed = piece.rstrip().endswith("z")
-        numbers = np.array(re.findall(_NUMBER, piece), dtype=float).reshape(-1, 2)
-        digits = 2
-        if len(numbers) >= MANY:
-            numbers, digits = thin_out(numbers, TOLERANCE), 1
-        pieces.append(_steps(numbers, digits) + ("z" if closed else ""))
-    return "".join(pieces)
-
-
-def _steps(points: np.ndarray, digits: int) -> str:
-    """Relative coordinates are shorter; they are differences of rounded ones, so errors do not add up."""
-    hundredths = 10 ** (2 - digits) * np.rint(10**digits * points).astype(int)
-    first = f"M{_short(hundredths[0, 0] / 100)} {_short(hundredths[0, 1] / 100)}"
-    steps = np.diff(hundredths, axis=0)
-    return first + "".join(
-        f"l{_hundredth(x)}{_hundredth(y) if y < 0 else ' ' + _hundredth(y)}" for x, y in steps.tolist()
+def _pieces(
+    path: Path, transform: Transform, clip: tuple[float, float, float, float] | None
+) -> list[tuple[np.ndarray, np.ndarray, bool]]:
+    """The connected parts of a path: points, shape (n, 2), codes of matplotlib, and whether it is closed."""
+    clean = path.cleaned(
+        transform, remove_nans=True, clip=clip, simplify=path.should_simplify and clip is not None, curves=True
     )
+    vertices, codes = np.asarray(clean.vertices), np.asarray(clean.codes)
+    starts = np.flatnonzero(codes == Path.MOVETO).tolist()
+    found = []
+    for first, after in pairwise([*starts, len(codes)]):
+        part = codes[first:after]
+        there = (part != Path.CLOSEPOLY) & (part != Path.STOP)
+        if np.count_nonzero(there) > 1:
+            found.append((vertices[first:after][there], part[there], bool((part == Path.CLOSEPOLY).any())))
+    return found
 
 
-def _hundredth(value: int) -> str:
-    sign, size = ("-" if value < 0 else ""), abs(value)
-    whole, rest = divmod(size, 100)
-    if not rest:
-        return f"{sign}{whole}"
-    return f"{sign}{whole or ''}.{rest:02d}".rstrip("0")
+def _line_data(points: np.ndarray, closed: bool) -> str:
+    """One part of a path of straight lines, in steps from point to point."""
+    places = np.rint(UNITS * points).astype(int)
+    steps = places[1:] - places[:-1]  # of rounded places, so errors do not add up
+    if len(steps) > 1:
+        moved = steps.any(axis=1)
+        steps = steps[moved] if moved.any() else steps[:1]
+    return f"M{_joined(places[0])}l{_joined(steps)}{'z' * closed}"
+
+
+def _curve_data(points: np.ndarray, codes: np.ndarray) -> str:
+    """One part of a path with Bezier curves."""
+    text, at = "", 0
+    while at < len(codes):
+        letter, count = _LETTERS[codes[at]]
+        text += letter + " ".join(map(_number, (UNITS * points[at : at + count]).ravel().tolist()))
+        at += count
+    return text
+
+
+def _with(element: str, attribute: str) -> str:
+    """An element with one attribute more."""
+    return element.replace(" ", f" {attribute} ", 1)
+
+
+def _joined(values: np.ndarray) -> str:
+    return " ".join(map(str, values.ravel().tolist())).replace(" -", "-")
+
+
+def _grown(box: Bbox | None, by: float) -> Bbox | None:
+    return None if box is None else Bbox([[box.x0 - by, box.y0 - by], [box.x1 + by, box.y1 + by]])
+
+
+def _number(value: float) -> str:
+    """A number to a hundredth, as short as can be."""
+    text = f"{value:.2f}".rstrip("0").rstrip(".")
+    return "0" if text in ("-0", "") or not math.isfinite(value) else text
+
+
+def _escaped(text: str) -> str:
+    return html.escape(visible_line(text), quote=False)

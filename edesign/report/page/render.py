@@ -11,8 +11,8 @@ from itertools import groupby
 from markupsafe import Markup, escape
 
 from edesign._version import __version__
-from edesign.report.page.inline_svg import share_styles
 from edesign.report.page.section import Part, Section
+from edesign.report.page.shared_styles import share_styles
 from edesign.report.table import Table
 from edesign.report.visible import visible
 

@@ -19,7 +19,6 @@ from edesign.project.study import Study
 from edesign.report.archived import archived_building, archived_project, archived_study
 from edesign.report.assessment_tables import read_histories
 from edesign.report.captions import UniqueNames, file_name
-from edesign.report.page.inline_svg import inline_svg
 from edesign.report.page.section import Heading, Part, Picture
 from edesign.report.summary import entry, planned, results
 
@@ -172,9 +171,9 @@ def headed(pictures: Iterable[Picture], levels: Iterable[str]) -> list[Part]:
 
 
 def picture_of(name: str, caption: str, figure: Figure) -> Picture:
-    from edesign.report.figures import svg_text
+    from edesign.report.page.inline_svg import inline_svg
 
     anchor = f"figure-{name}"
     title, _, description = caption.partition(". ")
-    svg, width = inline_svg(svg_text(figure), anchor, title.rstrip("."), description)
+    svg, width = inline_svg(figure, anchor, title.rstrip("."), description)
     return Picture(anchor, caption, svg, width)

@@ -14,7 +14,7 @@ from edesign.project.substructure.compensators import (
     ModifiedAtsCompensator,
 )
 from edesign.report.captions import file_name, plain
-from edesign.report.figures import TARGET, VARIANTS, new_figure, styled
+from edesign.report.figures import TARGET, VARIANTS, align_ordinates, new_figure, styled
 from edesign.report.substructure.curves import WIDTH, curve, legend_below
 from edesign.report.substructure.results import BEST, Series, SubstructureResults
 
@@ -112,7 +112,7 @@ def alpha_figure(chosen: Sequence[Adaptive], rows: Sequence[Coefficient]) -> Fig
         axis.tick_params(labelbottom=i == len(rows) - 1)
         axis.ticklabel_format(axis="y", useOffset=False)
     axes[-1][0].set_xlabel("time (s)")
-    figure.align_ylabels()
+    align_ordinates(row[0] for row in axes)
     marked = [("limit", TARGET, "--")] if drawn else []
     legend_below(figure, [*((one.series.label, one.series.color, "-") for one in chosen), *marked])
     return figure

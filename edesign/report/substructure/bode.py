@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.report.figures import MEAN, logarithmic, new_figure, styled
+from edesign.report.figures import MEAN, align_ordinates, logarithmic, new_figure, styled
 from edesign.report.substructure.curves import legend_below
 from edesign.report.substructure.results import BEST, FIRST
 from edesign.substructure.stability.loop import Transfer
@@ -97,6 +97,6 @@ def bode_figure(
     axes[1][0].set_ylim(*phases)
     axes[1][0].set_yticks(np.arange(phases[0], phases[1] + 1.0, QUARTERS))
     axes[-1][0].set_xlabel("frequency (Hz)")
-    figure.align_ylabels()
+    align_ordinates(row[0] for row in axes)
     legend_below(figure, [(path.label, path.color, path.style) for path in paths])
     return figure

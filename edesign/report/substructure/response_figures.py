@@ -11,7 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.errors import EdesignError
 from edesign.report.captions import file_name, plain
-from edesign.report.figures import MEAN, legend_label, new_figure, styled
+from edesign.report.figures import MEAN, align_ordinates, legend_label, new_figure, styled
 from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_below, window, within
 from edesign.report.substructure.results import Series, SubstructureResults, times
 from edesign.substructure.sized_damper import SizedDamper
@@ -116,7 +116,7 @@ def loop_figure(
     grid.set_height_ratios([PANEL[1], HIGH])
     for axis in axes[1]:
         axis.remove()
-    history = figure.add_subplot(grid[1, :])
+    history = figure.add_subplot(grid[1, :], axes_class=type(axes[0][0]))
     for axis, (one, _), loop in zip(axes[0], found, loops, strict=True):
         curve(axis, 1e3 * loop.deformation, 1e-3 * loop.force, PANEL, spans, color=one.color, lw=1.5)
         curve(history, loop.time, 1e-3 * loop.force, (wide_figure - 0.7, HIGH), color=one.color, lw=1.2)
@@ -230,7 +230,7 @@ def response_figure(rows: Sequence[Response]) -> Figure:
         if not zoomed:
             axis.axvspan(*seen, color="#d5dbe4", zorder=0.5, lw=0)
     axes[-1][0].set_xlabel("time (s)")
-    figure.align_ylabels()
+    align_ordinates(row[0] for row in axes)
     legend_below(figure, [("direct analysis", MEAN, "--"), *((s.label, s.color, "-") for s, _ in first.found)])
     return figure
 

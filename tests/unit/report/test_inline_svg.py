@@ -7,30 +7,30 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from edesign.report.figures import new_figure, styled, svg_text
-from edesign.report.page.inline_svg import TOLERANCE, inline_svg, share_styles
+from edesign.report.light_axes import LightAxes
+from edesign.report.page.inline_svg import TOLERANCE, UNITS, inline_svg
+from edesign.report.page.shared_styles import share_styles
 
 PIXELS_PER_POINT = 1.24  # as the style sheet shows figures; 34rem on a phone is less
 
 
 @styled
-def _drawing(values: np.ndarray, title: str) -> str:
+def _drawing(values: np.ndarray, title: str) -> Figure:
     figure, ((axes,),) = new_figure(1, 1, 5.0, 3.0)
     axes.plot(np.arange(values.size), values, "-", gid="curve")
     axes.plot([0.0, 1.0], [0.0, 1.0], "o")
     axes.set_title(title)
-    return svg_text(figure)
+    return figure
 
 
 def _points(path: str) -> np.ndarray:
-    """Vertices of a path of M and relative l steps, read on their own."""
-    at, found = np.zeros(2), []
-    for letter, rest in re.findall(r"([ML l])([^MLlz]*)", path):
-        x, y = (float(number) for number in re.findall(r"-?(?:\d+\.?\d*|\.\d+)", rest))
-        at = np.array([x, y]) if letter in "ML" else at + (x, y)
-        found.append(at)
-    return np.array(found)
+    """Vertices of a path of M and relative l steps in points, read on their own."""
+    start, steps = re.findall(r"[Ml]([^Mlz]*)", path)
+    numbers = [np.array(re.findall(r"-?\d+", part), dtype=float).reshape(-1, 2) for part in (start, steps)]
+    return np.cumsum(np.concatenate(numbers), axis=0) / UNITS
 
 
 def test_names_of_two_figures_do_not_clash() -> None:
@@ -66,13 +66,14 @@ def test_curves_lose_points_and_stay_within_half_a_pixel() -> None:
     t = np.arange(6000) / 100.0
     values = np.exp(-0.03 * t) * np.sin(2.0 * np.pi * 1.3 * t) + 0.05 * np.sin(2.0 * np.pi * 11.0 * t)
     with matplotlib.rc_context({"path.simplify": False}):
-        full = re.search(r'id="curve">\s*<path d="([^"]+)"', _drawing(values, ""))
+        full = re.search(r'id="curve">\s*<path d="([^"]+)"', svg_text(_drawing(values, "")))
     thinned, _ = inline_svg(_drawing(values, ""), "one", "")
     assert full is not None
     numbers = re.findall(r"[ML] (\S+) (\S+)", full[1])
     every = np.array(numbers, dtype=float)
     assert len(every) == 6000
-    curve = max((_points(path) for path in re.findall(r' d="([^"]+)"', thinned) if "C" not in path), key=len)
+    paths = re.findall(r' d="([^"]+)"', thinned)
+    curve = max((_points(path) for path in paths if path.count("M") == 1 and "C" not in path), key=len)
     assert len(curve) < 4000
     distance = np.full(len(every), np.inf)
     for start, end in zip(curve[:-1], curve[1:], strict=True):
@@ -93,3 +94,56 @@ def test_figures_of_a_page_share_styles_as_classes() -> None:
     for number, name in enumerate(("one", "two"), 1):
         shared = re.sub(rf'(?<=[#"])v{number}(?=-)', name, shared)
     assert shared == "".join(figures)
+
+
+def test_what_stands_within_its_axes_needs_no_clip() -> None:
+    """A curve that leaves its axes is clipped at them, and at them only; one within them is not."""
+
+    @styled
+    def drawn(limit: float) -> str:
+        figure, ((axes,),) = new_figure(1, 1, 5.0, 3.0)
+        axes.plot([0.0, 1.0, 2.0], [0.0, 1.0, 0.5], lw=1.0)
+        axes.set_xlim(-1.0, 3.0)
+        axes.set_ylim(-1.0, limit)
+        return inline_svg(figure, "one", "")[0]
+
+    assert "clip" not in drawn(2.0)
+    clipped = ElementTree.fromstring(drawn(0.8))
+    (limits,) = clipped.iter("clipPath")
+    (rectangle,) = limits
+    (curve,) = (element for element in clipped.iter("path") if element.get("clip-path"))
+    assert curve.get("clip-path") == f"url(#{limits.get('id')})"
+    x, y, width, height = (float(str(rectangle.get(key))) for key in ("x", "y", "width", "height"))
+    start = [float(number) for number in re.findall(r"\d+", str(curve.get("d")))[:2]]
+    assert start == pytest.approx([x + width / 4, y + height * 0.8 / 1.8], abs=1.0)
+
+
+def test_texts_stand_where_matplotlib_puts_them() -> None:
+    """Labels of ticks, titles and legends against the SVG file of matplotlib itself, drawn with its own ticks."""
+    from matplotlib.axes import Axes
+
+    @styled
+    def drawn(kind: type[Axes]) -> Figure:
+        figure = Figure(figsize=(5.0, 3.0), layout="none")
+        figure.subplots_adjust(0.15, 0.2, 0.9, 0.9)
+        axes = figure.add_subplot(axes_class=kind)
+        axes.plot([0.0, 7.0], [-2.0e6, 3.0e6], label="a curve")
+        axes.legend(loc="upper left")
+        axes.set(xlabel="time (s)", ylabel="force (N)", title="above")
+        return figure
+
+    found = _texts(inline_svg(drawn(LightAxes), "one", "")[0], UNITS)
+    own = _texts(svg_text(drawn(Axes)), 1.0)
+    assert [text for text, *_ in found] == [text for text, *_ in own] and len(own) > 10
+    for (text, *here), (_, *there) in zip(found, own, strict=True):
+        assert here == pytest.approx(there, abs=0.3), text  # the height of a line, and rounding to a tenth of a point
+
+
+def _texts(svg: str, units: float) -> list[tuple[str, float, float]]:
+    """Texts of a drawing with their places in points, sorted."""
+    found = []
+    for about, text in re.findall(r"<text ([^>]*)>([^<]+)</text>", svg):
+        place = re.search(r'x="([\d.]+)" y="([\d.]+)"', about) or re.search(r"translate\(([\d.]+),? ([\d.]+)\)", about)
+        assert place is not None, about
+        found.append((text, float(place[1]) / units, float(place[2]) / units))
+    return sorted(found)
