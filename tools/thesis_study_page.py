@@ -32,8 +32,7 @@ from edesign.report.measure_columns import MEASURE_ROWS
 from edesign.report.study_tables import study_tables
 from edesign.report.summary import all_results, planned, record_entries
 from edesign.report.table import Table, number
-from edesign.study.plan import ANALYSES
-from edesign.study.record_results import RECORDS
+from edesign.study.kinds import ANALYSES, RECORDS
 
 ROOT = Path(__file__).resolve().parents[1]
 BLOCK = re.compile(r"(<!-- begin (?P<name>.+?) -->\n).*?(<!-- end -->)", re.DOTALL)

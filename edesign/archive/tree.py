@@ -176,7 +176,7 @@ class Tree:
             Damaged: there is no such variable, or it cannot be read.
         """
         with _reading(place):
-            item = _opened(self._open(place), name)
+            item = _opened(self.file.id, f"{place}/{name}".strip("/"))
             if not isinstance(item, h5d.DatasetID):
                 raise ValueError(f"`{name}`: this is a group, where data belong")
             return self._variable(name, item, dims)
@@ -307,7 +307,7 @@ class Tree:
         if _is_text(kind):
             if shape:
                 raise ValueError("several texts, which an archive cannot have")
-            return str(_read_text(attribute, kind, shape))
+            return str(_read_text(attribute, kind, shape).item())
         _check_number(kind)
         values = np.empty(shape, kind.dtype)
         attribute.read(values)
@@ -330,7 +330,7 @@ class Tree:
             else:
                 values = np.empty(shape, kind.dtype)
                 item.read(h5s.ALL, h5s.ALL, values)
-            if self._text(item, b"dtype", "") == BOOLEAN_MARK:
+            if kind.get_class() == h5t.INTEGER and self._text(item, b"dtype", "") == BOOLEAN_MARK:
                 values = values.astype(bool)
             unit, long_name = self._text(item, b"units", ""), self._text(item, b"long_name", name)
             return Variable(_scales(name, item) if dims is None else dims, values, unit, long_name)

@@ -130,20 +130,6 @@ def located_measure(
     return _largest(group, dimension, values, storeys, members)
 
 
-def component_storeys(group: Group, dimension: str) -> list[int]:
-    """Return the storey of each component of a dimension ("storey", "column", "beam", "damper"); 0: of none.
-
-    A beam counts with the storey below its floor.
-    """
-    labels = _labels(group, dimension)
-    if dimension == "storey":
-        return [int(label) for label in labels]
-    if dimension == "damper":
-        stored = group.variables.get("damper_storey")
-        return [0] * len(labels) if stored is None else [int(storey) for storey in stored.values]
-    return [int(label.rpartition("_")[2]) for label in labels]  # C_A_3, B_1_3
-
-
 def _largest(
     group: Group,
     dimension: str,
@@ -151,20 +137,30 @@ def _largest(
     storeys: Collection[int] | None,
     members: Collection[str] | None,
 ) -> Located | None:
-    each = values.reshape(values.shape[0], -1).max(axis=1)  # the ends of a member are its columns
-    of_storey = component_storeys(group, dimension) if dimension in group.coords else [0] * len(each)
-    labels = _labels(group, dimension) if dimension in group.coords else [""] * len(each)
+    each = values.reshape(values.shape[0], -1).max(axis=1).tolist()  # the ends of a member are its columns
     chosen = [
         at
         for at in range(len(each))
-        if (storeys is None or of_storey[at] in storeys)
-        and (members is None or dimension == "storey" or labels[at] in members)
+        if (storeys is None or _storey(group, dimension, at) in storeys)
+        and (members is None or dimension == "storey" or _label(group, dimension, at) in members)
     ]
     if not chosen:
         return None
     worst = max(chosen, key=lambda at: each[at])
-    return Located(float(each[worst]), of_storey[worst] or None, "" if dimension == "storey" else labels[worst])
+    name = "" if dimension == "storey" else _label(group, dimension, worst)
+    return Located(each[worst], _storey(group, dimension, worst) or None, name)
 
 
-def _labels(group: Group, dimension: str) -> list[str]:
-    return [str(value) for value in group.coords[dimension].values]
+def _storey(group: Group, dimension: str, at: int) -> int:
+    """The storey of a component, 0: of none; a beam counts with the storey below its floor."""
+    if dimension not in group.coords:
+        return 0
+    if dimension == "damper":
+        stored = group.variables.get("damper_storey")
+        return 0 if stored is None else int(stored.values[at])
+    return int(_label(group, dimension, at).rpartition("_")[2])  # 3, C_A_3, B_1_3
+
+
+def _label(group: Group, dimension: str, at: int) -> str:
+    """The name of a component; "" where the group does not name them."""
+    return str(group.coords[dimension].values[at]) if dimension in group.coords else ""

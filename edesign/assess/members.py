@@ -8,8 +8,6 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-import numpy as np
-
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.building.named_section import cross_section
@@ -177,11 +175,12 @@ def member_usages(
             continue
         stored = True
         of_columns = compressions(group) if kind == "column" else {}
-        for label, ends in zip(group.coords[kind].values, rotations, strict=True):
+        largest = rotations.reshape(len(rotations), -1).max(axis=1).tolist()
+        for label, rotation in zip(group.coords[kind].values.tolist(), largest, strict=True):
             member = members.get(str(label))
             if member is not None and (storeys is None or member.storey in storeys):
                 compression = of_columns.get(member.name, 0.0)
-                found.append(_usage(member, float(np.max(ends)), compression, level))
+                found.append(_usage(member, rotation, compression, level))
     return found if stored else None
 
 

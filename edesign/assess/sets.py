@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from edesign.archive.dataset import Group
 from edesign.assess.measures import MEASURES, response_measures
@@ -28,6 +29,11 @@ class HistorySet:
         """Those with all their results."""
         return {name: group for name, group in self.histories.items() if _status(group) == "completed"}
 
+    @cached_property
+    def measures(self) -> dict[str, dict[str, float | None]]:
+        """The response measures of the completed ones; see `response_measures`."""
+        return {name: response_measures(group) for name, group in self.completed.items()}
+
     @property
     def not_run(self) -> tuple[str, ...]:
         """Those whose results are still to come."""
@@ -44,16 +50,19 @@ class HistorySet:
         return statistics({name: measure(completed[name]) if name in completed else None for name in self.histories})
 
 
-def measure_statistics(histories: HistorySet) -> dict[str, Statistics]:
+def measure_statistics(histories: HistorySet, names: Collection[str] | None = None) -> dict[str, Statistics]:
     """Return the statistics of all response measures over the completed histories of a set, by measure.
 
     The others are missing in all of them.
+
+    Args:
+        histories: of one variant at one level.
+        names: only these of them; None: all.
     """
-    measures = {name: response_measures(group) for name, group in histories.completed.items()}
+    measures = histories.measures
+    chosen = [name for name in histories.histories if names is None or name in names]
     return {
-        measure: statistics(
-            {name: measures[name][measure] if name in measures else None for name in histories.histories}
-        )
+        measure: statistics({name: measures[name][measure] if name in measures else None for name in chosen})
         for measure in MEASURES
     }
 

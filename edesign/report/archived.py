@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
 from edesign.building.building_sections import BuildingSections
 from edesign.errors import ArchiveError
-from edesign.project.building import Building, parse_building
 from edesign.project.file_model import FileModel
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.project.study_loader import parse_study
 from edesign.study.kinds import BUILDING, STUDY, SUBSTRUCTURE
+
+if TYPE_CHECKING:
+    from edesign.project.building import Building
 
 
 def is_study_archive(archive: Archive) -> bool:
@@ -80,6 +83,8 @@ def archived_building(archive: Archive) -> Building | None:
     Raises:
         InputError: the text is not that of a building of this version.
     """
+    from edesign.project.building import parse_building
+
     text = archive.view().variables.get("building_text")
     if text is None:
         return None

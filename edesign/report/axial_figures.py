@@ -13,7 +13,7 @@ from edesign.archive.reader import Archive
 from edesign.report.captions import at_level, file_name, plain
 from edesign.report.figures import MEAN, grid_figure, label_outer, legend_label, some_of, styled
 from edesign.report.histories import by_level, histories, missing_text, names_of, variant_colors
-from edesign.study.plan import ANALYSES
+from edesign.study.kinds import ANALYSES
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

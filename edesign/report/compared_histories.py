@@ -18,7 +18,7 @@ from edesign.project.checks_reference import PROFILES
 from edesign.project.measures import SHORT_NAMES
 from edesign.project.reference import ResponseRow
 from edesign.report.summary import planned
-from edesign.study.plan import ANALYSES
+from edesign.study.kinds import ANALYSES
 
 
 class Wanted(NamedTuple):

@@ -12,7 +12,7 @@ from edesign.archive.reader import Archive
 from edesign.report.captions import file_name, plain
 from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, grid_figure, new_figure, some_of, styled
 from edesign.report.histories import names_of
-from edesign.study.plan import DESIGNS
+from edesign.study.kinds import DESIGNS
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -10,8 +10,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import record_label
 from edesign.report.figures import AFTER, MEAN, VARIANTS
-from edesign.study.kinds import DIRECT
-from edesign.study.plan import ANALYSES
+from edesign.study.kinds import ANALYSES, DIRECT
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from edesign.assess.incremental import COLLAPSE, Stripes, collect_stripes
 from edesign.assess.limit_fragility import LimitFragility, limit_fragility
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.summary import all_results
-from edesign.study.plan import INCREMENTAL
+from edesign.study.kinds import INCREMENTAL
 
 DRIFT = "interstorey_drift"
 UNITS = {"m/s^2": ("g", STANDARD_GRAVITY), "1": ("1", 1.0)}

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from edesign.assess.measures import response_measures
 from edesign.assess.sets import HistorySet, measure_statistics
 from edesign.assess.statistics import STATISTICS, Statistics
 from edesign.report.measure_columns import MEASURE_COLUMNS, MEASURE_ROWS, ROUNDING
@@ -21,7 +20,7 @@ def label(found: HistorySet) -> str:
 
 def record_measures_table(found: HistorySet) -> Table:
     """Return the response measures of each record of a variant at a level, and below them their statistics."""
-    measures = {name: response_measures(group) for name, group in found.completed.items()}
+    measures = found.measures
     shown = [c for c in MEASURE_COLUMNS if any(item[c[1]] is not None for item in measures.values())]
     table = Table(f"{label(found)}: response measures (largest absolute values)", ("record", *(c[0] for c in shown)))
     records = {name: str(found.histories[name].attributes.get("record") or name) for name in measures}
@@ -105,17 +104,13 @@ def _pair(first: HistorySet, found: HistorySet) -> _Pair | None:
     if set(records.values()) != common or set(others.values()) != common:
         count = "1 record" if len(common) == 1 else f"{len(common)} records"
         note = f"diff. of {label(found)}: over the {count} that {label(first)} has too"
-    return _Pair(measure_statistics(_of(first, others, common)), measure_statistics(_of(found, records, common)), note)
+    base = measure_statistics(first, {name for name, record in others.items() if record in common})
+    return _Pair(base, measure_statistics(found, {name for name, record in records.items() if record in common}), note)
 
 
 def _records(found: HistorySet) -> dict[str, str]:
     """The record of each completed history."""
     return {name: str(group.attributes.get("record") or name) for name, group in found.completed.items()}
-
-
-def _of(found: HistorySet, records: Mapping[str, str], common: Collection[str]) -> HistorySet:
-    histories = {name: found.histories[name] for name, record in records.items() if record in common}
-    return HistorySet(found.variant, found.level, histories)
 
 
 def _headers(ordered: Sequence[HistorySet], pairs: Sequence[_Pair | None]) -> list[str]:

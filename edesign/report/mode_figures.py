@@ -12,7 +12,7 @@ from edesign.archive.reader import Archive
 from edesign.report.captions import plain
 from edesign.report.figures import MEAN, VARIANTS, legend_label, new_figure, some_of, styled
 from edesign.report.histories import variant_colors
-from edesign.study.plan import ANALYSES
+from edesign.study.kinds import ANALYSES
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -12,7 +12,7 @@ from edesign.archive.reader import Archive
 from edesign.report.captions import file_name, record_label
 from edesign.report.match_figure import match_figure
 from edesign.report.spectra_figure import spectra_figure
-from edesign.study.record_results import RECORDS
+from edesign.study.kinds import RECORDS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.table import Table, number
-from edesign.study.match import Choice
-from edesign.study.record_results import RECORDS
+from edesign.study.kinds import RECORDS
+
+if TYPE_CHECKING:
+    from edesign.study.match import Choice
 
 MATCH_COLUMNS = (  # header, which of before and after, measure, unit of the header in SI
     ("PGA [g]", "pga", STANDARD_GRAVITY),

@@ -15,11 +15,11 @@ from edesign.report.assessment_tables import read_histories
 from edesign.report.design_tables import design_tables
 from edesign.report.incremental_tables import incremental_tables
 from edesign.report.measure_tables import statistics_tables
-from edesign.report.summary import all_results, entry
+from edesign.report.summary import all_results, ending, statistics
 from edesign.report.table import Table, number, seconds, whole
 from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_table
+from edesign.study.kinds import DESIGNS, INCREMENTAL
 from edesign.study.outcome import COLLAPSED, COMPLETED, SKIPPED
-from edesign.study.plan import DESIGNS, INCREMENTAL
 from edesign.study.warnings import warning_lines
 
 EXPECTED = (COLLAPSED, SKIPPED)  # ends of histories of incremental studies that are no failures
@@ -67,15 +67,15 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
     for name, group in (all_results(archive) if groups is None else groups).items():
         by_entry[_entry_of(name, group, stripes)][name] = group
     for title, found in by_entry.items():
-        entries = [entry(name, group) for name, group in found.items()]
-        counts = [str(sum(item["status"] == end for item in entries)) for end in ends]
-        cost = [item["statistics"] for item in entries]
+        endings = {name: ending(group) for name, group in found.items()}
+        counts = [str(sum(item["status"] == end for item in endings.values())) for end in ends]
+        cost = [statistics(group) for group in found.values()]
         sums = [_sum(cost, key) for key in ("steps", "fallbacks", "cpu_s")]
         errors = [float(item["energy_error"]) for item in cost if item["energy_error"] is not None]
         cells = [whole(sums[0]), whole(sums[1]), seconds(sums[2]), number(max(errors, default=None), 2)]
         table.rows.append([title, str(len(found)), *counts, *cells])
-        told = [item for item in entries if item["reason"] and item["status"] not in EXPECTED]
-        table.notes += [f"{item['name']}: {item['status']}: {item['reason']}" for item in told]
+        told = {name: item for name, item in endings.items() if item["reason"] and item["status"] not in EXPECTED}
+        table.notes += [f"{name}: {item['status']}: {item['reason']}" for name, item in told.items()]
         table.notes += [f"{title}: {line}" if len(found) > 1 else line for line in warning_lines(found)]
     return table
 

@@ -14,8 +14,7 @@ from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.errors import InputError
 from edesign.project.problems import did_you_mean, listed
 from edesign.report.archived import is_building_archive, is_substructure_archive
-from edesign.study.plan import ANALYSES
-from edesign.study.record_results import RECORDS
+from edesign.study.kinds import ANALYSES, RECORDS
 from edesign.study.warnings import ATTRIBUTE, warnings_of
 
 STATISTICS = ("steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error")
@@ -123,20 +122,29 @@ def entry(name: str, group: Group) -> dict[str, Any]:
         group: its results, as archived.
     """
     attributes = group.attributes
-    given = attributes.get("statistics")
-    statistics = given if isinstance(given, Mapping) else {}
     labels = {label: attributes.get(label) or None for label in ("kind", "variant", "record", "level")}
     return finite(
         {
             "name": name,
             **labels,
-            "status": str(attributes.get("status", "")),
-            "reason": str(attributes.get("reason") or ""),
+            **ending(group),
             ATTRIBUTE: [warning.text for warning in warnings_of(group)],
             "measures": response_measures(group),
-            "statistics": {key: statistics.get(key) for key in STATISTICS} | dict(statistics),
+            "statistics": statistics(group),
         }
     )
+
+
+def ending(group: Group) -> dict[str, str]:
+    """Return how an analysis ended: its status, and the reason of it, "" without."""
+    return {"status": str(group.attributes.get("status", "")), "reason": str(group.attributes.get("reason") or "")}
+
+
+def statistics(group: Group) -> dict[str, Any]:
+    """Return the statistics of an analysis, with None in place of numbers that are not finite or not archived."""
+    given = group.attributes.get("statistics")
+    found = given if isinstance(given, Mapping) else {}
+    return dict(finite({key: found.get(key) for key in STATISTICS} | dict(found)))
 
 
 def finite(value: Any) -> Any:

@@ -18,8 +18,9 @@ from edesign.study.backends.work import Work
 from edesign.study.check import verification_records, wanted_designs
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.execution import Execution, Prepared
+from edesign.study.kinds import DESIGNS
 from edesign.study.modal import mode_count
-from edesign.study.plan import DESIGNS, Task, labels
+from edesign.study.plan import Task, labels
 from edesign.study.variants import variant_project
 from edesign.study.works import analyse
 

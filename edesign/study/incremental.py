@@ -15,7 +15,8 @@ from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.study.execution import Execution, Prepared
 from edesign.study.intensity import first_period, level_intensity, record_intensity
-from edesign.study.plan import INCREMENTAL, Task
+from edesign.study.kinds import INCREMENTAL
+from edesign.study.plan import Task
 from edesign.study.recording import coordinate
 
 

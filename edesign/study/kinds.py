@@ -1,8 +1,11 @@
-"""What an archive is of, by its attribute `kind`; that of a project has none."""
+"""What an archive is of, by its attribute `kind`, which that of a project does not have, and its groups."""
 
 STUDY = "study"
 BUILDING = "building"
 SUBSTRUCTURE = "substructure"
+
+ANALYSES, DESIGNS, INCREMENTAL, RECORDS = "analyses", "designs", "incremental", "records"
+"""Groups of an archive: analyses, designs of dampers, what describes incremental studies, records and suites."""
 
 DIRECT = "direct analysis"
 """In the place of a variant, or of the compensator of a substructure test: the structure without laboratory."""

@@ -13,9 +13,7 @@ from edesign.project.analyses import Analysis, HistoryAnalysis
 from edesign.project.problems import did_you_mean
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords
-
-ANALYSES, DESIGNS, INCREMENTAL = "analyses", "designs", "incremental"
-"""Groups of the archive: analyses, designs of dampers, and what describes incremental studies."""
+from edesign.study.kinds import ANALYSES
 
 
 @dataclass(frozen=True)

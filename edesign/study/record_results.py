@@ -19,10 +19,10 @@ from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords, record_of
+from edesign.study.kinds import RECORDS
 from edesign.study.motions import Motion
 
 MEAN_SPECTRUM = "3.2.3.1.2(4)c"  # clause of the criterion that depends on the period
-RECORDS = "records"  # their group in the archive
 PERIODS = np.geomspace(0.02, 10.0, 300)  # of the spectra of records that are not fitted
 SEISMOLOGY = {"event", "year", "station", "component", "magnitude", "distance", "v_s30", "rsn", "pair", "direction"}
 

@@ -15,8 +15,9 @@ from edesign.study.designing import study_designs
 from edesign.study.execute import execute
 from edesign.study.execution import Execution, Job, Prepared
 from edesign.study.incremental import study_stripes
+from edesign.study.kinds import DESIGNS
 from edesign.study.outcome import Outcome, RunSummary
-from edesign.study.plan import DESIGNS, make_plan
+from edesign.study.plan import make_plan
 from edesign.study.progress import Listener, silent
 from edesign.study.provenance import root_group, study_root_group
 from edesign.study.study_plan import make_study_plan

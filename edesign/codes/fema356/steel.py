@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Literal
 
 from edesign.codes.fema356.sections import ISection
@@ -103,6 +104,7 @@ def beam_rotations(section: ISection, length: float) -> RotationLimits:
     return _times(beam_limits(section), beam_yield_rotation(section, length))
 
 
+@lru_cache(maxsize=4096)  # a history is judged by every performance level
 def column_rotations(section: ISection, length: float, compression: float, strength: float) -> RotationLimits | None:
     """Return the line of a column in rad (c: ratio); None where it is force-controlled.
 

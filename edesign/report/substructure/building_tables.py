@@ -18,8 +18,7 @@ from edesign.report.archived import archived_project
 from edesign.report.table import Table, number
 from edesign.report.text import wrapped
 from edesign.report.verdict_tables import performance_tables
-from edesign.study.kinds import DIRECT
-from edesign.study.plan import ANALYSES
+from edesign.study.kinds import ANALYSES, DIRECT
 from edesign.study.warnings import warning_lines
 from edesign.substructure.archived import building_name
 

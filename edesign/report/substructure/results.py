@@ -17,7 +17,7 @@ from edesign.report.figures import AFTER, VARIANTS
 from edesign.report.substructure.file import ArchivedTests, archived_tests
 from edesign.report.substructure.linearised import LinearisedTests, linearised
 from edesign.report.substructure.tables import Run, runs
-from edesign.study.plan import ANALYSES
+from edesign.study.kinds import ANALYSES
 from edesign.substructure.archived import PLACE, building_name
 
 NONE = "none"

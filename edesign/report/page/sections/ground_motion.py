@@ -7,7 +7,7 @@ from edesign.report.page.section import Facts, Folded, Part, Section
 from edesign.report.page.source import Source
 from edesign.report.record_figures import record_figures
 from edesign.report.record_tables import tables_of
-from edesign.study.record_results import RECORDS
+from edesign.study.kinds import RECORDS
 
 OF_SUITES = ("before", "after", "mean", "spectra")  # endings of the figures of a whole suite
 
