@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 from edesign.codes import Code, find_code
 from edesign.codes.ec8 import (
@@ -15,11 +16,13 @@ from edesign.codes.ec8 import (
 )
 from edesign.codes.ec8.importance import factor_of_probability, factor_of_return_period
 from edesign.errors import InputError
-from edesign.project.building.building import Building
 from edesign.project.hazard import YEAR, Hazard
 from edesign.project.problems import unknown_name
 from edesign.project.project import Project
 from edesign.project.units import STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from edesign.project.building.building import Building
 
 
 def checked_hazard(project: Project | Building) -> Hazard:
