@@ -7,7 +7,7 @@ locators and formatters, and draws all grid lines as one path, all marks as one 
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, Literal
 
 import numpy as np
@@ -23,11 +23,12 @@ Kind = Literal["major", "minor"]
 
 _KINDS: tuple[Kind, ...] = ("major", "minor")
 _SETTINGS: Any = rcParams
+_ROUNDING = 1e-6  # of the length of an axis, far below a pixel: ticks at its ends are in sight
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class _Ticks:
-    """Ticks of one kind: their places along the axis, pixels, and their labels with the largest width and height."""
+    """Ticks of one kind: their places along the axis, and their labels with the largest width and height, pixels."""
 
     at: np.ndarray
     labels: list[str]
@@ -51,7 +52,8 @@ class _LightAxis(Axis):
         """Have no objects of ticks; they are made when somebody asks for them."""
         self.majorTicks: list[Any] = []
         self.minorTicks: list[Any] = []
-        self._computed: tuple[Any, dict[Kind, _Ticks]] = (None, {})
+        self._computed: dict[Kind, tuple[Any, _Ticks]] = {}
+        self._placed_at: dict[Kind, tuple[Any, _Ticks]] = {}
         self._texts: dict[Kind, Text] = {}
 
     def set_ticks(self, ticks: Any, labels: Any = None, *, minor: bool = False, **style: Any) -> list[Any]:
@@ -120,33 +122,41 @@ class _LightAxis(Axis):
         return tuple(self.axes.bbox.get_points()[:, 1 - self._along])
 
     def _ticks(self, renderer: Any) -> dict[Kind, _Ticks]:
-        """Ticks of each kind that are in sight."""
-        now = (self.axes.bbox.bounds, *self.get_view_interval(), self.major, self.major.locator, self.minor.locator)
-        if now != self._computed[0]:
-            kinds = _KINDS[:1] if isinstance(self.minor.locator, NullLocator) else _KINDS
-            found = {kind: self._compute(renderer, kind) for kind in kinds}
-            self._computed = (now, {kind: ticks for kind, ticks in found.items() if ticks.at.size})
-        return self._computed[1]
+        """Ticks of each kind that are in sight, where they stand now."""
+        kinds = _KINDS[:1] if isinstance(self.minor.locator, NullLocator) else _KINDS
+        return {kind: ticks for kind in kinds if (ticks := self._placed(renderer, kind)).at.size}
 
-    def _compute(self, renderer: Any, kind: Kind) -> _Ticks:
-        places = np.asarray(self.get_majorticklocs() if kind == "major" else self.get_minorticklocs(), dtype=float)
-        formatter = self.get_major_formatter() if kind == "major" else self.get_minor_formatter()
-        labels = formatter.format_ticks(places.tolist())
-        points = np.zeros((places.size, 2))
-        points[:, self._along] = places
-        low, high = sorted(self.axes.bbox.get_points()[:, self._along])
-        with np.errstate(invalid="ignore"):
+    def _placed(self, renderer: Any, kind: Kind) -> _Ticks:
+        ticks = self._labelled(renderer, kind)
+        now = (ticks, self.axes.bbox.bounds)
+        if self._placed_at.get(kind, (None,))[0] != now:
+            points = np.zeros((ticks.at.size, 2))
+            points[:, self._along] = ticks.at
             transform = self.axes.get_xaxis_transform() if self._along == 0 else self.axes.get_yaxis_transform()
-            at = transform.transform(points)[:, self._along]
-            seen = (at > low - 1e-6 * (high - low)) & (at < high + 1e-6 * (high - low))
-        style = self.get_tick_params(kind)
-        shown = [label for label, there in zip(labels, seen, strict=True) if there]
-        if not style.get(f"label{self._side}", True):
-            shown = [""] * len(shown)
-        font = self._label_text(kind).get_fontproperties()
-        sizes = [renderer.get_text_width_height_descent(label, font, False) for label in ("lp", *filter(None, shown))]
-        width = max((size[0] for size in sizes[1:]), default=0.0)
-        return _Ticks(at[seen], shown, width, max(size[1] for size in sizes))  # a line is as high as l and p
+            self._placed_at[kind] = now, replace(ticks, at=transform.transform(points)[:, self._along])
+        return self._placed_at[kind][1]
+
+    def _labelled(self, renderer: Any, kind: Kind) -> _Ticks:
+        """Ticks with their places in data; they follow from the limits and the room, and are kept as long as these."""
+        ticker = self.major if kind == "major" else self.minor
+        named = self.get_tick_params(kind).get(f"label{self._side}", True)
+        low, high = self.get_view_interval()
+        now = (low, high, self.get_tick_space(), self.axes.figure.dpi, ticker.locator, ticker.formatter, named)
+        if self._computed.get(kind, (None,))[0] != now:
+            places = np.asarray(self.get_majorticklocs() if kind == "major" else self.get_minorticklocs(), dtype=float)
+            formatter = self.get_major_formatter() if kind == "major" else self.get_minor_formatter()
+            labels = formatter.format_ticks(places.tolist())
+            ends = np.sort(self.get_transform().transform([low, high]))
+            with np.errstate(invalid="ignore", divide="ignore"):
+                at = self.get_transform().transform(places)
+                seen = np.abs(at - ends.mean()) <= (0.5 + _ROUNDING) * (ends[1] - ends[0])
+            shown = [label if named else "" for label, there in zip(labels, seen, strict=True) if there]
+            font = self._label_text(kind).get_fontproperties()
+            texts = ("lp", *filter(None, shown))  # a line is as high as l and p
+            sizes = [renderer.get_text_width_height_descent(text, font, False) for text in texts]
+            width = max((size[0] for size in sizes[1:]), default=0.0)
+            self._computed[kind] = now, _Ticks(places[seen], shown, width, max(size[1] for size in sizes))
+        return self._computed[kind][1]
 
     def _label_text(self, kind: Kind) -> Text:
         """The text that draws all labels of a kind, in pixels."""
