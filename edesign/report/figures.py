@@ -40,7 +40,6 @@ _STYLE: Any = {
     "axes.linewidth": 0.6,
     "axes.grid": True,
     "axes.axisbelow": True,
-    "axes.titley": 1.0,  # a title need not evade ticks, which stand below
     "grid.linewidth": 0.4,
     "grid.color": "#d9dce1",
     "lines.linewidth": 1.0,

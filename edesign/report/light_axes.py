@@ -68,14 +68,18 @@ class _LightAxis(Axis):
             self.set_major_formatter(FixedFormatter(list(labels)))
         return self.majorTicks
 
+    def get_ticks_position(self) -> Any:
+        """Where the ticks stand."""
+        return super().get_ticks_position() if self.majorTicks else self._side  # type: ignore[misc]
+
     def get_tightbbox(self, renderer: Any = None, *, for_layout_only: bool = False) -> Bbox | None:
         """The extent of labels of ticks and axis, pixels; arguments as those of `matplotlib.axis.Axis`."""
-        if self.majorTicks or self.minorTicks:  # somebody asked for the objects, and may have changed one
+        objects = self.majorTicks or self.minorTicks  # somebody asked for them, and may have changed one
+        if objects or renderer is None:
             return super().get_tightbbox(renderer, for_layout_only=for_layout_only)
         if not self.get_visible():
             return None
-        box = self._outside(renderer)
-        boxes = [box]
+        boxes = [self._outside(renderer)]
         self._place_texts(renderer)
         for text in (self.label, self.offsetText):
             if text.get_visible() and text.get_text():
@@ -85,7 +89,7 @@ class _LightAxis(Axis):
                     corners[:, self._along] = corners[:, self._along].mean() + np.array([-0.5, 0.5])
                     extent = Bbox(corners)
                 boxes.append(extent)
-        return Bbox.union(boxes) if boxes else None
+        return Bbox.union(boxes)
 
     def draw(self, renderer: Any) -> None:
         """Draw grid, marks, labels of ticks, and the label of the axis."""
@@ -197,7 +201,7 @@ class _LightAxis(Axis):
         codes = np.tile(np.array([Path.MOVETO, Path.LINETO], dtype=Path.code_type), at.size)
         context = renderer.new_gc()
         context.set_foreground(_SETTINGS[color])
-        context.set_linewidth(renderer.points_to_pixels(width))
+        context.set_linewidth(width)
         renderer.draw_path(context, Path(ends.reshape(-1, 2), codes), IdentityTransform())
         context.restore()
 

@@ -127,9 +127,10 @@ def test_texts_stand_where_matplotlib_puts_them() -> None:
         figure = Figure(figsize=(5.0, 3.0), layout="none")
         figure.subplots_adjust(0.15, 0.2, 0.9, 0.9)
         axes = figure.add_subplot(axes_class=kind)
-        axes.plot([0.0, 7.0], [-2.0e6, 3.0e6], label="a curve")
+        axes.plot([0.0, 7.0], [-2.0e-8, 3.0e-8], label="a curve")
         axes.legend(loc="upper left")
-        axes.set(xlabel="time (s)", ylabel="force (N)", title="above")
+        axes.set(xlabel="time (s)", ylabel="force (N)")
+        axes.set_title("above the power of ten of the ordinate", loc="left")
         return figure
 
     found = _texts(inline_svg(drawn(LightAxes), "one", "")[0], UNITS)
