@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
@@ -100,6 +100,6 @@ def _entry_of(name: str, group: Group, stripes: tuple[str, ...]) -> str:
     return (name.rpartition(".")[0] if kind == "history" or kind is None else name) or name
 
 
-def _sum(cost: list[Mapping[str, float | None]], key: str) -> float | None:
+def _sum(cost: Sequence[Mapping[str, float | None]], key: str) -> float | None:
     values = [value for item in cost if (value := item.get(key)) is not None]
     return float(sum(values)) if values else None

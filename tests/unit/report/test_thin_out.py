@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edesign.report.thin_out import thin_out
+from edesign.report.thin_out import thin_out, thin_out_all
 
 STEPS = 4000
 
@@ -74,3 +74,15 @@ def test_any_curve_is_within_the_tolerance(points: list[tuple[int, int]], tolera
     assert np.array_equal(kept[0], curve[0]) and np.array_equal(kept[-1], curve[-1])
     if len(kept) > 1:
         assert np.max(_to_line(curve, kept)) <= tolerance * (1.0 + 1e-9)
+
+
+def test_curves_together_are_thinned_out_as_each_alone() -> None:
+    """Short ones, a point, and one that returns to its start stand between long ones."""
+    t = np.linspace(0.0, 20.0, 4000)
+    long = np.column_stack((t, np.sin(7.0 * t) * np.exp(-0.1 * t)))
+    curves = [long, np.zeros((1, 2)), np.array([[0.0, 0.0], [1.0, 1.0]]), np.vstack((long[:50], long[:1])), long[::-1]]
+    together = thin_out_all(curves, 0.01)
+    assert len(together[0]) < len(long) / 4
+    for one, curve in zip(together, curves, strict=True):
+        assert np.array_equal(one, thin_out(curve, 0.01))
+    assert thin_out_all([], 0.01) == []
