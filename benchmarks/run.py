@@ -79,10 +79,15 @@ def describe(response: Response) -> str:
     )
 
 
+def curved_law(frame: PeerFrame) -> Steel:
+    """The law of Menegotto & Pinto with the frame's strength and hardening."""
+    return MenegottoPinto(frame.E, frame.fy, frame.hardening, *MENEGOTTO_PINTO)
+
+
 def side_by_side(frame: PeerFrame, seconds: float | None, repeats: int, quick: bool, curved: bool = False) -> None:
     """Print both times and their ratio; `curved`: with the law of Menegotto & Pinto, in OpenSees Steel02."""
     kept: list[Response] = []
-    law = MenegottoPinto(frame.E, frame.fy, frame.hardening, *MENEGOTTO_PINTO) if curved else None
+    law = curved_law(frame) if curved else None
     core_run(frame, seconds, law=law)  # warms caches
     ours = timed(lambda: core_run(frame, seconds, kept, law=law), max(5, repeats))
     name = f"{frame.title}, Menegotto-Pinto" if curved else frame.title
@@ -115,6 +120,21 @@ def side_by_side(frame: PeerFrame, seconds: float | None, repeats: int, quick: b
     choice = f"{best.system}, {best.test} {best.tolerance:g}"
     print(f"  OpenSeesPy   {peer.milliseconds:8.4f} ms a step ({spread}; {choice})")
     print(f"  ratio        {peer.milliseconds / ours.milliseconds:8.1f}")
+
+
+def pushovers(frame: PeerFrame) -> None:
+    """Print what a step of a pushover costs with each law."""
+    print(f"\n{frame.title}, pushover to 2 % in 200 steps")
+    for name, law in (("bilinear", None), ("Menegotto-Pinto", curved_law(frame))):
+        kept: list[Response] = []
+
+        def step(law: Steel | None = law, kept: list[Response] = kept) -> float:
+            kept.append(edesign_frame.pushover_response(frame, law=law))
+            return kept[-1].statistics["cpu_s"] / kept[-1].statistics["steps"]
+
+        cost = timed(step, 5)
+        print(f"  {name:15}  {cost.milliseconds:8.4f} ms a step (median of 5, spread {100 * cost.spread:.0f} %)")
+        print(f"               {describe(kept[-1])}")
 
 
 def growth(repeats: int, seconds: float, pga: float) -> None:
@@ -155,6 +175,7 @@ def main() -> None:
     hardening = replace(thesis_frame(4), hardening=0.01)
     for curved in (False, True):
         side_by_side(hardening, None if not arguments.quick else 15.0, repeats, arguments.quick, curved)
+    pushovers(hardening)
     side_by_side(thesis_frame(3), None if not arguments.quick else 15.0, repeats, arguments.quick)
     side_by_side(tall_frame(40, 8), 15.0 if not arguments.quick else 3.0, repeats, arguments.quick)
     growth(repeats, 15.0, PGA)

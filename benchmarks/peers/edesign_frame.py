@@ -90,7 +90,15 @@ def first_mode_loads(frame: PeerFrame) -> Array:
 
 def pushover(frame: PeerFrame, roof_drift: float = 0.02, steps: int = 200, **settings: float) -> tuple[Array, Array]:
     """Roof displacement (steps + 1,) m and base shear (steps + 1,) N under first-mode loads after gravity."""
-    core = build(frame, first_mode_loads(frame))
+    response = pushover_response(frame, roof_drift, steps, **settings)
+    return response.values["roof"], response.values["shear"]
+
+
+def pushover_response(
+    frame: PeerFrame, roof_drift: float = 0.02, steps: int = 200, law: Steel | None = None, **settings: float
+) -> Response:
+    """As `pushover`, with what it cost; `law` is that of all fibres, None for the frame's bilinear one."""
+    core = build(frame, first_mode_loads(frame), law=law)
     analysis = Analysis(core.model, **settings)
     analysis.static(core.gravity, 1.0, 10)
     roof = core.node[frame.n_lines // 2, frame.n_storeys]
@@ -102,7 +110,7 @@ def pushover(frame: PeerFrame, roof_drift: float = 0.02, steps: int = 200, **set
     response = analysis.pushover(core.push, roof, "ux", start + roof_drift * frame.height, steps, channels)
     if response.status != "completed":
         raise RuntimeError(response.reason)
-    return response.values["roof"], response.values["shear"]
+    return response
 
 
 def history(
