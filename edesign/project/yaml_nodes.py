@@ -14,13 +14,10 @@ from typing import Any, NamedTuple
 import yaml
 
 from edesign.project.limits import YAML_ADVICE, YAML_BYTES, YAML_DEPTH, YAML_VALUES, megabytes
+from edesign.yaml_parser import quick_parser
 
 _INTEGER = re.compile(r"[-+]?[0-9]+")
 _FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")
-_QUICK: Any = getattr(yaml, "CSafeLoader", None)
-"""The parser of libyaml, ten times as fast; None where PyYAML was built without it."""
-_OTHERWISE = re.compile(r"[^\n -~]|[?!]")
-"""What libyaml reads otherwise in places: tabs, line ends and signs beyond ASCII, question and exclamation marks."""
 _CONSTANTS: dict[str, Any] = {"": None, "null": None, "~": None, "true": True, "false": False}
 
 
@@ -86,8 +83,9 @@ def parse(text: str) -> tuple[Node, list[Fault]]:
     """
     if message := _too_large(text):
         return Node(Mark(1, 1), entries={}), [Fault(Mark(1, 1), (), message)]
-    if _QUICK is not None and not _OTHERWISE.search(text):
-        reader = _Reader(text, _QUICK)
+    quick = quick_parser(text)
+    if quick is not None:
+        reader = _Reader(text, quick)
         try:
             return reader.document(), reader.faults
         except yaml.YAMLError:
@@ -122,7 +120,7 @@ class _Reader:
 
     def __init__(self, text: str, loader: Any) -> None:
         self.events: Iterator[Any] = iter(yaml.parse(text, Loader=loader))
-        self._quick = loader is _QUICK
+        self._quick = loader is not yaml.SafeLoader
         self.faults: list[Fault] = []
 
     def document(self) -> Node:

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
+from edesign import file_kinds, yaml_parser
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
-from edesign.file_kinds import kind_of
+from edesign.file_kinds import kind_of, kind_of_content
 
+SIGNS = (*":?-{}[],#&*!|>'\"%@ \t\n\r", ": ", "? ", "\u2028", "\ufeff", "---\n", "...\n", "edesign: 1\n")
+"""Which mean something to YAML."""
 TEXTS = {
     "project": "# a project\nedesign: 1\ntitle: x\n",
     "study": "edesign_study: 1\n",
@@ -91,6 +97,22 @@ def test_a_kind_is_told_by_content(files: Path, kind: str) -> None:
 def test_nothing_is_said_of_other_files(tmp_path: Path, text: str) -> None:
     (tmp_path / "x").write_text(text, encoding="utf-8")
     assert kind_of(tmp_path / "x") is None and kind_of(tmp_path) is None and kind_of(tmp_path / "y") is None
+
+
+@pytest.mark.skipif(yaml_parser._QUICK is None, reason="PyYAML was built without libyaml")
+@given(
+    st.sampled_from([*TEXTS.values(), "a: [1,\n 2]\nPGA: 3 at 00:05 {x\n"]),
+    st.lists(st.tuples(st.integers(0, 50), st.integers(0, 2), st.sampled_from(SIGNS)), max_size=3),
+)
+def test_the_quick_parser_tells_the_same_kind(text: str, edits: list[tuple[int, int, str]]) -> None:
+    """As PyYAML's own parser alone, of texts right and wrong, and where the parser is left out."""
+    for place, cut, new in edits:
+        text = text[:place] + new + text[place + cut :]
+    quickly = kind_of_content(text.encode())
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(yaml_parser, "_QUICK", None)
+        patch.setattr(file_kinds, "_MAY_HAVE_KEYS", re.compile(""))
+        assert kind_of_content(text.encode()) == quickly
 
 
 @pytest.mark.parametrize("kind", [*TEXTS, "archive"])

@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from edesign import yaml_parser
 from edesign.project import yaml_nodes
 from edesign.project.yaml_nodes import Mark, find, parse
 
@@ -104,7 +105,7 @@ analyses:
 """
 
 
-@pytest.mark.skipif(yaml_nodes._QUICK is None, reason="PyYAML was built without libyaml")
+@pytest.mark.skipif(yaml_parser._QUICK is None, reason="PyYAML was built without libyaml")
 @given(st.lists(st.tuples(st.integers(0, len(SAMPLE)), st.integers(0, 2), st.sampled_from(SPECIAL)), max_size=3))
 def test_libyaml_reads_the_same(edits: list[tuple[int, int, str]]) -> None:
     """Tree, marks and faults, as by PyYAML's own parser, of texts right and wrong."""
@@ -113,5 +114,5 @@ def test_libyaml_reads_the_same(edits: list[tuple[int, int, str]]) -> None:
         text = text[:place] + new + text[place + cut :]
     quickly = yaml_nodes.parse(text)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(yaml_nodes, "_QUICK", None)
+        patch.setattr(yaml_parser, "_QUICK", None)
         assert yaml_nodes.parse(text) == quickly
