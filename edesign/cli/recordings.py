@@ -116,7 +116,7 @@ def _files(inputs: Sequence[Path], reading: Reading) -> dict[str, Found]:
         raise InputError(
             "--unit, --time-step, --layout: only for tables of text; these files say unit and time step themselves"
         )
-    if reading.component is not None and not any(names_components(path) for path in inputs):
+    if reading.component is not None and not any(names_components(detect(path)) for path in inputs):
         raise InputError("--component: only for files that name their components; these hold one")
     return recordings
 
@@ -126,10 +126,11 @@ def _record(path: Path, name: str, reading: Reading) -> Record:
     from edesign.ground_motion.read import detect, names_components, read_record_file
     from edesign.ground_motion.units import ACCELERATION_UNITS
 
-    if names_components(path):
-        return read_record_file(path, component=reading.component, name=name)
-    if detect(path) != "table":
-        return read_record_file(path, name=name)
+    found = detect(path)
+    if names_components(found):
+        return read_record_file(path, file_format=found, component=reading.component, name=name)
+    if found != "table":
+        return read_record_file(path, file_format=found, name=name)
     if reading.unit is None:
         raise InputError(
             f"{path}: a table does not say the unit of its accelerations; declare it: --unit "

@@ -98,13 +98,9 @@ def _known(path: Path, file_format: FileFormat) -> FileFormat:
     return file_format
 
 
-def names_components(path: Path) -> bool:
-    """Return whether a file is of a format that names its components.
-
-    Raises:
-        InputError: as `detect`.
-    """
-    return detect(path) in _READERS
+def names_components(file_format: FileFormat) -> bool:
+    """Return whether the files of a format name their components."""
+    return file_format in _READERS
 
 
 def detect(path: Path) -> FileFormat:

